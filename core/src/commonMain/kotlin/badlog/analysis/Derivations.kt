@@ -1,0 +1,42 @@
+package badlog.analysis
+
+/**
+ * The differences of neighbours, `y[i+1] - y[i]`, each at the middle of `x[i]` and `x[i+1]`. Has one sample fewer than the
+ * series. A gap where one of the neighbours has no finite value.
+ */
+public fun Series.delta(): Series = betweenNeighbours { i -> y[i + 1] - y[i] }
+
+/**
+ * The slopes between neighbours, `(y[i+1] - y[i]) / (x[i+1] - x[i])`, each at the middle of `x[i]` and `x[i+1]`. Has one
+ * sample fewer than the series. A gap where one of the neighbours has no finite value, and where x does not go forward.
+ */
+public fun Series.derivative(): Series = betweenNeighbours { i ->
+    val run = x[i + 1] - x[i]
+    val slope = if (run > 0) (y[i + 1] - y[i]) / run else Double.NaN
+    if (slope.isFinite()) slope else Double.NaN
+}
+
+/**
+ * The running area under the series by the trapezoid rule: 0 at the first value, and each sum at the sample that closes it.
+ * Over a gap, and where x goes backwards, the sum is carried on unchanged, since the area there is not known.
+ */
+public fun Series.integral(): Series {
+    val sums = DoubleArray(size)
+    val sum = TrapezoidSum()
+    for (i in 0 until size) {
+        sum.add(x[i], y[i])
+        sums[i] = if (y[i].isFinite()) sum.value else Double.NaN
+    }
+    return Series(x, sums)
+}
+
+private inline fun Series.betweenNeighbours(value: (Int) -> Double): Series {
+    val count = maxOf(0, size - 1)
+    val middles = DoubleArray(count)
+    val values = DoubleArray(count)
+    for (i in 0 until count) {
+        middles[i] = x[i] + (x[i + 1] - x[i]) / 2
+        values[i] = if (y[i].isFinite() && y[i + 1].isFinite()) value(i) else Double.NaN
+    }
+    return Series(middles, values)
+}

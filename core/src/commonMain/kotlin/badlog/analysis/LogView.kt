@@ -1,0 +1,31 @@
+package badlog.analysis
+
+import badlog.recording.Problem
+import badlog.recording.Recording
+import badlog.recording.Severity
+
+/**
+ * A recording after its attributes were applied: what a front end shows, in the order in which it shows it.
+ *
+ * @property recording what it was made from.
+ * @property title what match it is, from the event and match values, or null without any.
+ * @property xAxis the common x of its graphs.
+ * @property folders the root folder first, if it has anything, then the others, sorted regardless of case.
+ * @property problems the recording's problems, then those of its attributes.
+ */
+public class LogView internal constructor(
+    public val recording: Recording,
+    public val title: String?,
+    public val xAxis: XAxis,
+    public val folders: List<Folder>,
+    public val problems: List<Problem>,
+) {
+    /** How many of [problems] are of each severity. */
+    public fun count(severity: Severity): Int = problems.count { it.severity == severity }
+
+    public companion object {
+        /** Applies the attributes of [recording] as [registry] understands them. */
+        public fun of(recording: Recording, registry: AttributeRegistry = AttributeRegistry.STANDARD): LogView =
+            LogViewBuilder(recording, registry).build()
+    }
+}

@@ -1,0 +1,193 @@
+package badlog.analysis
+
+import badlog.recording.PathName
+import badlog.recording.Problem
+import badlog.recording.ProblemKind
+import badlog.recording.Recording
+import badlog.recording.Topic
+import badlog.recording.TopicKind
+import badlog.recording.Value
+
+/** Makes a [LogView]: applies the attributes, finds the x axis, then lays out graphs and event logs by folder. */
+internal class LogViewBuilder(private val recording: Recording, private val registry: AttributeRegistry) {
+    private val problems = ArrayList<Problem>()
+    private val graphs = LinkedHashMap<String, GraphDraft>()
+    private val eventLogs = ArrayList<EventLog>()
+
+    private class GraphDraft(
+        val name: String,
+        val unit: String,
+        val isVirtual: Boolean,
+        val isFilled: Boolean = false,
+        val includesZero: Boolean = false,
+        val series: MutableList<GraphSeries> = ArrayList(),
+    ) {
+        fun toGraph() = Graph(name, unit, isVirtual, isFilled, includesZero, series)
+    }
+
+    fun build(): LogView {
+        val plans = recording.topics.map(::planOf)
+        val xAxis = findXAxis(plans)
+        for (plan in plans) addOwn(plan, xAxis)
+        // After all others, so that a graph's name is known to be a topic's before anything joins it.
+        for (plan in plans) for (graph in plan.joins) join(plan, graph, plans, xAxis)
+        return LogView(
+            recording = recording,
+            title = matchTitle(recording.values),
+            xAxis = xAxis,
+            folders = folders(recording.values, eventLogs, graphs.values.map { it.toGraph() }),
+            problems = recording.problems + problems,
+        )
+    }
+
+    private fun planOf(topic: Topic): TopicPlan {
+        val plan = TopicPlan(topic) { problems += it }
+        val seen = HashSet<String>()
+        for (text in topic.attributes) {
+            if (text.isBlank()) continue
+            if (!seen.add(text)) {
+                plan.report(ProblemKind.DUPLICATE_ATTRIBUTE, "“${topic.name}” has the attribute “$text” twice.")
+                continue
+            }
+            val attribute = registry.find(text)
+            if (attribute == null) {
+                plan.report(
+                    ProblemKind.UNKNOWN_ATTRIBUTE,
+                    "“${topic.name}” has the attribute “$text”, which nothing here knows; it has no effect.",
+                )
+            } else {
+                attribute.apply(plan, text.substringAfter(':', "").takeIf { ':' in text })
+            }
+        }
+        if ("log" in seen && seen.size > 1) {
+            plan.report(
+                ProblemKind.UNFIT_ATTRIBUTE,
+                "“${topic.name}” is an event log; its other attributes, ${(seen - "log").joinToString()}, do not fit one.",
+            )
+        }
+        return plan
+    }
+
+    private fun findXAxis(plans: List<TopicPlan>): XAxis {
+        val wanted = plans.filter { it.isX }
+        for (second in wanted.drop(1)) {
+            second.report(
+                ProblemKind.SECOND_X_AXIS,
+                "“${second.topic.name}” wants to be the x axis, but “${wanted[0].topic.name}” already is.",
+            )
+        }
+        val plan = wanted.firstOrNull() ?: return XAxis.index(recording.rowCount)
+        if (plan.isNumeric || recording.rowCount == 0) return XAxis.of(plan.topic).also { reportX(plan) }
+        plan.report(
+            ProblemKind.UNFIT_ATTRIBUTE,
+            "“${plan.topic.name}” has no numbers and cannot be the x axis; the row index is used instead.",
+        )
+        return XAxis.index(recording.rowCount)
+    }
+
+    private fun reportX(plan: TopicPlan) {
+        val x = plan.topic.samples
+        val name = plan.topic.name
+        var backwards = 0
+        var repeats = 0
+        var gaps = 0
+        var last = Double.NaN
+        for (position in x) {
+            if (!position.isFinite()) {
+                gaps++
+                continue
+            }
+            if (position < last) backwards++ else if (position == last) repeats++
+            last = position
+        }
+        if (backwards > 0) {
+            plan.report(
+                ProblemKind.X_BACKWARDS,
+                "The x axis “$name” goes backwards, $backwards times, as when the robot's clock is set; " +
+                    "derivatives leave a gap there.",
+            )
+        }
+        if (repeats > 0) {
+            plan.report(
+                ProblemKind.X_REPEATS,
+                "The x axis “$name” repeats a value, $repeats times; derivatives leave a gap there.",
+            )
+        }
+        if (gaps > 0) {
+            plan.report(ProblemKind.X_GAPS, "The x axis “$name” has no value in $gaps rows; those are not drawn.")
+        }
+    }
+
+    private fun addOwn(plan: TopicPlan, xAxis: XAxis) {
+        val topic = plan.topic
+        if (plan.isEventLog) {
+            if (!plan.isHidden) eventLogs += EventLog(topic, xAxis)
+            return
+        }
+        if (!plan.isHidden) {
+            graphs[topic.name] = GraphDraft(topic.name, topic.unit, false, plan.isFilled, plan.includesZero)
+                .also { it.series += seriesOf(topic, xAxis) }
+        }
+        for (derivation in plan.derivations) {
+            if (!plan.isNumeric && topic.kind != TopicKind.EMPTY) {
+                plan.report(
+                    ProblemKind.UNFIT_ATTRIBUTE,
+                    "“${derivation.name}” cannot be calculated, because “${topic.name}” holds texts.",
+                )
+                continue
+            }
+            val unit = derivation.unit(topic.unit, xAxis.unit)
+            val draft = GraphDraft(derivation.name, unit, isVirtual = true)
+            draft.series += GraphSeries(PathName.baseNameOf(derivation.name), unit, topic, null) {
+                derivation.series(samplesOf(topic, xAxis))
+            }
+            // A topic may bear the name that a derived graph would get; both are shown.
+            graphs[if (derivation.name in graphs) "[${derivation.name}]" else derivation.name] = draft
+        }
+    }
+
+    private fun join(plan: TopicPlan, name: String, plans: List<TopicPlan>, xAxis: XAxis) {
+        val topic = plan.topic
+        if (plan.isEventLog || topic.kind == TopicKind.STATE) {
+            plan.report(ProblemKind.UNFIT_ATTRIBUTE, "“${topic.name}” holds texts and cannot join the graph “$name”.")
+            return
+        }
+        if (plans.any { it.topic.name == name }) {
+            plan.report(ProblemKind.UNUSUAL_JOIN, "“${topic.name}” joins “$name”, which is the graph of a topic.")
+        }
+        val graph = graphs.getOrPut(name) { GraphDraft(name, topic.unit, isVirtual = true) }
+        val series = GraphSeries(PathName.baseNameOf(topic.name), topic.unit, topic, null) { samplesOf(topic, xAxis) }
+        if (graph.unit != topic.unit) {
+            plan.report(
+                ProblemKind.UNUSUAL_JOIN,
+                "“${topic.name}” in ${topic.unit} joins the graph “$name” in ${graph.unit}.",
+            )
+        }
+        if (graph.series.any { it.name == series.name }) {
+            plan.report(ProblemKind.UNUSUAL_JOIN, "The graph “$name” has several lines named “${series.name}”.")
+        }
+        graph.series += series
+    }
+
+    private fun seriesOf(topic: Topic, xAxis: XAxis): GraphSeries {
+        val name = PathName.baseNameOf(topic.name)
+        return when (topic.kind) {
+            TopicKind.STATE ->
+                GraphSeries(name, topic.unit, topic, topic.texts.dictionary) { statesOf(topic, xAxis) }
+            TopicKind.BOOLEAN ->
+                GraphSeries(name, topic.unit, topic, listOf("false", "true")) { samplesOf(topic, xAxis) }
+            else -> GraphSeries(name, topic.unit, topic, null) { samplesOf(topic, xAxis) }
+        }
+    }
+}
+
+/** Puts all that is shown into folders: the root folder first, the others sorted regardless of case. */
+private fun folders(values: List<Value>, eventLogs: List<EventLog>, graphs: List<Graph>): List<Folder> {
+    val valuesOf = values.groupBy { PathName.folderOf(it.name) }
+    val eventLogsOf = eventLogs.groupBy { PathName.folderOf(it.name) }
+    val graphsOf = graphs.groupBy { it.folder }
+    val names = (valuesOf.keys + eventLogsOf.keys + graphsOf.keys).sortedWith(compareBy({ it.lowercase() }, { it }))
+    return names.map { name ->
+        Folder(name, valuesOf[name].orEmpty(), eventLogsOf[name].orEmpty(), graphsOf[name].orEmpty())
+    }
+}

@@ -1,0 +1,44 @@
+package badlog.analysis
+
+import badlog.recording.Topic
+import badlog.recording.TopicKind
+
+/**
+ * Whether a topic has a value in fewer than half of its rows. Such a topic is sampled at times of its own, as in a CSV
+ * file that was made from a log of changes: its empty cells are no gaps, there just was no sample.
+ */
+internal fun isSampledSparsely(topic: Topic): Boolean = (topic.counts.empty + topic.counts.texts) * 2L > topic.counts.total
+
+/** The numbers of [topic] over [xAxis]; rows without an x are left out, and so are a sparse topic's empty cells. */
+internal fun samplesOf(topic: Topic, xAxis: XAxis): Series {
+    val x = xAxis.positions
+    val y = topic.samples
+    if (y.isEmpty() || x.isEmpty()) return Series(DoubleArray(0), DoubleArray(0))
+    val isSparse = isSampledSparsely(topic)
+    val kept = y.indices.count { isDrawable(x[it], y[it], isSparse) }
+    if (kept == y.size) return Series(x, y)
+    val keptX = DoubleArray(kept)
+    val keptY = DoubleArray(kept)
+    var size = 0
+    for (i in y.indices) {
+        if (!isDrawable(x[i], y[i], isSparse)) continue
+        keptX[size] = x[i]
+        keptY[size++] = y[i]
+    }
+    return Series(keptX, keptY)
+}
+
+/** The states of a [TopicKind.STATE] topic over [xAxis], as numbers into its dictionary; a cell without text is a gap. */
+internal fun statesOf(topic: Topic, xAxis: XAxis): Series {
+    val states = DoubleArray(topic.counts.total) { Double.NaN }
+    val texts = topic.texts
+    for (i in 0 until texts.size) states[texts.rows[i]] = texts.ids[i].toDouble()
+    val rows = states.indices.filter { xAxis.positions.getOrElse(it) { Double.NaN }.isFinite() }
+    if (rows.size == states.size) return Series(xAxis.positions, states)
+    return Series(
+        DoubleArray(rows.size) { xAxis.positions[rows[it]] },
+        DoubleArray(rows.size) { states[rows[it]] },
+    )
+}
+
+private fun isDrawable(x: Double, y: Double, isSparse: Boolean) = x.isFinite() && (!isSparse || !y.isNaN())

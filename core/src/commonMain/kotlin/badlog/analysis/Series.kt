@@ -1,0 +1,57 @@
+package badlog.analysis
+
+/**
+ * Samples over x: `(x[i], y[i])` for every `i`. Hides whether they share their x with other series or have their own.
+ *
+ * @property x where each sample stands; finite. Usually ascending, see [isOrdered]. Not to be changed.
+ * @property y the samples, same size as [x]; NaN is a gap, and an infinity is drawn as one. Not to be changed.
+ * @throws IllegalArgumentException when the sizes differ.
+ */
+public class Series(public val x: DoubleArray, public val y: DoubleArray) {
+    init {
+        require(x.size == y.size) { "A series needs one x for each y, but has ${x.size} for ${y.size}." }
+    }
+
+    /** How many samples there are, gaps included. */
+    public val size: Int get() = x.size
+
+    /** Whether x never goes backwards, so that it can be searched. */
+    public val isOrdered: Boolean by lazy {
+        var ordered = true
+        for (i in 1 until x.size) if (x[i] < x[i - 1]) ordered = false
+        ordered
+    }
+
+    /** The smallest and the largest x, or null without samples. */
+    public val range: ClosedFloatingPointRange<Double>? by lazy {
+        when {
+            x.isEmpty() -> null
+            isOrdered -> x.first()..x.last()
+            else -> x.min()..x.max()
+        }
+    }
+
+    /** The index of the first sample at or after [position]; [size] when there is none. Needs an ordered series. */
+    public fun firstAtOrAfter(position: Double): Int {
+        var low = 0
+        var high = size
+        while (low < high) {
+            val middle = (low + high) ushr 1
+            if (x[middle] < position) low = middle + 1 else high = middle
+        }
+        return low
+    }
+
+    /** The index of the sample nearest to [position], the earlier one of two equally near; -1 without samples. */
+    public fun nearest(position: Double): Int {
+        if (size == 0) return -1
+        if (!isOrdered) return x.indices.minBy { kotlin.math.abs(x[it] - position) }
+        val after = firstAtOrAfter(position)
+        return when {
+            after == 0 -> 0
+            after == size -> size - 1
+            x[after] - position < position - x[after - 1] -> after
+            else -> after - 1
+        }
+    }
+}

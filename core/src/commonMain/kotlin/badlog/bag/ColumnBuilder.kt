@@ -1,0 +1,123 @@
+package badlog.bag
+
+import badlog.recording.CellCounts
+import badlog.recording.TextColumn
+import badlog.recording.Topic
+
+/**
+ * One column while its file is being read: a growing array of numbers, the sparse texts, and what was odd about it.
+ *
+ * @property name the name of its topic.
+ * @property readsDecimalComma false for a topic of texts, in which `1,5` may be meant as it stands.
+ * @param keepsSamples false to count only, in memory that does not grow.
+ */
+internal class ColumnBuilder(
+    val name: String,
+    val readsDecimalComma: Boolean,
+    private val keepsSamples: Boolean,
+    private val decoder: TextDecoder,
+) {
+    private var numbers = DoubleArray(0)
+    private var texts: TextPool? = null
+    private var textRows = IntArray(0)
+    private var textIds = IntArray(0)
+
+    private var notFiniteCount = 0
+    private var truthCount = 0
+    private var textCount = 0
+    private var emptyCount = 0
+
+    /** The first text met, as a reader would quote it, and the line it stands on. */
+    var firstText: String? = null
+        private set
+    var firstTextLine = 0
+        private set
+    var decimalCommas = 0
+        private set
+    var firstDecimalCommaLine = 0
+        private set
+    var notUtf8Line = 0
+        private set
+
+    fun addNumber(row: Int, number: Double) {
+        if (!keepsSamples) return
+        if (row >= numbers.size) grow(row)
+        numbers[row] = number
+    }
+
+    fun addNotFinite(row: Int, number: Double) {
+        notFiniteCount++
+        addNumber(row, number)
+    }
+
+    fun addTruthValue(row: Int, number: Double) {
+        truthCount++
+        addNumber(row, number)
+    }
+
+    fun addEmpty(row: Int) {
+        emptyCount++
+        addNumber(row, Double.NaN)
+    }
+
+    fun addDecimalComma(row: Int, number: Double, line: Int) {
+        if (decimalCommas++ == 0) firstDecimalCommaLine = line
+        addNumber(row, number)
+    }
+
+    fun addText(row: Int, bytes: ByteArray, from: Int, until: Int, line: Int) {
+        addNumber(row, Double.NaN)
+        if (keepsSamples) keepText(row, bytes, from, until, line)
+        if (textCount++ == 0) {
+            firstText = decoder.excerpt(bytes, from, until, QUOTED_BYTES)
+            firstTextLine = line
+        }
+    }
+
+    private fun keepText(row: Int, bytes: ByteArray, from: Int, until: Int, line: Int) {
+        val pool = texts ?: TextPool(decoder).also { texts = it }
+        val known = pool.dictionary.size
+        val id = pool.idOf(bytes, from, until)
+        if (id == known && decoder.wasNotUtf8 && notUtf8Line == 0) notUtf8Line = line
+        if (textCount == textRows.size) {
+            textRows = textRows.copyOf(maxOf(16, textCount * 2))
+            textIds = textIds.copyOf(textRows.size)
+        }
+        textRows[textCount] = row
+        textIds[textCount] = id
+    }
+
+    private fun grow(row: Int) {
+        numbers = numbers.copyOf(maxOf(FIRST_ROWS, row + 1, row + row / 2))
+    }
+
+    /** Makes room for [rows] rows, where that many are expected. */
+    fun expect(rows: Int) {
+        if (keepsSamples && rows > numbers.size) numbers = numbers.copyOf(rows)
+    }
+
+    /** The topic that the first [rows] rows make. The builder is of no use afterwards. */
+    fun build(rows: Int, unit: String, attributes: List<String>): Topic {
+        val numeric = rows - textCount - emptyCount
+        val samples = when {
+            !keepsSamples || numeric == 0 -> DoubleArray(0)
+            numbers.size == rows -> numbers
+            else -> numbers.copyOf(rows)
+        }
+        numbers = samples
+        val column = texts?.let { TextColumn(textRows.copyOf(textCount), textIds.copyOf(textCount), it.dictionary) }
+        val counts = CellCounts(
+            numbers = numeric - notFiniteCount - truthCount,
+            notFinite = notFiniteCount,
+            truthValues = truthCount,
+            texts = textCount,
+            empty = emptyCount,
+        )
+        return Topic(name, unit, attributes, samples, column ?: TextColumn.EMPTY, counts)
+    }
+
+    private companion object {
+        const val FIRST_ROWS = 1024
+        const val QUOTED_BYTES = 60
+    }
+}

@@ -1,0 +1,310 @@
+package badlog.bag
+
+import badlog.bag.RowSplitter.Quotes
+import badlog.recording.ProblemKind
+import badlog.recording.ProblemList
+
+/**
+ * Reads the rows that [RowScanner] leaves: quoted, cut, torn, too short or too long ones. One rule stands above the others:
+ * a line that is a complete row by itself is never swallowed by a damaged one before it.
+ *
+ * @param endsInNewline whether every whole row of this file ends in a newline, as a bag's does, so that a last row
+ *   without one is cut.
+ */
+internal class RowRepair(
+    private val cells: RowCells,
+    private val reader: CellReader,
+    private val columns: Array<ColumnBuilder>,
+    private val decoder: TextDecoder,
+    private val problems: ProblemList,
+    private val endsInNewline: Boolean,
+) {
+    private val splitter = RowSplitter()
+
+    /** The bytes of the row's text cells, unescaped; what the cells' starts and ends point into. */
+    var text = ByteArray(256)
+        private set
+    private var textLength = 0
+
+    /** Whether the last call of [repair] put a row into the cells. */
+    var hasRow = false
+        private set
+
+    /** How many physical lines the last call of [repair] went through. */
+    var linesPassed = 0
+        private set
+
+    /** Whether the last call of [repair] stopped at a NUL byte. */
+    var isAtHole = false
+        private set
+
+    private var afterHole = false
+    private var line = 0
+
+    /**
+     * Reads what begins at [from], which is at the start of a line.
+     *
+     * @param isEnd whether no bytes will follow those before [until].
+     * @return where the next row begins, or [RowScanner.INCOMPLETE] when more bytes are needed to decide.
+     */
+    fun repair(bytes: ByteArray, from: Int, until: Int, isEnd: Boolean, line: Int): Int {
+        this.line = line
+        hasRow = false
+        linesPassed = 0
+        isAtHole = false
+        val end = lineEnd(bytes, from, until)
+        if (end == until) return if (isEnd) tail(bytes, from, until, endsInNewline) else RowScanner.INCOMPLETE
+        if (bytes[end].toInt() == NUL) return hole(bytes, from, end)
+        val next = afterLineEnd(bytes, end, until, isEnd)
+        if (next == RowScanner.INCOMPLETE) return next
+        linesPassed = 1
+        if (end == from) {
+            if (!afterHole) problems.add(ProblemKind.BLANK_LINE, "A blank line was skipped.", line)
+            return next
+        }
+        val strictCount = splitter.split(bytes, from, end, Quotes.STRICT)
+        if (!splitter.isOpen && !splitter.isMalformed && strictCount == cells.columns) return take(bytes, true, next)
+        if (splitter.isOpen) {
+            val after = quotedLines(bytes, from, next, until, isEnd)
+            if (after != NOT_SO) return after
+        }
+        if (readWithOddQuotes(bytes, from, end)) return take(bytes, false, next)
+        if (afterHole) return dropFragment(bytes, from, end, next)
+        val after = joinedLines(bytes, from, end, next, until, isEnd)
+        return if (after != NOT_SO) after else takeUneven(bytes, from, end, next)
+    }
+
+    /** A quoted cell with newlines inside, as RFC 4180 allows. */
+    private fun quotedLines(bytes: ByteArray, from: Int, secondLine: Int, until: Int, isEnd: Boolean): Int {
+        var start = secondLine
+        for (lines in 2..MOST_LINES) {
+            val end = lineEnd(bytes, start, until)
+            if (end == until) {
+                if (until - from > MOST_BYTES) return NOT_SO
+                if (!isEnd) return RowScanner.INCOMPLETE
+                return if (isCompleteRow(bytes, start, end)) NOT_SO else tail(bytes, from, until, endsInNewline)
+            }
+            if (bytes[end].toInt() == NUL || isCompleteRow(bytes, start, end)) return NOT_SO
+            val count = splitter.split(bytes, from, end, Quotes.STRICT)
+            val next = afterLineEnd(bytes, end, until, isEnd)
+            if (next == RowScanner.INCOMPLETE) return next
+            if (!splitter.isOpen) {
+                if (splitter.isMalformed || count != cells.columns) return NOT_SO
+                linesPassed = lines
+                return take(bytes, true, next)
+            }
+            start = next
+        }
+        return NOT_SO
+    }
+
+    /** The readings under which quotes that were never escaped give the row its right number of cells. */
+    private fun readWithOddQuotes(bytes: ByteArray, from: Int, end: Int): Boolean {
+        val wanted = cells.columns
+        val fits = splitter.split(bytes, from, end, Quotes.LENIENT) == wanted && !splitter.isOpen ||
+            splitter.mergeTornQuotes(bytes, wanted) == wanted && !splitter.isOpen ||
+            splitter.split(bytes, from, end, Quotes.LITERAL) == wanted ||
+            splitter.split(bytes, from, end, Quotes.LENIENT) == wanted
+        if (fits) {
+            problems.add(
+                ProblemKind.QUOTES_REPAIRED,
+                "A cell holds quotes that were not escaped; the row was read so that it has its $wanted cells.",
+                line,
+            )
+        }
+        return fits
+    }
+
+    /** A text cell that a raw newline has torn: the pieces fit together when they have the right number of cells. */
+    private fun joinedLines(bytes: ByteArray, from: Int, end: Int, next: Int, until: Int, isEnd: Boolean): Int {
+        var start = next
+        for (lines in 2..MOST_LINES) {
+            val pieceEnd = lineEnd(bytes, start, until)
+            if (pieceEnd == until) return if (isEnd || until - from > MOST_BYTES) NOT_SO else RowScanner.INCOMPLETE
+            if (bytes[pieceEnd].toInt() == NUL || isCompleteRow(bytes, start, pieceEnd)) return NOT_SO
+            val count = splitter.split(bytes, from, pieceEnd, Quotes.LENIENT)
+            if (count > cells.columns || splitter.isOpen) return NOT_SO
+            val after = afterLineEnd(bytes, pieceEnd, until, isEnd)
+            if (after == RowScanner.INCOMPLETE) return after
+            if (count == cells.columns) {
+                if (!isTextTornAt(bytes, end, next)) return NOT_SO
+                linesPassed = lines
+                problems.add(
+                    ProblemKind.LINES_JOINED,
+                    "A newline inside a text had torn the row into $lines lines; they were joined.",
+                    line,
+                )
+                return take(bytes, false, after)
+            }
+            start = after
+        }
+        return NOT_SO
+    }
+
+    // Two short rows of numbers would fit together as well, but a newline never stands inside a number.
+    private fun isTextTornAt(bytes: ByteArray, newline: Int, next: Int): Boolean {
+        for (i in 0 until cells.columns) {
+            val start = splitter.starts[i]
+            val end = splitter.ends[i]
+            if (newline in start..end) {
+                return reader.read(bytes, start, newline) == CellKind.TEXT ||
+                    reader.read(bytes, minOf(next, end), end) == CellKind.TEXT
+            }
+        }
+        return false
+    }
+
+    private fun isCompleteRow(bytes: ByteArray, from: Int, until: Int): Boolean = cells.columns > 1 &&
+        splitter.split(bytes, from, until, Quotes.STRICT) == cells.columns &&
+        !splitter.isOpen && !splitter.isMalformed
+
+    /** A row with too few or too many cells, which no reading could mend. */
+    private fun takeUneven(bytes: ByteArray, from: Int, end: Int, next: Int): Int {
+        var count = splitter.split(bytes, from, end, Quotes.STRICT)
+        val isStrict = !splitter.isOpen && !splitter.isMalformed
+        if (!isStrict) count = splitter.split(bytes, from, end, Quotes.LENIENT)
+        val wanted = cells.columns
+        if (count < wanted) {
+            problems.add(
+                ProblemKind.ROW_SHORT,
+                "A row has $count of $wanted cells; the missing ones were left empty.",
+                line,
+            )
+        } else {
+            val extra = quotation(bytes, splitter.starts[wanted], end)
+            problems.add(
+                ProblemKind.ROW_LONG,
+                "A row has $count cells instead of $wanted; the extra ones were dropped: $extra.",
+                line,
+            )
+        }
+        return take(bytes, isStrict, next, count)
+    }
+
+    /** What follows a hole up to the next newline, which is whole only by chance. */
+    private fun dropFragment(bytes: ByteArray, from: Int, end: Int, next: Int): Int {
+        afterHole = false
+        problems.add(
+            ProblemKind.ROW_CUT,
+            "The end of a row whose beginning is lost was dropped; it held ${quotation(bytes, from, end)}.",
+            line,
+        )
+        return next
+    }
+
+    private fun hole(bytes: ByteArray, from: Int, nul: Int): Int {
+        if (nul > from) tail(bytes, from, nul, true)
+        linesPassed = 0
+        isAtHole = true
+        afterHole = true
+        return nul
+    }
+
+    /**
+     * A row without a newline at the end of the file or before a hole.
+     *
+     * @param isCut whether a missing newline means that bytes are missing.
+     */
+    private fun tail(bytes: ByteArray, from: Int, until: Int, isCut: Boolean): Int {
+        linesPassed = 1
+        val wanted = cells.columns
+        var count = splitter.split(bytes, from, until, Quotes.STRICT)
+        if (splitter.isOpen || count < wanted) {
+            problems.add(
+                ProblemKind.ROW_CUT,
+                "A row is cut off after $count of $wanted cells and was dropped; " +
+                    "it held ${quotation(bytes, from, until)}.",
+                line,
+            )
+            return until
+        }
+        val isStrict = !splitter.isMalformed
+        if (!isStrict) count = splitter.split(bytes, from, until, Quotes.LENIENT)
+        if (count != wanted) return takeUneven(bytes, from, until, until)
+        take(bytes, isStrict, until)
+        if (isCut) dropLastCell(bytes)
+        return until
+    }
+
+    private fun dropLastCell(bytes: ByteArray) {
+        val last = cells.columns - 1
+        cells.kinds[last] = CellKind.EMPTY
+        cells.numbers[last] = Double.NaN
+        val held = quotation(bytes, splitter.starts[last], splitter.ends[last])
+        problems.add(
+            ProblemKind.LAST_CELL_CUT,
+            "The last row lacks its newline, so its last cell may be cut and was left empty; it held $held.",
+            line,
+            columns[last].name,
+        )
+    }
+
+    /** Puts what the splitter found into the cells; cells beyond [count] are empty, cells beyond the row's are left. */
+    private fun take(bytes: ByteArray, undouble: Boolean, next: Int, count: Int = cells.columns): Int {
+        textLength = 0
+        for (i in 0 until cells.columns) {
+            if (i >= count) {
+                cells.kinds[i] = CellKind.EMPTY
+                cells.numbers[i] = Double.NaN
+            } else {
+                takeCell(i, bytes, undouble && splitter.quoted[i])
+            }
+        }
+        hasRow = true
+        afterHole = false
+        return next
+    }
+
+    private fun takeCell(i: Int, bytes: ByteArray, undouble: Boolean) {
+        val start = splitter.starts[i]
+        val end = splitter.ends[i]
+        if (splitter.quoted[i] && columns[i].readsDecimalComma && reader.readWithDecimalComma(bytes, start, end)) {
+            cells.kinds[i] = CellKind.DECIMAL_COMMA
+        } else {
+            cells.kinds[i] = reader.read(bytes, start, end)
+        }
+        cells.numbers[i] = reader.number
+        cells.starts[i] = textLength
+        if (cells.kinds[i] == CellKind.TEXT) copyText(bytes, start, end, undouble)
+        cells.ends[i] = textLength
+    }
+
+    private fun copyText(bytes: ByteArray, from: Int, until: Int, undouble: Boolean) {
+        if (textLength + until - from > text.size) text = text.copyOf(maxOf(text.size * 2, textLength + until - from))
+        var at = from
+        while (at < until) {
+            text[textLength++] = bytes[at]
+            at += if (undouble && bytes[at].toInt() == QUOTE) 2 else 1
+        }
+    }
+
+    private fun quotation(bytes: ByteArray, from: Int, until: Int): String {
+        return "“${decoder.excerpt(bytes, from, until, QUOTED_BYTES)}”"
+    }
+
+    private fun lineEnd(bytes: ByteArray, from: Int, until: Int): Int {
+        var at = from
+        while (at < until) {
+            val byte = bytes[at].toInt()
+            if (byte == LF || byte == CR || byte == NUL) return at
+            at++
+        }
+        return until
+    }
+
+    private fun afterLineEnd(bytes: ByteArray, end: Int, until: Int, isEnd: Boolean): Int = when {
+        bytes[end].toInt() == LF -> end + 1
+        end + 1 < until -> if (bytes[end + 1].toInt() == LF) end + 2 else end + 1
+        isEnd -> end + 1
+        else -> RowScanner.INCOMPLETE
+    }
+
+    private companion object {
+        const val NOT_SO = -3
+
+        // A damaged row may make the parser look ahead, but never hold more than this.
+        const val MOST_LINES = 100
+        const val MOST_BYTES = 1 shl 16
+        const val QUOTED_BYTES = 200
+    }
+}

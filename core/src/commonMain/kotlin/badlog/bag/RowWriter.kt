@@ -1,0 +1,145 @@
+package badlog.bag
+
+/**
+ * Writes the lines of a bag into a buffer of its own, cell by cell: numbers by [FiveDigitFormat], texts quoted as RFC 4180
+ * asks, in UTF-8, each row ended by one newline. Once the buffer has grown to the longest row, nothing is allocated. Not
+ * safe for use by several threads.
+ *
+ * ```
+ * row.number(12.3).text("armed, ready").endRow()
+ * file.write(row.bytes, 0, row.size)
+ * row.clear()
+ * ```
+ */
+public class RowWriter {
+    private var cells = 0
+    private var rowStart = 0
+
+    /** Holds what was written since the last [clear], in its first [size] bytes. Replaced when it grows. */
+    public var bytes: ByteArray = ByteArray(1024)
+        private set
+
+    /** How many bytes were written since the last [clear]. */
+    public var size: Int = 0
+        private set
+
+    /** Forgets all that was written. */
+    public fun clear() {
+        size = 0
+        rowStart = 0
+        cells = 0
+    }
+
+    /** Writes the two header lines. The topics' order is that of the cells of every row. */
+    public fun header(header: BagHeader): RowWriter {
+        encode(headerText(header), quotesDoubled = false)
+        put(LF)
+        rowStart = size
+        for (topic in header.topics) text(topic.name)
+        return endRow()
+    }
+
+    /** Writes a cell with a number, as `%.5g`. */
+    public fun number(value: Double): RowWriter {
+        beginCell()
+        reserve(FiveDigitFormat.MAX_LENGTH)
+        size = FiveDigitFormat.write(value, bytes, size)
+        return this
+    }
+
+    /**
+     * Writes a cell with a text. A NUL, which in a bag is a sign of damage, becomes U+FFFD. A text that reads as a number
+     * is read as one.
+     */
+    public fun text(value: String): RowWriter {
+        beginCell()
+        if (!needsQuotes(value)) {
+            encode(value, quotesDoubled = false)
+        } else {
+            put(QUOTE)
+            encode(value, quotesDoubled = true)
+            put(QUOTE)
+        }
+        return this
+    }
+
+    /** Writes a cell without anything: a gap. */
+    public fun empty(): RowWriter {
+        beginCell()
+        return this
+    }
+
+    /** Ends the row. */
+    public fun endRow(): RowWriter {
+        // A row of one empty cell would be a blank line, which readers skip.
+        if (cells == 1 && size == rowStart) {
+            put(QUOTE)
+            put(QUOTE)
+        }
+        put(LF)
+        cells = 0
+        rowStart = size
+        return this
+    }
+
+    private fun beginCell() {
+        if (cells++ > 0) put(COMMA)
+    }
+
+    private fun needsQuotes(text: String): Boolean {
+        if (text.isEmpty()) return false
+        if (text.first() == ' ' || text.last() == ' ') return true
+        for (char in text) if (char == ',' || char == '"' || char == '\n' || char == '\r') return true
+        return false
+    }
+
+    private fun encode(text: String, quotesDoubled: Boolean) {
+        reserve(text.length * 3)
+        var i = 0
+        while (i < text.length) {
+            val char = text[i++]
+            val code = char.code
+            when {
+                code == NUL -> put3(REPLACEMENT)
+                code < 0x80 -> {
+                    if (code == QUOTE && quotesDoubled) put(QUOTE)
+                    put(code)
+                }
+                code < 0x800 -> {
+                    put(0xC0 or (code shr 6))
+                    put(0x80 or (code and 0x3F))
+                }
+                char.isHighSurrogate() && i < text.length && text[i].isLowSurrogate() -> put4(char, text[i++])
+                char.isSurrogate() -> put3(REPLACEMENT)
+                else -> put3(code)
+            }
+        }
+    }
+
+    private fun put3(code: Int) {
+        put(0xE0 or (code shr 12))
+        put(0x80 or (code shr 6 and 0x3F))
+        put(0x80 or (code and 0x3F))
+    }
+
+    private fun put4(high: Char, low: Char) {
+        val code = 0x10000 + ((high.code - 0xD800) shl 10) + (low.code - 0xDC00)
+        put(0xF0 or (code shr 18))
+        put(0x80 or (code shr 12 and 0x3F))
+        put(0x80 or (code shr 6 and 0x3F))
+        put(0x80 or (code and 0x3F))
+    }
+
+    private fun put(byte: Int) {
+        if (size == bytes.size) reserve(1)
+        bytes[size++] = byte.toByte()
+    }
+
+    private fun reserve(more: Int) {
+        if (size + more > bytes.size) bytes = bytes.copyOf(maxOf(bytes.size * 2, size + more))
+    }
+
+    private companion object {
+        const val REPLACEMENT = 0xFFFD
+    }
+}

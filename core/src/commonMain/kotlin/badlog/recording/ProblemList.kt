@@ -1,0 +1,28 @@
+package badlog.recording
+
+/** Collects problems in bounded memory: of each kind and topic the first [LISTED] are kept, the others only counted. */
+internal class ProblemList {
+    private val problems = ArrayList<Problem>()
+    private val seen = HashMap<Pair<ProblemKind, String?>, Int>()
+    private val overflow = LinkedHashMap<Pair<ProblemKind, String?>, Problem>()
+
+    fun add(kind: ProblemKind, message: String, line: Int? = null, topic: String? = null, count: Int = 1) {
+        val key = kind to topic
+        val times = (seen[key] ?: 0) + 1
+        seen[key] = times
+        val problem = Problem(kind, message, line, topic, count)
+        if (times <= LISTED) {
+            problems += problem
+        } else {
+            val first = overflow[key] ?: problem.copy(count = 0)
+            overflow[key] = first.copy(count = first.count + count)
+        }
+    }
+
+    /** The problems in the order in which they were added, then one for each kind that went on. */
+    fun toList(): List<Problem> = problems + overflow.values
+
+    private companion object {
+        const val LISTED = 10
+    }
+}

@@ -1,0 +1,26 @@
+package badlog.recording
+
+/**
+ * What was read from one file: everything that could be kept, and the problems met on the way.
+ *
+ * @property format what the file turned out to be.
+ * @property headerLine the JSON of the file's first line as it stands there, or null where it has none.
+ * @property values the values, in the order of the file.
+ * @property topics the topics, in the order of the file's header.
+ * @property rowCount how many samples each topic has.
+ * @property problems what was wrong, in the order in which it was found.
+ */
+public class Recording(
+    public val format: RecordingFormat,
+    public val headerLine: String?,
+    public val values: List<Value>,
+    public val topics: List<Topic>,
+    public val rowCount: Int,
+    public val problems: List<Problem>,
+) {
+    /** False for bytes that are no log at all, so that there is nothing to show but [problems]. */
+    public val isReadable: Boolean get() = problems.none { it.kind == ProblemKind.NOT_A_RECORDING }
+
+    /** True when something of the file is lost: one of [problems] is an [error][Severity.ERROR]. */
+    public val isSalvaged: Boolean get() = problems.any { it.severity == Severity.ERROR }
+}

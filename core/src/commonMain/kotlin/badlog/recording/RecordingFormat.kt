@@ -1,0 +1,10 @@
+package badlog.recording
+
+/** The format that a [Recording] was read from. */
+public enum class RecordingFormat {
+    /** A JSON line, then CSV. */
+    BAG,
+
+    /** CSV alone: a bag without units, attributes and values. */
+    CSV,
+}

@@ -1,0 +1,22 @@
+pluginManagement {
+    repositories {
+        mavenCentral()
+        gradlePluginPortal()
+    }
+}
+
+dependencyResolutionManagement {
+    repositories {
+        mavenCentral()
+        google {
+            content {
+                includeGroupByRegex("androidx\\..*")
+            }
+        }
+    }
+}
+
+rootProject.name = "badlog"
+
+include(":core")
+include(":html-export")
