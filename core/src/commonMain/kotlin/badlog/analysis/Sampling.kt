@@ -3,18 +3,12 @@ package badlog.analysis
 import badlog.recording.Topic
 import badlog.recording.TopicKind
 
-/**
- * Whether a topic has a value in fewer than half of its rows. Such a topic is sampled at times of its own, as in a CSV
- * file that was made from a log of changes: its empty cells are no gaps, there just was no sample.
- */
-internal fun isSampledSparsely(topic: Topic): Boolean = (topic.counts.empty + topic.counts.texts) * 2L > topic.counts.total
-
 /** The numbers of [topic] over [xAxis]; rows without an x are left out, and so are a sparse topic's empty cells. */
 internal fun samplesOf(topic: Topic, xAxis: XAxis): Series {
     val x = xAxis.positions
     val y = topic.samples
     if (y.isEmpty() || x.isEmpty()) return Series(DoubleArray(0), DoubleArray(0))
-    val isSparse = isSampledSparsely(topic)
+    val isSparse = topic.isSparse
     val kept = y.indices.count { isDrawable(x[it], y[it], isSparse) }
     if (kept == y.size) return Series(x, y)
     val keptX = DoubleArray(kept)

@@ -38,7 +38,7 @@ public class TopicPlan internal constructor(
 
     /** Whether some of the topic's samples are missing or are not finite. */
     public val hasGaps: Boolean
-        get() = isNumeric && !isSampledSparsely(topic) && topic.samples.any { !it.isFinite() }
+        get() = isNumeric && !topic.isSparse && topic.samples.any { !it.isFinite() }
 
     /** The topic's own graph is not shown; what derives from it is. */
     public fun hide() {

@@ -57,7 +57,7 @@ private fun reportGaps(column: ColumnBuilder, topic: Topic, problems: ProblemLis
             counts.texts,
         )
     }
-    if (counts.empty > 0) {
+    if (counts.empty > 0 && !topic.isSparse) {
         problems.add(
             ProblemKind.EMPTY_CELLS,
             "${counts.empty} of ${counts.total} cells of “${topic.name}” are empty.",

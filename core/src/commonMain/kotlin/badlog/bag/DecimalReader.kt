@@ -89,7 +89,7 @@ internal class DecimalReader {
 
     /** NaN where the error bound does not tell to which double the number rounds. */
     private fun scaledTwofold(high: Double, low: Double, significant: Int, scale: Int): Double {
-        val shift = EXACT_POWERS_OF_TEN[significant - 9]
+        val shift = EXACT_POWERS_OF_TEN[maxOf(0, significant - 9)]
         val shifted = high * shift
         var sum = shifted + low
         var rest = productError(high, shift, shifted) + (low - (sum - shifted))

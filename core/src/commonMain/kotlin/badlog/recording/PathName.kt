@@ -15,5 +15,8 @@ public object PathName {
     public fun baseNameOf(name: String): String = name.substring(lastSeparator(name) + 1)
 
     // A slash at the very end separates nothing: "Arm/" would otherwise have no name at all.
-    private fun lastSeparator(name: String): Int = name.lastIndexOf('/', name.length - 2)
+    private fun lastSeparator(name: String): Int {
+        for (i in name.length - 2 downTo 0) if (name[i] == '/') return i
+        return -1
+    }
 }

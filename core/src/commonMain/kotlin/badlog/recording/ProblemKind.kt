@@ -57,7 +57,7 @@ public enum class ProblemKind(public val severity: Severity) {
     /** Numbers with a decimal comma were read as if it were a point. */
     DECIMAL_COMMA(Severity.WARNING),
 
-    /** A numeric topic has cells without a value: gaps. */
+    /** A numeric topic that is not sparse has cells without a value: gaps. */
     EMPTY_CELLS(Severity.NOTE),
 
     /** A numeric topic has cells with text: gaps. */

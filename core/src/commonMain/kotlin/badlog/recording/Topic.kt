@@ -22,6 +22,12 @@ public class Topic(
     /** What the cells turned out to be. */
     public val kind: TopicKind = kindOf(counts)
 
+    /**
+     * Whether fewer than half of the rows have a number. Such a topic is sampled at times of its own, as in a CSV file made
+     * from a log of changes: its empty cells are no gaps, there just was no sample.
+     */
+    public val isSparse: Boolean get() = (counts.empty + counts.texts) * 2L > counts.total
+
     public companion object {
         /** The unit of a topic that has none. */
         public const val UNITLESS: String = "ul"

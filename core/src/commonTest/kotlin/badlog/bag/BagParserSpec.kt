@@ -1,0 +1,99 @@
+package badlog.bag
+
+import badlog.recording.ProblemKind
+import badlog.recording.RecordingFormat
+import badlog.recording.TopicKind
+import badlog.recording.Value
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.doubles.shouldBeNaN
+import io.kotest.matchers.shouldBe
+
+class BagParserSpec : FunSpec({
+    test("a bag's values, topics, numbers, texts and states are read as they stand") {
+        val recording = parse(VARIED_BAG)
+        recording.format shouldBe RecordingFormat.BAG
+        recording.rowCount shouldBe 6
+        recording.values shouldBe listOf(Value("Match", "8"))
+        val (time, angle, log, enabled) = recording.topics
+        time.samples.toList() shouldBe listOf(0.0, 0.02, 0.04, 0.06, 0.08, 0.1)
+        time.attributes shouldBe listOf("xaxis", "hide")
+        angle.unit shouldBe "deg"
+        angle.samples[1] shouldBe -123460.0
+        angle.samples[2].shouldBeNaN()
+        angle.samples[3] shouldBe 1e-5
+        List(log.texts.size) { log.texts.rows[it] to log.texts[it] } shouldBe
+            listOf(1 to "armed, ready", 2 to "said \"go\"\ntwice", 4 to "Ω ready")
+        log.kind shouldBe TopicKind.STATE
+        enabled.kind shouldBe TopicKind.BOOLEAN
+        enabled.samples.toList() shouldBe listOf(0.0, 0.0, 1.0, 1.0, 1.0, 1.0)
+        recording.isSalvaged shouldBe false
+    }
+
+    test("the size of the pieces a file arrives in makes no difference") {
+        val whole = describe(parse(VARIED_BAG))
+        for (piece in listOf(1, 2, 3, 5, 7, 64, 1000)) describe(parse(VARIED_BAG, piece)) shouldBe whole
+    }
+
+    test("counting without keeping samples finds the same topics, counts and problems") {
+        val kept = parse(VARIED_BAG)
+        val counted = BagParser(keepSamples = false).run {
+            accept(VARIED_BAG.encodeToByteArray())
+            finish()
+        }
+        counted.topics.map { it.name to it.counts } shouldBe kept.topics.map { it.name to it.counts }
+        counted.problems shouldBe kept.problems
+    }
+
+    test("an expected size that is wrong only costs memory") {
+        for (expected in listOf(1L, 100L, 10_000_000L)) {
+            val parser = BagParser(expectedBytes = expected)
+            val rows = (0 until 500).joinToString("") { "$it,${it * 2}\n" }
+            parser.accept("a,b\n$rows".encodeToByteArray())
+            parser.finish().topics[1].samples.toList() shouldBe List(500) { it * 2.0 }
+        }
+    }
+
+    test("repeated texts are kept once") {
+        val recording = parse("t,state\n" + (0 until 1000).joinToString("") { "$it,state ${it % 3}\n" })
+        recording.topics[1].texts.dictionary shouldBe listOf("state 0", "state 1", "state 2")
+        recording.topics[1].texts[4] shouldBe "state 1"
+    }
+
+    test("a problem that is met a thousand times is listed ten times and counted") {
+        val recording = parse("a,b\n" + "1\n".repeat(1000))
+        val short = recording.problems.filter { it.kind == ProblemKind.ROW_SHORT }
+        short.size shouldBe 11
+        short.sumOf { it.count } shouldBe 1000
+        short.first().line shouldBe 2
+        recording.rowCount shouldBe 1000
+    }
+
+    test("a row that is complete by itself is never swallowed by a stray quote before it") {
+        val recording = parse("a,b\n1,\"oops\n2,x\n3,y\n4,\"z\"\n")
+        recording.rowCount shouldBe 4
+        recording.topics[0].samples.toList() shouldBe listOf(1.0, 2.0, 3.0, 4.0)
+        recording.topics[1].texts[3] shouldBe "z"
+    }
+
+    test("a line number speaks of the physical line, also after a text with newlines") {
+        val recording = parse("a,b\n1,\"x\ny\nz\"\n2\n")
+        recording.problems.single { it.kind == ProblemKind.ROW_SHORT }.line shouldBe 5
+    }
+
+    test("compressed bytes and a WPILOG say what they are") {
+        parse(byteArrayOf(0x1f, 0x8b.toByte(), 8, 0, 0, 0, 0)).isReadable shouldBe false
+        parse("WPILOG\u0000\u0001\u0000\u0000\u0000\u0000").problems.first().kind shouldBe ProblemKind.NOT_A_RECORDING
+    }
+
+    test("a row of ordinary numbers reports nothing") {
+        parse("{\"topics\":[{\"name\":\"a\"}],\"values\":[]}\na\n1.0000\n").problems.shouldBeEmpty()
+    }
+
+    test("a header alone opens, with its topics, and says that there are no rows") {
+        val recording = parse("{\"topics\":[{\"name\":\"a\",\"unit\":\"V\"}],\"values\":[]}\n")
+        recording.topics.single().unit shouldBe "V"
+        recording.problems.map { it.kind } shouldContain ProblemKind.NO_ROWS
+    }
+})

@@ -1,0 +1,45 @@
+package badlog.bag
+
+import badlog.recording.Recording
+
+/** Reads [bytes] as one file that arrives in pieces of [piece] bytes. */
+internal fun parse(bytes: ByteArray, piece: Int = maxOf(1, bytes.size)): Recording {
+    val parser = BagParser()
+    var at = 0
+    while (at < bytes.size) {
+        val end = minOf(at + piece, bytes.size)
+        parser.accept(bytes, at, end)
+        at = end
+    }
+    return parser.finish()
+}
+
+internal fun parse(text: String, piece: Int = Int.MAX_VALUE): Recording = parse(text.encodeToByteArray(), piece)
+
+/** All that a recording says, as text, so that two can be compared and a difference be read. */
+internal fun describe(recording: Recording): String = buildString {
+    appendLine("${recording.format} ${recording.rowCount} rows ${recording.headerLine}")
+    for (value in recording.values) appendLine("value ${value.name}=${value.text}")
+    for (topic in recording.topics) {
+        val texts = List(topic.texts.size) { "${topic.texts.rows[it]}:${topic.texts[it]}" }
+        appendLine("topic ${topic.name} ${topic.unit} ${topic.attributes} ${topic.kind} ${topic.counts}")
+        appendLine("  ${topic.samples.toList()} $texts")
+    }
+    for (problem in recording.problems) appendLine(problem)
+}
+
+/** A small bag that has a bit of everything: numbers, gaps, quoted texts with commas, newlines and quotes, true and false. */
+internal val VARIED_BAG: String = """
+    {"topics":[{"name":"Time","unit":"s","attrs":["xaxis","hide"]},{"name":"Arm/Angle","unit":"deg","attrs":[]},
+    {"name":"Log","unit":"ul","attrs":["log"]},{"name":"Enabled","unit":"ul","attrs":[]}],"values":[{"name":"Match","value":"8"}]}
+""".trimIndent().replace("\n", "") + "\n" + """
+    Time,Arm/Angle,Log,Enabled
+    0.0000,12.346,,false
+    0.020000,-1.2346e+05,"armed, ready",false
+    0.040000,,"said ""go""
+    twice",true
+    0.060000,1.0000e-05,,true
+    0.080000,NaN,Ω ready,true
+    0.10000,99.000,,true
+
+""".trimIndent()

@@ -1,0 +1,50 @@
+package badlog.bag
+
+import badlog.recording.Value
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.string
+import io.kotest.property.checkAll
+
+class HeaderJsonSpec : FunSpec({
+    test("keys may come in any order, and missing units and attributes read as none") {
+        readHeader("""{"values":[{"value":"8","name":"Match"}],"topics":[{"attrs":["log"],"name":"Log"},{"name":"A"}]}""") shouldBe
+            BagHeader(
+                topics = listOf(BagTopic("Log", "ul", listOf("log")), BagTopic("A", "ul", emptyList())),
+                values = listOf(BagValue(Value("Match", "8"))),
+            )
+    }
+
+    test("unknown keys survive being read and written again") {
+        val line = """{"topics":[{"name":"A","unit":"V","attrs":[],"colour":"red","limits":[1,2.5]}],""" +
+            """"values":[{"name":"v","value":"1","source":{"file":null}}],"version":3,"more":{"a":[true,"x"]}}"""
+        val header = readHeader(line)!!
+        header.unknown shouldBe mapOf("version" to "3", "more" to """{"a":[true,"x"]}""")
+        headerText(header) shouldBe line
+        readHeader(headerText(header)) shouldBe header
+    }
+
+    test("a value that is not a string is kept as its JSON") {
+        readHeader("""{"values":[{"name":"Match","value":8},{"name":"On","value":true}]}""")!!.values.map { it.value } shouldBe
+            listOf(Value("Match", "8"), Value("On", "true"))
+    }
+
+    test("what is cut or is no object is no header") {
+        for (line in listOf("", "{", """{"topics":[{"name":"A"""", "[]", "8", "null", "nonsense", "{} {}")) {
+            readHeader(line) shouldBe null
+        }
+    }
+
+    test("any name, unit and value come back") {
+        checkAll(500, Arb.string(0..30), Arb.string(0..10), Arb.string(0..30)) { name, unit, value ->
+            val header = BagHeader(listOf(BagTopic(name, unit, listOf(value))), listOf(BagValue(Value(name, value))))
+            readHeader(headerText(header)) shouldBe header
+        }
+    }
+
+    test("a header is one line, and cannot end a script or a line of JavaScript") {
+        val text = headerText(BagHeader(values = listOf(BagValue(Value("a\nb", "\u2028 \u0001")))))
+        text.none { it == '\n' || it == '\u2028' || it == '\u0001' } shouldBe true
+    }
+})

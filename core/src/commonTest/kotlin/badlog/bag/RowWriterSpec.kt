@@ -1,0 +1,66 @@
+package badlog.bag
+
+import badlog.recording.Value
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.double
+import io.kotest.property.arbitrary.list
+import io.kotest.property.arbitrary.string
+import io.kotest.property.checkAll
+
+private fun RowWriter.written(): String = bytes.decodeToString(0, size)
+
+class RowWriterSpec : FunSpec({
+    test("a header and its rows are the lines of a bag") {
+        val header = BagHeader(
+            topics = listOf(BagTopic("Time", "s", listOf("xaxis")), BagTopic("Log, all")),
+            values = listOf(BagValue(Value("Match", "8"))),
+        )
+        RowWriter().header(header).number(0.02).text("armed, ready").endRow().number(-3.0).empty().endRow()
+            .written() shouldBe
+            "{\"topics\":[{\"name\":\"Time\",\"unit\":\"s\",\"attrs\":[\"xaxis\"]}," +
+            "{\"name\":\"Log, all\",\"unit\":\"ul\",\"attrs\":[]}],\"values\":[{\"name\":\"Match\",\"value\":\"8\"}]}\n" +
+            "Time,\"Log, all\"\n0.020000,\"armed, ready\"\n-3.0000,\n"
+    }
+
+    test("a cleared writer starts anew") {
+        val writer = RowWriter().number(1.0)
+        writer.clear()
+        writer.number(2.0).endRow().written() shouldBe "2.0000\n"
+    }
+
+    test("a row of one empty cell is not a blank line") {
+        val recording = parse(RowWriter().text("a").endRow().empty().endRow().number(1.0).endRow().written())
+        recording.rowCount shouldBe 2
+    }
+
+    test("any text comes back as it was written, in a row of its own") {
+        checkAll(1000, Arb.string(0..40)) { text ->
+            val recording = parse(RowWriter().text("n").text("text").endRow().number(1.0).text(text).endRow().written())
+            recording.rowCount shouldBe 1
+            val topic = recording.topics[1]
+            // A text that looks like a number, or like nothing, is read as such; a lone surrogate is no text.
+            if (topic.texts.size == 1 && text.none { it.isSurrogate() }) {
+                topic.texts[0] shouldBe text.replace('\u0000', '\uFFFD')
+            }
+        }
+    }
+
+    test("any numbers come back with their five digits") {
+        checkAll(300, Arb.list(Arb.double(), 1..20)) { numbers ->
+            val writer = RowWriter()
+            numbers.forEachIndexed { index, _ -> writer.text("c$index") }
+            writer.endRow()
+            for (number in numbers) writer.number(number)
+            writer.endRow()
+            val recording = parse(writer.written())
+            recording.topics.forEachIndexed { index, topic ->
+                val buffer = ByteArray(FiveDigitFormat.MAX_LENGTH)
+                val text = buffer.decodeToString(0, FiveDigitFormat.write(numbers[index], buffer, 0))
+                // As text, because NaN does not equal NaN.
+                topic.samples.joinToString() shouldBe doubleArrayOf(text.toDouble()).joinToString()
+            }
+        }
+    }
+})
