@@ -20,3 +20,5 @@ rootProject.name = "badlog"
 
 include(":core")
 include(":html-export")
+include(":benchmarks:jvm")
+include(":benchmarks:node")

@@ -1,0 +1,40 @@
+package badlog.html
+
+import java.io.OutputStream
+import java.util.Base64
+
+/**
+ * Writes what it is given to [out] as one base64 text without line breaks, however it is cut into pieces: the one or two
+ * bytes that fill no group of three wait for the next piece, so that padding stands at the end only.
+ */
+internal class Base64Stream(private val out: OutputStream) {
+    private val encoder = Base64.getEncoder()
+    private val source = ByteArray(3 * GROUPS)
+    private val text = ByteArray(4 * GROUPS)
+    private var held = 0
+
+    /** Writes the bytes from [from] until [until] of [bytes]. Keeps no reference. */
+    fun write(bytes: ByteArray, from: Int = 0, until: Int = bytes.size) {
+        var at = from
+        while (at < until) {
+            val size = minOf(source.size - held, until - at)
+            bytes.copyInto(source, held, at, at + size)
+            held += size
+            at += size
+            if (held == source.size) {
+                out.write(text, 0, encoder.encode(source, text))
+                held = 0
+            }
+        }
+    }
+
+    /** Writes what is held, with its padding. To be called once, last; does not close the stream under it. */
+    fun finish() {
+        out.write(encoder.encode(source.copyOf(held)))
+        held = 0
+    }
+
+    private companion object {
+        const val GROUPS = 1 shl 14
+    }
+}

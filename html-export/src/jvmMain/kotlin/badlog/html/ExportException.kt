@@ -1,0 +1,16 @@
+package badlog.html
+
+import java.io.IOException
+import java.nio.file.Path
+
+/** Why no page was made. The message is one sentence for the person who asked: what, where, and what to do. */
+sealed class ExportException(message: String, cause: Throwable? = null) : IOException(message, cause) {
+    /** The [file] to read is missing, is no file, or cannot be read. */
+    class Unreadable(val file: Path, message: String, cause: Throwable? = null) : ExportException(message, cause)
+
+    /** The [input] holds neither a bag, nor CSV, nor another log that this version reads. */
+    class NotARecording(val input: Path, message: String) : ExportException(message)
+
+    /** The [page] cannot be written: no permission, a full disk, or a folder of its name. */
+    class Unwritable(val page: Path, message: String, cause: Throwable? = null) : ExportException(message, cause)
+}

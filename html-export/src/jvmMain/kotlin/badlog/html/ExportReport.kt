@@ -1,0 +1,19 @@
+package badlog.html
+
+import badlog.recording.Recording
+import java.nio.file.Path
+
+/**
+ * What an export has made.
+ *
+ * @property page the page, as an absolute path.
+ * @property recording the topics, values, counts and problems of the input, without its samples.
+ * @property originalBytes the size of the input; these very bytes are in the page.
+ * @property inflatedBytes how many bytes the recording has once it is inflated; [originalBytes] unless the input is gzip.
+ */
+class ExportReport(
+    val page: Path,
+    val recording: Recording,
+    val originalBytes: Long,
+    val inflatedBytes: Long,
+)

@@ -1,0 +1,68 @@
+package badlog.html
+
+import java.io.FilterInputStream
+import java.io.IOException
+import java.io.InputStream
+import java.nio.channels.ClosedByInterruptException
+import java.nio.file.AccessDeniedException
+import java.nio.file.Files
+import java.nio.file.NoSuchFileException
+import java.nio.file.Path
+
+/** A stream of [file] whose failures say that it is this file that cannot be read. */
+internal class ReadGuard(private val file: Path, stream: InputStream) : FilterInputStream(stream) {
+    override fun read(bytes: ByteArray, from: Int, size: Int): Int = reading(file) { super.read(bytes, from, size) }
+}
+
+/** Runs [work], which reads [file]; its failures become [ExportException.Unreadable]. */
+internal fun <T> reading(file: Path, work: () -> T): T = try {
+    work()
+} catch (_: ClosedByInterruptException) {
+    throw InterruptedException()
+} catch (e: IOException) {
+    val message = when (e) {
+        is NoSuchFileException -> "There is no file $file; look for a typing error in its name."
+        is AccessDeniedException -> "$file cannot be read: you have no permission to; copy it, or ask its owner."
+        else -> "$file cannot be read (${e.message}); try to copy it to this computer's disk first."
+    }
+    throw ExportException.Unreadable(file, message, e)
+}
+
+/** Runs [work], which writes [page]; its failures become [ExportException.Unwritable]. */
+internal fun <T> writing(page: Path, work: () -> T): T = try {
+    work()
+} catch (e: ExportException) {
+    throw e
+} catch (_: ClosedByInterruptException) {
+    throw InterruptedException()
+} catch (e: IOException) {
+    val message = when {
+        e is AccessDeniedException -> "$page cannot be written: you have no permission to; choose another folder."
+        isDiskFull(page) -> "$page cannot be written: the disk is full; make room, or choose another disk."
+        else -> "$page cannot be written (${e.message}); choose another place."
+    }
+    throw ExportException.Unwritable(page, message, e)
+}
+
+/** Looks before anything is written whether [file] can be read, and is not the file that [page] would replace. */
+internal fun checkReadable(file: Path, page: Path) {
+    if (Files.isDirectory(file)) throw ExportException.Unreadable(file, "$file is a folder, where a file is expected.")
+    if (Files.exists(page) && Files.exists(file) && Files.isSameFile(file, page)) {
+        throw ExportException.Unwritable(page, "$page would overwrite a file that is read; choose another name for the page.")
+    }
+    if (Files.isDirectory(page)) {
+        throw ExportException.Unwritable(page, "$page is a folder; give the page another name, or put it inside.")
+    }
+    if (Files.exists(file) && !Files.isRegularFile(file)) {
+        throw ExportException.Unreadable(file, "$file is no ordinary file; copy what it holds into a file first.")
+    }
+}
+
+// The system's own words differ by language and platform, the room that is left does not.
+private fun isDiskFull(page: Path): Boolean = try {
+    Files.getFileStore(page.parent).usableSpace < LITTLE_ROOM
+} catch (_: IOException) {
+    false
+}
+
+private const val LITTLE_ROOM = 1L shl 20

@@ -1,0 +1,37 @@
+package badlog.html
+
+import badlog.analysis.matchTitle
+import badlog.bag.BagParser
+import badlog.bag.FileSignature
+import badlog.recording.ProblemKind
+
+/**
+ * What the first bytes of a file tell before the rest is read.
+ *
+ * @property isGzip whether the file is compressed.
+ * @property title the match, from the values in the header, or null where they name none.
+ * @property refusal why the file is certainly no recording, whatever follows; null when it may be one.
+ */
+internal class FileHead private constructor(val isGzip: Boolean, val title: String?, val refusal: String?) {
+    companion object {
+        /** How many bytes [of] wants to see; fewer are a shorter file. */
+        const val BYTES = 1 shl 18
+
+        /** Looks at the beginning of a file. */
+        fun of(bytes: ByteArray): FileHead {
+            val isGzip = FileSignature.of(bytes) == FileSignature.GZIP
+            val parser = BagParser(keepSamples = false)
+            if (isGzip) {
+                GzipReader { inflated, size -> parser.accept(inflated, 0, size) }.use { it.accept(bytes, 0, minOf(bytes.size, BYTES / 4)) }
+            } else {
+                parser.accept(bytes)
+            }
+            val recording = parser.finish()
+            // A text of one column may turn into a recording further down; what no column was found in can't.
+            val refusal = recording.problems
+                .firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING && recording.topics.isEmpty() }
+                ?.message
+            return FileHead(isGzip, matchTitle(recording.values), refusal)
+        }
+    }
+}

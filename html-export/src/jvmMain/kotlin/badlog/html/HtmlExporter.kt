@@ -1,0 +1,97 @@
+package badlog.html
+
+import badlog.bag.BagParser
+import badlog.recording.Problem
+import badlog.recording.ProblemKind
+import badlog.recording.Recording
+import java.io.ByteArrayInputStream
+import java.io.IOException
+import java.io.InputStream
+import java.io.SequenceInputStream
+import java.nio.file.Files
+import java.nio.file.Path
+
+/**
+ * Turns recordings into HTML pages that need nothing else: each holds the file's very bytes, and the program that shows them.
+ * Works on all cores, in memory that does not grow with the file. May be used for any number of exports, also at a time.
+ *
+ * @param attachments files to put into every page beside the recording.
+ * @param parts the program and the styles of the pages.
+ */
+class HtmlExporter(
+    private val attachments: List<Path> = emptyList(),
+    private val parts: PageParts = PageParts.bundled(),
+) {
+    /**
+     * Makes the page [output] of the file [input], a bag or a CSV file, perhaps compressed with gzip. Whatever is wrong in it
+     * is told in the report and on the page. [output] is replaced only by a whole page; its folder is made if need be.
+     *
+     * To cancel, interrupt the calling thread or throw from [progress].
+     *
+     * @throws ExportException when there is nothing to show, or a file cannot be read or written.
+     * @throws InterruptedException when the thread was interrupted.
+     */
+    fun export(input: Path, output: Path, progress: ExportProgress = ExportProgress { _, _ -> }): ExportReport {
+        val page = output.toAbsolutePath().normalize()
+        (listOf(input) + attachments).forEach { checkReadable(it, page) }
+        return reading(input) { Files.newInputStream(input) }.use { stream ->
+            val first = reading(input) { stream.readNBytes(FileHead.BYTES) }
+            val head = FileHead.of(first)
+            if (head.refusal != null) throw ExportException.NotARecording(input, "$input: ${head.refusal}")
+            val source = ReadGuard(input, SequenceInputStream(ByteArrayInputStream(first), stream))
+            writing(page) { write(input, source, head, page, progress) }
+        }
+    }
+
+    private fun write(input: Path, source: InputStream, head: FileHead, page: Path, progress: ExportProgress): ExportReport {
+        val name = input.fileName.toString()
+        val total = Files.size(input)
+        val parser = BagParser(keepSamples = false)
+        Files.createDirectories(page.parent)
+        return NewFile(page).use { file ->
+            val writer = PageWriter(file.out, parts)
+            writer.begin(head.title ?: name)
+            val embedded = ExportThreads().use { threads ->
+                val embedded = writer.recording { out ->
+                    val heard: (Long) -> Unit = { progress.advanced(it, total) }
+                    if (head.isGzip) {
+                        GzipEmbedding(threads, out, parser::accept).embed(source, heard)
+                    } else {
+                        RawEmbedding(threads, out, parser::accept).embed(source, heard)
+                    }
+                }
+                attachments.forEach { attach(it, writer, threads) }
+                embedded
+            }
+            val recording = withCut(parser.finish(), embedded)
+            recording.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }?.let { problem ->
+                throw ExportException.NotARecording(input, "$input: ${problem.message}")
+            }
+            writer.end(name, embedded, head.isGzip)
+            file.commit()
+            ExportReport(page, recording, embedded.originalBytes, embedded.inflatedBytes)
+        }
+    }
+
+    private fun attach(file: Path, writer: PageWriter, threads: ExportThreads) {
+        reading(file) { Files.newInputStream(file) }.use { stream ->
+            writer.attachment(file.fileName.toString()) { RawEmbedding(threads, it).embed(ReadGuard(file, stream)) }
+        }
+    }
+
+    private fun withCut(recording: Recording, file: EmbeddedFile): Recording {
+        if (!file.isCut) return recording
+        val problem = Problem(
+            ProblemKind.GZIP_CUT,
+            "The compressed file is cut off or damaged; the ${file.inflatedBytes} bytes before that were read.",
+        )
+        return Recording(
+            recording.format,
+            recording.headerLine,
+            recording.values,
+            recording.topics,
+            recording.rowCount,
+            listOf(problem) + recording.problems,
+        )
+    }
+}

@@ -1,0 +1,49 @@
+package badlog.html
+
+import java.security.MessageDigest
+import java.util.Base64
+
+/**
+ * What is the same in all pages: the program that reads and draws the recording, and its styles.
+ *
+ * @param program the text of one classic script.
+ * @param style the text of one style sheet.
+ * @throws IllegalArgumentException when a text cannot stand inside its element as it is.
+ */
+class PageParts(program: String, style: String) {
+    internal val program: ByteArray = lines(program).encodeToByteArray()
+    internal val style: ByteArray = lines(style).encodeToByteArray()
+
+    init {
+        // "<!--" does not end a script, but makes the next "<script" in it hide the real end.
+        requireAbsent("</script", program)
+        requireAbsent("<!--", program)
+        requireAbsent("</style", style)
+    }
+
+    /** The Content-Security-Policy of a page with these parts: nothing from the network, no other script or style. */
+    internal val policy: String
+        get() = "default-src 'none'; script-src '${hash(program)}'; worker-src blob:; style-src '${hash(style)}'; " +
+            "img-src data: blob:; base-uri 'none'; form-action 'none'"
+
+    companion object {
+        /** The page that this version of badlog brings along. */
+        fun bundled(): PageParts = PageParts(resource("page.js"), resource("uPlot.min.css") + resource("page.css"))
+
+        private fun resource(name: String): String {
+            val stream = PageParts::class.java.getResourceAsStream("/badlog/page/$name")
+            return checkNotNull(stream) { "$name is missing in this build of badlog." }.use { it.readBytes().decodeToString() }
+        }
+
+        // A browser reads every end of line as LF, and takes its hash of that.
+        private fun lines(text: String) = text.replace("\r\n", "\n").replace('\r', '\n')
+
+        private fun requireAbsent(mark: String, text: String) =
+            require(!text.contains(mark, ignoreCase = true)) { "\"$mark\" stands in the page's program or style." }
+
+        private fun hash(bytes: ByteArray): String {
+            val digest = MessageDigest.getInstance("SHA-256").digest(bytes)
+            return "sha256-" + Base64.getEncoder().encodeToString(digest)
+        }
+    }
+}

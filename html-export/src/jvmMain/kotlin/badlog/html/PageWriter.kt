@@ -1,0 +1,69 @@
+package badlog.html
+
+import java.io.OutputStream
+
+/** Writes a page from its beginning to its end; the functions are to be called in their order here. */
+internal class PageWriter(private val out: OutputStream, private val parts: PageParts) {
+    /** Everything before the recording. */
+    fun begin(title: String) {
+        text(
+            """
+            <!DOCTYPE html>
+            <html lang="en">
+            <head>
+            <meta charset="utf-8">
+            <meta http-equiv="Content-Security-Policy" content="${parts.policy}">
+            <meta name="viewport" content="width=device-width, initial-scale=1">
+            <meta name="generator" content="badlog ${escapeHtml(BADLOG_VERSION)}">
+            <title>${escapeHtml(title)}</title>
+
+            """.trimIndent() + "<style>",
+        )
+        out.write(parts.style)
+        text(
+            """
+            </style>
+            </head>
+            <body>
+            <noscript><p>$NO_SCRIPT</p></noscript>
+            <main id="page"></main>
+
+            """.trimIndent(),
+        )
+    }
+
+    /** The recording; [embed] gives its gzip stream to the base64 stream. */
+    fun <T> recording(embed: (Base64Stream) -> T): T = base64("id=\"recording\"", embed)
+
+    /** An attached file with its [name]; [embed] as in [recording]. */
+    fun <T> attachment(name: String, embed: (Base64Stream) -> T): T =
+        base64("class=\"attachment\" data-name=\"${escapeHtml(name)}\"", embed)
+
+    /** Everything after the attachments, about the recording that came from the file [name]. */
+    fun end(name: String, file: EmbeddedFile, isGzip: Boolean) {
+        val cut = if (file.isCut) ",\"cut\":true" else ""
+        text(
+            "<script type=\"application/json\" id=\"about\">{\"name\":${quoteJson(name)}," +
+                "\"original\":\"${if (isGzip) "gzip" else "raw"}\",\"inflatedBytes\":${file.inflatedBytes}$cut," +
+                "\"version\":${quoteJson(BADLOG_VERSION)}}</script>\n<script id=\"program\">",
+        )
+        out.write(parts.program)
+        text("</script>\n</body>\n</html>\n")
+    }
+
+    private fun <T> base64(attributes: String, embed: (Base64Stream) -> T): T {
+        text("<script type=\"application/octet-stream\" $attributes>")
+        val base64 = Base64Stream(out)
+        val result = embed(base64)
+        base64.finish()
+        text("</script>\n")
+        return result
+    }
+
+    private fun text(text: String) = out.write(text.encodeToByteArray())
+
+    private companion object {
+        const val NO_SCRIPT = "This page needs JavaScript to draw. The recording is inside it all the same: allow scripts for " +
+            "this file, or open it in another browser."
+    }
+}

@@ -1,0 +1,75 @@
+package badlog.html
+
+import java.io.InputStream
+import java.nio.ByteBuffer
+import java.nio.ByteOrder
+import java.util.zip.CRC32
+
+/**
+ * Embeds a file that is not compressed: deflates it piece by piece on all cores, into one gzip member. The calling thread
+ * reads and writes; only so many pieces are in flight, which bounds the memory whatever the file's size.
+ */
+internal class RawEmbedding(
+    private val threads: ExportThreads,
+    private val out: Base64Stream,
+    private val parse: (bytes: ByteArray, from: Int, until: Int) -> Unit = { _, _, _ -> },
+) {
+    private val pieces = ArrayList<DeflatePiece>()
+    private val inFlight = ArrayDeque<DeflatePiece>()
+    private val check = CRC32()
+    private var read = 0L
+    private var done = 0L
+
+    /** Embeds [source] to its end; [progress] hears how many bytes are done. */
+    fun embed(source: InputStream, progress: (Long) -> Unit = {}): EmbeddedFile {
+        out.write(HEADER)
+        try {
+            var last: DeflatePiece? = null
+            do {
+                val piece = if (pieces.size < ExportThreads.CORES + SPARE) newPiece() else next(progress)
+                piece.fill(source, last)
+                submit(piece)
+                last = piece
+            } while (!piece.isLast)
+            while (inFlight.isNotEmpty()) next(progress)
+        } finally {
+            pieces.forEach { it.close() }
+        }
+        out.write(trailer())
+        return EmbeddedFile(read, read, isCut = false)
+    }
+
+    private fun newPiece() = DeflatePiece().also { pieces += it }
+
+    private fun submit(piece: DeflatePiece) {
+        check.update(piece.bytes, piece.from, piece.until - piece.from)
+        read += piece.until - piece.from
+        piece.work = listOf(
+            threads.deflate(piece::deflate),
+            threads.parse { parse(piece.bytes, piece.from, piece.until) },
+        )
+        inFlight += piece
+    }
+
+    private fun next(progress: (Long) -> Unit): DeflatePiece {
+        val piece = inFlight.removeFirst()
+        piece.work.forEach(ExportThreads::await)
+        out.write(piece.deflated, 0, piece.deflatedSize)
+        done += piece.until - piece.from
+        progress(done)
+        return piece
+    }
+
+    private fun trailer() = ByteBuffer.allocate(8).order(ByteOrder.LITTLE_ENDIAN)
+        .putInt(check.value.toInt())
+        .putInt(read.toInt())
+        .array()
+
+    private companion object {
+        /** Deflate, no name, no time, unknown system. */
+        val HEADER = byteArrayOf(0x1F, 0x8B.toByte(), 8, 0, 0, 0, 0, 0, 0, -1)
+
+        /** So many pieces besides those being deflated: read ahead, or waiting to be written in their turn. */
+        const val SPARE = 4
+    }
+}

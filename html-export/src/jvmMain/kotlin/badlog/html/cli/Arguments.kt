@@ -1,0 +1,18 @@
+package badlog.html.cli
+
+import java.nio.file.Path
+
+/**
+ * What the command line asks for.
+ *
+ * @property paths the inputs, and perhaps the output, in their order; at least one.
+ * @property outFolder the folder for all pages, or null for beside their inputs.
+ * @property attachments files to put into each page.
+ * @property opensPage whether to show a page in the browser.
+ */
+internal class Arguments(
+    val paths: List<Path>,
+    val outFolder: Path?,
+    val attachments: List<Path>,
+    val opensPage: Boolean,
+)

@@ -1,0 +1,92 @@
+package badlog.html.cli
+
+import badlog.html.ExportException
+import badlog.html.ExportReport
+import badlog.html.HtmlExporter
+import badlog.recording.Severity
+import java.io.PrintStream
+import java.nio.file.Files
+import java.nio.file.Path
+
+/**
+ * The command line: makes the pages that its arguments ask for, prints where they are, and says what went wrong.
+ *
+ * @param out gets one line for each page: its absolute path.
+ * @param err gets everything else that is to be read by a person.
+ * @param isTerminal whether [err] is a terminal, which shows a progress bar.
+ * @param open shows a page in the browser; false when that did not work.
+ */
+internal class BadlogHtml(
+    private val out: PrintStream,
+    private val err: PrintStream,
+    private val isTerminal: Boolean,
+    private val open: (Path) -> Boolean,
+) {
+    private val made = ArrayList<ExportReport>()
+    private var failed = 0
+    private var skipped = 0
+
+    /** Does what [arguments] ask for. To be called once. */
+    fun run(arguments: List<String>): ExitCode = when (val parsed = ArgumentParser().parse(arguments)) {
+        is ArgumentParser.Result.Run -> export(parsed.arguments)
+        is ArgumentParser.Result.Say -> ExitCode.WHOLE.also { out.println(parsed.text) }
+        is ArgumentParser.Result.Refuse -> ExitCode.USAGE.also { err.println(parsed.text) }
+    }
+
+    private fun export(arguments: Arguments): ExitCode {
+        val jobs = try {
+            ExportPlan(arguments).jobs()
+        } catch (e: ExportException) {
+            err.println(e.message)
+            return ExitCode.NOTHING
+        }
+        val exporter = HtmlExporter(arguments.attachments)
+        jobs.forEachIndexed { index, job ->
+            val label = (if (jobs.size > 1) "${index + 1}/${jobs.size} " else "") + job.input.fileName
+            make(job, exporter, ProgressBar(label, err, isTerminal))
+        }
+        sayWhatIsMissing()
+        if (arguments.opensPage) openNewest(jobs)
+        return when {
+            made.isEmpty() -> ExitCode.NOTHING
+            failed > 0 || made.any { it.recording.isSalvaged } -> ExitCode.SALVAGED
+            else -> ExitCode.WHOLE
+        }
+    }
+
+    private fun make(job: ExportJob, exporter: HtmlExporter, bar: ProgressBar) {
+        try {
+            val report = bar.use { exporter.export(job.input, job.page, it) }
+            made += report
+            out.println(report.page)
+            saySalvaged(job, report)
+        } catch (e: ExportException) {
+            if (e is ExportException.NotARecording && job.isFound) {
+                skipped++
+            } else {
+                failed++
+                err.println(e.message)
+            }
+        }
+    }
+
+    private fun saySalvaged(job: ExportJob, report: ExportReport) {
+        val losses = report.recording.problems.filter { it.severity == Severity.ERROR }
+        val first = losses.firstOrNull() ?: return
+        val line = first.line?.let { " (line $it)" }.orEmpty()
+        val others = if (losses.size > 1) " The page tells ${losses.size - 1} more." else ""
+        err.println("${job.input}: salvaged. ${first.message}$line$others")
+    }
+
+    private fun sayWhatIsMissing() {
+        if (skipped > 0) err.println("$skipped ${if (skipped == 1) "file is no log and was" else "files are no logs and were"} skipped.")
+        if (made.isEmpty() && failed == 0) err.println("There is no page: no log was found. Name a log, or the folder it is in.")
+    }
+
+    private fun openNewest(jobs: List<ExportJob>) {
+        val pages = made.mapTo(HashSet()) { it.page }
+        val newest = jobs.filter { it.page.toAbsolutePath().normalize() in pages }
+            .maxByOrNull { Files.getLastModifiedTime(it.input) } ?: return
+        if (!open(newest.page)) err.println("No browser could be started; open ${newest.page} yourself.")
+    }
+}

@@ -1,0 +1,11 @@
+package badlog.html.cli
+
+import kotlin.system.exitProcess
+
+/** The program `badlog-html`. */
+fun main(arguments: Array<String>) {
+    // The start script can ask for it; Java could not until version 22.
+    val isTerminal = System.getProperty("badlog.terminal")?.toBoolean() ?: (System.console() != null)
+    val program = BadlogHtml(System.out, System.err, isTerminal, ::openInBrowser)
+    exitProcess(program.run(arguments.toList()).code)
+}
