@@ -34,10 +34,6 @@ internal class RowRepair(
     var linesPassed = 0
         private set
 
-    /** Whether the last call of [repair] stopped at a NUL byte. */
-    var isAtHole = false
-        private set
-
     private var afterHole = false
     private var line = 0
 
@@ -51,8 +47,7 @@ internal class RowRepair(
         this.line = line
         hasRow = false
         linesPassed = 0
-        isAtHole = false
-        val end = lineEnd(bytes, from, until)
+        val end = lineEndIn(bytes, from, until)
         if (end == until) return if (isEnd) tail(bytes, from, until, endsInNewline) else RowScanner.INCOMPLETE
         if (bytes[end].toInt() == NUL) return hole(bytes, from, end)
         val next = afterLineEnd(bytes, end, until, isEnd)
@@ -74,11 +69,16 @@ internal class RowRepair(
         return if (after != NOT_SO) after else takeUneven(bytes, from, end, next)
     }
 
+    /** Says that bytes were lost just before what is read next, so that its beginning may be missing. */
+    fun passHole() {
+        afterHole = true
+    }
+
     /** A quoted cell with newlines inside, as RFC 4180 allows. */
     private fun quotedLines(bytes: ByteArray, from: Int, secondLine: Int, until: Int, isEnd: Boolean): Int {
         var start = secondLine
         for (lines in 2..MOST_LINES) {
-            val end = lineEnd(bytes, start, until)
+            val end = lineEndIn(bytes, start, until)
             if (end == until) {
                 if (until - from > MOST_BYTES) return NOT_SO
                 if (!isEnd) return RowScanner.INCOMPLETE
@@ -119,7 +119,7 @@ internal class RowRepair(
     private fun joinedLines(bytes: ByteArray, from: Int, end: Int, next: Int, until: Int, isEnd: Boolean): Int {
         var start = next
         for (lines in 2..MOST_LINES) {
-            val pieceEnd = lineEnd(bytes, start, until)
+            val pieceEnd = lineEndIn(bytes, start, until)
             if (pieceEnd == until) return if (isEnd || until - from > MOST_BYTES) NOT_SO else RowScanner.INCOMPLETE
             if (bytes[pieceEnd].toInt() == NUL || isCompleteRow(bytes, start, pieceEnd)) return NOT_SO
             val count = splitter.split(bytes, from, pieceEnd, Quotes.LENIENT)
@@ -195,8 +195,6 @@ internal class RowRepair(
     private fun hole(bytes: ByteArray, from: Int, nul: Int): Int {
         if (nul > from) tail(bytes, from, nul, true)
         linesPassed = 0
-        isAtHole = true
-        afterHole = true
         return nul
     }
 
@@ -280,23 +278,6 @@ internal class RowRepair(
 
     private fun quotation(bytes: ByteArray, from: Int, until: Int): String {
         return "“${decoder.excerpt(bytes, from, until, QUOTED_BYTES)}”"
-    }
-
-    private fun lineEnd(bytes: ByteArray, from: Int, until: Int): Int {
-        var at = from
-        while (at < until) {
-            val byte = bytes[at].toInt()
-            if (byte == LF || byte == CR || byte == NUL) return at
-            at++
-        }
-        return until
-    }
-
-    private fun afterLineEnd(bytes: ByteArray, end: Int, until: Int, isEnd: Boolean): Int = when {
-        bytes[end].toInt() == LF -> end + 1
-        end + 1 < until -> if (bytes[end + 1].toInt() == LF) end + 2 else end + 1
-        isEnd -> end + 1
-        else -> RowScanner.INCOMPLETE
     }
 
     private companion object {

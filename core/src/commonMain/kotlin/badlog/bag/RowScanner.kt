@@ -5,10 +5,6 @@ package badlog.bag
  * left to [RowRepair], which knows the rules but not the hurry.
  */
 internal class RowScanner(private val cells: RowCells, private val reader: CellReader) {
-    /** Whether the last row ended in a carriage return. */
-    var endedInCarriageReturn = false
-        private set
-
     /**
      * Reads the row that begins at [from] into the cells.
      *
@@ -68,17 +64,9 @@ internal class RowScanner(private val cells: RowCells, private val reader: CellR
                 if (++cell > last) return IRREGULAR
             } else {
                 if (cell != last) return IRREGULAR
-                return afterLineEnd(bytes, byte, at, until)
+                return afterLineEnd(bytes, at - 1, until, false)
             }
         }
-    }
-
-    // A CR at the end of what has arrived may be half of a CRLF.
-    private fun afterLineEnd(bytes: ByteArray, byte: Int, at: Int, until: Int): Int {
-        endedInCarriageReturn = byte == CR
-        if (byte == LF) return at
-        if (at >= until) return INCOMPLETE
-        return if (bytes[at].toInt() == LF) at + 1 else at
     }
 
     companion object {

@@ -1,0 +1,140 @@
+package badlog.bag
+
+import badlog.recording.ProblemKind
+import badlog.recording.ProblemList
+
+/** Reads what stands before the rows: the line of JSON, if there is one, and the line of column titles. */
+internal class HeaderReader(
+    private val pending: PendingBytes,
+    private val decoder: TextDecoder,
+    private val problems: ProblemList,
+) {
+    private enum class Stage { SIGNATURE, FIRST_LINE, TITLES, DONE }
+
+    private var stage = Stage.SIGNATURE
+
+    /** The line of JSON as it stands there, or null without one. */
+    var line: String? = null
+        private set
+
+    /** What it says; null without it, and where it cannot be read. */
+    var header: BagHeader? = null
+        private set
+
+    /** The columns; null until they are known, and where the titles line is missing or cut. */
+    var columns: HeaderColumns? = null
+        private set
+
+    /** Whether nothing of the header is still to come. */
+    val isDone: Boolean get() = stage == Stage.DONE
+
+    /** Whether the bytes turned out to be no log. */
+    var isNoLog = false
+        private set
+
+    /** Reads one line of it; returns where the next begins, or [RowScanner.INCOMPLETE]. */
+    fun read(isEnd: Boolean): Int = when (stage) {
+        Stage.SIGNATURE -> readSignature(isEnd)
+        Stage.FIRST_LINE -> readLine(isEnd, ::takeFirstLine)
+        Stage.TITLES -> readLine(isEnd, ::takeTitles)
+        Stage.DONE -> pending.end
+    }
+
+    private fun readSignature(isEnd: Boolean): Int {
+        if (pending.size < FileSignature.BYTES && !isEnd) return RowScanner.INCOMPLETE
+        val start = pending.start
+        val seen = pending.bytes.copyOfRange(start, minOf(pending.end, start + FileSignature.BYTES))
+        when (FileSignature.of(seen)) {
+            FileSignature.GZIP -> return refuse("The file is compressed with gzip and has to be inflated first.")
+            FileSignature.WPILOG -> return refuse("This is a WPILOG file; this version of badlog reads bags and CSV.")
+            FileSignature.OTHER -> stage = Stage.FIRST_LINE
+        }
+        val hasMark = seen.size >= BYTE_ORDER_MARK.size && BYTE_ORDER_MARK.indices.all { seen[it] == BYTE_ORDER_MARK[it] }
+        if (!hasMark) return start
+        problems.add(ProblemKind.BYTE_ORDER_MARK, "The file begins with a byte order mark, which was skipped.", 1)
+        return start + BYTE_ORDER_MARK.size
+    }
+
+    private fun readLine(isEnd: Boolean, take: (lineEnd: Int, next: Int) -> Int): Int {
+        val bytes = pending.bytes
+        val lineEnd = lineEndIn(bytes, pending.start, pending.end)
+        if (isBinary(pending.start, lineEnd) || lineEnd - pending.start > LONGEST_LINE) return refuse(BINARY)
+        if (lineEnd == pending.end && !isEnd) return RowScanner.INCOMPLETE
+        val next = afterLineEnd(bytes, lineEnd, pending.end, isEnd)
+        if (next == RowScanner.INCOMPLETE) return next
+        if (lineEnd > pending.start) return take(lineEnd, next)
+        problems.add(ProblemKind.BLANK_LINE, "A blank line was skipped.", pending.line++)
+        return next
+    }
+
+    private fun takeFirstLine(lineEnd: Int, next: Int): Int {
+        stage = Stage.TITLES
+        if (pending.bytes[pending.start].toInt() != BRACE) return pending.start
+        val text = decode(lineEnd)
+        line = text
+        header = readHeader(text)
+        if (header == null) {
+            problems.add(
+                ProblemKind.HEADER_UNREADABLE,
+                "Line ${pending.line} is cut or is not JSON, so units, attributes and values are lost; " +
+                    "the rest was read as CSV.",
+                pending.line,
+            )
+        }
+        if (next > lineEnd) pending.line++
+        return next
+    }
+
+    private fun takeTitles(lineEnd: Int, next: Int): Int {
+        stage = Stage.DONE
+        // A header whose line of titles is cut off knows its topics better than that line does.
+        val isCut = next == lineEnd
+        if (!isCut || header == null) columns = HeaderColumns.match(header, titles(lineEnd), pending.line, problems)
+        if (!isCut) pending.line++
+        return next
+    }
+
+    private fun titles(lineEnd: Int): List<String> {
+        // The original does not quote names, so a name with a comma is told only by the line of JSON.
+        val names = header?.topics?.map { it.name }
+        if (names != null && names.size > 1 && decode(lineEnd) == names.joinToString(",")) return names
+        val splitter = RowSplitter()
+        val count = splitter.split(pending.bytes, pending.start, lineEnd, RowSplitter.Quotes.STRICT)
+        return List(count) { index ->
+            val title = decoder.decode(pending.bytes, splitter.starts[index], splitter.ends[index])
+            reportEncoding()
+            if (splitter.quoted[index]) title.replace("\"\"", "\"") else title.trim()
+        }
+    }
+
+    private fun decode(lineEnd: Int): String =
+        decoder.decode(pending.bytes, pending.start, lineEnd).also { reportEncoding() }
+
+    private fun reportEncoding() {
+        if (!decoder.wasNotUtf8) return
+        problems.add(ProblemKind.NOT_UTF8, "The header is not UTF-8; it was read as Windows-1252.", pending.line)
+    }
+
+    private fun isBinary(from: Int, until: Int): Boolean {
+        for (i in from until until) if (pending.bytes[i] in CONTROLS && pending.bytes[i].toInt() != TAB) return true
+        return false
+    }
+
+    private fun refuse(message: String): Int {
+        problems.add(ProblemKind.NOT_A_RECORDING, message, pending.line)
+        stage = Stage.DONE
+        isNoLog = true
+        return pending.end
+    }
+
+    companion object {
+        const val NO_LOG = "This file is neither a bag, nor a CSV file, nor a WPILOG"
+
+        private const val BINARY = "$NO_LOG: it holds bytes that no text has."
+
+        /** No header line is longer; a file without a newline before is not a bag. */
+        private const val LONGEST_LINE = 1 shl 24
+        private val BYTE_ORDER_MARK = byteArrayOf(0xEF.toByte(), 0xBB.toByte(), 0xBF.toByte())
+        private val CONTROLS = 1.toByte()..31.toByte()
+    }
+}

@@ -1,0 +1,48 @@
+package badlog.bag
+
+/** What of a file has arrived and is not read yet: [bytes] from [start] until [end]. */
+internal class PendingBytes {
+    var bytes = ByteArray(2 * PIECE)
+        private set
+    var start = 0
+        private set
+    var end = 0
+        private set
+
+    /** The physical line, from 1, that [start] is in. */
+    var line = 1
+
+    /** Whether a line that was read ended in a carriage return. */
+    var sawCarriageReturn = false
+        private set
+
+    /** How many bytes have been read before [start]. */
+    var passed = 0L
+        private set
+
+    val size: Int get() = end - start
+
+    fun append(more: ByteArray, from: Int, until: Int) {
+        if (end + until - from > bytes.size) {
+            bytes.copyInto(bytes, 0, start, end)
+            end -= start
+            start = 0
+            if (end + until - from > bytes.size) bytes = bytes.copyOf((end + until - from) * 2)
+        }
+        more.copyInto(bytes, end, from, until)
+        end += until - from
+    }
+
+    /** Says that all before [next] is read. */
+    fun advanceTo(next: Int) {
+        if (next - start >= 1 && bytes[next - 1].toInt() == CR) sawCarriageReturn = true
+        if (next - start >= 2 && bytes[next - 2].toInt() == CR && bytes[next - 1].toInt() == LF) sawCarriageReturn = true
+        passed += next - start
+        start = next
+    }
+
+    companion object {
+        /** How much is read at a time: enough to be fast, little enough to stay in the processor's cache. */
+        const val PIECE = 1 shl 16
+    }
+}

@@ -1,0 +1,91 @@
+package badlog.bag
+
+import badlog.recording.ProblemKind
+import badlog.recording.ProblemList
+import badlog.recording.Topic
+
+/** Reads the rows into columns: the fast way where it can, the forgiving one where it must. */
+internal class RowReader(
+    private val pending: PendingBytes,
+    private val layout: HeaderColumns,
+    private val decoder: TextDecoder,
+    private val problems: ProblemList,
+    keepSamples: Boolean,
+    endsInNewline: Boolean,
+    private val expectedBytes: Long,
+) {
+    private val columns = Array(layout.columnNames.size) { index ->
+        val isLog = layout.topics[index]?.attributes?.contains("log") == true
+        ColumnBuilder(layout.columnNames[index], !isLog, keepSamples, decoder)
+    }
+    private val cells = RowCells(columns.size)
+    private val cellReader = CellReader()
+    private val scanner = RowScanner(cells, cellReader)
+    private val repair = RowRepair(cells, cellReader, columns, decoder, problems, endsInNewline)
+    private val passedBefore = pending.passed
+
+    /** How many rows have been read. */
+    var rowCount = 0
+        private set
+
+    /** Whether what follows is no row at all and is not read. */
+    var gaveUp = false
+        private set
+
+    /** Reads one row; returns where the next begins, or [RowScanner.INCOMPLETE]. */
+    fun read(isEnd: Boolean): Int {
+        val scanned = scanner.scan(pending.bytes, pending.start, pending.end)
+        if (scanned >= 0) {
+            addRow(pending.bytes)
+            pending.line++
+            return scanned
+        }
+        if (scanned == RowScanner.INCOMPLETE && !isEnd && pending.size < LONGEST_SCAN) return scanned
+        val next = repair.repair(pending.bytes, pending.start, pending.end, isEnd, pending.line)
+        if (next == RowScanner.INCOMPLETE) return if (pending.size < LONGEST_ROW) next else giveUp()
+        if (repair.hasRow) addRow(repair.text)
+        pending.line += repair.linesPassed
+        return next
+    }
+
+    /** Says that bytes were lost just before what is read next. */
+    fun passHole() = repair.passHole()
+
+    private fun addRow(text: ByteArray) {
+        cells.commit(columns, rowCount, text, pending.line)
+        rowCount++
+        if (rowCount == SAMPLE_ROWS && expectedBytes > 0) {
+            val bytesPerRow = maxOf(1, (pending.passed - passedBefore) / SAMPLE_ROWS)
+            val rows = expectedBytes / bytesPerRow
+            for (column in columns) column.expect(minOf(rows + rows / 64, MOST_EXPECTED_ROWS).toInt())
+        }
+    }
+
+    private fun giveUp(): Int {
+        gaveUp = true
+        problems.add(
+            ProblemKind.ROW_CUT,
+            "A line of more than $LONGEST_ROW bytes is no row of samples; what follows was not read.",
+            pending.line,
+        )
+        return pending.end
+    }
+
+    /** The topics that all rows make, in the order in which they are shown. To be called once, last. */
+    fun topics(): List<Topic> = layout.order.map { index ->
+        val described = layout.topics[index]
+        val column = columns[index]
+        val topic = column.build(rowCount, described?.unit ?: Topic.UNITLESS, described?.attributes.orEmpty())
+        reportColumn(column, topic, problems)
+        topic
+    }
+
+    private companion object {
+        const val LONGEST_SCAN = 1 shl 20
+        const val LONGEST_ROW = 1 shl 24
+
+        /** So many rows are looked at to guess how many there will be. */
+        const val SAMPLE_ROWS = 64
+        const val MOST_EXPECTED_ROWS = 1L shl 24
+    }
+}
