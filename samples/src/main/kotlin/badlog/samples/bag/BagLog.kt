@@ -1,0 +1,58 @@
+package badlog.samples.bag
+
+import badlog.bag.BagHeader
+import badlog.bag.BagTopic
+import badlog.bag.BagValue
+import badlog.bag.RowWriter
+import badlog.recording.Value
+
+/** A bag in memory, with topics that are created as robot code creates them: a name, a unit, attributes, a supplier. */
+class BagLog(private val numberText: NumberText, values: List<Pair<String, String>>) {
+    private class Column(val topic: BagTopic, val writeCell: () -> Unit)
+
+    private val values = values.map { (name, text) -> BagValue(Value(name, text)) }
+    private val columns = ArrayList<Column>()
+    private val writer = RowWriter()
+
+    /** Creates a topic of numbers; a null is an empty cell. */
+    fun number(
+        name: String,
+        unit: String,
+        decimals: Int,
+        vararg attributes: String,
+        supplier: () -> Double?,
+    ) {
+        columns += Column(BagTopic(name, unit, attributes.toList())) {
+            val value = supplier()
+            when {
+                value == null -> writer.empty()
+                numberText == NumberText.FIVE_DIGITS -> writer.number(value)
+                else -> writer.text(decimalText(value, decimals))
+            }
+        }
+    }
+
+    fun flag(name: String, supplier: () -> Boolean) = text(name) { supplier().toString() }
+
+    fun text(name: String, vararg attributes: String, supplier: () -> String) {
+        columns += Column(BagTopic(name, attributes = attributes.toList())) { writer.text(supplier()) }
+    }
+
+    /** Writes the header; no topic can be created after. */
+    fun finishInitialization() {
+        writer.header(BagHeader(columns.map { it.topic }, values))
+    }
+
+    /** Writes the header of a table that is no bag: titles alone. */
+    fun writeTitles() {
+        for (column in columns) writer.text(column.topic.name)
+        writer.endRow()
+    }
+
+    fun log() {
+        for (column in columns) column.writeCell()
+        writer.endRow()
+    }
+
+    fun bytes(): ByteArray = writer.bytes.copyOf(writer.size)
+}

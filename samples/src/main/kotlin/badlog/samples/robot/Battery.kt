@@ -1,0 +1,46 @@
+package badlog.samples.robot
+
+/**
+ * A 12 V lead-acid battery: a resting voltage that falls with its charge, behind a resistance that acts at once and a
+ * second one that builds up over seconds, when acid near the plates is used up faster than it comes after.
+ *
+ * @param ohms what acts at once, with leads, main breaker and connectors.
+ * @param slowOhms what builds up.
+ * @param ampHours what it holds when full.
+ * @param charge 1 for full.
+ */
+class Battery(
+    private val ohms: Double,
+    private val slowOhms: Double,
+    private val ampHours: Double,
+    private var charge: Double,
+) {
+    private var slowVolts = 0.0
+
+    /** What a bad contact in the lead adds. */
+    var contactOhms = 0.0
+
+    var volts = restingVolts()
+        private set
+
+    /** Finds the voltage at which battery and [loads] agree, and discharges by what flows for [seconds]. */
+    fun supply(loads: List<Load>, seconds: Double) {
+        var offset = 0.0
+        var conductance = 0.0
+        for (load in loads) {
+            offset += load.offset
+            conductance += load.conductance
+        }
+        val series = ohms + contactOhms
+        volts = (restingVolts() - slowVolts - series * offset) / (1 + series * conductance)
+        val amps = offset + conductance * volts
+        slowVolts += (amps * slowOhms - slowVolts) * seconds / SLOW_SECONDS
+        charge -= amps * seconds / (ampHours * 3600)
+    }
+
+    private fun restingVolts() = 11.6 + 1.2 * charge
+
+    private companion object {
+        const val SLOW_SECONDS = 2.5
+    }
+}

@@ -1,0 +1,70 @@
+package badlog.samples.robot
+
+import kotlin.math.abs
+
+/** Six wheels, four motors, two gears: the robot on the field. Metres, seconds, radians; x runs along the field. */
+class Drivetrain(var x: Double, var y: Double, var heading: Double) {
+    var leftOutput = 0.0
+    var rightOutput = 0.0
+    var isHighGear = false
+
+    /** How hard something in the way holds the robot back, in N·s/m: a robot that pushes against it, a wall. */
+    var obstacle = 0.0
+
+    var speed = 0.0
+        private set
+    var turnRate = 0.0
+        private set
+    var leftPosition = 0.0
+        private set
+    var rightPosition = 0.0
+        private set
+
+    val leftVelocity get() = speed - turnRate * HALF_TRACK
+    val rightVelocity get() = speed + turnRate * HALF_TRACK
+
+    // Motor radians per metre.
+    private val gearing get() = (if (isHighGear) HIGH_RATIO else LOW_RATIO) / (WHEEL_DIAMETER / 2)
+
+    fun load(left: List<Load>, right: List<Load>, volts: Double) {
+        for (load in left) Motor.load(load, leftOutput, volts, leftVelocity * gearing)
+        for (load in right) Motor.load(load, rightOutput, volts, rightVelocity * gearing)
+    }
+
+    fun move(volts: Double, seconds: Double) {
+        val left = push(leftOutput, volts, leftVelocity)
+        val right = push(rightOutput, volts, rightVelocity)
+        val drag = 25 * speed / (abs(speed) + 0.03) + (5 + obstacle) * speed
+        // Wheels that do not steer scrub sideways over the carpet in a turn, less so while they roll.
+        val scrub = 55 / (1 + 3 * abs(speed)) * turnRate / (abs(turnRate) + 0.1) + 9 * turnRate
+        speed += (left + right - drag) / MASS * seconds
+        turnRate += ((right - left) * HALF_TRACK - scrub) / INERTIA * seconds
+        heading += turnRate * seconds
+        x += speed * cosine(heading) * seconds
+        y += speed * sine(heading) * seconds
+        leftPosition += leftVelocity * seconds
+        rightPosition += rightVelocity * seconds
+    }
+
+    /** A hit from the side: the robot spins and loses speed before anyone can react. */
+    fun hit() {
+        turnRate += 4.5
+        speed *= -0.3
+    }
+
+    private fun push(output: Double, volts: Double, velocity: Double): Double =
+        (MOTORS_PER_SIDE * Motor.torque(output, volts, velocity * gearing) * gearing).coerceIn(-GRIP, GRIP)
+
+    companion object {
+        const val WHEEL_DIAMETER = 0.1524
+        const val HIGH_RATIO = 8.5
+        const val LOW_RATIO = 15.0
+        private const val MASS = 62.0
+        private const val INERTIA = 6.0
+        private const val HALF_TRACK = 0.3
+        private const val MOTORS_PER_SIDE = 2
+
+        // What the wheels of one side can push before they slip.
+        private const val GRIP = 330.0
+    }
+}

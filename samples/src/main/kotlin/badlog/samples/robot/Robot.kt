@@ -1,0 +1,102 @@
+package badlog.samples.robot
+
+import badlog.samples.match.Mishaps
+import badlog.samples.match.Mode
+import badlog.samples.match.Sticks
+
+/** The whole robot, stepped once for each of its 20 ms loops. */
+class Robot(
+    seed: Long,
+    val battery: Battery,
+    val drivetrain: Drivetrain,
+    pressure: Double,
+    private val mishaps: Mishaps,
+) {
+    private val noise = Noise(seed)
+    val power = PowerDistribution(noise)
+    val roboRio = RoboRio(noise)
+    val elevator = Elevator()
+    val arm = Arm()
+    val intake = Intake(noise)
+    val pneumatics = Pneumatics(pressure)
+    val camera = Camera(noise)
+    val gyro = Gyro(noise)
+    val sensors = Sensors(this, noise)
+
+    var mode = Mode.DISABLED
+        private set
+    var state = Superstructure.STOWED
+        private set
+    private var stateSeconds = 0.0
+
+    val isPowered get() = mode != Mode.DISABLED && !roboRio.isBrownedOut
+
+    /** What the robot's program does at the start of a loop: reads its sensors, then sets its outputs. */
+    fun control(time: Double, seconds: Double, mode: Mode, sticks: Sticks) {
+        this.mode = mode
+        roboRio.guard(battery.volts, seconds)
+        roboRio.work(mode != Mode.DISABLED, mishaps.stallSeconds(time), mishaps.canIsSilent(time))
+        power.measure(battery.volts)
+        camera.look(drivetrain, seconds, mishaps.stallSeconds(time))
+        if (mishaps.isHitAt(time, seconds)) {
+            drivetrain.hit()
+            gyro.restart()
+            sensors.loseLeftEncoder()
+        }
+        gyro.measure(drivetrain, seconds)
+        battery.contactOhms = mishaps.contactOhms(time)
+        drive(sticks)
+        moveSuperstructure(sticks, seconds)
+        pneumatics.control(isPowered, seconds)
+        sensors.measure(isElevatorSilent = mishaps.canIsSilent(time), seconds)
+    }
+
+    private fun drive(sticks: Sticks) {
+        if (isPowered && sticks.highGear != drivetrain.isHighGear) {
+            drivetrain.isHighGear = sticks.highGear
+            pneumatics.use(SHIFT)
+        }
+        drivetrain.leftOutput = if (isPowered) (sticks.throttle - sticks.turn).coerceIn(-1.0, 1.0) else 0.0
+        drivetrain.rightOutput = if (isPowered) (sticks.throttle + sticks.turn).coerceIn(-1.0, 1.0) else 0.0
+        drivetrain.obstacle = sticks.obstacle
+    }
+
+    private fun moveSuperstructure(sticks: Sticks, seconds: Double) {
+        stateSeconds += seconds
+        if (isPowered && sticks.state != state) {
+            state = sticks.state
+            stateSeconds = 0.0
+            if (state == Superstructure.INTAKING || state == Superstructure.SCORING) pneumatics.use(GRAB)
+        }
+        elevator.control(isPowered, seconds)
+        if (isPowered) elevator.profile.goal = state.height
+        arm.control(state.angle, isPowered, seconds)
+        intake.control(state.rollers, stateSeconds > sticks.pieceAfter, isPowered, seconds)
+    }
+
+    /** Lets [seconds] pass with the outputs as they are. */
+    fun pass(seconds: Double) {
+        val step = seconds / STEPS
+        repeat(STEPS) {
+            power.load()
+            drivetrain.load(power.leftDrive, power.rightDrive, battery.volts)
+            elevator.load(power.elevator, battery.volts)
+            arm.load(power.arm)
+            intake.load(power.intake)
+            pneumatics.load(power.compressor)
+            battery.supply(power.channels, step)
+            drivetrain.move(battery.volts, step)
+            elevator.move(battery.volts, step)
+            arm.move(step)
+        }
+    }
+
+    private companion object {
+        // The elevator's mass on its stiff motors needs a finer step than a loop.
+        const val STEPS = 5
+
+        // What a move of the shifter or the grabber takes out of the tanks, in psi.
+        const val SHIFT = 0.9
+        const val GRAB = 1.6
+    }
+}

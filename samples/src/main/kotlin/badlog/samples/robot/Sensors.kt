@@ -1,0 +1,47 @@
+package badlog.samples.robot
+
+/** What the encoders tell of the mechanisms, with what may happen to them on the way. */
+class Sensors(private val robot: Robot, private val noise: Noise) {
+    private var hasLeftEncoder = true
+    var leftPosition = 0.0
+        private set
+    var leftVelocity = 0.0
+        private set
+    var rightPosition = 0.0
+        private set
+    var rightVelocity = 0.0
+        private set
+    var elevatorPosition = 0.0
+        private set
+    var elevatorVelocity = 0.0
+        private set
+    var elevatorAmps = 0.0
+        private set
+
+    /** Its plug comes off: the count stays where it was, and nothing says that it is wrong. */
+    fun loseLeftEncoder() {
+        hasLeftEncoder = false
+        leftVelocity = 0.0
+    }
+
+    fun measure(isElevatorSilent: Boolean, seconds: Double) {
+        val drivetrain = robot.drivetrain
+        if (hasLeftEncoder) {
+            leftPosition = drivetrain.leftPosition
+            leftVelocity = filtered(leftVelocity, drivetrain.leftVelocity, seconds)
+        }
+        rightPosition = drivetrain.rightPosition
+        rightVelocity = filtered(rightVelocity, drivetrain.rightVelocity, seconds)
+        // Without status frames the robot goes on with the last ones it had.
+        if (isElevatorSilent) return
+        elevatorPosition = robot.elevator.position
+        elevatorVelocity = filtered(elevatorVelocity, robot.elevator.velocity, seconds)
+        elevatorAmps = robot.elevator.windingAmps(robot.battery.volts) * (1 + noise.around(0.02))
+    }
+
+    // Motor controllers average their velocity over some 30 ms. At rest an encoder has no noise.
+    private fun filtered(last: Double, now: Double, seconds: Double): Double {
+        val next = last + (now - last) * (seconds / 0.03).coerceAtMost(1.0)
+        return if (StrictMath.abs(now) < 0.002) 0.0 else next + noise.around(0.004)
+    }
+}
