@@ -20,5 +20,6 @@ rootProject.name = "badlog"
 
 include(":core")
 include(":html-export")
+include(":samples")
 include(":benchmarks:jvm")
 include(":benchmarks:node")
