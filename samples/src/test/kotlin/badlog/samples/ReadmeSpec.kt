@@ -1,0 +1,41 @@
+package badlog.samples
+
+import badlog.analysis.LogView
+import badlog.analysis.statistics
+import badlog.bag.BagParser
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import java.io.File
+
+private val ROOT = File("..")
+
+class ReadmeSpec : FunSpec({
+    test("the README's example in Kotlin runs and finds what it says") {
+        val printed = StringBuilder()
+
+        // The example speaks of files below the project's root and prints; here both are caught.
+        fun File(path: String) = ROOT.resolve(path)
+
+        fun println(text: String) {
+            printed.appendLine(text)
+        }
+
+        val parser = BagParser()
+        parser.accept(File("samples/qualification-42.bag").readBytes())
+        val recording = parser.finish()
+        for (problem in recording.problems) println("line ${problem.line}: ${problem.message}")
+
+        val graphs = LogView.of(recording).folders.flatMap { it.graphs }
+        val battery = graphs.first { it.name == "System/Battery Voltage" }.series.first().data
+        println("lowest: ${battery.statistics().min} V")
+
+        printed.lines().last { it.isNotEmpty() } shouldBe "lowest: 6.73 V"
+    }
+
+    test("the README's example in Kotlin is the one that runs here") {
+        val example = ROOT.resolve("README.md").readText().substringAfter("```kotlin\n").substringBefore("```")
+        val here = File("src/test/kotlin/badlog/samples/ReadmeSpec.kt").readLines().map { it.trim() }
+        for (line in example.lines().filter { it.isNotBlank() }) here.joinToString("\n") shouldContain line.trim()
+    }
+})
