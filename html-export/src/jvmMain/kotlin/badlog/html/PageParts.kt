@@ -28,7 +28,7 @@ class PageParts(program: String, style: String) {
 
     companion object {
         /** The page that this version of badlog brings along. */
-        fun bundled(): PageParts = PageParts(resource("page.js"), resource("uPlot.min.css") + resource("page.css"))
+        fun bundled(): PageParts = PageParts(resource("page.js"), resource("page.css"))
 
         private fun resource(name: String): String {
             val stream = PageParts::class.java.getResourceAsStream("/badlog/page/$name")

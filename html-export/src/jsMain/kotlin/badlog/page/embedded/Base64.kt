@@ -1,0 +1,44 @@
+package badlog.page.embedded
+
+import org.khronos.webgl.Int8Array
+import org.khronos.webgl.Uint8Array
+
+/** Base64 of the standard alphabet (RFC 4648), with padding only at its end. */
+internal object Base64 {
+    private val digits = IntArray(128).also { table ->
+        val alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"
+        for (i in alphabet.indices) table[alphabet[i].code] = i
+    }
+
+    /** The bytes of [text], a whole number of groups of four characters. */
+    fun decode(text: String): ByteArray {
+        val native = js("Uint8Array")
+        return if (native.fromBase64 != undefined) {
+            val bytes = native.fromBase64(text).unsafeCast<Uint8Array>()
+            Int8Array(bytes.buffer, bytes.byteOffset, bytes.length).unsafeCast<ByteArray>()
+        } else {
+            decodeByTable(text)
+        }
+    }
+
+    /** The same without the browser's help, which browsers before 2025 do not give. */
+    fun decodeByTable(text: String): ByteArray {
+        var characters = text.length
+        while (characters > 0 && text[characters - 1] == '=') characters--
+        val bytes = ByteArray(characters * 3 / 4)
+        var at = 0
+        var i = 0
+        while (at < bytes.size) {
+            val group = (digitAt(text, i) shl 18) or (digitAt(text, i + 1) shl 12) or
+                (digitAt(text, i + 2) shl 6) or digitAt(text, i + 3)
+            bytes[at++] = (group shr 16).toByte()
+            if (at < bytes.size) bytes[at++] = (group shr 8).toByte()
+            if (at < bytes.size) bytes[at++] = group.toByte()
+            i += 4
+        }
+        return bytes
+    }
+
+    private fun digitAt(text: String, index: Int): Int =
+        if (index < text.length) digits[text[index].code and 127] else 0
+}

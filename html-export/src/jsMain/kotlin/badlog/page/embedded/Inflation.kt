@@ -1,0 +1,96 @@
+package badlog.page.embedded
+
+import kotlin.js.Promise
+import org.khronos.webgl.Int8Array
+import org.khronos.webgl.Uint8Array
+
+/**
+ * Inflates a gzip stream that is pushed to it in pieces, with the browser's own `DecompressionStream`.
+ *
+ * Reads while it writes and never needs a clean end: the streams of robots are never closed, and a stream that is closed
+ * too early throws away what it holds.
+ *
+ * @param expectedBytes how many bytes there are to inflate; reading stops there.
+ * @param isWhole whether the stream is known to be whole, so that it may be closed.
+ * @param sink is given the inflated bytes.
+ */
+internal class Inflation(
+    private val expectedBytes: Double,
+    private val isWhole: Boolean,
+    private val sink: (ByteArray) -> Unit,
+) {
+    private val stream: dynamic = js("new DecompressionStream('gzip')")
+    private val writer: dynamic = stream.writable.getWriter()
+    private val reader: dynamic = stream.readable.getReader()
+    private var isOver = false
+    private lateinit var finish: () -> Unit
+    private lateinit var fail: (Throwable) -> Unit
+
+    /** How many bytes have been inflated so far. */
+    var inflatedBytes = 0.0
+        private set
+
+    /** Fulfilled when there is nothing more to inflate; rejected only when [sink] throws. */
+    val finished: Promise<Unit> = Promise { resolve, reject ->
+        finish = { resolve(Unit) }
+        fail = reject
+    }
+
+    init {
+        if (expectedBytes <= 0.0) stop() else read()
+    }
+
+    /** Takes the next piece of the stream; the promise is fulfilled when there is room for another. */
+    fun accept(compressed: ByteArray): Promise<Unit> = Promise { resolve, _ ->
+        if (isOver) {
+            resolve(Unit)
+        } else {
+            writer.write(compressed).then({ resolve(Unit) }, { resolve(Unit) })
+        }
+    }
+
+    /** Says that there are no more pieces. To be called when the last one has been taken. */
+    fun end() {
+        if (isOver) return
+        if (isWhole) writer.close().then({}, {}) else waitForQuiet(inflatedBytes)
+    }
+
+    private fun read() {
+        reader.read().then({ result: dynamic ->
+            if (result.done) stop() else take(result.value.unsafeCast<Uint8Array>())
+        }, { stop() })
+    }
+
+    private fun take(chunk: Uint8Array) {
+        if (isOver) return
+        inflatedBytes += chunk.length
+        try {
+            sink(Int8Array(chunk.buffer, chunk.byteOffset, chunk.length).unsafeCast<ByteArray>())
+        } catch (problem: Throwable) {
+            isOver = true
+            fail(problem)
+            return
+        }
+        if (inflatedBytes >= expectedBytes) stop() else read()
+    }
+
+    // A cut stream never says that it is over: it is when nothing comes for a while after its last piece.
+    private fun waitForQuiet(bytes: Double) {
+        js("setTimeout")({
+            if (inflatedBytes == bytes) stop() else waitForQuiet(inflatedBytes)
+        }, QUIET_MILLISECONDS)
+    }
+
+    private fun stop() {
+        if (isOver) return
+        isOver = true
+        finish()
+    }
+
+    companion object {
+        private const val QUIET_MILLISECONDS = 300
+
+        /** Whether this browser can inflate. */
+        val isPossible: Boolean get() = js("typeof DecompressionStream === 'function'").unsafeCast<Boolean>()
+    }
+}

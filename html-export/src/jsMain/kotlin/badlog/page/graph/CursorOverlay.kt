@@ -1,0 +1,63 @@
+package badlog.page.graph
+
+import badlog.analysis.Graph
+import badlog.page.dom.add
+import badlog.page.dom.isHidden
+import badlog.page.dom.showText
+import badlog.page.view.Scene
+import org.w3c.dom.HTMLElement
+
+/** The cursor over one plot: its line, a dot on each curve, and the event it points at. */
+internal class CursorOverlay(
+    private val graph: Graph,
+    private val scene: Scene,
+    private val figure: Figure,
+    private val over: HTMLElement,
+) {
+    private val line = over.add("div", "cursor-line")
+    private val label = over.add("div", "event-label")
+    private val dots = graph.series.indices.map { over.add("div", "cursor-dot line-${it % 16}") }
+
+    init {
+        update()
+    }
+
+    /** Puts everything where the cursor is now. */
+    fun update() {
+        val now = scene.range.now
+        val x = scene.cursor.x
+        val isSeen = scene.cursor.isPlaced && x >= now.from && x <= now.to
+        line.isHidden = !isSeen
+        label.isHidden = true
+        if (!isSeen) {
+            for (dot in dots) dot.isHidden = true
+            return
+        }
+        val width = over.clientWidth
+        val pixel = (x - now.from) / now.width * width
+        line.style.transform = "translateX(${pixel}px)"
+        dots.forEachIndexed { index, dot -> place(dot, index, x, width) }
+        val event = scene.events.nearest(x, now.width * REACH / maxOf(width, 1)) ?: return
+        label.isHidden = false
+        label.showText(event.text)
+        label.classList.toggle("at-left", pixel > width / 2)
+        label.style.transform =
+            if (pixel > width / 2) "translateX(calc(${pixel - GAP}px - 100%))" else "translateX(${pixel + GAP}px)"
+    }
+
+    private fun place(dot: HTMLElement, index: Int, x: Double, width: Int) {
+        val now = scene.range.now
+        val share = figure.heightAt(index, x)
+        val data = graph.series[index].data
+        val nearest = data.nearest(x)
+        val sampleX = if (nearest < 0) Double.NaN else (data.x[nearest] - now.from) / now.width
+        dot.isHidden = !(share in 0.0..1.0 && sampleX in 0.0..1.0)
+        if (!dot.isHidden) dot.style.transform = "translate(${sampleX * width}px, ${share * over.clientHeight}px)"
+    }
+
+    private companion object {
+        /** How many pixels away an event is still pointed at. */
+        const val REACH = 6.0
+        const val GAP = 7
+    }
+}

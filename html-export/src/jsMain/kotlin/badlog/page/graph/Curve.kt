@@ -1,0 +1,135 @@
+package badlog.page.graph
+
+import badlog.analysis.Downsampling
+import badlog.analysis.PixelColumns
+import badlog.analysis.Series
+
+/**
+ * The points of one line, as they are to be joined on the screen: the samples themselves where they are few, else a handful
+ * for each pixel column. Point `i` is `(x[i], y[i])`; a NaN in [y] breaks the line.
+ */
+internal class Curve(private val series: Series) {
+    private val downsampling = Downsampling(series)
+
+    var x = DoubleArray(0)
+        private set
+    var y = DoubleArray(0)
+        private set
+
+    /** How many points there are. */
+    var size = 0
+        private set
+
+    /** The smallest and largest finite value that is to be seen; NaN without one. */
+    var min = Double.NaN
+        private set
+    var max = Double.NaN
+        private set
+
+    /** Whether the samples are so far apart that each deserves a dot. */
+    var isSparse = false
+        private set
+
+    /** Whether there are more samples than pixel columns. */
+    var isDense = false
+        private set
+
+    /** Finds the points for what lies from [from] to [to], on a screen of as many columns as [columns] has. */
+    fun draw(from: Double, to: Double, columns: PixelColumns) {
+        size = 0
+        min = Double.NaN
+        max = Double.NaN
+        isSparse = false
+        isDense = true
+        if (!series.isOrdered) {
+            drawColumns(from, to, columns)
+            return
+        }
+        val first = series.firstAtOrAfter(from)
+        var end = series.firstAtOrAfter(to)
+        while (end < series.size && series.x[end] <= to) end++
+        val count = end - first
+        isSparse = count <= columns.count / COLUMNS_PER_DOT
+        isDense = count > columns.count
+        if (count <= columns.count * SAMPLES_PER_COLUMN) {
+            drawSamples(first, end, from, to)
+        } else {
+            addNeighbour(first - 1, first, from - (to - from))
+            drawColumns(from, to, columns)
+            addNeighbour(end, end - 1, to + (to - from))
+        }
+    }
+
+    private fun drawSamples(first: Int, end: Int, from: Double, to: Double) {
+        addNeighbour(first - 1, first, from - (to - from))
+        for (i in first until end) {
+            val value = series.y[i]
+            addPoint(series.x[i], value)
+            see(value)
+        }
+        addNeighbour(end, end - 1, to + (to - from))
+        if (min.isNaN()) for (i in 0 until size) see(y[i])
+    }
+
+    /** Adds sample [index], which lies out of sight, so that the line to [neighbour] runs out of the frame. */
+    private fun addNeighbour(index: Int, neighbour: Int, limit: Double) {
+        if (index !in 0 until series.size || neighbour !in 0 until series.size) return
+        val far = series.x[index]
+        val near = series.x[neighbour]
+        val isBeyond = if (far < near) far < limit else far > limit
+        if (!isBeyond) {
+            addPoint(far, series.y[index])
+            return
+        }
+        // Far away, pixels would be numbers too large to draw with: the line is cut where it is out of sight.
+        val share = (limit - near) / (far - near)
+        addPoint(limit, series.y[neighbour] + (series.y[index] - series.y[neighbour]) * share)
+    }
+
+    private fun drawColumns(from: Double, to: Double, columns: PixelColumns) {
+        downsampling.fill(from, to, columns)
+        val width = (to - from) / columns.count
+        for (i in 0 until columns.count) {
+            if (columns.samples[i] == 0) continue
+            val center = from + (i + 0.5) * width
+            if (columns.beginsInGap(i)) addPoint(center, Double.NaN)
+            addColumn(center, columns.first[i], columns.min[i], columns.max[i], columns.last[i])
+            if (columns.endsInGap(i)) addPoint(center, Double.NaN)
+        }
+    }
+
+    private fun addColumn(center: Double, first: Double, least: Double, most: Double, last: Double) {
+        if (least.isNaN()) return
+        see(least)
+        see(most)
+        if (!first.isNaN()) addPoint(center, first)
+        // The way through the column that goes back the least.
+        val isRising = first.isNaN() || last.isNaN() || first <= last
+        val near = if (isRising) least else most
+        val far = if (isRising) most else least
+        if (near != first) addPoint(center, near)
+        if (far != near) addPoint(center, far)
+        if (!last.isNaN() && last != far) addPoint(center, last)
+    }
+
+    private fun addPoint(atX: Double, atY: Double) {
+        if (size == x.size) {
+            x = x.copyOf(maxOf(FIRST_POINTS, size * 2))
+            y = y.copyOf(x.size)
+        }
+        x[size] = atX
+        y[size++] = if (atY.isFinite()) atY else Double.NaN
+    }
+
+    private fun see(value: Double) {
+        if (!value.isFinite()) return
+        if (!(min <= value)) min = value
+        if (!(max >= value)) max = value
+    }
+
+    private companion object {
+        const val SAMPLES_PER_COLUMN = 3
+        const val COLUMNS_PER_DOT = 12
+        const val FIRST_POINTS = 256
+    }
+}

@@ -1,0 +1,32 @@
+package badlog.page.graph
+
+import badlog.analysis.PixelColumns
+import badlog.page.view.VisibleRange
+import org.w3c.dom.CanvasRenderingContext2D
+
+/** What a plot shows inside its frame: lines, or lanes of states. */
+internal interface Figure {
+    /** How tall the plot is with its axis, in CSS pixels. */
+    val height: Int
+
+    /** The part of the y axis to show; settled by [prepare]. */
+    val limits: YLimits
+
+    /** Whether y means something, so that an axis says what. */
+    val hasYAxis: Boolean
+
+    /** The lines that uPlot draws, as its options; [frameOf] tells where on the canvas. */
+    fun lines(frameOf: (UPlot) -> PlotFrame): List<dynamic>
+
+    /** Finds what is to be seen of [span] on a screen of as many pixel columns as [columns] has. */
+    fun prepare(span: VisibleRange.Span, columns: PixelColumns)
+
+    /** Sets how uPlot draws what [prepare] found. */
+    fun style(plot: UPlot)
+
+    /** Draws what uPlot does not. */
+    fun draw(context: CanvasRenderingContext2D, frame: PlotFrame)
+
+    /** Where on y the sample of series [index] nearest to [x] stands, as a share of the frame from its top; NaN for none. */
+    fun heightAt(index: Int, x: Double): Double
+}

@@ -1,0 +1,158 @@
+package badlog.page.graph
+
+import badlog.analysis.Graph
+import badlog.page.dom.Icon
+import badlog.page.dom.ResizeObserver
+import badlog.page.dom.add
+import badlog.page.dom.addIconButton
+import badlog.page.dom.element
+import badlog.page.dom.isHidden
+import badlog.page.text.unitText
+import badlog.page.view.Scene
+import kotlinx.browser.window
+import org.w3c.dom.HTMLElement
+
+/**
+ * A graph with its title, legend and tools. It is drawn while it is near the screen, and its samples are not touched
+ * before: derived ones are calculated when they are first looked at.
+ */
+internal class GraphCard(val graph: Graph, private val scene: Scene) {
+    private val isShown = BooleanArray(graph.series.size) { true }
+    private val legend = Legend(graph, isShown, ::redraw)
+    private val statistics = StatisticsTable(graph, scene)
+    private lateinit var host: HTMLElement
+    private lateinit var statisticsButton: HTMLElement
+    private var plot: Plot? = null
+    private var overlay: CursorOverlay? = null
+    private var resizing: ResizeObserver? = null
+    private var statisticsTimer = 0
+
+    /** Whether what is drawn is not what should be seen. */
+    private var isStale = false
+
+    val element: HTMLElement = element("section", "graph card") {
+        setAttribute("data-name", graph.name)
+        setAttribute("data-kind", if (graph.showsStates) "states" else "lines")
+        add("header", "graph-head") {
+            add("h3", "graph-title", graph.title).title = graph.name
+            add("span", "unit graph-unit", unitText(graph.unit))
+            appendChild(legend.element)
+            add("div", "graph-tools") {
+                if (!graph.showsStates) {
+                    statisticsButton = addIconButton("statistics-toggle", Icon.SUM, "Statistics of what is visible") {
+                        toggleStatistics()
+                    }
+                    statisticsButton.setAttribute("aria-expanded", "false")
+                }
+                addIconButton("save-image", Icon.IMAGE, "Save as an image") { saveImage() }
+            }
+        }
+        host = add("div", "plot") {
+            setAttribute("tabindex", "0")
+            setAttribute("role", "group")
+            setAttribute("aria-label", "Graph of ${graph.name}; arrow keys move the cursor")
+        }
+        appendChild(statistics.element.apply { isHidden = true })
+    }
+
+    /** Draws the graph if it is not drawn. */
+    fun approach() {
+        if (plot != null || host.clientWidth == 0) return
+        if (graph.series.all { it.data.size == 0 }) {
+            showEmpty()
+            return
+        }
+        val figure = if (graph.showsStates) {
+            LaneFigure(graph, scene.palette, isShown)
+        } else {
+            LineFigure(graph, scene.palette, isShown)
+        }
+        host.textContent = ""
+        host.style.height = "${figure.height}px"
+        val drawn = Plot(scene, figure, host, host.clientWidth)
+        host.add("div", "x-title", scene.xAxis.title).title = scene.xAxis.title
+        PlotGestures(drawn.over, scene)
+        overlay = CursorOverlay(graph, scene, figure, drawn.over)
+        plot = drawn
+        isStale = false
+        legend.update(scene.cursor)
+        resizing = ResizeObserver { drawn.resize(host.clientWidth) }.also { it.observe(host) }
+    }
+
+    /** Gives back what drawing takes. */
+    fun leave() {
+        val drawn = plot ?: return
+        // Keeps its height, so that the page does not move below the reader.
+        host.style.height = "${host.clientHeight}px"
+        resizing?.disconnect()
+        drawn.remove()
+        host.textContent = ""
+        plot = null
+        overlay = null
+    }
+
+    /** Draws the graph again with the colours of now. */
+    fun repaint() {
+        if (plot == null) return
+        leave()
+        approach()
+    }
+
+    /** Whether some of it is on the screen. */
+    val isOnScreen: Boolean
+        get() {
+            if (plot == null) return false
+            val box = host.getBoundingClientRect()
+            return box.bottom > 0 && box.top < window.innerHeight
+        }
+
+    /** Says that the visible range has changed. */
+    fun outdate() {
+        isStale = plot != null
+        if (!statistics.element.isHidden) updateStatisticsSoon()
+    }
+
+    /** Draws what is visible now, if that is not drawn already. */
+    fun refresh() {
+        if (isStale) redraw()
+    }
+
+    /** Shows the cursor and the values where it is. */
+    fun updateCursor() {
+        overlay?.update() ?: return
+        legend.update(scene.cursor)
+    }
+
+    private fun redraw() {
+        isStale = false
+        plot?.redraw()
+        overlay?.update()
+    }
+
+    private fun showEmpty() {
+        element.classList.add("is-empty")
+        host.textContent = "No data"
+    }
+
+    private fun toggleStatistics() {
+        val table = statistics.element
+        table.isHidden = !table.isHidden
+        statisticsButton.setAttribute("aria-expanded", (!table.isHidden).toString())
+        if (!table.isHidden) statistics.update()
+    }
+
+    // Sorting all samples for the percentiles takes longer than a frame of a zoom may.
+    private fun updateStatisticsSoon() {
+        window.clearTimeout(statisticsTimer)
+        statisticsTimer = window.setTimeout({ statistics.update() }, PAUSE_MILLISECONDS)
+    }
+
+    private fun saveImage() {
+        approach()
+        plot?.let { saveGraphImage(graph, scene, isShown, it.canvas) }
+    }
+
+    private companion object {
+        const val PAUSE_MILLISECONDS = 150
+    }
+}

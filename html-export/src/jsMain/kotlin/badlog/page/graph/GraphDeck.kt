@@ -1,0 +1,84 @@
+package badlog.page.graph
+
+import badlog.page.dom.IntersectionObserver
+import badlog.page.dom.json
+import badlog.page.view.Frame
+import badlog.page.view.Scene
+import kotlinx.browser.document
+import kotlinx.browser.window
+import org.w3c.dom.Element
+
+/** All graphs of the page: draws those near the screen, and lets all of them follow the visible range and the cursor. */
+internal class GraphDeck(private val scene: Scene, private val cards: List<GraphCard>) {
+    private val cardOf: dynamic = js("new Map()")
+    private val near = LinkedHashSet<GraphCard>()
+    private val zoomFrame = Frame(::drawZoom)
+    private val restFrame = Frame(::drawRest)
+    private val cursorFrame = Frame { for (card in near) card.updateCursor() }
+    private var zoomedAt = Double.NaN
+
+    init {
+        scene.range.onChange {
+            if (zoomedAt.isNaN()) zoomedAt = window.performance.now()
+            zoomFrame.ask()
+        }
+        scene.cursor.onChange { cursorFrame.ask() }
+        // uPlot tells so when the window moves to a screen of another density, or is zoomed.
+        window.addEventListener("dppxchange", { repaint() })
+    }
+
+    /** Draws what is on the screen at once, and from now on whatever comes near it. */
+    fun start() {
+        for (card in cards) {
+            val box = card.element.getBoundingClientRect()
+            if (box.height > 0 && box.top < window.innerHeight) meet(card)
+        }
+        val observer = IntersectionObserver({ entries ->
+            for (entry in entries) {
+                val card = cardOf.get(entry.target).unsafeCast<GraphCard>()
+                if (entry.isIntersecting) meet(card) else part(card)
+            }
+        }, json("rootMargin" to MARGIN))
+        for (card in cards) {
+            cardOf.set(card.element, card)
+            observer.observe(card.element)
+        }
+    }
+
+    /** Draws everything again with the colours and the screen of now. */
+    fun repaint() {
+        scene.palette.read()
+        for (card in near) card.repaint()
+    }
+
+    private fun meet(card: GraphCard) {
+        near += card
+        card.approach()
+        card.refresh()
+    }
+
+    private fun part(card: GraphCard) {
+        near -= card
+        card.leave()
+    }
+
+    private fun drawZoom() {
+        for (card in near) card.outdate()
+        for (card in near.filter { it.isOnScreen }) card.refresh()
+        window.performance.asDynamic().measure("badlog-zoom", json("start" to zoomedAt))
+        document.documentElement.unsafeCast<Element>().setAttribute("data-zoomed", (++zooms).toString())
+        zoomedAt = Double.NaN
+        restFrame.ask()
+    }
+
+    // What is beside the screen can wait for a picture of its own.
+    private fun drawRest() {
+        for (card in near) card.refresh()
+    }
+
+    private var zooms = 0
+
+    private companion object {
+        const val MARGIN = "300px 0px"
+    }
+}

@@ -1,0 +1,61 @@
+package badlog.page.graph
+
+import badlog.analysis.Graph
+import badlog.analysis.GraphSeries
+import badlog.page.dom.add
+import badlog.page.dom.addButton
+import badlog.page.dom.showText
+import badlog.page.text.numberText
+import badlog.page.text.unitText
+import badlog.page.view.Cursor
+import badlog.page.view.Palette
+import org.w3c.dom.HTMLElement
+
+/**
+ * The lines of a graph by name and colour, each with its value at the cursor, read from the samples themselves. Pressing
+ * one hides its line.
+ *
+ * @param isShown for each series whether its line is drawn.
+ */
+internal class Legend(
+    private val graph: Graph,
+    private val isShown: BooleanArray,
+    private val onToggle: () -> Unit,
+) {
+    val element: HTMLElement = badlog.page.dom.element("div", "legend")
+    private val values = graph.series.mapIndexed { index, series -> addEntry(index, series) }
+
+    private fun addEntry(index: Int, series: GraphSeries): HTMLElement {
+        lateinit var value: HTMLElement
+        element.addButton("legend-entry", "", "${series.topic.name} – press to hide or show this line") {}.apply {
+            setAttribute("data-series", series.name)
+            setAttribute("aria-pressed", "true")
+            add("span", "swatch line-${index % Palette.LINES}")
+            add("span", "legend-name", series.name)
+            value = add("output", "value")
+            if (series.unit != graph.unit) add("span", "unit", unitText(series.unit))
+            addEventListener("click", {
+                isShown[index] = !isShown[index]
+                setAttribute("aria-pressed", isShown[index].toString())
+                onToggle()
+            })
+        }
+        return value
+    }
+
+    /** Shows the values at [cursor]. */
+    fun update(cursor: Cursor) {
+        graph.series.forEachIndexed { index, series ->
+            values[index].showText(if (cursor.isPlaced) valueAt(series, cursor.x) else "")
+        }
+    }
+
+    private fun valueAt(series: GraphSeries, x: Double): String {
+        val data = series.data
+        val nearest = data.nearest(x)
+        if (nearest < 0) return "–"
+        val sample = data.y[nearest]
+        val states = series.states
+        return if (states == null || sample.isNaN()) numberText(sample) else states.getOrElse(sample.toInt()) { "?" }
+    }
+}

@@ -1,0 +1,83 @@
+package badlog.page.graph
+
+import badlog.analysis.Graph
+import badlog.analysis.PixelColumns
+import badlog.page.dom.json
+import badlog.page.view.Palette
+import badlog.page.view.VisibleRange
+import kotlinx.browser.window
+import org.w3c.dom.CanvasRenderingContext2D
+
+/**
+ * Numbers as lines over x.
+ *
+ * @param isShown for each series whether its line is to be drawn; the legend changes it.
+ */
+internal class LineFigure(
+    private val graph: Graph,
+    private val palette: Palette,
+    private val isShown: BooleanArray,
+) : Figure {
+    private val curves = graph.series.map { Curve(it.data) }
+
+    override val height: Int get() = HEIGHT
+    override val limits: YLimits = YLimits()
+    override val hasYAxis: Boolean get() = true
+
+    override fun lines(frameOf: (UPlot) -> PlotFrame): List<dynamic> = curves.mapIndexed { index, curve ->
+        json(
+            "scale" to "y",
+            "auto" to false,
+            "show" to isShown[index],
+            "stroke" to { palette.line(index) },
+            "fill" to { if (graph.isFilled) palette.line(index) + AREA_OPACITY else null },
+            "paths" to { plot: UPlot -> curvePath(curve, frameOf(plot), graph.isFilled) },
+            "points" to json(
+                "show" to { curve.isSparse },
+                "width" to 0,
+                "fill" to { palette.line(index) },
+                "paths" to { plot: UPlot ->
+                    dotsPath(curve, frameOf(plot), DOT_RADIUS * window.devicePixelRatio)
+                },
+            ),
+        )
+    }
+
+    override fun prepare(span: VisibleRange.Span, columns: PixelColumns) {
+        var least = Double.NaN
+        var most = Double.NaN
+        curves.forEachIndexed { index, curve ->
+            if (!isShown[index]) return@forEachIndexed
+            curve.draw(span.from, span.to, columns)
+            if (curve.min.isNaN()) return@forEachIndexed
+            if (!(least <= curve.min)) least = curve.min
+            if (!(most >= curve.max)) most = curve.max
+        }
+        limits.fit(least, most, graph.includesZero)
+    }
+
+    override fun style(plot: UPlot) {
+        curves.forEachIndexed { index, curve ->
+            val line = plot.series[index + 1]
+            line.show = isShown[index]
+            // Strokes of up to one pixel of the screen are many times as fast as wider ones.
+            line.width = if (curve.isDense) 1 / window.devicePixelRatio else LINE_WIDTH
+        }
+    }
+
+    override fun draw(context: CanvasRenderingContext2D, frame: PlotFrame) = Unit
+
+    override fun heightAt(index: Int, x: Double): Double {
+        val data = graph.series[index].data
+        val nearest = data.nearest(x)
+        if (!isShown[index] || nearest < 0) return Double.NaN
+        return (limits.to - data.y[nearest]) / (limits.to - limits.from)
+    }
+
+    private companion object {
+        const val HEIGHT = 190
+        const val LINE_WIDTH = 1.5
+        const val DOT_RADIUS = 2.5
+        const val AREA_OPACITY = "30"
+    }
+}

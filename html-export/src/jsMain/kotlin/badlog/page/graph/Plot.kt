@@ -1,0 +1,122 @@
+package badlog.page.graph
+
+import badlog.analysis.PixelColumns
+import badlog.page.dom.json
+import badlog.page.text.axisTexts
+import badlog.page.view.Scene
+import kotlinx.browser.window
+import org.w3c.dom.HTMLCanvasElement
+import org.w3c.dom.HTMLElement
+
+/** One drawn graph: a canvas with a frame and axes, and [figure] inside. */
+internal class Plot(
+    private val scene: Scene,
+    private val figure: Figure,
+    host: HTMLElement,
+    private var width: Int,
+) {
+    private var columns = PixelColumns(1)
+    private val uPlot: UPlot
+
+    /** The element over the frame, which takes the pointer. */
+    val over: HTMLElement get() = uPlot.over
+
+    /** The picture. */
+    val canvas: HTMLCanvasElement get() = uPlot.ctx.canvas
+
+    init {
+        prepare()
+        val full = scene.range.full
+        val lines = figure.lines(::frameOf)
+        val data = Array(lines.size + 1) { arrayOf<Double?>(null, null) }
+        // The lines' paths come from the figure; uPlot only has to know that there is something on either end.
+        data[0] = arrayOf(full.from, full.to)
+        uPlot = UPlot(options(lines), data, host)
+        figure.style(uPlot)
+    }
+
+    /** Draws what is visible now. */
+    fun redraw() {
+        prepare()
+        figure.style(uPlot)
+        val now = scene.range.now
+        uPlot.batch { uPlot.setScale("x", json("min" to now.from, "max" to now.to)) }
+    }
+
+    /** Draws at another width. */
+    fun resize(newWidth: Int) {
+        if (newWidth == width || newWidth < NARROWEST) return
+        width = newWidth
+        prepare()
+        uPlot.batch {
+            uPlot.setSize(json("width" to width, "height" to figure.height))
+            val now = scene.range.now
+            uPlot.setScale("x", json("min" to now.from, "max" to now.to))
+        }
+    }
+
+    /** Gives back the canvas. */
+    fun remove() = uPlot.destroy()
+
+    private fun prepare() {
+        val pixels = maxOf(1, ((width - GUTTER - RIGHT) * window.devicePixelRatio).toInt())
+        if (columns.count != pixels) columns = PixelColumns(pixels)
+        figure.prepare(scene.range.now, columns)
+    }
+
+    private fun frameOf(plot: UPlot): PlotFrame {
+        val now = scene.range.now
+        val box = plot.bbox
+        return PlotFrame(box.left, box.top, box.width, box.height, now.from, now.to, figure.limits.from, figure.limits.to)
+    }
+
+    private fun draw(plot: UPlot) {
+        val frame = frameOf(plot)
+        figure.draw(plot.ctx, frame)
+        drawEventMarks(plot.ctx, frame, scene)
+    }
+
+    private fun options(lines: List<dynamic>): dynamic = json(
+        "width" to width,
+        "height" to figure.height,
+        "padding" to arrayOf(TOP, RIGHT, 0, 0),
+        "legend" to json("show" to false),
+        "cursor" to json("show" to false),
+        "select" to json("show" to false),
+        "scales" to json(
+            "x" to json("time" to false, "range" to { arrayOf(scene.range.now.from, scene.range.now.to) }),
+            "y" to json("range" to { arrayOf(figure.limits.from, figure.limits.to) }),
+        ),
+        "series" to (listOf<dynamic>(json()) + lines).toTypedArray(),
+        "axes" to arrayOf(axis("x", X_AXIS_HEIGHT, X_TICK_SPACE), axis("y", GUTTER, Y_TICK_SPACE)),
+        "hooks" to json("draw" to arrayOf(::draw)),
+    )
+
+    private fun axis(scale: String, size: Int, space: Int): dynamic {
+        val hasTicks = scale == "x" || figure.hasYAxis
+        return json(
+            "scale" to scale,
+            "size" to size,
+            "gap" to 6,
+            "space" to space,
+            "font" to "11px system-ui, -apple-system, \"Segoe UI\", Roboto, sans-serif",
+            "stroke" to { scene.palette.text },
+            "grid" to json("show" to hasTicks, "stroke" to { scene.palette.grid }, "width" to 1),
+            "ticks" to json("show" to false),
+            "values" to { _: UPlot, splits: Array<Double>, _: Int, _: Double, step: Double ->
+                if (hasTicks) axisTexts(splits, step) else splits.map { "" }.toTypedArray()
+            },
+        )
+    }
+
+    private companion object {
+        // Every plot has the same margins, so that one place on x is one place on the screen in all of them.
+        const val GUTTER = 58
+        const val RIGHT = 14
+        const val TOP = 6
+        const val X_AXIS_HEIGHT = 26
+        const val X_TICK_SPACE = 76
+        const val Y_TICK_SPACE = 30
+        const val NARROWEST = 100
+    }
+}

@@ -1,0 +1,43 @@
+package badlog.page.graph
+
+import badlog.analysis.Series
+
+/**
+ * The stretches over which a series of states stays in one: run `i` is in [states]`[i]` from [from]`[i]` to [to]`[i]`, which
+ * is where the next one begins.
+ */
+internal class StateRuns(series: Series) {
+    val from: DoubleArray
+    val to: DoubleArray
+    val states: IntArray
+
+    init {
+        val x = series.x
+        val y = series.y
+        val starts = ArrayList<Int>()
+        for (i in 0 until series.size) {
+            if (i == 0 || x[i] < x[i - 1] || !isSame(y[i], y[i - 1])) starts += i
+        }
+        val runs = starts.filter { y[it].isFinite() }
+        from = DoubleArray(runs.size)
+        to = DoubleArray(runs.size)
+        states = IntArray(runs.size)
+        var next = 0
+        for (run in runs.indices) {
+            val start = runs[run]
+            while (next < starts.size && starts[next] <= start) next++
+            from[run] = x[start]
+            val end = if (next < starts.size) starts[next] else series.size - 1
+            // Where x jumps back, the state is known until the last sample before.
+            to[run] = if (x[end] >= x[start]) x[end] else x[end - 1]
+            states[run] = y[start].toInt()
+        }
+    }
+
+    private val ends = if (series.isOrdered) Series(to, to) else null
+
+    /** The index of the first run that may reach to [position] or beyond. */
+    fun firstReaching(position: Double): Int = ends?.firstAtOrAfter(position) ?: 0
+
+    private fun isSame(one: Double, other: Double) = one == other || (one.isNaN() && other.isNaN())
+}

@@ -1,0 +1,33 @@
+package badlog.page.graph
+
+import kotlin.math.abs
+
+/** The part of the y axis that a plot shows, so that what is seen in it fills it. */
+internal class YLimits {
+    var from = 0.0
+        private set
+    var to = 1.0
+        private set
+
+    /** Makes room for [least] to [most], both NaN when there is nothing to see, and for 0 when [includesZero]. */
+    fun fit(least: Double, most: Double, includesZero: Boolean) {
+        if (least.isNaN()) {
+            from = 0.0
+            to = 1.0
+            return
+        }
+        val low = (if (includesZero) minOf(least, 0.0) else least).coerceAtLeast(-LARGEST)
+        val high = (if (includesZero) maxOf(most, 0.0) else most).coerceAtMost(LARGEST)
+        val isFlat = high - low <= abs(high) * FLAT
+        val margin = if (isFlat) maxOf(abs(high) * 0.1, if (high == 0.0) 1.0 else 0.0) else (high - low) * MARGIN
+        // What never goes below 0 gets no room there: it would look as if it could.
+        from = if (low >= 0.0 && low - margin < 0.0) 0.0 else low - margin
+        to = if (high <= 0.0 && high + margin > 0.0 && low < 0.0) 0.0 else high + margin
+    }
+
+    private companion object {
+        const val MARGIN = 0.07
+        const val FLAT = 1e-12
+        const val LARGEST = 8e307
+    }
+}

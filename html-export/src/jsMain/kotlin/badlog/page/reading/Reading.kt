@@ -1,0 +1,70 @@
+package badlog.page.reading
+
+import badlog.page.embedded.About
+import badlog.page.embedded.Base64Text
+import badlog.recording.Recording
+import kotlin.js.Promise
+import kotlinx.browser.window
+import org.w3c.dom.Element
+import org.w3c.dom.MessageEvent
+import org.w3c.dom.Worker
+
+/**
+ * Reads the recording that the page carries, in a worker where there may be one, else on the page in slices.
+ *
+ * @param onProgress is told which share of the bytes has been read.
+ */
+internal class Reading(
+    private val about: About,
+    private val element: Element,
+    private val onProgress: (Double) -> Unit,
+) {
+    /** Starts, and promises the recording. */
+    fun start(): Promise<Recording> = Promise { resolve, reject ->
+        val worker = ReadingWorker.start()
+        if (worker == null) readHere(resolve, reject) else readIn(worker, resolve, reject)
+    }
+
+    private fun readIn(worker: Worker, resolve: (Recording) -> Unit, reject: (Throwable) -> Unit) {
+        val text = Base64Text(element)
+        var hasAnswered = false
+        worker.onerror = { event ->
+            worker.terminate()
+            // Some browsers forbid the worker only after its constructor has returned.
+            if (hasAnswered) reject(Error(event.asDynamic().message as? String)) else readHere(resolve, reject)
+        }
+        worker.onmessage = { event: MessageEvent ->
+            hasAnswered = true
+            val message: dynamic = event.data
+            when {
+                message == ReadingWorker.MORE -> worker.postMessage(text.next())
+                jsTypeOf(message) == "number" -> onProgress(message as Double)
+                else -> {
+                    worker.terminate()
+                    if (message.failure != undefined) {
+                        reject(Error(message.failure as String))
+                    } else {
+                        resolve(RecordingMessage.read(message))
+                    }
+                }
+            }
+        }
+        worker.postMessage(ReadingWorker.greeting(about))
+    }
+
+    private fun readHere(resolve: (Recording) -> Unit, reject: (Throwable) -> Unit) {
+        val text = Base64Text(element)
+        val reader = RecordingReader(about.inflatedBytes, !about.isCompressed, onProgress)
+        fun feed() {
+            val piece = text.next()
+            if (piece == null) {
+                reader.end()
+            } else {
+                // A timer between two pieces lets the page draw and answer.
+                reader.accept(piece).then({ window.setTimeout({ feed() }, 0) }, reject)
+            }
+        }
+        feed()
+        reader.recording.then(resolve, reject)
+    }
+}

@@ -1,0 +1,73 @@
+package badlog.page.reading
+
+import badlog.page.embedded.About
+import kotlinx.browser.document
+import org.w3c.dom.DedicatedWorkerGlobalScope
+import org.w3c.dom.MessageEvent
+import org.w3c.dom.Worker
+import org.w3c.dom.url.URL
+import org.w3c.files.Blob
+import org.w3c.files.BlobPropertyBag
+
+/**
+ * The worker that reads the recording, so that the page stays alive meanwhile. Its script is the page's own.
+ *
+ * The page sends an object with `expectedBytes` and `isWhole`, then strings of base64, one for each `"more"` it receives,
+ * then null. The worker answers with `"more"`, numbers (the share that is done), an object with `failure`, or the recording.
+ */
+internal object ReadingWorker {
+    /** Whether this script runs in the worker. */
+    val isHere: Boolean get() = js("typeof document === 'undefined'").unsafeCast<Boolean>()
+
+    /** Starts it from the page, or returns null where the browser's rules for pages on a disk forbid it. */
+    fun start(): Worker? = try {
+        val script = document.getElementById("program")?.textContent.orEmpty()
+        Worker(URL.createObjectURL(Blob(arrayOf(script), BlobPropertyBag("text/javascript"))))
+    } catch (_: Throwable) {
+        null
+    }
+
+    /** What the page sends first. */
+    fun greeting(about: About): dynamic {
+        val message = js("({})")
+        message.expectedBytes = about.inflatedBytes
+        message.isWhole = !about.isCompressed
+        return message
+    }
+
+    /** Does the worker's work. */
+    fun run() {
+        val page = js("self").unsafeCast<DedicatedWorkerGlobalScope>()
+        var reader: RecordingReader? = null
+        page.onmessage = { event: MessageEvent ->
+            val message: dynamic = event.data
+            val current = reader
+            when {
+                current == null -> reader = open(page, message)
+                message == null -> current.end()
+                else -> current.accept(message as String).then({ page.postMessage(MORE) }, { answerFailure(page, it) })
+            }
+        }
+    }
+
+    private fun open(page: DedicatedWorkerGlobalScope, greeting: dynamic): RecordingReader {
+        val reader = RecordingReader(greeting.expectedBytes as Double, greeting.isWhole as Boolean) {
+            page.postMessage(it)
+        }
+        reader.recording.then({ recording ->
+            page.postMessage(RecordingMessage.of(recording), RecordingMessage.buffersOf(recording))
+        }).catch { answerFailure(page, it) }
+        page.postMessage(MORE)
+        page.postMessage(MORE)
+        return reader
+    }
+
+    private fun answerFailure(page: DedicatedWorkerGlobalScope, problem: Throwable) {
+        val message = js("({})")
+        message.failure = problem.message ?: problem.toString()
+        page.postMessage(message)
+    }
+
+    /** What the worker says when it has room for another piece. */
+    const val MORE: String = "more"
+}

@@ -1,0 +1,61 @@
+package badlog.page.reading
+
+import badlog.bag.BagParser
+import badlog.page.embedded.Base64
+import badlog.page.embedded.Inflation
+import badlog.page.text.bytesText
+import badlog.recording.Problem
+import badlog.recording.ProblemKind
+import badlog.recording.Recording
+import kotlin.js.Promise
+
+/**
+ * Makes a recording of the pieces of base64 that a page carries. Used in the worker, or on the page where there is none.
+ *
+ * @param onProgress is told every now and then which share of the bytes has been read.
+ */
+internal class RecordingReader(
+    private val expectedBytes: Double,
+    isWhole: Boolean,
+    private val onProgress: (Double) -> Unit,
+) {
+    private val parser = BagParser(expectedBytes.toLong())
+    private var told = 0.0
+    private val inflation = Inflation(expectedBytes, isWhole, ::read)
+
+    /** The recording, when everything has been read. */
+    val recording: Promise<Recording> = inflation.finished.then { build() }
+
+    /** Takes the next piece; the promise is fulfilled when there is room for another. */
+    fun accept(base64: String): Promise<Unit> = inflation.accept(Base64.decode(base64))
+
+    /** Says that there are no more pieces. */
+    fun end() = inflation.end()
+
+    private fun read(bytes: ByteArray) {
+        val excess = inflation.inflatedBytes - expectedBytes
+        parser.accept(bytes, 0, if (excess > 0) bytes.size - excess.toInt() else bytes.size)
+        if (inflation.inflatedBytes - told > expectedBytes / STEPS) {
+            told = inflation.inflatedBytes
+            onProgress(told / expectedBytes)
+        }
+    }
+
+    private fun build(): Recording {
+        val recording = parser.finish()
+        val missing = expectedBytes - inflation.inflatedBytes
+        if (missing <= 0) return recording
+        val problem = Problem(
+            ProblemKind.GZIP_CUT,
+            "Of the ${bytesText(expectedBytes)} that this page should carry, ${bytesText(missing)} at the end cannot be " +
+                "read; the page may have been cut in copying.",
+        )
+        return recording.run {
+            Recording(format, headerLine, values, topics, rowCount, problems + problem)
+        }
+    }
+
+    private companion object {
+        const val STEPS = 100
+    }
+}

@@ -1,0 +1,68 @@
+package badlog.page.section
+
+import badlog.page.dom.Icon
+import badlog.page.dom.add
+import badlog.page.dom.addButton
+import badlog.page.dom.element
+import badlog.page.dom.saveFile
+import badlog.page.embedded.About
+import badlog.page.embedded.CsvPart
+import badlog.page.embedded.EmbeddedFile
+import kotlin.js.Promise
+import kotlinx.browser.document
+import org.w3c.dom.Element
+import org.w3c.dom.HTMLElement
+import org.w3c.dom.asList
+import org.w3c.files.Blob
+
+/**
+ * The buttons that give files back: the original, byte for byte, its CSV part, and whatever else the page carries.
+ *
+ * @param hasHeaderLine whether the file's first line is not CSV.
+ */
+internal class Downloads(
+    private val about: About,
+    recording: Element,
+    private val hasHeaderLine: Boolean,
+    private val onFailure: (Throwable) -> Unit,
+) {
+    private val file = EmbeddedFile(recording)
+
+    val element: HTMLElement = element("div", "downloads") {
+        addDownload("download", Icon.DOWNLOAD, "Download", "Save ${about.name}, byte for byte", about.name) {
+            if (about.isCompressed) Promise.resolve(file.compressed()) else file.inflated(about.inflatedBytes)
+        }
+        val csvName = if (about.name.lowercase().endsWith(".csv")) about.name else "${about.name}.csv"
+        addDownload("download-csv", Icon.TABLE, "CSV", "Save the samples for a spreadsheet", csvName) { csv() }
+        val attachments = document.querySelectorAll("script.attachment").asList()
+        attachments.forEachIndexed { index, node ->
+            val carrier = node.unsafeCast<HTMLElement>()
+            val name = carrier.getAttribute("data-name") ?: "attachment ${index + 1}"
+            addDownload("attachment-$index", Icon.CLIP, name, "Save the attached $name", name) {
+                EmbeddedFile(carrier).inflated()
+            }.classList.add("attachment")
+        }
+    }
+
+    private fun csv(): Promise<Blob> =
+        file.inflated(about.inflatedBytes, !about.isCompressed, CsvPart(hasHeaderLine)::filter)
+
+    private fun HTMLElement.addDownload(
+        id: String,
+        icon: Icon,
+        text: String,
+        hint: String,
+        name: String,
+        content: () -> Promise<Blob>,
+    ): HTMLElement {
+        val button = addButton("", "", hint) {}
+        button.id = id
+        button.appendChild(icon.draw())
+        button.add("span", "", text)
+        button.addEventListener("click", {
+            button.setAttribute("aria-busy", "true")
+            content().then { saveFile(it, name) }.catch(onFailure).then { button.removeAttribute("aria-busy") }
+        })
+        return button
+    }
+}

@@ -1,0 +1,109 @@
+package badlog.page.section
+
+import badlog.analysis.Event
+import badlog.analysis.EventLog
+import badlog.page.dom.Icon
+import badlog.page.dom.add
+import badlog.page.dom.addButton
+import badlog.page.dom.addIconButton
+import badlog.page.dom.element
+import badlog.page.dom.isHidden
+import badlog.page.dom.showText
+import badlog.page.text.countText
+import badlog.page.text.fixedText
+import badlog.page.text.decimalsFor
+import badlog.page.view.Query
+import badlog.page.view.Scene
+import org.w3c.dom.HTMLElement
+
+/** An event log as a table of times and texts. An event takes the cursor to its time, and zooms there when asked to. */
+internal class EventTable(private val log: EventLog, private val scene: Scene) {
+    private val haystacks = log.events.map { "${log.name} ${it.text}".lowercase() }
+    private val decimals = decimalsFor(scene.range.full.width)
+    private var found = log.events
+    private var listed = 0
+    private lateinit var count: HTMLElement
+    private lateinit var body: HTMLElement
+    private lateinit var more: HTMLElement
+
+    val element: HTMLElement = element("section", "events card") {
+        setAttribute("data-name", log.name)
+        add("header", "graph-head") {
+            add("h3", "graph-title", log.title).title = log.name
+            count = add("span", "unit")
+        }
+        add("div", "events-scroll") {
+            setAttribute("tabindex", "0")
+            setAttribute("role", "group")
+            setAttribute("aria-label", "Events of ${log.name}")
+            add("table") {
+                add("thead").add("tr") {
+                    add("th", "event-time", scene.xAxis.title)
+                    add("th", "", "Event")
+                }
+                body = add("tbody")
+            }
+            more = addButton("more text-button", "") { listMore() }
+        }
+    }
+
+    init {
+        showFound()
+    }
+
+    /** Shows the events that [query] finds, and tells how many they are. */
+    fun filter(query: Query): Int {
+        found = if (query.isEmpty) log.events else log.events.filterIndexed { i, _ -> query.matches(haystacks[i]) }
+        showFound()
+        element.isHidden = found.isEmpty() && !query.isEmpty
+        return found.size
+    }
+
+    private fun showFound() {
+        body.textContent = ""
+        listed = 0
+        val all = log.events.size
+        count.showText(if (found.size == all) countText(all, "event") else "${found.size} of ${countText(all, "event")}")
+        listMore()
+    }
+
+    private fun listMore() {
+        val end = minOf(found.size, listed + PAGE)
+        for (i in listed until end) body.appendChild(row(found[i]))
+        listed = end
+        more.isHidden = listed == found.size
+        more.showText("Show more (${countText(found.size - listed)} are left)")
+    }
+
+    private fun row(event: Event): HTMLElement = element("tr", "event") {
+        val time = if (event.x.isFinite()) fixedText(event.x, decimals) else "–"
+        setAttribute("data-x", event.x.toString())
+        add("td", "event-time").addButton("event-go", time, "Move the cursor here") { go(event) }
+        add("td", "event-text") {
+            add("span", "", event.text)
+            addIconButton("event-zoom", Icon.SEARCH, "Zoom in on this event") { zoom(event) }
+        }
+        addEventListener("click", { go(event) })
+    }
+
+    private fun go(event: Event) {
+        if (!event.x.isFinite()) return
+        scene.range.reveal(event.x)
+        scene.cursor.place(event.x)
+    }
+
+    private fun zoom(event: Event) {
+        if (!event.x.isFinite()) return
+        val half = scene.range.full.width / ZOOM_PARTS
+        scene.range.show(event.x - half, event.x + half)
+        scene.cursor.place(event.x)
+    }
+
+    private companion object {
+        /** So many rows are made at a time; a browser lays out more than some thousands only slowly. */
+        const val PAGE = 300
+
+        /** A zoom to an event shows two of so many parts. */
+        const val ZOOM_PARTS = 30
+    }
+}

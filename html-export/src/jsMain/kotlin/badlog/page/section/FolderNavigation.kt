@@ -1,0 +1,47 @@
+package badlog.page.section
+
+import badlog.page.dom.add
+import badlog.page.dom.addButton
+import badlog.page.dom.element
+import badlog.page.dom.isHidden
+import org.w3c.dom.HTMLElement
+import org.w3c.dom.HTMLSelectElement
+
+/** The ways to the folders: a list beside them on a wide screen, a choice in the bar on a narrow one. */
+internal class FolderNavigation(private val folders: FolderList) {
+    private val links = ArrayList<Pair<HTMLElement, FolderSection>>()
+
+    val list: HTMLElement = element("nav", "folder-list") {
+        setAttribute("aria-label", "Folders")
+        add("div", "folder-list-head") {
+            add("span", "", "Folders")
+            addButton("text-button", "open all") { folders.openAll() }.id = "expand-all"
+            addButton("text-button", "close all") { folders.closeAll() }.id = "collapse-all"
+        }
+        for (section in folders.sections) {
+            val link = addButton("folder-link", "", section.folder.name) { section.reveal() }.apply {
+                add("span", "folder-link-name", nameOf(section))
+                add("span", "count", (section.cards.size + section.folder.eventLogs.size).toString())
+            }
+            links += link to section
+        }
+    }
+
+    val choice: HTMLElement = element("select", "folder-choice") {
+        setAttribute("aria-label", "Go to a folder")
+        add("option", "", "Go to folder…")
+        for (section in folders.sections) add("option", "", nameOf(section))
+        addEventListener("change", {
+            val select = unsafeCast<HTMLSelectElement>()
+            folders.sections.getOrNull(select.selectedIndex - 1)?.reveal()
+            select.selectedIndex = 0
+        })
+    }
+
+    /** Shows only the ways to folders that are shown themselves. */
+    fun update() {
+        for ((link, section) in links) link.isHidden = section.element.isHidden
+    }
+
+    private fun nameOf(section: FolderSection) = section.folder.name.ifEmpty { "Top level" }
+}

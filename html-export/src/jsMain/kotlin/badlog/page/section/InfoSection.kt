@@ -1,0 +1,61 @@
+package badlog.page.section
+
+import badlog.analysis.LogView
+import badlog.page.dom.add
+import badlog.page.dom.element
+import badlog.page.embedded.About
+import badlog.page.text.bytesText
+import badlog.page.text.countText
+import badlog.recording.RecordingFormat
+import badlog.recording.Severity
+import org.w3c.dom.HTMLElement
+
+/** The plain facts of the file, and its header as it stands there. */
+internal fun infoSection(view: LogView, about: About): HTMLElement = element("section", "info card") {
+    id = "info"
+    val recording = view.recording
+    add("h2", "", "Info")
+    add("dl", "values") {
+        addFact("File", about.name)
+        addFact("Size", bytesText(about.inflatedBytes) + if (about.isCompressed) ", inflated from gzip" else "")
+        addFact("Format", if (recording.format == RecordingFormat.BAG) "bag: a JSON header, then CSV" else "plain CSV")
+        addFact("Topics", countText(recording.topics.size))
+        addFact("Samples of each", countText(recording.rowCount))
+        addFact("X axis", view.xAxis.title)
+        addFact("Page made by", "badlog ${about.version}".trim())
+        addFact("Problems", problemsOf(view))
+    }
+    val header = recording.headerLine
+    if (header != null) addHeader(header)
+}
+
+private fun HTMLElement.addFact(name: String, text: String) {
+    add("div", "value-row") {
+        add("dt", "", name)
+        add("dd", "", text)
+    }
+}
+
+private fun problemsOf(view: LogView): String {
+    if (view.problems.isEmpty()) return "none: every cell was read as it stands"
+    return countText(view.count(Severity.ERROR), "loss", "losses") +
+        " (something of the file could not be kept), " + countText(view.count(Severity.WARNING), "warning") +
+        " (kept, but read in a way its writer may not have meant), " + countText(view.count(Severity.NOTE), "note") +
+        " (nothing is lost). Of each kind and topic the first ten are listed, the others only counted."
+}
+
+private fun HTMLElement.addHeader(line: String) {
+    add("details") {
+        add("summary", "", "Header of the file (JSON)")
+        // Filled when it is opened: of a thousand topics it is a long text to lay out.
+        addEventListener("toggle", {
+            if (querySelector("pre") == null) add("pre", "header-json", indented(line)).setAttribute("tabindex", "0")
+        })
+    }
+}
+
+private fun indented(json: String): String = try {
+    JSON.stringify(JSON.parse<dynamic>(json), null, 2)
+} catch (_: Throwable) {
+    json
+}

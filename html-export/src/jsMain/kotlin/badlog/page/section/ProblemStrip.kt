@@ -1,0 +1,88 @@
+package badlog.page.section
+
+import badlog.analysis.LogView
+import badlog.page.dom.Icon
+import badlog.page.dom.add
+import badlog.page.dom.addButton
+import badlog.page.dom.element
+import badlog.page.dom.isHidden
+import badlog.page.text.countText
+import badlog.recording.Problem
+import badlog.recording.Severity
+import org.w3c.dom.HTMLElement
+
+/** What was wrong in the file: one line that says how much, which unfolds to a list. What is lost is listed at once. */
+internal class ProblemStrip(private val view: LogView) {
+    private val errors = view.count(Severity.ERROR)
+    private val warnings = view.count(Severity.WARNING)
+    private val notes = view.count(Severity.NOTE)
+    private lateinit var list: HTMLElement
+    private lateinit var toggle: HTMLElement
+
+    val element: HTMLElement = element("section", "problems") {
+        id = "problems"
+        setAttribute("data-errors", errors.toString())
+        setAttribute("data-warnings", warnings.toString())
+        setAttribute("data-notes", notes.toString())
+        classList.add(
+            when {
+                errors > 0 -> "has-errors"
+                warnings > 0 -> "has-warnings"
+                else -> "has-notes"
+            },
+        )
+        isHidden = view.problems.isEmpty()
+        setAttribute("aria-label", "Problems of this file")
+        toggle = addButton("problems-toggle", "") { open(list.isHidden) }.apply {
+            appendChild(Icon.CHEVRON.draw())
+            add("span", "", summary())
+        }
+        list = add("ul", "problem-list")
+    }
+
+    init {
+        open(errors in 1..MOST_OPENED)
+    }
+
+    private fun summary(): String {
+        val parts = ArrayList<String>()
+        if (errors > 0) parts += if (errors == 1) "1 thing was lost" else "${countText(errors)} things were lost"
+        if (warnings > 0) parts += countText(warnings, "warning")
+        if (notes > 0) parts += countText(notes, "note")
+        return parts.joinToString()
+    }
+
+    private fun open(isOpen: Boolean) {
+        toggle.setAttribute("aria-expanded", isOpen.toString())
+        list.isHidden = !isOpen
+        if (isOpen && list.childElementCount == 0) fill()
+    }
+
+    private fun fill() {
+        for (severity in listOf(Severity.ERROR, Severity.WARNING, Severity.NOTE)) {
+            for (problem in view.problems) if (problem.severity == severity) list.appendChild(row(problem))
+        }
+    }
+
+    private fun row(problem: Problem): HTMLElement = element("li", "problem") {
+        setAttribute("data-kind", problem.kind.name)
+        val name = when (problem.severity) {
+            Severity.ERROR -> "lost"
+            Severity.WARNING -> "warning"
+            Severity.NOTE -> "note"
+        }
+        add("span", "severity is-$name", name)
+        add("span", "problem-text") {
+            add("span", "", problem.message)
+            val places = ArrayList<String>()
+            problem.line?.let { places += "line ${countText(it)}" }
+            problem.topic?.let { places += it }
+            if (problem.count > 1) places += "${countText(problem.count)} times"
+            if (places.isNotEmpty()) add("span", "problem-place", places.joinToString(" · "))
+        }
+    }
+
+    private companion object {
+        const val MOST_OPENED = 5
+    }
+}

@@ -1,0 +1,62 @@
+package badlog.page.section
+
+import badlog.page.dom.Icon
+import badlog.page.dom.add
+import badlog.page.dom.element
+import badlog.page.dom.showText
+import badlog.page.view.Hits
+import badlog.page.view.Query
+import org.w3c.dom.HTMLElement
+import org.w3c.dom.HTMLInputElement
+import org.w3c.dom.events.KeyboardEvent
+
+/** The search box. [search] is called for each change, and tells what was found. */
+internal class SearchBox(private val search: (Query) -> Hits) {
+    private lateinit var input: HTMLInputElement
+    private lateinit var count: HTMLElement
+
+    val element: HTMLElement = element("div", "search") {
+        setAttribute("role", "search")
+        appendChild(Icon.SEARCH.draw())
+        input = add("input", "search-input").unsafeCast<HTMLInputElement>()
+        count = add("output", "search-count")
+        add("kbd", "search-key", "/")
+    }
+
+    init {
+        input.id = "search"
+        input.type = "search"
+        input.placeholder = "Search topics, values, events"
+        input.autocomplete = "off"
+        input.spellcheck = false
+        input.setAttribute("aria-label", "Search")
+        count.setAttribute("for", "search")
+        input.addEventListener("input", { run() })
+        input.addEventListener("keydown", { event ->
+            if (event.unsafeCast<KeyboardEvent>().key == "Escape") {
+                event.stopPropagation()
+                clear()
+            }
+        })
+    }
+
+    /** Lets the person type. */
+    fun focus() {
+        input.focus()
+        input.select()
+    }
+
+    /** Shows everything again. */
+    fun clear() {
+        if (input.value.isEmpty()) input.blur()
+        input.value = ""
+        run()
+    }
+
+    private fun run() {
+        val query = Query(input.value)
+        val hits = search(query)
+        count.showText(if (query.isEmpty) "" else hits.text())
+        element.classList.toggle("is-active", !query.isEmpty)
+    }
+}

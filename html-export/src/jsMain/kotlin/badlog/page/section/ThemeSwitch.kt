@@ -1,0 +1,51 @@
+package badlog.page.section
+
+import badlog.page.dom.Icon
+import badlog.page.dom.Remembered
+import badlog.page.dom.addIconButton
+import badlog.page.dom.element
+import kotlinx.browser.document
+import kotlinx.browser.window
+import org.w3c.dom.HTMLElement
+
+/** Light, dark, or as the system has it; remembered. [onChange] is called after each change of colours. */
+internal class ThemeSwitch(private val onChange: () -> Unit) {
+    private enum class Theme(val icon: Icon, val text: String) {
+        AUTO(Icon.AUTO, "Colours: as the system"),
+        LIGHT(Icon.SUN, "Colours: light"),
+        DARK(Icon.MOON, "Colours: dark"),
+    }
+
+    private var theme = Theme.entries.firstOrNull { it.name == Remembered["theme"] } ?: Theme.AUTO
+    private val systemIsDark = window.matchMedia("(prefers-color-scheme: dark)")
+    private lateinit var button: HTMLElement
+
+    val element: HTMLElement = element("div", "theme") {
+        button = addIconButton("", theme.icon, theme.text) { choose(Theme.entries[(theme.ordinal + 1) % 3]) }
+        button.id = "theme"
+    }
+
+    init {
+        apply()
+        systemIsDark.asDynamic().addEventListener("change") {
+            apply()
+            onChange()
+        }
+    }
+
+    private fun choose(chosen: Theme) {
+        theme = chosen
+        Remembered["theme"] = theme.name
+        button.textContent = ""
+        button.appendChild(theme.icon.draw())
+        button.title = theme.text
+        button.setAttribute("aria-label", theme.text)
+        apply()
+        onChange()
+    }
+
+    private fun apply() {
+        val isDark = theme == Theme.DARK || (theme == Theme.AUTO && systemIsDark.matches)
+        document.documentElement?.setAttribute("data-theme", if (isDark) "dark" else "light")
+    }
+}

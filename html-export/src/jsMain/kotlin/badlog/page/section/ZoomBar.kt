@@ -1,0 +1,84 @@
+package badlog.page.section
+
+import badlog.page.dom.Icon
+import badlog.page.dom.add
+import badlog.page.dom.addIconButton
+import badlog.page.dom.addButton
+import badlog.page.dom.element
+import badlog.page.dom.isDisabled
+import badlog.page.dom.isHidden
+import badlog.page.dom.showText
+import badlog.page.view.Frame
+import badlog.page.view.Scene
+import org.w3c.dom.HTMLElement
+
+/** What is visible, where the cursor is and what happened there, always in sight. */
+internal class ZoomBar(private val scene: Scene, search: HTMLElement, folderChoice: HTMLElement) {
+    private val overview = Overview(scene)
+    private lateinit var range: HTMLElement
+    private lateinit var cursor: HTMLElement
+    private lateinit var event: HTMLElement
+    private lateinit var back: HTMLElement
+    private lateinit var reset: HTMLElement
+
+    val element: HTMLElement = element("div", "zoom-bar") {
+        add("div", "zoom-row") {
+            appendChild(search)
+            appendChild(folderChoice)
+            add("div", "readout") {
+                cursor = add("output", "cursor-readout")
+                event = add("output", "event-readout")
+            }
+            range = add("output", "range-readout")
+            add("div", "zoom-buttons") {
+                addIconButton("", Icon.MINUS, "Zoom out (−)") { scaleBy(ZOOM) }.id = "zoom-out"
+                addIconButton("", Icon.PLUS, "Zoom in (+)") { scaleBy(1 / ZOOM) }.id = "zoom-in"
+                back = addIconButton("", Icon.BACK, "Back to the zoom before (Backspace)") { scene.range.back() }
+                back.id = "back"
+                reset = addButton("", "Reset zoom", "Show everything (0)") { scene.range.reset() }
+                reset.id = "reset"
+            }
+        }
+        appendChild(overview.element)
+    }
+
+    init {
+        val frame = Frame(::update)
+        scene.range.onChange { frame.ask() }
+        scene.cursor.onChange { frame.ask() }
+        update()
+    }
+
+    /** Draws what it draws with the colours of now. */
+    fun repaint() = overview.drawMarks()
+
+    /** Zooms around the cursor, if it is in sight, else around the middle. */
+    fun scaleBy(factor: Double) {
+        val now = scene.range.now
+        val x = scene.cursor.x
+        scene.range.remember()
+        scene.range.scale(factor, if (x >= now.from && x <= now.to) x else (now.from + now.to) / 2)
+    }
+
+    private fun update() {
+        val now = scene.range.now
+        range.showText("${scene.xNumber(now.from)} – ${scene.xText(now.to)}  ·  Δ ${scene.xText(now.width)}")
+        back.isDisabled = !scene.range.canGoBack
+        reset.isDisabled = !scene.range.isZoomed
+        val x = scene.cursor.x
+        cursor.isHidden = !scene.cursor.isPlaced
+        event.isHidden = true
+        if (!scene.cursor.isPlaced) return
+        cursor.showText(scene.xText(x))
+        val last = scene.events.lastBefore(x + now.width * EVENT_REACH) ?: return
+        event.isHidden = false
+        event.showText("${scene.xNumber(last.x)}  ${last.text}")
+        event.title = last.text
+    }
+
+    companion object {
+        /** How much wider a step of zooming out makes what is visible. */
+        const val ZOOM = 1.6
+        private const val EVENT_REACH = 0.004
+    }
+}

@@ -1,0 +1,19 @@
+package badlog.page.view
+
+import badlog.page.text.countText
+
+/** How much of the page a [Query] found. */
+internal data class Hits(val graphs: Int = 0, val values: Int = 0, val events: Int = 0) {
+    val isEmpty: Boolean get() = graphs == 0 && values == 0 && events == 0
+
+    operator fun plus(other: Hits): Hits = Hits(graphs + other.graphs, values + other.values, events + other.events)
+
+    /** As a person reads it: `3 graphs, 1 event`. */
+    fun text(): String {
+        val parts = ArrayList<String>()
+        if (graphs > 0) parts += countText(graphs, "graph")
+        if (values > 0) parts += countText(values, "value")
+        if (events > 0) parts += countText(events, "event")
+        return if (parts.isEmpty()) "nothing matches" else parts.joinToString()
+    }
+}

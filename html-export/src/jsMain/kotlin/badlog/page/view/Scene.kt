@@ -1,0 +1,33 @@
+package badlog.page.view
+
+import badlog.analysis.LogView
+import badlog.analysis.XAxis
+import badlog.page.text.decimalsFor
+import badlog.page.text.fixedText
+import badlog.page.text.withUnit
+
+/** What all parts of the page share: the recording, what of it is seen, and the cursor. */
+internal class Scene(val view: LogView) {
+    val xAxis: XAxis = view.xAxis
+    val events: EventTimeline = EventTimeline(view)
+    val range: VisibleRange
+    val cursor: Cursor = Cursor(xAxis.positions)
+    val palette: Palette = Palette()
+
+    init {
+        var from = Double.POSITIVE_INFINITY
+        var to = Double.NEGATIVE_INFINITY
+        for (x in xAxis.positions) {
+            if (!x.isFinite()) continue
+            if (x < from) from = x
+            if (x > to) to = x
+        }
+        range = VisibleRange(from, to)
+    }
+
+    /** A place on the x axis as text, as exact as the screen is, with the unit of x. */
+    fun xText(x: Double): String = withUnit(xNumber(x), xAxis.unit)
+
+    /** The same without the unit. */
+    fun xNumber(x: Double): String = if (x.isNaN()) "–" else fixedText(x, decimalsFor(range.now.width))
+}
