@@ -5,6 +5,7 @@ import java.io.IOException
 import java.io.InputStream
 import java.nio.channels.ClosedByInterruptException
 import java.nio.file.AccessDeniedException
+import java.nio.file.FileAlreadyExistsException
 import java.nio.file.Files
 import java.nio.file.NoSuchFileException
 import java.nio.file.Path
@@ -18,6 +19,7 @@ internal class ReadGuard(private val file: Path, stream: InputStream) : FilterIn
 internal fun <T> reading(file: Path, work: () -> T): T = try {
     work()
 } catch (_: ClosedByInterruptException) {
+    Thread.interrupted()
     throw InterruptedException()
 } catch (e: IOException) {
     val message = when (e) {
@@ -34,35 +36,33 @@ internal fun <T> writing(page: Path, work: () -> T): T = try {
 } catch (e: ExportException) {
     throw e
 } catch (_: ClosedByInterruptException) {
+    Thread.interrupted()
     throw InterruptedException()
 } catch (e: IOException) {
     val message = when {
         e is AccessDeniedException -> "$page cannot be written: you have no permission to; choose another folder."
-        isDiskFull(page) -> "$page cannot be written: the disk is full; make room, or choose another disk."
+        e is FileAlreadyExistsException -> "$page cannot be written: ${e.file} is a file, not a folder; choose another place."
+        e is DiskFullException -> "$page cannot be written: the disk is full; make room, or choose another disk."
         else -> "$page cannot be written (${e.message}); choose another place."
     }
     throw ExportException.Unwritable(page, message, e)
 }
 
-/** Looks before anything is written whether [file] can be read, and is not the file that [page] would replace. */
-internal fun checkReadable(file: Path, page: Path) {
+/** Looks before any work whether [file] is there and is a file. */
+internal fun checkReadable(file: Path) {
     if (Files.isDirectory(file)) throw ExportException.Unreadable(file, "$file is a folder, where a file is expected.")
-    if (Files.exists(page) && Files.exists(file) && Files.isSameFile(file, page)) {
-        throw ExportException.Unwritable(page, "$page would overwrite a file that is read; choose another name for the page.")
-    }
-    if (Files.isDirectory(page)) {
-        throw ExportException.Unwritable(page, "$page is a folder; give the page another name, or put it inside.")
-    }
-    if (Files.exists(file) && !Files.isRegularFile(file)) {
+    reading(file) { file.toRealPath() }
+    if (!Files.isRegularFile(file)) {
         throw ExportException.Unreadable(file, "$file is no ordinary file; copy what it holds into a file first.")
     }
 }
 
-// The system's own words differ by language and platform, the room that is left does not.
-private fun isDiskFull(page: Path): Boolean = try {
-    Files.getFileStore(page.parent).usableSpace < LITTLE_ROOM
-} catch (_: IOException) {
-    false
+/** Looks before any work whether [page] may be written while [files] are read. */
+internal fun checkWritable(page: Path, files: List<Path>) {
+    if (Files.isDirectory(page)) {
+        throw ExportException.Unwritable(page, "$page is a folder; give the page another name, or put it inside.")
+    }
+    if (Files.exists(page) && files.any { Files.isSameFile(it, page) }) {
+        throw ExportException.Unwritable(page, "$page would overwrite a file that is read; choose another name for the page.")
+    }
 }
-
-private const val LITTLE_ROOM = 1L shl 20

@@ -33,7 +33,9 @@ class HtmlExporter(
      */
     fun export(input: Path, output: Path, progress: ExportProgress = ExportProgress { _, _ -> }): ExportReport {
         val page = output.toAbsolutePath().normalize()
-        (listOf(input) + attachments).forEach { checkReadable(it, page) }
+        val files = attachments.plusElement(input)
+        files.forEach(::checkReadable)
+        checkWritable(page, files)
         return reading(input) { Files.newInputStream(input) }.use { stream ->
             val first = reading(input) { stream.readNBytes(FileHead.BYTES) }
             val head = FileHead.of(first)

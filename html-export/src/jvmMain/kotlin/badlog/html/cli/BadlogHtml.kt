@@ -3,6 +3,7 @@ package badlog.html.cli
 import badlog.html.ExportException
 import badlog.html.ExportReport
 import badlog.html.HtmlExporter
+import badlog.html.checkReadable
 import badlog.recording.Severity
 import java.io.PrintStream
 import java.nio.file.Files
@@ -35,6 +36,7 @@ internal class BadlogHtml(
 
     private fun export(arguments: Arguments): ExitCode {
         val jobs = try {
+            arguments.attachments.forEach(::checkReadable)
             ExportPlan(arguments).jobs()
         } catch (e: ExportException) {
             err.println(e.message)

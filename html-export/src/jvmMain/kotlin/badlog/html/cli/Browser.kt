@@ -2,6 +2,7 @@ package badlog.html.cli
 
 import java.io.IOException
 import java.nio.file.Path
+import java.util.concurrent.TimeUnit
 
 /** Shows [page] in the default browser. False when the system's program for that is missing or fails at once. */
 internal fun openInBrowser(page: Path): Boolean {
@@ -18,7 +19,7 @@ internal fun openInBrowser(page: Path): Boolean {
             .redirectError(ProcessBuilder.Redirect.DISCARD)
             .start()
         // Some run as long as the browser does; that one is there is all there is to know.
-        !process.waitFor(1, java.util.concurrent.TimeUnit.SECONDS) || process.exitValue() == 0
+        !process.waitFor(1, TimeUnit.SECONDS) || process.exitValue() == 0
     } catch (_: IOException) {
         false
     }

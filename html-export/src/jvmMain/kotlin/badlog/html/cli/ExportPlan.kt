@@ -19,7 +19,7 @@ internal class ExportPlan(private val arguments: Arguments) {
             return listOf(ExportJob(paths[0], paths[1], isFound = false))
         }
         val inputs = paths.flatMap { if (Files.isDirectory(it)) logsIn(it) else listOf(Input(it, isFound = false)) }
-            .distinctBy { keyOf(it.file) }
+            .distinctBy { if (Files.exists(it.file)) it.file.toRealPath() else it.file }
         val taken = inputs.mapTo(HashSet()) { keyOf(it.file) }
         return inputs.map { ExportJob(it.file, freePage(it.file, taken), it.isFound) }
     }

@@ -1,0 +1,43 @@
+package badlog.html
+
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.jsonObject
+import java.io.ByteArrayInputStream
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.Base64
+import java.util.zip.GZIPInputStream
+
+/** Takes a page apart as a browser would: an element ends at the first thing that looks like its end. */
+internal class ReadPage(file: Path) {
+    val html: String = Files.readString(file)
+    val title: String = between("<title>", "</title>")
+    val policy: String = between("Content-Security-Policy\" content=\"", "\"")
+    val style: String = between("<style>", "</style>")
+    val program: String = between("<script id=\"program\">", "</script>")
+    val about: JsonObject =
+        Json.parseToJsonElement(between("<script type=\"application/json\" id=\"about\">", "</script>")).jsonObject
+
+    /** The bytes that the page embeds: a gzip stream. */
+    val recording: ByteArray = decode(between("id=\"recording\">", "</script>"))
+
+    /** The attached files, by their escaped names. */
+    val attachments: Map<String, ByteArray> = Regex("class=\"attachment\" data-name=\"([^\"]*)\">([^<]*)</script>")
+        .findAll(html).associate { (it.groupValues[1]) to inflate(decode(it.groupValues[2])) }
+
+    fun inflated(): ByteArray = inflate(recording)
+
+    /** How many start tags of [name] a browser meets outside of scripts and styles. */
+    fun count(name: String): Int = Regex("<$name[ >]").findAll(html.replace(program, "").replace(style, "")).count()
+
+    private fun between(start: String, end: String): String {
+        val from = html.indexOf(start) + start.length
+        check(from >= start.length) { "The page has no $start" }
+        return html.substring(from, html.indexOf(end, from))
+    }
+
+    private fun decode(text: String) = Base64.getDecoder().decode(text)
+
+    private fun inflate(bytes: ByteArray) = GZIPInputStream(ByteArrayInputStream(bytes)).readAllBytes()
+}

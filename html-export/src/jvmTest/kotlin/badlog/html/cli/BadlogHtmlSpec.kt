@@ -1,0 +1,196 @@
+package badlog.html.cli
+
+import badlog.html.BADLOG_VERSION
+import badlog.html.BAG
+import badlog.html.CUT_BAG
+import badlog.html.ReadPage
+import badlog.html.gzip
+import badlog.html.inFolder
+import badlog.html.names
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldNotContain
+import java.io.ByteArrayOutputStream
+import java.io.PrintStream
+import java.nio.file.Path
+import java.nio.file.attribute.FileTime
+import kotlin.io.path.createDirectory
+import kotlin.io.path.div
+import kotlin.io.path.readText
+import kotlin.io.path.setLastModifiedTime
+import kotlin.io.path.writeBytes
+import kotlin.io.path.writeText
+
+class BadlogHtmlSpec : FunSpec({
+    class Ended(val code: ExitCode, out: String, val err: String, val opened: List<Path>) {
+        val lines = out.lines().filter { it.isNotEmpty() }
+    }
+
+    fun run(vararg arguments: Any, canOpen: Boolean = true): Ended {
+        val out = ByteArrayOutputStream()
+        val err = ByteArrayOutputStream()
+        val opened = ArrayList<Path>()
+        val program = BadlogHtml(PrintStream(out), PrintStream(err), isTerminal = false) { page ->
+            opened.add(page)
+            canOpen
+        }
+        val code = program.run(arguments.map { it.toString() })
+        err.toString() shouldNotContain "\tat "
+        return Ended(code, out.toString(), err.toString(), opened)
+    }
+
+    fun Path.with(name: String, content: String = BAG): Path = (this / name).apply { writeText(content) }
+
+    test("one input: its page stands beside it and is named on the standard output") {
+        inFolder { folder ->
+            val ended = run(folder.with("match.bag"))
+            ended.code shouldBe ExitCode.WHOLE
+            ended.lines shouldContainExactly listOf("${folder / "match.bag.html"}")
+            ended.err shouldBe ""
+            ReadPage(folder / "match.bag.html").inflated().decodeToString() shouldBe BAG
+        }
+    }
+
+    test("input and output, as the original has them, with all of its flags") {
+        inFolder { folder ->
+            val notes = folder.with("notes.txt", "hello")
+            val ended = run("-tcg", "-o", "-a", notes, folder.with("match.bag"), folder / "page")
+            ended.code shouldBe ExitCode.WHOLE
+            ended.opened shouldContainExactly listOf(folder / "page")
+            ReadPage(folder / "page").attachments.getValue("notes.txt").decodeToString() shouldBe "hello"
+            run("--trim-doubles", "--csv", "--gzip", folder / "match.bag").code shouldBe ExitCode.WHOLE
+        }
+    }
+
+    test("an output that exists is replaced when it ends in .html, else it is an input") {
+        inFolder { folder ->
+            folder.with("old.html", "old")
+            run(folder.with("a.bag"), folder / "old.html").code shouldBe ExitCode.WHOLE
+            ReadPage(folder / "old.html").inflated().decodeToString() shouldBe BAG
+            run(folder / "a.bag", folder.with("b.bag")).lines.size shouldBe 2
+            (folder / "b.bag").readText() shouldBe BAG
+        }
+    }
+
+    test("a folder: every log right in it, whatever its name, and nothing else") {
+        inFolder { folder ->
+            for (name in listOf("b.bag", "A", "log.bag1519", "c.csv", ".hidden", "page.html")) folder.with(name)
+            (folder / "z.gz").writeBytes(gzip(BAG.encodeToByteArray()))
+            (folder / "video.mp4").writeBytes(byteArrayOf(0, 0, 0, 32, 1, 2))
+            (folder / "sub").createDirectory().with("deep.bag")
+            val ended = run(folder, "--out", folder / "out")
+            ended.code shouldBe ExitCode.WHOLE
+            (folder / "out").names() shouldContainExactly
+                listOf("A.html", "b.bag.html", "c.csv.html", "log.bag1519.html", "z.gz.html")
+            ended.err shouldBe "1 file is no log and was skipped.\n"
+        }
+    }
+
+    test("pages of equal names in one folder do not collide") {
+        inFolder { folder ->
+            val second = (folder / "second").createDirectory().with("a.bag")
+            val third = (folder / "third").createDirectory().with("A.bag")
+            val first = folder.with("a.bag")
+            run(first, folder.with("a.bag.gz"), second, third, first, "--out=${folder / "out"}").lines.size shouldBe 4
+            (folder / "out").names() shouldContainExactlyInAnyOrder
+                listOf("a.bag.html", "a.bag.gz.html", "a.bag (2).html", "A.bag (3).html")
+        }
+    }
+
+    test("no page takes the place of an input") {
+        inFolder { folder ->
+            run(folder.with("a"), folder.with("a.html"), folder.with("b")).code shouldBe ExitCode.WHOLE
+            (folder / "a.html").readText() shouldBe BAG
+            folder.names() shouldContain "a (2).html"
+            run(folder / "b", folder / "b").lines shouldContainExactly listOf("${folder / "b.html"}")
+        }
+    }
+
+    test("what is salvaged has a page, and exit code 3") {
+        inFolder { folder ->
+            val ended = run(folder.with("cut.bag", CUT_BAG), folder.with("whole.bag"))
+            ended.code shouldBe ExitCode.SALVAGED
+            ended.lines.size shouldBe 2
+            ended.err shouldContain "${folder / "cut.bag"}: salvaged. "
+            ended.err.lines().size shouldBe 2
+        }
+    }
+
+    test("what cannot be made beside what can: exit code 3; alone: 1") {
+        inFolder { folder ->
+            val missing = folder / "nix.bag"
+            run(folder.with("a.bag"), missing, folder / "a.bag").code shouldBe ExitCode.SALVAGED
+            val ended = run(missing)
+            ended.code shouldBe ExitCode.NOTHING
+            ended.err shouldBe "There is no file $missing; look for a typing error in its name.\n"
+            folder.names() shouldContainExactly listOf("a.bag", "a.bag.html")
+        }
+    }
+
+    test("nonsense is told when it was named, and leaves nothing") {
+        inFolder { folder ->
+            (folder / "x.bag").writeBytes(byteArrayOf(1, 2, 3))
+            val ended = run(folder / "x.bag")
+            ended.code shouldBe ExitCode.NOTHING
+            ended.err shouldContain "${folder / "x.bag"}: This file is neither"
+            val found = run(folder)
+            found.code shouldBe ExitCode.NOTHING
+            found.err shouldContain "no log was found"
+            folder.names() shouldContainExactly listOf("x.bag")
+        }
+    }
+
+    test("a missing attachment stops before any work") {
+        inFolder { folder ->
+            val ended = run("-a", folder / "nix.txt", folder.with("a.bag"), folder.with("b.bag"))
+            ended.code shouldBe ExitCode.NOTHING
+            ended.err shouldContain "There is no file ${folder / "nix.txt"}"
+            ended.err.lines().size shouldBe 2
+        }
+    }
+
+    test("an output folder that is a file") {
+        inFolder { folder ->
+            val ended = run(folder.with("a.bag"), "--out", folder.with("file"))
+            ended.code shouldBe ExitCode.NOTHING
+            ended.err shouldContain "${folder / "file"} is a file, not a folder"
+        }
+    }
+
+    test("of several pages the newest input's is opened, and no browser is no failure") {
+        inFolder { folder ->
+            folder.with("old.bag").setLastModifiedTime(FileTime.fromMillis(1_000_000))
+            folder.with("new.bag").setLastModifiedTime(FileTime.fromMillis(3_000_000))
+            folder.with("z.bag").setLastModifiedTime(FileTime.fromMillis(2_000_000))
+            val ended = run("--open", folder, canOpen = false)
+            ended.code shouldBe ExitCode.WHOLE
+            ended.opened shouldContainExactly listOf(folder / "new.bag.html")
+            ended.err shouldContain "open ${folder / "new.bag.html"} yourself"
+        }
+    }
+
+    test("wrong usage has exit code 2 and says what is wrong") {
+        run().code shouldBe ExitCode.USAGE
+        run("--nix", "a").err shouldContain "--nix"
+        run("a", "--out").code shouldBe ExitCode.USAGE
+        run("--nix", "a").err shouldContain "badlog-html --help"
+    }
+
+    test("help and version are answers, not errors") {
+        val help = run("--help")
+        help.code shouldBe ExitCode.WHOLE
+        val text = help.lines.joinToString("\n")
+        for (option in listOf("-t, --trim", "-c, --csv", "-g, --gzip", "-a, --attach", "-o, --open", "--out", "3 something")) {
+            text shouldContain option
+        }
+        run("--version").lines shouldContainExactly listOf("badlog-html $BADLOG_VERSION")
+    }
+
+    test("a file whose name begins with @ or - is a file") {
+        inFolder { folder -> run("--", folder.with("@a.bag")).code shouldBe ExitCode.WHOLE }
+    }
+})
