@@ -52,6 +52,7 @@ public class BagParser(
         if (pending.sawCarriageReturn && !ignoresTheRest) {
             problems.add(ProblemKind.CARRIAGE_RETURNS, "Lines end in a carriage return, as on Windows; that is fine.")
         }
+        if (isProse(topics)) return nothing()
         reportEmptiness(topics, rows.rowCount)
         return Recording(
             format = if (header.line != null) RecordingFormat.BAG else RecordingFormat.CSV,
@@ -100,28 +101,29 @@ public class BagParser(
             pending.line,
         )
         holeBytes = 0
-        rows?.passHole()
+        pending.holeLine = pending.line
         return true
     }
 
+    private fun isProse(topics: List<Topic>) =
+        header.header == null && topics.size == 1 && rowCount > 0 && topics[0].counts.run { texts + empty == total }
+
+    private fun nothing(): Recording {
+        val message = "${HeaderReader.NO_LOG}: it is a text without columns of numbers."
+        problems.add(ProblemKind.NOT_A_RECORDING, message, 1)
+        return Recording(RecordingFormat.CSV, null, emptyList(), emptyList(), 0, problems.toList())
+    }
+
     private fun reportEmptiness(topics: List<Topic>, rowCount: Int) {
-        val isLoneText = header.header == null && topics.size == 1 && rowCount > 0 &&
-            topics[0].counts.run { texts + empty == total }
         when {
             ignoresTheRest -> return
             header.line == null && topics.isEmpty() -> problems.add(
                 ProblemKind.EMPTY_FILE,
                 "The file is empty; the robot may have been switched off too early.",
             )
-            isLoneText -> problems.add(
-                ProblemKind.NOT_A_RECORDING,
-                "${HeaderReader.NO_LOG}: it is a text without columns of numbers.",
-                1,
-            )
             rowCount == 0 -> problems.add(
                 ProblemKind.NO_ROWS,
                 "There is a header but not one row of samples; the robot may have been switched off too early.",
-                pending.line,
             )
         }
     }

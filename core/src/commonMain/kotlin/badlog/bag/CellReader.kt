@@ -35,7 +35,7 @@ internal class CellReader {
 
     /** Whether the bytes are a number with a decimal comma, such as `1,2345`; it is then in [number]. */
     fun readWithDecimalComma(bytes: ByteArray, from: Int, until: Int): Boolean {
-        val found = decimal.read(bytes, from, until, COMMA)
+        val found = (from until until).any { bytes[it].toInt() == COMMA } && decimal.read(bytes, from, until, COMMA)
         number = if (found) decimal.value else Double.NaN
         return found
     }

@@ -21,6 +21,9 @@ internal class ColumnBuilder(
     private var texts: TextPool? = null
     private var textRows = IntArray(0)
     private var textIds = IntArray(0)
+    private var lastTextRow = -1
+    private var lastTextSize = 0
+    private var isLastTextNew = false
 
     private var notFiniteCount = 0
     private var truthCount = 0
@@ -67,6 +70,8 @@ internal class ColumnBuilder(
 
     fun addText(row: Int, bytes: ByteArray, from: Int, until: Int, line: Int) {
         addNumber(row, Double.NaN)
+        lastTextRow = row
+        lastTextSize = until - from
         if (keepsSamples) keepText(row, bytes, from, until, line)
         if (textCount++ == 0) {
             firstText = decoder.excerpt(bytes, from, until, QUOTED_BYTES)
@@ -78,13 +83,32 @@ internal class ColumnBuilder(
         val pool = texts ?: TextPool(decoder).also { texts = it }
         val known = pool.dictionary.size
         val id = pool.idOf(bytes, from, until)
-        if (id == known && decoder.wasNotUtf8 && notUtf8Line == 0) notUtf8Line = line
+        isLastTextNew = id == known
+        if (isLastTextNew && decoder.wasNotUtf8 && notUtf8Line == 0) notUtf8Line = line
         if (textCount == textRows.size) {
             textRows = textRows.copyOf(maxOf(16, textCount * 2))
             textIds = textIds.copyOf(textRows.size)
         }
         textRows[textCount] = row
         textIds[textCount] = id
+    }
+
+    /**
+     * Adds a line to the text in [row], the last one. Returns false where that cell is no text, or would become longer than
+     * [longest] bytes.
+     */
+    fun extendText(row: Int, bytes: ByteArray, from: Int, until: Int, longest: Int): Boolean {
+        val size = lastTextSize + 1 + until - from
+        if (row < 0 || row != lastTextRow || size > longest) return false
+        lastTextSize = size
+        val pool = texts ?: return true
+        val id = textIds[textCount - 1]
+        val text = pool.bytesOf(id) + LF.toByte() + bytes.copyOfRange(from, until)
+        if (isLastTextNew) pool.forgetLast()
+        val known = pool.dictionary.size
+        textIds[textCount - 1] = pool.idOf(text, 0, text.size)
+        isLastTextNew = textIds[textCount - 1] == known
+        return true
     }
 
     private fun grow(row: Int) {

@@ -34,7 +34,7 @@ internal fun reportColumn(column: ColumnBuilder, topic: Topic, problems: Problem
             count = counts.notFinite,
         )
     }
-    if (topic.kind == TopicKind.BOOLEAN) {
+    if (counts.truthValues > 0) {
         problems.add(
             ProblemKind.TRUTH_VALUES,
             "“$name” holds true and false; they were read as 1 and 0.",

@@ -34,7 +34,7 @@ internal class HeaderColumns private constructor(
                 )
             }
             val names = uniqueNames(titles, line, problems)
-            if (header != null) reportColumns(names, topicOfColumn, line, problems)
+            if (header != null) reportColumns(titles, names, topicOfColumn, line, problems)
             val order = titles.indices.sortedBy { topicOfColumn[it] ?: (described.size + it) }
             return HeaderColumns(names, topicOfColumn.map { index -> index?.let { described[it] } }, order)
         }
@@ -58,7 +58,13 @@ internal class HeaderColumns private constructor(
             }
         }
 
-        private fun reportColumns(names: List<String>, topicOfColumn: List<Int?>, line: Int, problems: ProblemList) {
+        private fun reportColumns(
+            titles: List<String>,
+            names: List<String>,
+            topicOfColumn: List<Int?>,
+            line: Int,
+            problems: ProblemList,
+        ) {
             names.forEachIndexed { index, name ->
                 if (topicOfColumn[index] == null) {
                     problems.add(
@@ -68,7 +74,7 @@ internal class HeaderColumns private constructor(
                         name,
                     )
                 }
-                val odd = name.find { !it.isLetterOrDigit() && it !in " _/()" }
+                val odd = titles[index].find { !it.isLetterOrDigit() && it !in " _/" }
                 if (odd != null) {
                     problems.add(
                         ProblemKind.UNUSUAL_NAME,

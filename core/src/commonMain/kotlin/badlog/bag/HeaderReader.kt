@@ -63,7 +63,8 @@ internal class HeaderReader(
         val next = afterLineEnd(bytes, lineEnd, pending.end, isEnd)
         if (next == RowScanner.INCOMPLETE) return next
         if (lineEnd > pending.start) return take(lineEnd, next)
-        problems.add(ProblemKind.BLANK_LINE, "A blank line was skipped.", pending.line++)
+        if (!pending.isAfterHole) problems.add(ProblemKind.BLANK_LINE, "A blank line was skipped.", pending.line)
+        pending.line++
         return next
     }
 
@@ -86,10 +87,19 @@ internal class HeaderReader(
     }
 
     private fun takeTitles(lineEnd: Int, next: Int): Int {
-        stage = Stage.DONE
-        // A header whose line of titles is cut off knows its topics better than that line does.
         val isCut = next == lineEnd
-        if (!isCut || header == null) columns = HeaderColumns.match(header, titles(lineEnd), pending.line, problems)
+        // What a hole has left of the line of JSON holds no titles.
+        val isRestOfJson = line != null && header == null && pending.isAfterHole
+        if (!isRestOfJson) {
+            stage = Stage.DONE
+            val titles = titles(lineEnd)
+            val names = header?.topics.orEmpty().map { it.name }
+            // The line of JSON knows the topics better than a line of titles that is cut, or that a hole has taken.
+            val isRow = pending.holeLine > 0 && names.isNotEmpty() && titles.none { it in names }
+            val known = if (isRow || isCut && names.isNotEmpty()) names else titles
+            columns = HeaderColumns.match(header, known, pending.line, problems)
+            if (isRow) return pending.start
+        }
         if (!isCut) pending.line++
         return next
     }

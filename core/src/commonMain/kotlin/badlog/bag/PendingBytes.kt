@@ -12,6 +12,12 @@ internal class PendingBytes {
     /** The physical line, from 1, that [start] is in. */
     var line = 1
 
+    /** The line on which a run of NULs was skipped last; 0 before any. */
+    var holeLine = 0
+
+    /** Whether the beginning of the line that [start] is in was lost in a run of NULs. */
+    val isAfterHole: Boolean get() = line == holeLine
+
     /** Whether a line that was read ended in a carriage return. */
     var sawCarriageReturn = false
         private set

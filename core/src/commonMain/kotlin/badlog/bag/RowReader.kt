@@ -21,7 +21,7 @@ internal class RowReader(
     private val cells = RowCells(columns.size)
     private val cellReader = CellReader()
     private val scanner = RowScanner(cells, cellReader)
-    private val repair = RowRepair(cells, cellReader, columns, decoder, problems, endsInNewline)
+    private val repair = RowRepair(pending, cells, cellReader, columns, decoder, problems, endsInNewline)
     private val passedBefore = pending.passed
 
     /** How many rows have been read. */
@@ -41,15 +41,12 @@ internal class RowReader(
             return scanned
         }
         if (scanned == RowScanner.INCOMPLETE && !isEnd && pending.size < LONGEST_SCAN) return scanned
-        val next = repair.repair(pending.bytes, pending.start, pending.end, isEnd, pending.line)
+        val next = repair.repair(isEnd, rowCount)
         if (next == RowScanner.INCOMPLETE) return if (pending.size < LONGEST_ROW) next else giveUp()
         if (repair.hasRow) addRow(repair.text)
         pending.line += repair.linesPassed
         return next
     }
-
-    /** Says that bytes were lost just before what is read next. */
-    fun passHole() = repair.passHole()
 
     private fun addRow(text: ByteArray) {
         cells.commit(columns, rowCount, text, pending.line)

@@ -12,6 +12,7 @@ import badlog.recording.ProblemList
  *   without one is cut.
  */
 internal class RowRepair(
+    private val pending: PendingBytes,
     private val cells: RowCells,
     private val reader: CellReader,
     private val columns: Array<ColumnBuilder>,
@@ -34,17 +35,22 @@ internal class RowRepair(
     var linesPassed = 0
         private set
 
-    private var afterHole = false
-    private var line = 0
+    private val line get() = pending.line
+
+    // Which cells of a row with an open quote are numbers.
+    private val hasNumber = BooleanArray(cells.columns)
 
     /**
-     * Reads what begins at [from], which is at the start of a line.
+     * Reads what is pending, from the start of a line.
      *
-     * @param isEnd whether no bytes will follow those before [until].
+     * @param isEnd whether no more bytes will follow.
+     * @param row how many rows there are so far.
      * @return where the next row begins, or [RowScanner.INCOMPLETE] when more bytes are needed to decide.
      */
-    fun repair(bytes: ByteArray, from: Int, until: Int, isEnd: Boolean, line: Int): Int {
-        this.line = line
+    fun repair(isEnd: Boolean, row: Int): Int {
+        val bytes = pending.bytes
+        val from = pending.start
+        val until = pending.end
         hasRow = false
         linesPassed = 0
         val end = lineEndIn(bytes, from, until)
@@ -54,37 +60,41 @@ internal class RowRepair(
         if (next == RowScanner.INCOMPLETE) return next
         linesPassed = 1
         if (end == from) {
-            if (!afterHole) problems.add(ProblemKind.BLANK_LINE, "A blank line was skipped.", line)
+            if (!pending.isAfterHole) problems.add(ProblemKind.BLANK_LINE, "A blank line was skipped.", line)
             return next
         }
         val strictCount = splitter.split(bytes, from, end, Quotes.STRICT)
         if (!splitter.isOpen && !splitter.isMalformed && strictCount == cells.columns) return take(bytes, true, next)
-        if (splitter.isOpen) {
+        if (splitter.isOpen && !splitter.isMalformed) {
+            findNumbers(bytes, strictCount - 1)
             val after = quotedLines(bytes, from, next, until, isEnd)
             if (after != NOT_SO) return after
         }
-        if (readWithOddQuotes(bytes, from, end)) return take(bytes, false, next)
-        if (afterHole) return dropFragment(bytes, from, end, next)
+        if (readWithOddQuotes(bytes, from, end, mayBeOpen = true)) return take(bytes, false, next)
+        if (pending.isAfterHole) return dropFragment(bytes, from, end, next)
         val after = joinedLines(bytes, from, end, next, until, isEnd)
-        return if (after != NOT_SO) after else takeUneven(bytes, from, end, next)
-    }
-
-    /** Says that bytes were lost just before what is read next, so that its beginning may be missing. */
-    fun passHole() {
-        afterHole = true
+        return when {
+            after != NOT_SO -> after
+            continuesText(bytes, from, end, row - 1) -> next
+            else -> takeUneven(bytes, from, end, next)
+        }
     }
 
     /** A quoted cell with newlines inside, as RFC 4180 allows. */
     private fun quotedLines(bytes: ByteArray, from: Int, secondLine: Int, until: Int, isEnd: Boolean): Int {
         var start = secondLine
+        var holdsRows = false
         for (lines in 2..MOST_LINES) {
             val end = lineEndIn(bytes, start, until)
-            if (end == until) {
-                if (until - from > MOST_BYTES) return NOT_SO
-                if (!isEnd) return RowScanner.INCOMPLETE
-                return if (isCompleteRow(bytes, start, end)) NOT_SO else tail(bytes, from, until, endsInNewline)
+            if (end - from > MOST_BYTES) return NOT_SO
+            if (end == until && !isEnd) return RowScanner.INCOMPLETE
+            // With one topic every line is a row.
+            if (start < end && (cells.columns == 1 || isCompleteRow(bytes, start, end))) {
+                if (cells.columns > 1 && hasSameNumbers(bytes)) return NOT_SO
+                holdsRows = true
             }
-            if (bytes[end].toInt() == NUL || isCompleteRow(bytes, start, end)) return NOT_SO
+            if (end == until) return if (holdsRows) NOT_SO else tail(bytes, from, until, endsInNewline)
+            if (bytes[end].toInt() == NUL) return NOT_SO
             val count = splitter.split(bytes, from, end, Quotes.STRICT)
             val next = afterLineEnd(bytes, end, until, isEnd)
             if (next == RowScanner.INCOMPLETE) return next
@@ -98,13 +108,27 @@ internal class RowRepair(
         return NOT_SO
     }
 
-    /** The readings under which quotes that were never escaped give the row its right number of cells. */
-    private fun readWithOddQuotes(bytes: ByteArray, from: Int, end: Int): Boolean {
+    private fun findNumbers(bytes: ByteArray, count: Int) {
+        for (i in hasNumber.indices) hasNumber[i] = i < count && kindOf(bytes, i) == CellKind.NUMBER
+    }
+
+    // A line of a quoted text may have the cells of a row, but seldom a number where the row has one.
+    private fun hasSameNumbers(bytes: ByteArray): Boolean =
+        hasNumber.indices.none { hasNumber[it] && kindOf(bytes, it) == CellKind.TEXT }
+
+    private fun kindOf(bytes: ByteArray, cell: Int): Int = reader.read(bytes, splitter.starts[cell], splitter.ends[cell])
+
+    /**
+     * The readings under which quotes that were never escaped give the row its right number of cells.
+     *
+     * @param mayBeOpen whether a quote that nothing closes may be a character like any other.
+     */
+    private fun readWithOddQuotes(bytes: ByteArray, from: Int, end: Int, mayBeOpen: Boolean): Boolean {
         val wanted = cells.columns
         val fits = splitter.split(bytes, from, end, Quotes.LENIENT) == wanted && !splitter.isOpen ||
             splitter.mergeTornQuotes(bytes, wanted) == wanted && !splitter.isOpen ||
-            splitter.split(bytes, from, end, Quotes.LITERAL) == wanted ||
-            splitter.split(bytes, from, end, Quotes.LENIENT) == wanted
+            mayBeOpen && splitter.split(bytes, from, end, Quotes.LITERAL) == wanted ||
+            mayBeOpen && splitter.split(bytes, from, end, Quotes.LENIENT) == wanted
         if (fits) {
             problems.add(
                 ProblemKind.QUOTES_REPAIRED,
@@ -120,8 +144,10 @@ internal class RowRepair(
         var start = next
         for (lines in 2..MOST_LINES) {
             val pieceEnd = lineEndIn(bytes, start, until)
-            if (pieceEnd == until) return if (isEnd || until - from > MOST_BYTES) NOT_SO else RowScanner.INCOMPLETE
-            if (bytes[pieceEnd].toInt() == NUL || isCompleteRow(bytes, start, pieceEnd)) return NOT_SO
+            if (pieceEnd - from > MOST_BYTES) return NOT_SO
+            if (pieceEnd == until && !isEnd) return RowScanner.INCOMPLETE
+            if (start == until || pieceEnd < until && bytes[pieceEnd].toInt() == NUL) return NOT_SO
+            if (isCompleteRow(bytes, start, pieceEnd)) return NOT_SO
             val count = splitter.split(bytes, from, pieceEnd, Quotes.LENIENT)
             if (count > cells.columns || splitter.isOpen) return NOT_SO
             val after = afterLineEnd(bytes, pieceEnd, until, isEnd)
@@ -134,11 +160,25 @@ internal class RowRepair(
                     "A newline inside a text had torn the row into $lines lines; they were joined.",
                     line,
                 )
-                return take(bytes, false, after)
+                take(bytes, false, after)
+                if (pieceEnd == until && endsInNewline) dropLastCell(bytes)
+                return after
             }
             start = after
         }
         return NOT_SO
+    }
+
+    /** A piece of the last topic's text, which a raw newline has torn off: a line of one text, where a number should be. */
+    private fun continuesText(bytes: ByteArray, from: Int, end: Int, row: Int): Boolean {
+        val isPiece = cells.columns > 1 && columns[0].firstText == null &&
+            (from until end).none { bytes[it].toInt() == COMMA } &&
+            reader.read(bytes, from, end) == CellKind.TEXT &&
+            columns.last().extendText(row, bytes, from, end, MOST_BYTES)
+        if (isPiece) {
+            problems.add(ProblemKind.LINES_JOINED, "A line of text was joined to the text in the row above it.", line)
+        }
+        return isPiece
     }
 
     // Two short rows of numbers would fit together as well, but a newline never stands inside a number.
@@ -148,7 +188,7 @@ internal class RowRepair(
             val end = splitter.ends[i]
             if (newline in start..end) {
                 return reader.read(bytes, start, newline) == CellKind.TEXT ||
-                    reader.read(bytes, minOf(next, end), end) == CellKind.TEXT
+                    reader.read(bytes, minOf(next, end), lineEndIn(bytes, minOf(next, end), end)) == CellKind.TEXT
             }
         }
         return false
@@ -183,7 +223,6 @@ internal class RowRepair(
 
     /** What follows a hole up to the next newline, which is whole only by chance. */
     private fun dropFragment(bytes: ByteArray, from: Int, end: Int, next: Int): Int {
-        afterHole = false
         problems.add(
             ProblemKind.ROW_CUT,
             "The end of a row whose beginning is lost was dropped; it held ${quotation(bytes, from, end)}.",
@@ -206,7 +245,13 @@ internal class RowRepair(
     private fun tail(bytes: ByteArray, from: Int, until: Int, isCut: Boolean): Int {
         linesPassed = 1
         val wanted = cells.columns
-        var count = splitter.split(bytes, from, until, Quotes.STRICT)
+        val count = splitter.split(bytes, from, until, Quotes.STRICT)
+        val isStrict = !splitter.isMalformed
+        if (!isStrict && readWithOddQuotes(bytes, from, until, mayBeOpen = false)) {
+            take(bytes, false, until)
+            if (isCut) dropLastCell(bytes)
+            return until
+        }
         if (splitter.isOpen || count < wanted) {
             problems.add(
                 ProblemKind.ROW_CUT,
@@ -216,10 +261,8 @@ internal class RowRepair(
             )
             return until
         }
-        val isStrict = !splitter.isMalformed
-        if (!isStrict) count = splitter.split(bytes, from, until, Quotes.LENIENT)
-        if (count != wanted) return takeUneven(bytes, from, until, until)
-        take(bytes, isStrict, until)
+        if (!isStrict || count > wanted) return takeUneven(bytes, from, until, until)
+        take(bytes, true, until)
         if (isCut) dropLastCell(bytes)
         return until
     }
@@ -249,7 +292,6 @@ internal class RowRepair(
             }
         }
         hasRow = true
-        afterHole = false
         return next
     }
 

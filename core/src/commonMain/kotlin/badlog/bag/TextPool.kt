@@ -24,6 +24,19 @@ internal class TextPool(private val decoder: TextDecoder) {
         return id
     }
 
+    /** The bytes of the text number [id]. */
+    fun bytesOf(id: Int): ByteArray = encoded[id]
+
+    /** Forgets the text that was met last for the first time. */
+    fun forgetLast() {
+        texts.removeAt(texts.lastIndex)
+        val text = encoded.removeAt(encoded.lastIndex)
+        var slot = hash(text, 0, text.size) and (slots.size - 1)
+        while (slots[slot] != texts.size) slot = (slot + 1) and (slots.size - 1)
+        // No text was put behind it, so none is searched for past its slot.
+        slots[slot] = FREE
+    }
+
     private fun grow() {
         slots = IntArray(slots.size * 2) { FREE }
         encoded.forEachIndexed { id, text ->

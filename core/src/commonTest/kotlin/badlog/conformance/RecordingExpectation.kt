@@ -1,0 +1,31 @@
+package badlog.conformance
+
+import badlog.analysis.LogView
+import badlog.recording.Problem
+import badlog.recording.Recording
+import badlog.recording.Topic
+
+/**
+ * A recording in the words of the corpus. A topic's samples do not tell a gap from a NaN, only its counts do, so both
+ * come out as a gap.
+ */
+internal fun expectationOf(recording: Recording): Expectation = Expectation(
+    format = recording.format,
+    values = recording.values,
+    topics = recording.topics.map { expectedTopicOf(it, recording.rowCount) },
+    rowCount = recording.rowCount,
+    problems = recording.problems.map(::expectedProblemOf),
+    attributeProblems = LogView.of(recording).problems.drop(recording.problems.size).map(::expectedProblemOf),
+)
+
+private fun expectedTopicOf(topic: Topic, rowCount: Int) = ExpectedTopic(
+    name = topic.name,
+    unit = topic.unit,
+    attributes = topic.attributes,
+    kind = topic.kind,
+    counts = topic.counts,
+    samples = List(rowCount) { topic.samples.getOrNull(it)?.takeUnless(Double::isNaN) },
+    texts = List(topic.texts.size) { topic.texts.rows[it] to topic.texts[it] },
+)
+
+private fun expectedProblemOf(problem: Problem) = ExpectedProblem(problem.kind, problem.line, problem.topic)

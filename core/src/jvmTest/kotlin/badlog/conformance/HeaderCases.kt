@@ -1,0 +1,197 @@
+package badlog.conformance
+
+import badlog.recording.ProblemKind.BLANK_LINE
+import badlog.recording.ProblemKind.BYTE_ORDER_MARK
+import badlog.recording.ProblemKind.COLUMN_WITHOUT_TOPIC
+import badlog.recording.ProblemKind.DUPLICATE_TOPIC
+import badlog.recording.ProblemKind.EMPTY_FILE
+import badlog.recording.ProblemKind.HEADER_UNREADABLE
+import badlog.recording.ProblemKind.NOT_A_RECORDING
+import badlog.recording.ProblemKind.NO_ROWS
+import badlog.recording.ProblemKind.TOPIC_WITHOUT_COLUMN
+import badlog.recording.ProblemKind.UNUSUAL_NAME
+import badlog.recording.TopicKind.STATE
+import badlog.recording.Value
+
+/** Odd, missing and cut headers, and files that are no logs. */
+internal val HEADER_CASES = listOf(
+    case(
+        "empty-file",
+        "The robot was switched off before anything was written.",
+        "",
+        csv(problems = listOf(EMPTY_FILE.anywhere)),
+    ),
+    case(
+        "blank-lines-only",
+        "Newlines alone are as good as nothing.",
+        "\n\n",
+        csv(problems = listOf(BLANK_LINE at 1, BLANK_LINE at 2, EMPTY_FILE.anywhere)),
+    ),
+    case(
+        "only-line-1",
+        "The topics are known, and there is not one row.",
+        DRIVE_JSON.replace("\"values\":[]", "\"values\":[{\"name\":\"Match\",\"value\":\"8\"}]") + "\n",
+        bag(time(), mode(), volts(), values = listOf(Value("Match", "8")), problems = listOf(NO_ROWS.anywhere)),
+    ),
+    case(
+        "only-line-1-without-newline",
+        "The JSON is whole, so nothing is lost but the newline.",
+        DRIVE_JSON,
+        bag(time(), mode(), volts(), problems = listOf(NO_ROWS.anywhere)),
+    ),
+    case(
+        "only-lines-1-and-2",
+        "Not one row.",
+        DRIVE,
+        bag(time(), mode(), volts(), problems = listOf(NO_ROWS.anywhere)),
+    ),
+    case(
+        "line-2-cut",
+        "The power went while line 2 was written; line 1 knows all the topics that line 2 would have named.",
+        "$DRIVE_JSON\nTime,Mo",
+        bag(time(), mode(), volts(), problems = listOf(NO_ROWS.anywhere)),
+    ),
+    case(
+        "line-1-cut-at-the-end",
+        "The power went while line 1 was written: nothing of it is to be had.",
+        DRIVE_JSON.take(60),
+        bag(problems = listOf(HEADER_UNREADABLE at 1, NO_ROWS.anywhere)),
+    ),
+    case(
+        "line-1-cut",
+        "A cut line 1 is told; line 2 is readable, so the rest is read as CSV, with rows that end in newlines.",
+        DRIVE_JSON.take(60) + "\n" + DRIVE_TITLES + "1,auto,12\n",
+        bag(
+            topic("Time", cells = cells(1)),
+            topic("Mode", kind = STATE, cells = cells("auto")),
+            topic("Volts", cells = cells(12)),
+            problems = listOf(HEADER_UNREADABLE at 1),
+        ),
+    ),
+    case(
+        "json-without-topics",
+        "A JSON object that describes no topic is a header without topics; every column is told, and has no unit.",
+        """{"robot":"Fury","topics":"none"}""" + "\nTime,Volts\n1,12\n",
+        bag(
+            topic("Time", cells = cells(1)),
+            topic("Volts", cells = cells(12)),
+            problems = listOf(COLUMN_WITHOUT_TOPIC at 2 of "Time", COLUMN_WITHOUT_TOPIC at 2 of "Volts"),
+        ),
+    ),
+    case(
+        "topic-without-column",
+        "A topic of line 1 that line 2 lacks is told of, and not shown.",
+        "$DRIVE_JSON\nTime,Volts\n1,12\n",
+        bag(time(1), volts(12), problems = listOf(TOPIC_WITHOUT_COLUMN at 2 of "Mode")),
+    ),
+    case(
+        "column-without-topic",
+        "A column that line 1 lacks is told of, and comes after the others, without unit and attributes.",
+        DRIVE_JSON + "\nAmps,Time,Mode,Volts\n40,1,auto,12\n",
+        bag(
+            time(1),
+            mode("auto"),
+            volts(12),
+            topic("Amps", cells = cells(40)),
+            problems = listOf(COLUMN_WITHOUT_TOPIC at 2 of "Amps"),
+        ),
+    ),
+    case(
+        "duplicate-topics",
+        "Topics with one name are both kept; the first belongs to the first column, the second is shown with a number.",
+        """{"topics":[{"name":"A","unit":"V","attrs":[]},{"name":"B","unit":"s","attrs":[]},""" +
+            """{"name":"A","unit":"A","attrs":["zero"]}],"values":[]}""" + "\nA,A,B\n1,2,3\n",
+        bag(
+            topic("A", "V", cells = cells(1)),
+            topic("B", "s", cells = cells(3)),
+            topic("A (2)", "A", listOf("zero"), cells = cells(2)),
+            problems = listOf(DUPLICATE_TOPIC at 2 of "A (2)"),
+        ),
+    ),
+    case(
+        "duplicate-columns",
+        "Columns of a CSV file with one title are numbered, around a title that has such a number itself.",
+        "A,A (2),A,A\n1,2,3,4\n",
+        csv(
+            topic("A", cells = cells(1)),
+            topic("A (2)", cells = cells(2)),
+            topic("A (3)", cells = cells(3)),
+            topic("A (4)", cells = cells(4)),
+            problems = listOf(DUPLICATE_TOPIC at 1 of "A (3)", DUPLICATE_TOPIC at 1 of "A (4)"),
+        ),
+    ),
+    case(
+        "untitled-columns",
+        "A column without a title is called after its place, counted from 1.",
+        "Time,,Volts,\n1,2,3,4\n",
+        csv(
+            topic("Time", cells = cells(1)),
+            topic("Column 2", cells = cells(2)),
+            topic("Volts", cells = cells(3)),
+            topic("Column 4", cells = cells(4)),
+        ),
+    ),
+    case(
+        "unusual-names",
+        "Characters other than letters, digits, space, underscore and slash are told of; the name stays.",
+        """{"topics":[{"name":"Arm_2/Angle","unit":"deg","attrs":[]},{"name":"Speed (max)","unit":"ul","attrs":[]},""" +
+            """{"name":"Δ-Volts","unit":"V","attrs":[]}],"values":[]}""" +
+            "\nArm_2/Angle,Speed (max),Δ-Volts\n1,2,3\n",
+        bag(
+            topic("Arm_2/Angle", "deg", cells = cells(1)),
+            topic("Speed (max)", cells = cells(2)),
+            topic("Δ-Volts", "V", cells = cells(3)),
+            problems = listOf(UNUSUAL_NAME at 2 of "Speed (max)", UNUSUAL_NAME at 2 of "Δ-Volts"),
+        ),
+    ),
+    case(
+        "comma-in-a-name",
+        "The original does not quote names on line 2; where that line is the names of line 1 with commas, it is them.",
+        """{"topics":[{"name":"Speed, left","unit":"m/s","attrs":[]},{"name":"Time","unit":"s","attrs":[]}],""" +
+            """"values":[]}""" + "\nSpeed, left,Time\n1.5,2\n",
+        bag(
+            topic("Speed, left", "m/s", cells = cells(1.5)),
+            topic("Time", "s", cells = cells(2)),
+            problems = listOf(UNUSUAL_NAME at 2 of "Speed, left"),
+        ),
+    ),
+    case(
+        "byte-order-mark",
+        "An editor on Windows put a byte order mark before the JSON.",
+        "\uFEFF" + POWER + "1,12\n",
+        bag(time(1), volts(12), problems = listOf(BYTE_ORDER_MARK at 1)),
+    ),
+    case(
+        "byte-order-mark-csv",
+        "A byte order mark does not become part of the first title.",
+        "\uFEFFTime,Volts\n1,12\n",
+        csv(
+            topic("Time", cells = cells(1)),
+            topic("Volts", cells = cells(12)),
+            problems = listOf(BYTE_ORDER_MARK at 1),
+        ),
+    ),
+    case(
+        "blank-lines",
+        "Blank lines are skipped wherever they stand, each is told of, and lines are counted with them.",
+        "\n$DRIVE_JSON\n\n${DRIVE_TITLES}1,auto,12\n\n\n2,teleop,11\n\n",
+        bag(
+            time(1, 2),
+            mode("auto", "teleop"),
+            volts(12, 11),
+            problems = listOf(1, 3, 6, 7, 9).map { BLANK_LINE at it },
+        ),
+    ),
+    bytesCase(
+        "binary",
+        "Bytes that no text has, on line 1: not a log.",
+        "\u007fELF\u0002\u0001\u0001\u0003\u0010 \u00ff\u00fe\n\u0001\u0002\n",
+        csv(problems = listOf(NOT_A_RECORDING at 1)),
+    ),
+    case(
+        "prose",
+        "A text without a column of numbers or a second column is no log: one clear error, and nothing to show.",
+        "Dear pit crew\nplease charge the batteries\nthank you\n",
+        csv(problems = listOf(NOT_A_RECORDING at 1)),
+    ),
+)
