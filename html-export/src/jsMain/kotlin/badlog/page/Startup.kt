@@ -53,7 +53,7 @@ internal class Startup {
     }
 
     private fun show(read: Recording, about: About, element: Element) {
-        val downloads = Downloads(about, element, read.headerLine != null, ::failUnexpectedly)
+        val downloads = Downloads(about, element, read.headerLine != null)
         val unreadable = read.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
         if (unreadable != null) {
             fail("There is nothing to show of ${about.name}", unreadable.message, downloads.element)
@@ -80,6 +80,7 @@ internal class Startup {
 
     private fun failUnexpectedly(problem: Throwable) {
         console.error(problem)
-        fail("Something went wrong", "${problem.message ?: problem}. Please report it with the file, if you may share it.")
+        val reason = problem.message ?: problem.toString()
+        fail("Something went wrong", "$reason. Please report it with the file, if you may share it.")
     }
 }

@@ -4,8 +4,8 @@ import java.io.OutputStream
 import java.util.Base64
 
 /**
- * Writes what it is given to [out] as one base64 text without line breaks, however it is cut into pieces: the one or two
- * bytes that fill no group of three wait for the next piece, so that padding stands at the end only.
+ * Writes what it is given to [out] as one base64 text without line breaks, however it is cut into pieces: the one or
+ * two bytes that fill no group of three wait for the next piece, so that padding stands at the end only.
  */
 internal class Base64Stream(private val out: OutputStream) {
     private val encoder = Base64.getEncoder()

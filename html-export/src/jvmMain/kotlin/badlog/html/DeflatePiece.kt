@@ -5,8 +5,9 @@ import java.util.concurrent.Future
 import java.util.zip.Deflater
 
 /**
- * One piece of a file on its way into a gzip stream. It is deflated without its neighbours, so several are at a time, but
- * knows the bytes before it as a dictionary and ends on a byte, so the pieces one after another are one deflate stream.
+ * One piece of a file on its way into a gzip stream. It is deflated without its neighbours, so several are at a time,
+ * but knows the bytes before it as a dictionary and ends on a byte, so the pieces one after another are one deflate
+ * stream.
  *
  * Made once and filled again and again: its buffers are what an export costs in memory.
  */

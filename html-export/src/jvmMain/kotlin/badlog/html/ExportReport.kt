@@ -9,7 +9,8 @@ import java.nio.file.Path
  * @property page the page, as an absolute path.
  * @property recording the topics, values, counts and problems of the input, without its samples.
  * @property originalBytes the size of the input; these very bytes are in the page.
- * @property inflatedBytes how many bytes the recording has once it is inflated; [originalBytes] unless the input is gzip.
+ * @property inflatedBytes how many bytes the recording has once it is inflated; [originalBytes] unless the input is
+ *   gzip.
  */
 class ExportReport(
     val page: Path,

@@ -41,7 +41,7 @@ internal fun <T> writing(page: Path, work: () -> T): T = try {
 } catch (e: IOException) {
     val message = when {
         e is AccessDeniedException -> "$page cannot be written: you have no permission to; choose another folder."
-        e is FileAlreadyExistsException -> "$page cannot be written: ${e.file} is a file, not a folder; choose another place."
+        e is FileAlreadyExistsException -> "$page cannot be written: ${e.file} is a file, not a folder; choose another."
         e is DiskFullException -> "$page cannot be written: the disk is full; make room, or choose another disk."
         else -> "$page cannot be written (${e.message}); choose another place."
     }
@@ -63,6 +63,6 @@ internal fun checkWritable(page: Path, files: List<Path>) {
         throw ExportException.Unwritable(page, "$page is a folder; give the page another name, or put it inside.")
     }
     if (Files.exists(page) && files.any { Files.isSameFile(it, page) }) {
-        throw ExportException.Unwritable(page, "$page would overwrite a file that is read; choose another name for the page.")
+        throw ExportException.Unwritable(page, "$page would overwrite a file that is read; give the page another name.")
     }
 }

@@ -22,7 +22,8 @@ internal class FileHead private constructor(val isGzip: Boolean, val title: Stri
             val isGzip = FileSignature.of(bytes) == FileSignature.GZIP
             val parser = BagParser(keepSamples = false)
             if (isGzip) {
-                GzipReader { inflated, size -> parser.accept(inflated, 0, size) }.use { it.accept(bytes, 0, minOf(bytes.size, BYTES / 4)) }
+                GzipReader { inflated, size -> parser.accept(inflated, 0, size) }
+                    .use { it.accept(bytes, 0, minOf(bytes.size, BYTES / 4)) }
             } else {
                 parser.accept(bytes)
             }

@@ -4,8 +4,8 @@ import java.util.zip.DataFormatException
 import java.util.zip.Inflater
 
 /**
- * Inflates a gzip file that is pushed to it in pieces, and passes on all that can be inflated of it. A robot's file may lack
- * its trailer or be cut anywhere, may be several gzip members in a row, and may end in NULs or other remains.
+ * Inflates a gzip file that is pushed to it in pieces, and passes on all that can be inflated of it. A robot's file may
+ * lack its trailer or be cut anywhere, may be several gzip members in a row, and may end in NULs or other remains.
  * Check sums are not looked at: a wrong one would not bring anything back.
  *
  * @param sink gets what was inflated: `[0, size)` of the array, which is used again after the call.

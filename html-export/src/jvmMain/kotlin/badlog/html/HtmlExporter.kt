@@ -12,8 +12,9 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * Turns recordings into HTML pages that need nothing else: each holds the file's very bytes, and the program that shows them.
- * Works on all cores, in memory that does not grow with the file. May be used for any number of exports, also at a time.
+ * Turns recordings into HTML pages that need nothing else: each holds the file's very bytes, and the program that shows
+ * them. Works on all cores, in memory that does not grow with the file. May be used for any number of exports, also at
+ * a time.
  *
  * @param attachments files to put into every page beside the recording.
  * @param parts the program and the styles of the pages.
@@ -23,8 +24,9 @@ class HtmlExporter(
     private val parts: PageParts = PageParts.bundled(),
 ) {
     /**
-     * Makes the page [output] of the file [input], a bag or a CSV file, perhaps compressed with gzip. Whatever is wrong in it
-     * is told in the report and on the page. [output] is replaced only by a whole page; its folder is made if need be.
+     * Makes the page [output] of the file [input], a bag or a CSV file, perhaps compressed with gzip. Whatever is wrong
+     * in it is told in the report and on the page. [output] is replaced only by a whole page; its folder is made if
+     * need be.
      *
      * To cancel, interrupt the calling thread or throw from [progress].
      *
@@ -45,7 +47,13 @@ class HtmlExporter(
         }
     }
 
-    private fun write(input: Path, source: InputStream, head: FileHead, page: Path, progress: ExportProgress): ExportReport {
+    private fun write(
+        input: Path,
+        source: InputStream,
+        head: FileHead,
+        page: Path,
+        progress: ExportProgress,
+    ): ExportReport {
         val name = input.fileName.toString()
         val total = Files.size(input)
         val parser = BagParser(keepSamples = false)

@@ -22,7 +22,8 @@ internal class NewFile(private val target: Path) : AutoCloseable {
     private val draft = target.resolveSibling(".badlog-${UUID.randomUUID()}.part")
 
     /** Where the content goes. */
-    val out: OutputStream = BufferedOutputStream(RoomGuard(draft, Files.newOutputStream(draft, CREATE_NEW, WRITE)), 1 shl 16)
+    val out: OutputStream =
+        BufferedOutputStream(RoomGuard(draft, Files.newOutputStream(draft, CREATE_NEW, WRITE)), 1 shl 16)
     private val cleaner = Thread { Files.deleteIfExists(draft) }
 
     init {

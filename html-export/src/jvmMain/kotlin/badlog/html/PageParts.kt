@@ -32,7 +32,8 @@ class PageParts(program: String, style: String) {
 
         private fun resource(name: String): String {
             val stream = PageParts::class.java.getResourceAsStream("/badlog/page/$name")
-            return checkNotNull(stream) { "$name is missing in this build of badlog." }.use { it.readBytes().decodeToString() }
+            checkNotNull(stream) { "$name is missing in this build of badlog." }
+            return stream.use { it.readBytes().decodeToString() }
         }
 
         // A browser reads every end of line as LF, and takes its hash of that.

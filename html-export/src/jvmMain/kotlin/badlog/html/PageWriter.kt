@@ -63,7 +63,7 @@ internal class PageWriter(private val out: OutputStream, private val parts: Page
     private fun text(text: String) = out.write(text.encodeToByteArray())
 
     private companion object {
-        const val NO_SCRIPT = "This page needs JavaScript to draw. The recording is inside it all the same: allow scripts for " +
-            "this file, or open it in another browser."
+        const val NO_SCRIPT = "This page needs JavaScript to draw. The recording is inside it all the same: allow " +
+            "scripts for this file, or open it in another browser."
     }
 }

@@ -6,8 +6,8 @@ import java.nio.ByteOrder
 import java.util.zip.CRC32
 
 /**
- * Embeds a file that is not compressed: deflates it piece by piece on all cores, into one gzip member. The calling thread
- * reads and writes; only so many pieces are in flight, which bounds the memory whatever the file's size.
+ * Embeds a file that is not compressed: deflates it piece by piece on all cores, into one gzip member. The calling
+ * thread reads and writes; only so many pieces are in flight, which bounds the memory whatever the file's size.
  */
 internal class RawEmbedding(
     private val threads: ExportThreads,

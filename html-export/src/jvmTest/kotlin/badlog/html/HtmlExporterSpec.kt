@@ -22,13 +22,14 @@ class HtmlExporterSpec : FunSpec({
     val parts = PageParts("draw()", "main{}")
     val exporter = HtmlExporter(parts = parts)
 
-    fun pageOf(bytes: ByteArray, name: String = "match.bag", check: (ReadPage, ExportReport) -> Unit) = inFolder { folder ->
-        val input = folder / name
-        input.writeBytes(bytes)
-        val report = exporter.export(input, folder / "page.html")
-        folder.names() shouldContainExactly listOf(name, "page.html").sorted()
-        check(ReadPage(folder / "page.html"), report)
-    }
+    fun pageOf(bytes: ByteArray, name: String = "match.bag", check: (ReadPage, ExportReport) -> Unit) =
+        inFolder { folder ->
+            val input = folder / name
+            input.writeBytes(bytes)
+            val report = exporter.export(input, folder / "page.html")
+            folder.names() shouldContainExactly listOf(name, "page.html").sorted()
+            check(ReadPage(folder / "page.html"), report)
+        }
 
     test("a bag is in its page byte for byte, under the name of its match") {
         pageOf(BAG.encodeToByteArray()) { page, report ->
@@ -110,7 +111,8 @@ class HtmlExporterSpec : FunSpec({
 
     test("attachments are in the page, in their order") {
         inFolder { folder ->
-            val files = listOf("notes.txt", "auto.json").map { name -> (folder / name).apply { writeText("I am $name") } }
+            val files = listOf("notes.txt", "auto.json").map { folder / it }
+            files.forEach { it.writeText("I am ${it.name}") }
             (folder / "a.bag").writeText(BAG)
             HtmlExporter(files, parts).export(folder / "a.bag", folder / "p.html")
             val attachments = ReadPage(folder / "p.html").attachments
@@ -141,7 +143,8 @@ class HtmlExporterSpec : FunSpec({
 
         test("nonsense") {
             failing(byteArrayOf(1, 2, 3, 0, -1)) { input, page ->
-                shouldThrow<ExportException.NotARecording> { exporter.export(input, page) }.message shouldContain "a.bag"
+                shouldThrow<ExportException.NotARecording> { exporter.export(input, page) }
+                    .message shouldContain "a.bag"
             }
         }
         test("a text of one column, known only at its end") {
@@ -184,7 +187,8 @@ class HtmlExporterSpec : FunSpec({
             val input = (folder / "a.html").apply { writeText(BAG) }
             shouldThrow<ExportException.Unwritable> { exporter.export(input, folder / "." / "a.html") }
             shouldThrow<ExportException.Unwritable> { exporter.export(input, (folder / "sub").createDirectory()) }
-            shouldThrow<ExportException.Unwritable> { exporter.export(input, input / "p.html") }.message shouldContain "folder"
+            shouldThrow<ExportException.Unwritable> { exporter.export(input, input / "p.html") }
+                .message shouldContain "folder"
             input.readText() shouldBe BAG
         }
     }

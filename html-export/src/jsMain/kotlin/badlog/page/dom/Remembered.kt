@@ -2,7 +2,9 @@ package badlog.page.dom
 
 import kotlinx.browser.localStorage
 
-/** What the browser keeps between two visits. Pages on a disk may be forbidden to keep anything: then nothing is kept. */
+/**
+ * What the browser keeps between two visits. Pages on a disk may be forbidden to keep anything: then nothing is kept.
+ */
 internal object Remembered {
     /** What was kept under [key], or null. */
     operator fun get(key: String): String? = try {

@@ -10,15 +10,14 @@ internal object Base64 {
         for (i in alphabet.indices) table[alphabet[i].code] = i
     }
 
-    /** The bytes of [text], a whole number of groups of four characters. */
+    /**
+     * The bytes of [text], a whole number of groups of four characters; what a cut left over after those is dropped.
+     */
     fun decode(text: String): ByteArray {
         val native = js("Uint8Array")
-        return if (native.fromBase64 != undefined) {
-            val bytes = native.fromBase64(text).unsafeCast<Uint8Array>()
-            Int8Array(bytes.buffer, bytes.byteOffset, bytes.length).unsafeCast<ByteArray>()
-        } else {
-            decodeByTable(text)
-        }
+        if (native.fromBase64 == undefined || text.length % 4 != 0) return decodeByTable(text)
+        val bytes = native.fromBase64(text).unsafeCast<Uint8Array>()
+        return Int8Array(bytes.buffer, bytes.byteOffset, bytes.length).unsafeCast<ByteArray>()
     }
 
     /** The same without the browser's help, which browsers before 2025 do not give. */

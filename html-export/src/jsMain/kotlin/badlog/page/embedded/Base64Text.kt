@@ -5,8 +5,8 @@ import org.w3c.dom.Node
 import org.w3c.dom.Text
 
 /**
- * The base64 text of an element, piece by piece. It can be hundreds of megabytes, in one text node or in thousands, so it is
- * never put together.
+ * The base64 text of an element, piece by piece. It can be hundreds of megabytes, in one text node or in thousands, so
+ * it is never put together.
  */
 internal class Base64Text(element: Element) {
     private var node: Node? = element.firstChild

@@ -7,11 +7,12 @@ import org.khronos.webgl.Uint8Array
 /**
  * Inflates a gzip stream that is pushed to it in pieces, with the browser's own `DecompressionStream`.
  *
- * Reads while it writes and never needs a clean end: the streams of robots are never closed, and a stream that is closed
- * too early throws away what it holds.
+ * Reads while it writes and never needs a clean end: the streams of robots are never closed, and a stream that is
+ * closed too early throws away what it holds. What the browser leaves of a stream of several members is left to
+ * [Inflater].
  *
  * @param expectedBytes how many bytes there are to inflate; reading stops there.
- * @param isWhole whether the stream is known to be whole, so that it may be closed.
+ * @param isWhole whether the stream is known to be a single, whole member, so that it may be closed.
  * @param sink is given the inflated bytes.
  */
 internal class Inflation(
@@ -22,7 +23,11 @@ internal class Inflation(
     private val stream: dynamic = js("new DecompressionStream('gzip')")
     private val writer: dynamic = stream.writable.getWriter()
     private val reader: dynamic = stream.readable.getReader()
-    private var isOver = false
+
+    // Kept of streams that the browser may not read to their end; those are the small ones, as robots write them.
+    private val pieces = ArrayList<ByteArray>()
+    private var hasEnded = false
+    private var hasStopped = false
     private lateinit var finish: () -> Unit
     private lateinit var fail: (Throwable) -> Unit
 
@@ -42,7 +47,8 @@ internal class Inflation(
 
     /** Takes the next piece of the stream; the promise is fulfilled when there is room for another. */
     fun accept(compressed: ByteArray): Promise<Unit> = Promise { resolve, _ ->
-        if (isOver) {
+        if (!isWhole) pieces += compressed
+        if (hasStopped) {
             resolve(Unit)
         } else {
             writer.write(compressed).then({ resolve(Unit) }, { resolve(Unit) })
@@ -51,8 +57,12 @@ internal class Inflation(
 
     /** Says that there are no more pieces. To be called when the last one has been taken. */
     fun end() {
-        if (isOver) return
-        if (isWhole) writer.close().then({}, {}) else waitForQuiet(inflatedBytes)
+        hasEnded = true
+        when {
+            hasStopped -> complete()
+            isWhole -> writer.close().then({}, {})
+            else -> waitForQuiet(inflatedBytes)
+        }
     }
 
     private fun read() {
@@ -62,16 +72,20 @@ internal class Inflation(
     }
 
     private fun take(chunk: Uint8Array) {
-        if (isOver) return
-        inflatedBytes += chunk.length
+        if (hasStopped) return
         try {
-            sink(Int8Array(chunk.buffer, chunk.byteOffset, chunk.length).unsafeCast<ByteArray>())
+            give(Int8Array(chunk.buffer, chunk.byteOffset, chunk.length).unsafeCast<ByteArray>())
         } catch (problem: Throwable) {
-            isOver = true
+            hasStopped = true
             fail(problem)
             return
         }
         if (inflatedBytes >= expectedBytes) stop() else read()
+    }
+
+    private fun give(bytes: ByteArray) {
+        inflatedBytes += bytes.size
+        sink(bytes)
     }
 
     // A cut stream never says that it is over: it is when nothing comes for a while after its last piece.
@@ -82,9 +96,34 @@ internal class Inflation(
     }
 
     private fun stop() {
-        if (isOver) return
-        isOver = true
-        finish()
+        if (hasStopped) return
+        hasStopped = true
+        if (isWhole || hasEnded || inflatedBytes >= expectedBytes) complete()
+    }
+
+    private fun complete() {
+        try {
+            if (!isWhole && inflatedBytes < expectedBytes) inflateRest()
+            finish()
+        } catch (problem: Throwable) {
+            fail(problem)
+        }
+    }
+
+    private fun inflateRest() {
+        val all = ByteArray(pieces.sumOf { it.size })
+        var end = 0
+        for (piece in pieces) {
+            piece.copyInto(all, end)
+            end += piece.size
+        }
+        pieces.clear()
+        var known = inflatedBytes
+        Inflater(all) { bytes ->
+            val skipped = minOf(known, bytes.size.toDouble()).toInt()
+            known -= skipped
+            if (skipped < bytes.size) give(bytes.copyOfRange(skipped, bytes.size))
+        }.run()
     }
 
     companion object {

@@ -5,8 +5,8 @@ import badlog.analysis.PixelColumns
 import badlog.analysis.Series
 
 /**
- * The points of one line, as they are to be joined on the screen: the samples themselves where they are few, else a handful
- * for each pixel column. Point `i` is `(x[i], y[i])`; a NaN in [y] breaks the line.
+ * The points of one line, as they are to be joined on the screen: the samples themselves where they are few, else a
+ * handful for each pixel column. Point `i` is `(x[i], y[i])`; a NaN in [y] breaks the line.
  */
 internal class Curve(private val series: Series) {
     private val downsampling = Downsampling(series)
@@ -42,7 +42,7 @@ internal class Curve(private val series: Series) {
         isSparse = false
         isDense = true
         if (!series.isOrdered) {
-            drawColumns(from, to, columns)
+            drawUnordered(from, to, columns)
             return
         }
         val first = series.firstAtOrAfter(from)
@@ -84,6 +84,21 @@ internal class Curve(private val series: Series) {
         // Far away, pixels would be numbers too large to draw with: the line is cut where it is out of sight.
         val share = (limit - near) / (far - near)
         addPoint(limit, series.y[neighbour] + (series.y[index] - series.y[neighbour]) * share)
+    }
+
+    // x goes backwards somewhere: the line is drawn in the order of the file, and broken where it would run back.
+    private fun drawUnordered(from: Double, to: Double, columns: PixelColumns) {
+        if (series.x.count { it in from..to } > columns.count * SAMPLES_PER_COLUMN) {
+            drawColumns(from, to, columns)
+            return
+        }
+        val margin = to - from
+        for (i in 0 until series.size) {
+            val place = series.x[i]
+            if (i > 0 && place < series.x[i - 1]) addPoint(place, Double.NaN)
+            if (place in from - margin..to + margin) addPoint(place, series.y[i]) else addPoint(place, Double.NaN)
+            if (place in from..to) see(series.y[i])
+        }
     }
 
     private fun drawColumns(from: Double, to: Double, columns: PixelColumns) {

@@ -8,8 +8,8 @@ import org.w3c.dom.CanvasRenderingContext2D
 import org.w3c.dom.Path2D
 
 /**
- * The marks of the events of [span] on the time line of a plot: never more than one for a pixel, and lines only while there
- * are few.
+ * The marks of the events of [span] on the time line of a plot: never more than one for a pixel, and only a tick for
+ * those that crowd behind another.
  */
 internal fun drawEventMarks(
     context: CanvasRenderingContext2D,
@@ -20,18 +20,19 @@ internal fun drawEventMarks(
     val timeline = scene.events
     if (timeline.events.isEmpty()) return
     val ratio = window.devicePixelRatio
-    val isCalm = timeline.count(span.from, span.to) * FEWEST_PIXELS_APART * ratio <= frame.width
     val heads = Path2D()
     val lines = Path2D()
+    val ticks = Path2D()
     var lastPixel = Double.NEGATIVE_INFINITY
     for (i in timeline.firstAtOrAfter(span.from) until timeline.events.size) {
         val event = timeline.events[i]
         if (event.x > span.to) break
         val pixel = floor(frame.pixelOfX(event.x)) + 0.5
         if (pixel - lastPixel < ratio) continue
+        val isApart = pixel - lastPixel >= FEWEST_PIXELS_APART * ratio
         lastPixel = pixel
         val head = HEAD * ratio
-        if (isCalm) {
+        if (isApart) {
             heads.moveTo(pixel - head, frame.top)
             heads.lineTo(pixel + head, frame.top)
             heads.lineTo(pixel, frame.top + head * 1.5)
@@ -39,7 +40,7 @@ internal fun drawEventMarks(
             lines.moveTo(pixel, frame.top)
             lines.lineTo(pixel, frame.bottom)
         } else {
-            heads.rect(pixel - ratio / 2, frame.top, ratio, head * 1.5)
+            ticks.rect(pixel - ratio / 2, frame.top, ratio, head)
         }
     }
     context.save()
@@ -48,11 +49,14 @@ internal fun drawEventMarks(
     context.lineWidth = 1.0
     context.globalAlpha = LINE_OPACITY
     context.stroke(lines)
+    context.globalAlpha = TICK_OPACITY
+    context.fill(ticks)
     context.globalAlpha = 1.0
     context.fill(heads)
     context.restore()
 }
 
-private const val HEAD = 4.0
-private const val FEWEST_PIXELS_APART = 12
-private const val LINE_OPACITY = 0.35
+private const val HEAD = 3.5
+private const val FEWEST_PIXELS_APART = 9
+private const val LINE_OPACITY = 0.2
+private const val TICK_OPACITY = 0.5

@@ -27,6 +27,9 @@ internal interface Figure {
     /** Draws what uPlot does not. */
     fun draw(context: CanvasRenderingContext2D, frame: PlotFrame)
 
-    /** Where on y the sample of series [index] nearest to [x] stands, as a share of the frame from its top; NaN for none. */
+    /**
+     * Where on y the sample of series [index] nearest to [x] stands, as a share of the frame from its top; NaN for
+     * none.
+     */
     fun heightAt(index: Int, x: Double): Double
 }

@@ -63,19 +63,20 @@ internal class GraphCard(val graph: Graph, private val scene: Scene) {
             return
         }
         val figure = if (graph.showsStates) {
-            LaneFigure(graph, scene.palette, isShown)
+            LaneFigure(graph, scene.palette, isShown, scene.range.full.to)
         } else {
             LineFigure(graph, scene.palette, isShown)
         }
         host.textContent = ""
         host.style.height = "${figure.height}px"
-        val drawn = Plot(scene, figure, host, host.clientWidth)
+        val drawn = Plot(scene, figure, host, host.clientWidth) { overlay?.update() }
         host.add("div", "x-title", scene.xAxis.title).title = scene.xAxis.title
         PlotGestures(drawn.over, scene)
         overlay = CursorOverlay(graph, scene, figure, drawn.over)
         plot = drawn
         isStale = false
         legend.update(scene.cursor)
+        if (!statistics.element.isHidden) updateStatisticsSoon()
         resizing = ResizeObserver { drawn.resize(host.clientWidth) }.also { it.observe(host) }
     }
 

@@ -8,14 +8,17 @@ import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.dom.Element
 
-/** All graphs of the page: draws those near the screen, and lets all of them follow the visible range and the cursor. */
+/**
+ * All graphs of the page: draws those near the screen, and lets all of them follow the visible range and the cursor.
+ */
 internal class GraphDeck(private val scene: Scene, private val cards: List<GraphCard>) {
-    private val cardOf: dynamic = js("new Map()")
+    private val cardOf = HashMap<Element, GraphCard>()
     private val near = LinkedHashSet<GraphCard>()
     private val zoomFrame = Frame(::drawZoom)
     private val restFrame = Frame(::drawRest)
     private val cursorFrame = Frame { for (card in near) card.updateCursor() }
     private var zoomedAt = Double.NaN
+    private var zooms = 0
 
     init {
         scene.range.onChange {
@@ -35,12 +38,12 @@ internal class GraphDeck(private val scene: Scene, private val cards: List<Graph
         }
         val observer = IntersectionObserver({ entries ->
             for (entry in entries) {
-                val card = cardOf.get(entry.target).unsafeCast<GraphCard>()
+                val card = cardOf.getValue(entry.target)
                 if (entry.isIntersecting) meet(card) else part(card)
             }
         }, json("rootMargin" to MARGIN))
         for (card in cards) {
-            cardOf.set(card.element, card)
+            cardOf[card.element] = card
             observer.observe(card.element)
         }
     }
@@ -66,7 +69,7 @@ internal class GraphDeck(private val scene: Scene, private val cards: List<Graph
         for (card in near) card.outdate()
         for (card in near.filter { it.isOnScreen }) card.refresh()
         window.performance.asDynamic().measure("badlog-zoom", json("start" to zoomedAt))
-        document.documentElement.unsafeCast<Element>().setAttribute("data-zoomed", (++zooms).toString())
+        document.documentElement?.setAttribute("data-zoomed", (++zooms).toString())
         zoomedAt = Double.NaN
         restFrame.ask()
     }
@@ -75,8 +78,6 @@ internal class GraphDeck(private val scene: Scene, private val cards: List<Graph
     private fun drawRest() {
         for (card in near) card.refresh()
     }
-
-    private var zooms = 0
 
     private companion object {
         const val MARGIN = "300px 0px"

@@ -12,8 +12,9 @@ internal class LaneFigure(
     private val graph: Graph,
     private val palette: Palette,
     private val isShown: BooleanArray,
+    end: Double,
 ) : Figure {
-    private val runs = graph.series.map { StateRuns(it.data) }
+    private val runs = graph.series.map { StateRuns(it.data, end) }
     private var span = VisibleRange.Span(0.0, 1.0)
 
     override val height: Int get() = LANE_HEIGHT * graph.series.size + AXIS_HEIGHT
@@ -39,6 +40,7 @@ internal class LaneFigure(
         context.clip()
         context.font = "${LETTERS * ratio}px system-ui, sans-serif"
         context.asDynamic().textBaseline = "middle"
+        context.asDynamic().textAlign = "left"
         runs.forEachIndexed { index, run ->
             if (isShown[index]) drawLane(context, frame, index, run, frame.top + lane * index, lane - GAP * ratio)
         }

@@ -4,6 +4,7 @@ import badlog.analysis.Graph
 import badlog.analysis.GraphSeries
 import badlog.page.dom.add
 import badlog.page.dom.addButton
+import badlog.page.dom.element
 import badlog.page.dom.showText
 import badlog.page.text.numberText
 import badlog.page.text.unitText
@@ -12,8 +13,8 @@ import badlog.page.view.Palette
 import org.w3c.dom.HTMLElement
 
 /**
- * The lines of a graph by name and colour, each with its value at the cursor, read from the samples themselves. Pressing
- * one hides its line.
+ * The lines of a graph by name and colour, each with its value at the cursor, read from the samples themselves.
+ * Pressing one hides its line.
  *
  * @param isShown for each series whether its line is drawn.
  */
@@ -22,7 +23,8 @@ internal class Legend(
     private val isShown: BooleanArray,
     private val onToggle: () -> Unit,
 ) {
-    val element: HTMLElement = badlog.page.dom.element("div", "legend")
+    // The title says it already where a graph has but one line.
+    val element: HTMLElement = element("div", if (graph.series.size == 1) "legend is-single" else "legend")
     private val values = graph.series.mapIndexed { index, series -> addEntry(index, series) }
 
     private fun addEntry(index: Int, series: GraphSeries): HTMLElement {

@@ -8,12 +8,17 @@ import kotlinx.browser.window
 import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLElement
 
-/** One drawn graph: a canvas with a frame and axes, and [figure] inside. */
+/**
+ * One drawn graph: a canvas with a frame and axes, and [figure] inside.
+ *
+ * @param onSize is called when [over] has got its size, and another one.
+ */
 internal class Plot(
     private val scene: Scene,
     private val figure: Figure,
     host: HTMLElement,
     private var width: Int,
+    private val onSize: () -> Unit,
 ) {
     private var columns = PixelColumns(1)
     private val uPlot: UPlot
@@ -67,7 +72,8 @@ internal class Plot(
     private fun frameOf(plot: UPlot): PlotFrame {
         val now = scene.range.now
         val box = plot.bbox
-        return PlotFrame(box.left, box.top, box.width, box.height, now.from, now.to, figure.limits.from, figure.limits.to)
+        val limits = figure.limits
+        return PlotFrame(box.left, box.top, box.width, box.height, now.from, now.to, limits.from, limits.to)
     }
 
     private fun draw(plot: UPlot) {
@@ -89,7 +95,7 @@ internal class Plot(
         ),
         "series" to (listOf<dynamic>(json()) + lines).toTypedArray(),
         "axes" to arrayOf(axis("x", X_AXIS_HEIGHT, X_TICK_SPACE), axis("y", GUTTER, Y_TICK_SPACE)),
-        "hooks" to json("draw" to arrayOf(::draw)),
+        "hooks" to json("draw" to arrayOf(::draw), "setSize" to arrayOf(onSize)),
     )
 
     private fun axis(scale: String, size: Int, space: Int): dynamic {

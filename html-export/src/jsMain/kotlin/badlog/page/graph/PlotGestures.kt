@@ -9,13 +9,12 @@ import kotlin.math.exp
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.events.Event
-import org.w3c.dom.events.MouseEvent
 import org.w3c.dom.events.WheelEvent
 import org.w3c.dom.pointerevents.PointerEvent
 
 /**
- * What a mouse or fingers do over a plot. A mouse moves the cursor, drags out what to zoom to, or, with Shift, drags the
- * graphs along. Fingers set the cursor, drag, and pinch; a vertical swipe is the browser's, and scrolls the page.
+ * What a mouse or fingers do over a plot. A mouse moves the cursor, drags out what to zoom to, or, with Shift, drags
+ * the graphs along. Fingers set the cursor, drag, and pinch; a vertical swipe is the browser's, and scrolls the page.
  */
 internal class PlotGestures(private val over: HTMLElement, private val scene: Scene) {
     private enum class Drag { NONE, SELECT, PAN }
@@ -130,14 +129,12 @@ internal class PlotGestures(private val over: HTMLElement, private val scene: Sc
         wheeledAt = now
         val lines = if (event.deltaMode == WheelEvent.DOM_DELTA_LINE) PIXELS_OF_LINE else 1.0
         if (zooms) {
-            range.scale(exp((event.deltaY * lines).coerceIn(-60.0, 60.0) * WHEEL_SPEED), xAt(event.clientXOf()))
+            range.scale(exp((event.deltaY * lines).coerceIn(-60.0, 60.0) * WHEEL_SPEED), xAt(event.clientX.toDouble()))
         } else {
             val moved = event.deltaX * lines / over.clientWidth * range.now.width
             range.move(range.now.from + moved, range.now.to + moved)
         }
     }
-
-    private fun MouseEvent.clientXOf() = clientX.toDouble()
 
     private companion object {
         const val TOUCH = "touch"

@@ -3,10 +3,11 @@ package badlog.page.graph
 import badlog.analysis.Series
 
 /**
- * The stretches over which a series of states stays in one: run `i` is in [states]`[i]` from [from]`[i]` to [to]`[i]`, which
- * is where the next one begins.
+ * The stretches over which a series of states stays in one: run `i` is in [states]`[i]` from [from]`[i]` to [to]`[i]`,
+ * which is where the next one begins. The last one goes on until [end]: a topic that is logged when it changes stays as
+ * it is.
  */
-internal class StateRuns(series: Series) {
+internal class StateRuns(series: Series, end: Double) {
     val from: DoubleArray
     val to: DoubleArray
     val states: IntArray
@@ -27,9 +28,12 @@ internal class StateRuns(series: Series) {
             val start = runs[run]
             while (next < starts.size && starts[next] <= start) next++
             from[run] = x[start]
-            val end = if (next < starts.size) starts[next] else series.size - 1
-            // Where x jumps back, the state is known until the last sample before.
-            to[run] = if (x[end] >= x[start]) x[end] else x[end - 1]
+            to[run] = when {
+                next == starts.size -> maxOf(end, x[start])
+                // Where x jumps back, the state is known until the last sample before.
+                x[starts[next]] < x[start] -> x[starts[next] - 1]
+                else -> x[starts[next]]
+            }
             states[run] = y[start].toInt()
         }
     }

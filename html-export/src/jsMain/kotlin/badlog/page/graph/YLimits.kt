@@ -28,6 +28,6 @@ internal class YLimits {
     private companion object {
         const val MARGIN = 0.07
         const val FLAT = 1e-12
-        const val LARGEST = 8e307
+        const val LARGEST = 7e307
     }
 }

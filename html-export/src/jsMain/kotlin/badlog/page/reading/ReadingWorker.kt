@@ -12,8 +12,9 @@ import org.w3c.files.BlobPropertyBag
 /**
  * The worker that reads the recording, so that the page stays alive meanwhile. Its script is the page's own.
  *
- * The page sends an object with `expectedBytes` and `isWhole`, then strings of base64, one for each `"more"` it receives,
- * then null. The worker answers with `"more"`, numbers (the share that is done), an object with `failure`, or the recording.
+ * The page sends an object with `expectedBytes` and `isWhole`, then strings of base64, one for each `"more"` it
+ * receives, then null. The worker answers with `"more"`, numbers (the share that is done), an object with `failure`, or
+ * the recording.
  */
 internal object ReadingWorker {
     /** Whether this script runs in the worker. */

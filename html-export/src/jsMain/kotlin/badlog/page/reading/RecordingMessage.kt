@@ -10,8 +10,8 @@ import badlog.recording.Topic
 import badlog.recording.Value
 
 /**
- * A recording as it travels between the worker and the page: plain arrays and objects, which the browser can copy, with the
- * samples in buffers that change their owner instead of being copied.
+ * A recording as it travels between the worker and the page: plain arrays and objects, which the browser can copy, with
+ * the samples in buffers that change their owner instead of being copied.
  */
 internal object RecordingMessage {
     /** [recording] as a message. */

@@ -10,7 +10,8 @@ import badlog.recording.Recording
 import kotlin.js.Promise
 
 /**
- * Makes a recording of the pieces of base64 that a page carries. Used in the worker, or on the page where there is none.
+ * Makes a recording of the pieces of base64 that a page carries. Used in the worker, or on the page where there is
+ * none.
  *
  * @param onProgress is told every now and then which share of the bytes has been read.
  */
@@ -47,8 +48,8 @@ internal class RecordingReader(
         if (missing <= 0) return recording
         val problem = Problem(
             ProblemKind.GZIP_CUT,
-            "Of the ${bytesText(expectedBytes)} that this page should carry, ${bytesText(missing)} at the end cannot be " +
-                "read; the page may have been cut in copying.",
+            "Of the ${bytesText(expectedBytes)} that this page should carry, ${bytesText(missing)} at the end " +
+                "cannot be read; the page may have been cut in copying.",
         )
         return recording.run {
             Recording(format, headerLine, values, topics, rowCount, problems + problem)

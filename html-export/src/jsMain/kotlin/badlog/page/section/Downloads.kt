@@ -24,7 +24,6 @@ internal class Downloads(
     private val about: About,
     recording: Element,
     private val hasHeaderLine: Boolean,
-    private val onFailure: (Throwable) -> Unit,
 ) {
     private val file = EmbeddedFile(recording)
 
@@ -61,7 +60,9 @@ internal class Downloads(
         button.add("span", "", text)
         button.addEventListener("click", {
             button.setAttribute("aria-busy", "true")
-            content().then { saveFile(it, name) }.catch(onFailure).then { button.removeAttribute("aria-busy") }
+            content().then { saveFile(it, name) }
+                .catch { button.textContent = "Could not be saved: ${it.message}" }
+                .then { button.removeAttribute("aria-busy") }
         })
         return button
     }

@@ -10,8 +10,8 @@ import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.dom.showText
 import badlog.page.text.countText
-import badlog.page.text.fixedText
 import badlog.page.text.decimalsFor
+import badlog.page.text.fixedText
 import badlog.page.view.Query
 import badlog.page.view.Scene
 import org.w3c.dom.HTMLElement
@@ -63,7 +63,8 @@ internal class EventTable(private val log: EventLog, private val scene: Scene) {
         body.textContent = ""
         listed = 0
         val all = log.events.size
-        count.showText(if (found.size == all) countText(all, "event") else "${found.size} of ${countText(all, "event")}")
+        val share = if (found.size == all) "" else "${countText(found.size)} of "
+        count.showText(share + countText(all, "event"))
         listMore()
     }
 

@@ -29,6 +29,8 @@ internal class LogPage(
     private val deck = GraphDeck(scene, folders.cards)
     private val nothingFound = element("p", "nothing-found", "Nothing matches. Escape clears the search.")
 
+    private lateinit var content: HTMLElement
+
     private val tools = listOf(
         downloads.element,
         element("div", "page-settings") {
@@ -43,7 +45,7 @@ internal class LogPage(
         appendChild(zoomBar.element)
         add("div", "columns") {
             appendChild(navigation.list)
-            add("div", "content") {
+            content = add("div", "content") {
                 appendChild(nothingFound)
                 appendChild(folders.element)
                 appendChild(infoSection(view, about))
@@ -70,6 +72,8 @@ internal class LogPage(
         val hits = folders.filter(query)
         nothingFound.isHidden = query.isEmpty || !hits.isEmpty
         navigation.update()
+        // What was found begins above the screen when the page was scrolled before.
+        if (!query.isEmpty && content.getBoundingClientRect().top < 0) content.scrollIntoView()
         return hits
     }
 }

@@ -15,7 +15,10 @@ import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.pointerevents.PointerEvent
 
-/** The whole recording as a strip, with its events and the part that is visible; dragging moves that part, or chooses one. */
+/**
+ * The whole recording as a strip, with its events and the part that is visible; dragging moves that part, or chooses
+ * one.
+ */
 internal class Overview(private val scene: Scene) {
     private lateinit var marks: HTMLCanvasElement
     private lateinit var visible: HTMLElement

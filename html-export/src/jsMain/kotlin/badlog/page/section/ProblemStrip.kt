@@ -59,9 +59,20 @@ internal class ProblemStrip(private val view: LogView) {
     }
 
     private fun fill() {
-        for (severity in listOf(Severity.ERROR, Severity.WARNING, Severity.NOTE)) {
-            for (problem in view.problems) if (problem.severity == severity) list.appendChild(row(problem))
+        list.addRows(Severity.ERROR)
+        list.addRows(Severity.WARNING)
+        if (notes == view.problems.size) {
+            list.addRows(Severity.NOTE)
+        } else if (notes > 0) {
+            list.add("li").add("details", "notes") {
+                add("summary", "", countText(notes, "note"))
+                add("ul").addRows(Severity.NOTE)
+            }
         }
+    }
+
+    private fun HTMLElement.addRows(severity: Severity) {
+        for (problem in view.problems) if (problem.severity == severity) appendChild(row(problem))
     }
 
     private fun row(problem: Problem): HTMLElement = element("li", "problem") {

@@ -2,8 +2,8 @@ package badlog.page.section
 
 import badlog.page.dom.Icon
 import badlog.page.dom.add
-import badlog.page.dom.addIconButton
 import badlog.page.dom.addButton
+import badlog.page.dom.addIconButton
 import badlog.page.dom.element
 import badlog.page.dom.isDisabled
 import badlog.page.dom.isHidden
@@ -16,6 +16,7 @@ import org.w3c.dom.HTMLElement
 internal class ZoomBar(private val scene: Scene, search: HTMLElement, folderChoice: HTMLElement) {
     private val overview = Overview(scene)
     private lateinit var range: HTMLElement
+    private lateinit var width: HTMLElement
     private lateinit var cursor: HTMLElement
     private lateinit var event: HTMLElement
     private lateinit var back: HTMLElement
@@ -25,11 +26,16 @@ internal class ZoomBar(private val scene: Scene, search: HTMLElement, folderChoi
         add("div", "zoom-row") {
             appendChild(search)
             appendChild(folderChoice)
-            add("div", "readout") {
-                cursor = add("output", "cursor-readout")
-                event = add("output", "event-readout")
+            add("div", "place") {
+                add("div", "readout") {
+                    cursor = add("output", "cursor-readout")
+                    event = add("output", "event-readout")
+                }
+                add("div", "range-readout") {
+                    range = add("output", "range")
+                    width = add("output", "range-width")
+                }
             }
-            range = add("output", "range-readout")
             add("div", "zoom-buttons") {
                 addIconButton("", Icon.MINUS, "Zoom out (−)") { scaleBy(ZOOM) }.id = "zoom-out"
                 addIconButton("", Icon.PLUS, "Zoom in (+)") { scaleBy(1 / ZOOM) }.id = "zoom-in"
@@ -62,7 +68,9 @@ internal class ZoomBar(private val scene: Scene, search: HTMLElement, folderChoi
 
     private fun update() {
         val now = scene.range.now
-        range.showText("${scene.xNumber(now.from)} – ${scene.xText(now.to)}  ·  Δ ${scene.xText(now.width)}")
+        val hasSamples = scene.view.recording.rowCount > 0
+        range.showText(if (hasSamples) "${scene.xNumber(now.from)} – ${scene.xText(now.to)}" else "No samples")
+        width.showText(if (hasSamples) "Δ ${scene.xText(now.width)}" else "")
         back.isDisabled = !scene.range.canGoBack
         reset.isDisabled = !scene.range.isZoomed
         val x = scene.cursor.x

@@ -40,21 +40,20 @@ internal class Cursor(positions: DoubleArray) {
             place(times.x[times.nearest(start)])
             return
         }
-        var index = times.nearest(x)
-        // Rows that share a time stamp are one step.
-        repeat(if (count < 0) -count else count) { index = if (count > 0) after(index) else before(index) }
-        place(times.x[index])
+        var place = x
+        repeat(if (count < 0) -count else count) { place = if (count > 0) after(place) else before(place) }
+        place(place)
     }
 
-    private fun after(index: Int): Int {
-        var next = index
-        while (next < times.size - 1 && times.x[next] == times.x[index]) next++
-        return next
+    // Rows that share a time stamp are one step.
+    private fun after(place: Double): Double {
+        var next = times.firstAtOrAfter(place)
+        while (next < times.size && times.x[next] == place) next++
+        return if (next < times.size) times.x[next] else times.x.last()
     }
 
-    private fun before(index: Int): Int {
-        var next = index
-        while (next > 0 && times.x[next] == times.x[index]) next--
-        return next
+    private fun before(place: Double): Double {
+        val next = times.firstAtOrAfter(place)
+        return if (next > 0) times.x[next - 1] else times.x.first()
     }
 }

@@ -28,7 +28,4 @@ internal class EventTimeline(view: LogView) {
         while (index < events.size && events[index].x == x) index++
         return events.getOrNull(index - 1)
     }
-
-    /** How many events lie from [from] to [to]. */
-    fun count(from: Double, to: Double): Int = maxOf(0, positions.firstAtOrAfter(to) - positions.firstAtOrAfter(from))
 }

@@ -29,5 +29,9 @@ internal class Scene(val view: LogView) {
     fun xText(x: Double): String = withUnit(xNumber(x), xAxis.unit)
 
     /** The same without the unit. */
-    fun xNumber(x: Double): String = if (x.isNaN()) "–" else fixedText(x, decimalsFor(range.now.width))
+    fun xNumber(x: Double): String {
+        // Between two rows there is nothing to see that decimals could tell.
+        val decimals = if (xAxis.topic == null) 0 else decimalsFor(range.now.width)
+        return if (x.isNaN()) "–" else fixedText(x, decimals)
+    }
 }

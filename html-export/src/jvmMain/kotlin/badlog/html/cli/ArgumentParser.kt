@@ -54,12 +54,15 @@ internal class ArgumentParser {
 
         init {
             // The original's flags go on working, though nothing is left for them to do.
-            registerOption(option("-t", "--trim-doubles").flag().help("Retry parsing doubles without whitespace. Now always so."))
-            registerOption(option("-c", "--csv").flag().help("Input is CSV file. Now found out from its content."))
-            registerOption(option("-g", "--gzip").flag().help("Compress embedded CSV file. Now always so."))
+            registerPast("-t", "--trim-doubles", "Retry parsing doubles without whitespace. Now always so.")
+            registerPast("-c", "--csv", "Input is CSV file. Now found out from its content.")
+            registerPast("-g", "--gzip", "Compress embedded CSV file. Now always so.")
             versionOption(BADLOG_VERSION, names = setOf("-V", "--version"), message = { "$NAME $it" })
             context { readArgumentFile = null }
         }
+
+        private fun registerPast(short: String, long: String, text: String) =
+            registerOption(option(short, long).flag().help(text))
 
         override fun help(context: Context): String = """
             Makes a web page of each log: one that opens from disk and needs nothing else.

@@ -66,10 +66,16 @@ internal class BadlogHtml(
             if (e is ExportException.NotARecording && job.isFound) {
                 skipped++
             } else {
-                failed++
-                err.println(e.message)
+                fail(e.message)
             }
+        } catch (_: OutOfMemoryError) {
+            fail("${job.input} has a header too large for the memory at hand; set JAVA_OPTS=-Xmx2g and try again.")
         }
+    }
+
+    private fun fail(message: String?) {
+        failed++
+        err.println(message)
     }
 
     private fun saySalvaged(job: ExportJob, report: ExportReport) {
@@ -81,8 +87,11 @@ internal class BadlogHtml(
     }
 
     private fun sayWhatIsMissing() {
-        if (skipped > 0) err.println("$skipped ${if (skipped == 1) "file is no log and was" else "files are no logs and were"} skipped.")
-        if (made.isEmpty() && failed == 0) err.println("There is no page: no log was found. Name a log, or the folder it is in.")
+        if (skipped == 1) err.println("1 file is no log and was skipped.")
+        if (skipped > 1) err.println("$skipped files are no logs and were skipped.")
+        if (made.isEmpty() && failed == 0) {
+            err.println("There is no page: no log was found. Name a log, or the folder it is in.")
+        }
     }
 
     private fun openNewest(jobs: List<ExportJob>) {

@@ -184,8 +184,8 @@ class BadlogHtmlSpec : FunSpec({
         val help = run("--help")
         help.code shouldBe ExitCode.WHOLE
         val text = help.lines.joinToString("\n")
-        for (option in listOf("-t, --trim", "-c, --csv", "-g, --gzip", "-a, --attach", "-o, --open", "--out", "3 something")) {
-            text shouldContain option
+        for (part in listOf("-t, --trim", "-c, --csv", "-g, --gzip", "-a, --attach", "-o, --open", "--out", "3 some")) {
+            text shouldContain part
         }
         run("--version").lines shouldContainExactly listOf("badlog-html $BADLOG_VERSION")
     }

@@ -2,7 +2,6 @@ package badlog.page.section
 
 import badlog.page.dom.add
 import badlog.page.dom.element
-import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
@@ -29,18 +28,4 @@ internal class LoadingScreen(name: String) {
     private companion object {
         const val PATIENCE_MILLISECONDS = 300
     }
-}
-
-/** What stands on the page instead of a recording that cannot be shown. */
-internal fun failureScreen(title: String, explanation: String, tools: HTMLElement? = null): HTMLElement =
-    element("div", "screen failure") {
-        setAttribute("role", "alert")
-        add("p", "screen-title", title)
-        add("p", "screen-text", explanation)
-        if (tools != null) appendChild(tools)
-    }
-
-/** Says in the page, for whoever drives it, how far it is. */
-internal fun setPageState(state: String) {
-    document.documentElement?.setAttribute("data-state", state)
 }

@@ -1,0 +1,8 @@
+package badlog.page.section
+
+import kotlinx.browser.document
+
+/** Says in the page, for whoever drives it, how far it is. */
+internal fun setPageState(state: String) {
+    document.documentElement?.setAttribute("data-state", state)
+}
