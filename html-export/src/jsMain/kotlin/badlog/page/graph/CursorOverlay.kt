@@ -37,7 +37,7 @@ internal class CursorOverlay(
         val pixel = (x - now.from) / now.width * width
         line.style.transform = "translateX(${pixel}px)"
         dots.forEachIndexed { index, dot -> place(dot, index, x, width) }
-        val event = scene.events.nearest(x, now.width * REACH / maxOf(width, 1)) ?: return
+        val event = scene.eventAt(x) ?: return
         label.isHidden = false
         label.showText(event.text)
         label.classList.toggle("at-left", pixel > width / 2)
@@ -56,8 +56,6 @@ internal class CursorOverlay(
     }
 
     private companion object {
-        /** How many pixels away an event is still pointed at. */
-        const val REACH = 6.0
         const val GAP = 7
     }
 }

@@ -84,7 +84,8 @@ internal class LaneFigure(
         val room = right - left - 2 * MARGIN * ratio
         if (room < LETTERS * ratio) return
         val letters = (room / (LETTERS * ratio * LETTER_SHARE)).toInt()
-        val text = if (name.length > letters) name.take(maxOf(1, letters - 1)) + "…" else name
+        val fits = name.length < letters || context.measureText(name).width <= room
+        val text = if (fits) name else name.take(maxOf(1, letters - 1)) + "…"
         context.fillStyle = palette.stateText
         context.fillText(text, left + MARGIN * ratio, middle)
     }

@@ -32,9 +32,10 @@ internal class Legend(
         element.addButton("legend-entry", "", "${series.topic.name} – press to hide or show this line") {}.apply {
             setAttribute("data-series", series.name)
             setAttribute("aria-pressed", "true")
+            setAttribute("aria-label", series.name)
             add("span", "swatch line-${index % Palette.LINES}")
             add("span", "legend-name", series.name)
-            value = add("output", "value")
+            value = add("span", "value")
             if (series.unit != graph.unit) add("span", "unit", unitText(series.unit))
             addEventListener("click", {
                 isShown[index] = !isShown[index]

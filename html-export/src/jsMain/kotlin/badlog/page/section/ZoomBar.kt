@@ -78,7 +78,7 @@ internal class ZoomBar(private val scene: Scene, search: HTMLElement, folderChoi
         event.isHidden = true
         if (!scene.cursor.isPlaced) return
         cursor.showText(scene.xText(x))
-        val last = scene.events.lastBefore(x + now.width * EVENT_REACH) ?: return
+        val last = scene.eventAt(x) ?: scene.events.lastBefore(x) ?: return
         event.isHidden = false
         event.showText("${scene.xNumber(last.x)}  ${last.text}")
         event.title = last.text
@@ -87,6 +87,5 @@ internal class ZoomBar(private val scene: Scene, search: HTMLElement, folderChoi
     companion object {
         /** How much wider a step of zooming out makes what is visible. */
         const val ZOOM = 1.6
-        private const val EVENT_REACH = 0.004
     }
 }

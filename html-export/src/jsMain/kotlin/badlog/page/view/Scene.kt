@@ -1,5 +1,6 @@
 package badlog.page.view
 
+import badlog.analysis.Event
 import badlog.analysis.LogView
 import badlog.analysis.XAxis
 import badlog.page.text.decimalsFor
@@ -25,6 +26,9 @@ internal class Scene(val view: LogView) {
         range = VisibleRange(from, to)
     }
 
+    /** The event that is pointed at when the cursor is at [x], or null. */
+    fun eventAt(x: Double): Event? = events.nearest(x, range.now.width * REACH)
+
     /** A place on the x axis as text, as exact as the screen is, with the unit of x. */
     fun xText(x: Double): String = withUnit(xNumber(x), xAxis.unit)
 
@@ -33,5 +37,10 @@ internal class Scene(val view: LogView) {
         // Between two rows there is nothing to see that decimals could tell.
         val decimals = if (xAxis.topic == null) 0 else decimalsFor(range.now.width)
         return if (x.isNaN()) "–" else fixedText(x, decimals)
+    }
+
+    private companion object {
+        /** Which part of the screen's width may lie between the cursor and what it points at. */
+        const val REACH = 0.008
     }
 }

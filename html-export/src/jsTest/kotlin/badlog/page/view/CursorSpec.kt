@@ -1,0 +1,21 @@
+package badlog.page.view
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+
+class CursorSpec : FunSpec({
+    test("steps from sample to sample, over rows that share a time") {
+        val cursor = Cursor(doubleArrayOf(0.0, 1.0, 1.0, Double.NaN, 2.0, 3.0))
+        cursor.step(1, 0.9)
+        cursor.x shouldBe 1.0
+        cursor.step(1, 0.0)
+        cursor.x shouldBe 2.0
+        cursor.step(-1, 0.0)
+        cursor.x shouldBe 1.0
+        cursor.step(10, 0.0)
+        cursor.x shouldBe 3.0
+        cursor.place(1.5)
+        cursor.step(-1, 0.0)
+        cursor.x shouldBe 1.0
+    }
+})
