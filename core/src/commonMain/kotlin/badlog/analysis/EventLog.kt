@@ -16,11 +16,12 @@ public class EventLog internal constructor(public val topic: Topic, private val 
     public val title: String get() = PathName.baseNameOf(topic.name)
 
     /** Each text cell of the topic; numbers and empty cells are no events. */
-    public val events: List<Event> by lazy(LazyThreadSafetyMode.NONE) {
-        val texts = topic.texts
-        List(texts.size) { i ->
-            val row = texts.rows[i]
-            Event(xAxis.positions.getOrElse(row) { Double.NaN }, row, texts[i])
+    public val events: List<Event> = object : AbstractList<Event>() {
+        override val size: Int get() = topic.texts.size
+
+        override fun get(index: Int): Event {
+            val row = topic.texts.rows[index]
+            return Event(xAxis.positions.getOrElse(row) { Double.NaN }, row, topic.texts[index])
         }
     }
 }

@@ -18,5 +18,5 @@ public class GraphSeries internal constructor(
     compute: () -> Series,
 ) {
     /** Its samples, computed when they are first asked for. */
-    public val data: Series by lazy(LazyThreadSafetyMode.NONE, compute)
+    public val data: Series by lazy(compute)
 }

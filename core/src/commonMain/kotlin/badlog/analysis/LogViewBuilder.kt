@@ -11,8 +11,10 @@ import badlog.recording.Value
 /** Makes a [LogView]: applies the attributes, finds the x axis, then lays out graphs and event logs by folder. */
 internal class LogViewBuilder(private val recording: Recording, private val registry: AttributeRegistry) {
     private val problems = ArrayList<Problem>()
-    private val graphs = LinkedHashMap<String, GraphDraft>()
+    private val graphs = ArrayList<GraphDraft>()
+    private val graphOfName = HashMap<String, GraphDraft>()
     private val eventLogs = ArrayList<EventLog>()
+    private val topicNames = recording.topics.mapTo(HashSet()) { it.name }
 
     private class GraphDraft(
         val name: String,
@@ -30,12 +32,12 @@ internal class LogViewBuilder(private val recording: Recording, private val regi
         val xAxis = findXAxis(plans)
         for (plan in plans) addOwn(plan, xAxis)
         // After all others, so that a graph's name is known to be a topic's before anything joins it.
-        for (plan in plans) for (graph in plan.joins) join(plan, graph, plans, xAxis)
+        for (plan in plans) for (graph in plan.joins) join(plan, graph, xAxis)
         return LogView(
             recording = recording,
             title = matchTitle(recording.values),
             xAxis = xAxis,
-            folders = folders(recording.values, eventLogs, graphs.values.map { it.toGraph() }),
+            folders = folders(recording.values, eventLogs, graphs.map { it.toGraph() }),
             problems = recording.problems + problems,
         )
     }
@@ -125,8 +127,8 @@ internal class LogViewBuilder(private val recording: Recording, private val regi
             return
         }
         if (!plan.isHidden) {
-            graphs[topic.name] = GraphDraft(topic.name, topic.unit, false, plan.isFilled, plan.includesZero)
-                .also { it.series += seriesOf(topic, xAxis) }
+            addGraph(GraphDraft(topic.name, topic.unit, false, plan.isFilled, plan.includesZero))
+                .series += seriesOf(topic, xAxis)
         }
         for (derivation in plan.derivations) {
             if (!plan.isNumeric && topic.kind != TopicKind.EMPTY) {
@@ -137,25 +139,36 @@ internal class LogViewBuilder(private val recording: Recording, private val regi
                 continue
             }
             val unit = derivation.unit(topic.unit, xAxis.unit)
-            val draft = GraphDraft(derivation.name, unit, isVirtual = true)
-            draft.series += GraphSeries(PathName.baseNameOf(derivation.name), unit, topic, null) {
-                derivation.series(samplesOf(topic, xAxis))
-            }
-            // A topic may bear the name that a derived graph would get; both are shown.
-            graphs[if (derivation.name in graphs) "[${derivation.name}]" else derivation.name] = draft
+            val name = freeName(derivation.name)
+            addGraph(GraphDraft(name, unit, isVirtual = true)).series +=
+                GraphSeries(PathName.baseNameOf(name), unit, topic, null) { derivation.series(samplesOf(topic, xAxis)) }
         }
     }
 
-    private fun join(plan: TopicPlan, name: String, plans: List<TopicPlan>, xAxis: XAxis) {
+    private fun addGraph(draft: GraphDraft): GraphDraft {
+        graphs += draft
+        graphOfName[draft.name] = draft
+        return draft
+    }
+
+    /** A topic, or another derived graph, may bear the name that a derived one would get; both are shown. */
+    private fun freeName(wanted: String): String {
+        var name = wanted
+        var copy = 2
+        while (name in topicNames || name in graphOfName) name = "$wanted (${copy++})"
+        return name
+    }
+
+    private fun join(plan: TopicPlan, name: String, xAxis: XAxis) {
         val topic = plan.topic
         if (plan.isEventLog || topic.kind == TopicKind.STATE) {
             plan.report(ProblemKind.UNFIT_ATTRIBUTE, "“${topic.name}” holds texts and cannot join the graph “$name”.")
             return
         }
-        if (plans.any { it.topic.name == name }) {
+        if (name in topicNames) {
             plan.report(ProblemKind.UNUSUAL_JOIN, "“${topic.name}” joins “$name”, which is the graph of a topic.")
         }
-        val graph = graphs.getOrPut(name) { GraphDraft(name, topic.unit, isVirtual = true) }
+        val graph = graphOfName[name] ?: addGraph(GraphDraft(name, topic.unit, isVirtual = true))
         val series = GraphSeries(PathName.baseNameOf(topic.name), topic.unit, topic, null) { samplesOf(topic, xAxis) }
         if (graph.unit != topic.unit) {
             plan.report(

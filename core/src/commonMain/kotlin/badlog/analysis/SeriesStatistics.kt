@@ -45,7 +45,10 @@ public fun Series.statistics(
     var mean = 0.0
     var squares = 0.0
     for (i in 0 until size) {
-        if (x[i] !in from..to) continue
+        if (x[i] !in from..to) {
+            area.interrupt()
+            continue
+        }
         val value = y[i]
         area.add(x[i], value)
         if (!value.isFinite()) {

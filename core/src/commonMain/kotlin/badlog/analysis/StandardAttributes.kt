@@ -4,18 +4,18 @@ import badlog.recording.ProblemKind
 
 /** The attributes of `docs/bag-format.md`, in the order of its table. */
 internal val STANDARD_ATTRIBUTES: List<Attribute> = listOf(
-    attribute("hide") { topic, _ -> topic.hide() },
-    attribute("log") { topic, _ -> topic.showAsEventLog() },
-    attribute("area") { topic, _ -> topic.fill() },
-    attribute("zero") { topic, _ -> topic.includeZero() },
-    attribute("xaxis") { topic, _ -> topic.useAsX() },
-    attribute("delta") { topic, _ ->
+    attribute("hide") { topic -> topic.hide() },
+    attribute("log") { topic -> topic.showAsEventLog() },
+    attribute("area") { topic -> topic.fill() },
+    attribute("zero") { topic -> topic.includeZero() },
+    attribute("xaxis") { topic -> topic.useAsX() },
+    attribute("delta") { topic ->
         topic.derive("Delta", unit = { unit, _ -> unit }, series = { it.delta() })
     },
-    attribute("differentiate") { topic, _ ->
+    attribute("differentiate") { topic ->
         topic.derive("Derivative", unit = Units::ofDerivative, series = { it.derivative() })
     },
-    attribute("integrate") { topic, _ ->
+    attribute("integrate") { topic ->
         topic.derive("Integral", unit = Units::ofIntegral, series = { it.integral() })
         if (topic.hasGaps) {
             topic.report(
@@ -24,7 +24,7 @@ internal val STANDARD_ATTRIBUTES: List<Attribute> = listOf(
             )
         }
     },
-    attribute("join") { topic, argument ->
+    attributeWithArgument("join") { topic, argument ->
         if (argument.isNullOrBlank()) {
             topic.report(ProblemKind.UNFIT_ATTRIBUTE, "“join” needs the name of a graph, as in join:Power/Currents.")
         } else {
@@ -33,7 +33,14 @@ internal val STANDARD_ATTRIBUTES: List<Attribute> = listOf(
     },
 )
 
-private fun attribute(name: String, effect: (TopicPlan, String?) -> Unit): Attribute = object : Attribute {
+private fun attribute(name: String, effect: (TopicPlan) -> Unit): Attribute = attributeWithArgument(name) { topic, argument ->
+    if (argument != null) {
+        topic.report(ProblemKind.UNFIT_ATTRIBUTE, "“$name” takes nothing after a colon; “:$argument” was ignored.")
+    }
+    effect(topic)
+}
+
+private fun attributeWithArgument(name: String, effect: (TopicPlan, String?) -> Unit): Attribute = object : Attribute {
     override val name: String get() = name
 
     override fun apply(topic: TopicPlan, argument: String?) = effect(topic, argument)

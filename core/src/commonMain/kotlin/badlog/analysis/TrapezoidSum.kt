@@ -26,4 +26,9 @@ internal class TrapezoidSum {
         lastX = x
         lastY = y
     }
+
+    /** Says that samples are left out here, so that those before and after are no neighbours. */
+    fun interrupt() {
+        lastX = Double.NaN
+    }
 }

@@ -26,7 +26,7 @@ public class BagParser(
     private val header = HeaderReader(pending, decoder, problems)
     private var rows: RowReader? = null
     private var waitsForLineEnd = false
-    private var holeBytes = 0
+    private var holeBytes = 0L
 
     /** How many rows have been read so far. */
     public val rowCount: Int get() = rows?.rowCount ?: 0
@@ -93,14 +93,14 @@ public class BagParser(
         while (at < pending.end && pending.bytes[at].toInt() == NUL) at++
         holeBytes += at - pending.start
         pending.advanceTo(at)
-        if (holeBytes == 0) return true
+        if (holeBytes == 0L) return true
         if (at == pending.end && !isEnd) return false
         problems.add(
             ProblemKind.NUL_HOLE,
             "$holeBytes NUL bytes stand where data should be, as after a loss of power; what was there is lost.",
             pending.line,
         )
-        holeBytes = 0
+        holeBytes = 0L
         pending.holeLine = pending.line
         return true
     }
@@ -129,6 +129,7 @@ public class BagParser(
     }
 
     private companion object {
-        const val LONGEST_WAIT = 1 shl 20
+        /** A line without an end is looked at again only when it is longer than any line may be. */
+        const val LONGEST_WAIT = 1 shl 24
     }
 }

@@ -29,6 +29,8 @@ internal class ColumnBuilder(
     private var truthCount = 0
     private var textCount = 0
     private var emptyCount = 0
+    private var gapCount = 0
+    private var lastGapRow = -2
 
     /** The first text met, as a reader would quote it, and the line it stands on. */
     var firstText: String? = null
@@ -60,7 +62,7 @@ internal class ColumnBuilder(
 
     fun addEmpty(row: Int) {
         emptyCount++
-        addNumber(row, Double.NaN)
+        addGap(row)
     }
 
     fun addDecimalComma(row: Int, number: Double, line: Int) {
@@ -69,14 +71,24 @@ internal class ColumnBuilder(
     }
 
     fun addText(row: Int, bytes: ByteArray, from: Int, until: Int, line: Int) {
-        addNumber(row, Double.NaN)
+        addGap(row)
         lastTextRow = row
         lastTextSize = until - from
-        if (keepsSamples) keepText(row, bytes, from, until, line)
+        if (keepsSamples) {
+            keepText(row, bytes, from, until, line)
+        } else if (notUtf8Line == 0 && !decoder.isUtf8(bytes, from, until)) {
+            notUtf8Line = line
+        }
         if (textCount++ == 0) {
             firstText = decoder.excerpt(bytes, from, until, QUOTED_BYTES)
             firstTextLine = line
         }
+    }
+
+    private fun addGap(row: Int) {
+        if (row != lastGapRow + 1) gapCount++
+        lastGapRow = row
+        addNumber(row, Double.NaN)
     }
 
     private fun keepText(row: Int, bytes: ByteArray, from: Int, until: Int, line: Int) {
@@ -136,6 +148,7 @@ internal class ColumnBuilder(
             truthValues = truthCount,
             texts = textCount,
             empty = emptyCount,
+            gaps = gapCount,
         )
         return Topic(name, unit, attributes, samples, column ?: TextColumn.EMPTY, counts)
     }

@@ -41,11 +41,13 @@ internal class HeaderColumns private constructor(
 
         private fun uniqueNames(titles: List<String>, line: Int, problems: ProblemList): List<String> {
             val taken = HashSet<String>()
+            val copies = HashMap<String, Int>()
             return titles.mapIndexed { index, title ->
                 val wanted = title.ifEmpty { "Column ${index + 1}" }
                 var name = wanted
-                var copy = 2
+                var copy = copies[wanted] ?: 2
                 while (!taken.add(name)) name = "$wanted (${copy++})"
+                copies[wanted] = copy
                 if (name != wanted) {
                     problems.add(
                         ProblemKind.DUPLICATE_TOPIC,

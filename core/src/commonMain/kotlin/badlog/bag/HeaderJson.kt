@@ -3,39 +3,12 @@ package badlog.bag
 import badlog.recording.Value
 
 /**
- * Reads line 1 of a bag. Keys that are missing read as nothing, keys of another type than expected as their JSON text.
- *
- * Each platform brings the JSON parser that costs least there: kotlinx-serialization on the JVM, the engine's own in
- * JavaScript, where the library would be two thirds of an exported page's script.
+ * Reads line 1 of a bag. Keys that are missing read as nothing, values of another type than expected as their JSON text; of
+ * two equal keys the last counts.
  *
  * @return the header, or null when [line] is not one whole JSON object.
  */
-public fun readHeader(line: String): BagHeader? = parseJsonObject(line)?.let(::headerOf)
-
-/** The JSON object that [text] is, member by member in order, or null when it is none. */
-internal expect fun parseJsonObject(text: String): List<JsonMember>?
-
-/**
- * One member of a JSON object.
- *
- * @property json the member's value as JSON text.
- * @property text the member's value where it is a string, else null.
- * @property items the items where the value is an array, else null.
- */
-internal class JsonMember(
-    val key: String,
-    val json: String,
-    val text: String?,
-    val items: List<JsonItem>?,
-)
-
-/**
- * One item of a JSON array.
- *
- * @property text the string that it is, or the JSON text of anything else.
- * @property members the members where it is an object, else null.
- */
-internal class JsonItem(val text: String, val members: List<JsonMember>?)
+public fun readHeader(line: String): BagHeader? = JsonReader.readObject(line)?.let(::headerOf)
 
 private fun headerOf(members: List<JsonMember>): BagHeader = BagHeader(
     topics = members.objects("topics").map(::topicOf),
@@ -46,7 +19,7 @@ private fun headerOf(members: List<JsonMember>): BagHeader = BagHeader(
 private fun topicOf(members: List<JsonMember>) = BagTopic(
     name = members.text("name") ?: "",
     unit = members.text("unit") ?: "ul",
-    attributes = members.find { it.key == "attrs" }?.items?.map { it.text } ?: emptyList(),
+    attributes = members.value("attrs")?.items.orEmpty().map { it.text ?: it.json },
     unknown = members.without("name", "unit", "attrs"),
 )
 
@@ -55,11 +28,13 @@ private fun valueOf(members: List<JsonMember>) = BagValue(
     unknown = members.without("name", "value"),
 )
 
+private fun List<JsonMember>.value(key: String): JsonValue? = findLast { it.key == key }?.value
+
 private fun List<JsonMember>.objects(key: String): List<List<JsonMember>> =
-    find { it.key == key }?.items.orEmpty().mapNotNull { it.members }
+    value(key)?.items.orEmpty().mapNotNull { it.members }
 
 private fun List<JsonMember>.text(key: String): String? =
-    find { it.key == key }?.let { member -> if (member.json == "null") null else member.text ?: member.json }
+    value(key)?.let { value -> value.text ?: value.json.takeIf { it != "null" } }
 
 private fun List<JsonMember>.without(vararg known: String): Map<String, String> =
-    filter { it.key !in known }.associate { it.key to it.json }
+    filter { it.key !in known }.associate { it.key to it.value.json }

@@ -49,16 +49,25 @@ internal class HeaderReader(
             FileSignature.WPILOG -> return refuse("This is a WPILOG file; this version of badlog reads bags and CSV.")
             FileSignature.OTHER -> stage = Stage.FIRST_LINE
         }
+        if (seen.size >= 2 && (startsWith(seen, 0xFF, 0xFE) || startsWith(seen, 0xFE, 0xFF))) {
+            return refuse("The file is UTF-16, as Excel's “Unicode text” is; save it again as CSV UTF-8.")
+        }
         val hasMark = seen.size >= BYTE_ORDER_MARK.size && BYTE_ORDER_MARK.indices.all { seen[it] == BYTE_ORDER_MARK[it] }
         if (!hasMark) return start
         problems.add(ProblemKind.BYTE_ORDER_MARK, "The file begins with a byte order mark, which was skipped.", 1)
         return start + BYTE_ORDER_MARK.size
     }
 
+    private fun startsWith(bytes: ByteArray, first: Int, second: Int) =
+        bytes[0] == first.toByte() && bytes[1] == second.toByte()
+
     private fun readLine(isEnd: Boolean, take: (lineEnd: Int, next: Int) -> Int): Int {
         val bytes = pending.bytes
         val lineEnd = lineEndIn(bytes, pending.start, pending.end)
-        if (isBinary(pending.start, lineEnd) || lineEnd - pending.start > LONGEST_LINE) return refuse(BINARY)
+        // In a bag that its first line has told, a stray control character is no reason to lose everything.
+        val mayBeBinary = header == null && (lineEnd == pending.start || bytes[pending.start].toInt() != BRACE)
+        if (mayBeBinary && isBinary(pending.start, lineEnd)) return refuse(BINARY)
+        if (lineEnd - pending.start > LONGEST_LINE) return refuse(BINARY)
         if (lineEnd == pending.end && !isEnd) return RowScanner.INCOMPLETE
         val next = afterLineEnd(bytes, lineEnd, pending.end, isEnd)
         if (next == RowScanner.INCOMPLETE) return next
@@ -93,6 +102,7 @@ internal class HeaderReader(
         if (!isRestOfJson) {
             stage = Stage.DONE
             val titles = titles(lineEnd)
+            if (header == null && titles.size == 1) otherSeparator(titles[0])?.let { return refuse(it) }
             val names = header?.topics.orEmpty().map { it.name }
             // The line of JSON knows the topics better than a line of titles that is cut, or that a hole has taken.
             val isRow = pending.holeLine > 0 && names.isNotEmpty() && titles.none { it in names }
@@ -102,6 +112,12 @@ internal class HeaderReader(
         }
         if (!isCut) pending.line++
         return next
+    }
+
+    private fun otherSeparator(title: String): String? = when {
+        ';' in title -> "The columns are separated by semicolons; save the file again as CSV with commas."
+        '\t' in title -> "The columns are separated by tabs; save the file again as CSV with commas."
+        else -> null
     }
 
     private fun titles(lineEnd: Int): List<String> {

@@ -142,14 +142,20 @@ internal class RowRepair(
     /** A text cell that a raw newline has torn: the pieces fit together when they have the right number of cells. */
     private fun joinedLines(bytes: ByteArray, from: Int, end: Int, next: Int, until: Int, isEnd: Boolean): Int {
         var start = next
+        // Without quotes the commas tell the number of cells, and nothing has to be split again and again.
+        var commas = bytes.count(COMMA, from, end)
+        var quotes = bytes.count(QUOTE, from, end)
         for (lines in 2..MOST_LINES) {
             val pieceEnd = lineEndIn(bytes, start, until)
             if (pieceEnd - from > MOST_BYTES) return NOT_SO
             if (pieceEnd == until && !isEnd) return RowScanner.INCOMPLETE
             if (start == until || pieceEnd < until && bytes[pieceEnd].toInt() == NUL) return NOT_SO
             if (isCompleteRow(bytes, start, pieceEnd)) return NOT_SO
-            val count = splitter.split(bytes, from, pieceEnd, Quotes.LENIENT)
-            if (count > cells.columns || splitter.isOpen) return NOT_SO
+            commas += bytes.count(COMMA, start, pieceEnd)
+            quotes += bytes.count(QUOTE, start, pieceEnd)
+            val isSplit = quotes > 0 || commas + 1 >= cells.columns
+            val count = if (isSplit) splitter.split(bytes, from, pieceEnd, Quotes.LENIENT) else commas + 1
+            if (isSplit && (count > cells.columns || splitter.isOpen)) return NOT_SO
             val after = afterLineEnd(bytes, pieceEnd, until, isEnd)
             if (after == RowScanner.INCOMPLETE) return after
             if (count == cells.columns) {
@@ -320,6 +326,12 @@ internal class RowRepair(
 
     private fun quotation(bytes: ByteArray, from: Int, until: Int): String {
         return "“${decoder.excerpt(bytes, from, until, QUOTED_BYTES)}”"
+    }
+
+    private fun ByteArray.count(byte: Int, from: Int, until: Int): Int {
+        var count = 0
+        for (i in from until until) if (this[i].toInt() == byte) count++
+        return count
     }
 
     private companion object {

@@ -30,12 +30,16 @@ public class RowWriter {
         cells = 0
     }
 
-    /** Writes the two header lines. The topics' order is that of the cells of every row. */
+    /**
+     * Writes the two header lines. The topics' order is that of the cells of every row. A newline in a topic's name, which
+     * would break the line of titles, becomes a space.
+     */
     public fun header(header: BagHeader): RowWriter {
-        encode(headerText(header), quotesDoubled = false)
+        val topics = header.topics.map { it.copy(name = it.name.replace('\n', ' ').replace('\r', ' ')) }
+        encode(headerText(header.copy(topics = topics)), quotesDoubled = false)
         put(LF)
         rowStart = size
-        for (topic in header.topics) text(topic.name)
+        for (topic in topics) text(topic.name)
         return endRow()
     }
 

@@ -16,6 +16,17 @@ internal class TextDecoder {
         }
     }
 
+    /** Whether the bytes are UTF-8; told without an object where they are ASCII. */
+    fun isUtf8(bytes: ByteArray, from: Int, until: Int): Boolean {
+        for (i in from until until) {
+            if (bytes[i] < 0) {
+                decode(bytes, i, until)
+                return !wasNotUtf8
+            }
+        }
+        return true
+    }
+
     /** The first [most] bytes of a text, for a message; a text that goes on ends in an ellipsis. */
     fun excerpt(bytes: ByteArray, from: Int, until: Int, most: Int): String {
         if (until - from <= most) return decode(bytes, from, until)

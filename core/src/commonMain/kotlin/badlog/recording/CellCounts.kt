@@ -1,13 +1,14 @@
 package badlog.recording
 
 /**
- * How many cells of a topic held what. The five add up to the number of rows, so every cell is accounted for.
+ * How many cells of a topic held what. The first five add up to the number of rows, so every cell is accounted for.
  *
  * @property numbers finite numbers.
  * @property notFinite `NaN` and infinities that were written as such.
  * @property truthValues `true` and `false`.
  * @property texts any other text.
  * @property empty nothing, `null`, or a cell that its row lacks.
+ * @property gaps into how many runs of neighbouring rows the cells without a number fall.
  */
 public data class CellCounts(
     public val numbers: Int,
@@ -15,6 +16,7 @@ public data class CellCounts(
     public val truthValues: Int,
     public val texts: Int,
     public val empty: Int,
+    public val gaps: Int,
 ) {
     /** The number of rows. */
     public val total: Int get() = numbers + notFinite + truthValues + texts + empty

@@ -23,14 +23,22 @@ public class Topic(
     public val kind: TopicKind = kindOf(counts)
 
     /**
-     * Whether fewer than half of the rows have a number. Such a topic is sampled at times of its own, as in a CSV file made
-     * from a log of changes: its empty cells are no gaps, there just was no sample.
+     * Whether fewer than half of the rows have a number, and those mostly stand alone. Such a topic is sampled at times of its
+     * own, as in a CSV file made from a log of changes: its empty cells are no gaps, there just was no sample.
      */
-    public val isSparse: Boolean get() = (counts.empty + counts.texts) * 2L > counts.total
+    public val isSparse: Boolean
+        get() {
+            val withoutNumber = counts.empty.toLong() + counts.texts
+            val withNumber = counts.total - withoutNumber
+            return withoutNumber > withNumber && withNumber < ALONE * counts.gaps
+        }
 
     public companion object {
         /** The unit of a topic that has none. */
         public const val UNITLESS: String = "ul"
+
+        /** On average so many numbers between two gaps still count as standing alone. */
+        private const val ALONE = 2L
 
         internal fun kindOf(counts: CellCounts): TopicKind {
             val numeric = counts.numbers + counts.notFinite + counts.truthValues

@@ -146,9 +146,23 @@ class LogViewSpec : FunSpec({
         view.graph("[ Slow Derivative ]").series.single().data.y.toList() shouldBe listOf(1.0)
     }
 
+    test("a topic with long gaps is not sparse: nothing is drawn over them, however long they are") {
+        val rows = List(20) { listOf(it.toDouble(), if (it in 5..8 || it in 15..17) 1.0 else null) }
+        val series = view(TIME, topic("Target"), rows = rows).graph("Target").series.single().data
+        series.size shouldBe 20
+        series.y.count { it.isNaN() } shouldBe 13
+    }
+
     test("an integral over gaps is noted") {
         val rows = listOf(listOf(0.0, 1.0), listOf(1.0, null), listOf(2.0, 1.0))
         view(TIME, topic("A", "integrate"), rows = rows).kinds() shouldContain ProblemKind.INTEGRAL_OVER_GAPS
+    }
+
+    test("a derived graph whose name a topic bears, or another derived graph, is shown beside it") {
+        val view = view(TIME, topic("A", "differentiate"), topic("A Derivative"), topic("B", "delta", "delta:1"))
+        view.graphs.map { it.title } shouldBe
+            listOf("A", "[ A Derivative (2) ]", "A Derivative", "B", "[ B Delta ]", "[ B Delta (2) ]")
+        view.kinds() shouldBe listOf(ProblemKind.UNFIT_ATTRIBUTE)
     }
 
     test("unknown and double attributes are noted, empty ones ignored") {

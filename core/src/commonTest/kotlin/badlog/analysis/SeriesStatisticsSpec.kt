@@ -37,6 +37,11 @@ class SeriesStatisticsSpec : FunSpec({
         statistics.last shouldBe 5.0
     }
 
+    test("samples that are neighbours only because x left the range between them have no area") {
+        val there = Series(doubleArrayOf(0.0, 1.0, 2.0, 10.0, 3.0, 4.0), DoubleArray(6) { 1.0 })
+        there.statistics(0.0, 5.0).integral shouldBe 3.0
+    }
+
     test("a range without values has no figures, and throws nothing") {
         for (statistics in listOf(series.statistics(1.5, 2.5), series.statistics(10.0, 20.0), series.statistics(3.0, 1.0))) {
             statistics.count shouldBe 0

@@ -9,6 +9,7 @@ import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.doubles.shouldBeNaN
 import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
 
 class BagParserSpec : FunSpec({
     test("a bag's values, topics, numbers, texts and states are read as they stand") {
@@ -37,11 +38,13 @@ class BagParserSpec : FunSpec({
     }
 
     test("counting without keeping samples finds the same topics, counts and problems") {
-        val kept = parse(VARIED_BAG)
+        val bytes = VARIED_BAG.encodeToByteArray() + "0.2,1,".encodeToByteArray() + byteArrayOf(-28, 10) + "0.4\n".encodeToByteArray()
+        val kept = parse(bytes)
         val counted = BagParser(keepSamples = false).run {
-            accept(VARIED_BAG.encodeToByteArray())
+            accept(bytes)
             finish()
         }
+        kept.problems.map { it.kind } shouldContain ProblemKind.NOT_UTF8
         counted.topics.map { it.name to it.counts } shouldBe kept.topics.map { it.name to it.counts }
         counted.problems shouldBe kept.problems
     }
@@ -85,6 +88,22 @@ class BagParserSpec : FunSpec({
     test("compressed bytes and a WPILOG say what they are") {
         parse(byteArrayOf(0x1f, 0x8b.toByte(), 8, 0, 0, 0, 0)).isReadable shouldBe false
         parse("WPILOG\u0000\u0001\u0000\u0000\u0000\u0000").problems.first().kind shouldBe ProblemKind.NOT_A_RECORDING
+    }
+
+    test("what spreadsheets write instead of CSV is told, with what to do") {
+        parse("a;b\n1,5;2\n").problems.last().message shouldContain "semicolons"
+        parse("a\tb\nx\ty\n").problems.last().message shouldContain "tabs"
+        parse(byteArrayOf(-1, -2) + "abcdef".encodeToByteArray()).problems.last().message shouldContain "UTF-16"
+    }
+
+    test("a control character in a value does not lose the file") {
+        val recording = parse("{\"values\":[{\"name\":\"v\",\"value\":\"\u001b[1m\"}]}\na,b\n1,2\n")
+        recording.values.single().text shouldBe "\u001b[1m"
+        recording.rowCount shouldBe 1
+    }
+
+    test("40,000 equal names are told apart in a time that grows with their number") {
+        parse(List(40_000) { "a" }.joinToString(",") + "\n").topics.last().name shouldBe "a (40000)"
     }
 
     test("a row of ordinary numbers reports nothing") {

@@ -28,18 +28,21 @@ internal fun describe(recording: Recording): String = buildString {
     for (problem in recording.problems) appendLine(problem)
 }
 
-/** A small bag that has a bit of everything: numbers, gaps, quoted texts with commas, newlines and quotes, true and false. */
-internal val VARIED_BAG: String = """
+/** The two header lines of [VARIED_BAG]. */
+internal val VARIED_HEADER: String = """
     {"topics":[{"name":"Time","unit":"s","attrs":["xaxis","hide"]},{"name":"Arm/Angle","unit":"deg","attrs":[]},
     {"name":"Log","unit":"ul","attrs":["log"]},{"name":"Enabled","unit":"ul","attrs":[]}],"values":[{"name":"Match","value":"8"}]}
-""".trimIndent().replace("\n", "") + "\n" + """
-    Time,Arm/Angle,Log,Enabled
-    0.0000,12.346,,false
-    0.020000,-1.2346e+05,"armed, ready",false
-    0.040000,,"said ""go""
-    twice",true
-    0.060000,1.0000e-05,,true
-    0.080000,NaN,Ω ready,true
-    0.10000,99.000,,true
+""".trimIndent().replace("\n", "") + "\nTime,Arm/Angle,Log,Enabled\n"
 
-""".trimIndent()
+/** The rows of [VARIED_BAG]. */
+internal val VARIED_ROWS: List<String> = listOf(
+    "0.0000,12.346,,false\n",
+    "0.020000,-1.2346e+05,\"armed, ready\",false\n",
+    "0.040000,,\"said \"\"go\"\"\ntwice\",true\n",
+    "0.060000,1.0000e-05,,true\n",
+    "0.080000,NaN,Ω ready,true\n",
+    "0.10000,99.000,,true\n",
+)
+
+/** A small bag that has a bit of everything: numbers, gaps, quoted texts with commas, newlines and quotes, true and false. */
+internal val VARIED_BAG: String = VARIED_HEADER + VARIED_ROWS.joinToString("")

@@ -4,8 +4,14 @@ import badlog.recording.Value
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb
+import io.kotest.property.arbitrary.boolean
+import io.kotest.property.arbitrary.double
 import io.kotest.property.arbitrary.string
 import io.kotest.property.checkAll
+import kotlinx.serialization.json.add
+import kotlinx.serialization.json.buildJsonObject
+import kotlinx.serialization.json.put
+import kotlinx.serialization.json.putJsonArray
 
 class HeaderJsonSpec : FunSpec({
     test("keys may come in any order, and missing units and attributes read as none") {
@@ -31,8 +37,29 @@ class HeaderJsonSpec : FunSpec({
     }
 
     test("what is cut or is no object is no header") {
-        for (line in listOf("", "{", """{"topics":[{"name":"A"""", "[]", "8", "null", "nonsense", "{} {}")) {
+        for (line in listOf("", "{", """{"topics":[{"name":"A"""", "[]", "8", "null", "nonsense", "{} {}", "{\"a\":01}", "{\"a\":V}", "{\"a\":1,}", "{a:1}", "{\"a\":\"\\x\"}")) {
             readHeader(line) shouldBe null
+        }
+    }
+
+    test("numbers keep their digits, whatever the platform's own numbers hold") {
+        val line = """{"topics":[],"values":[{"name":"a","value":0.10},{"name":"b","value":12345678901234567890}],"id":1e400}"""
+        val header = readHeader(line)!!
+        header.values.map { it.value.text } shouldBe listOf("0.10", "12345678901234567890")
+        header.unknown shouldBe mapOf("id" to "1e400")
+    }
+
+    test("what the JSON library writes is read as the library reads it") {
+        checkAll(500, Arb.string(0..30), Arb.double(), Arb.boolean()) { text, number, truth ->
+            val json = buildJsonObject {
+                put("text", text)
+                if (number.isFinite()) put("number", number)
+                putJsonArray("array") { add(truth); add(text) }
+            }.toString()
+            val members = JsonReader.readObject(json)!!.associate { it.key to it.value }
+            members.getValue("text").text shouldBe text
+            members["number"]?.json?.toDouble() shouldBe (if (number.isFinite()) number else null)
+            members.getValue("array").items!!.map { it.text ?: it.json } shouldBe listOf(truth.toString(), text)
         }
     }
 

@@ -24,6 +24,12 @@ class RowWriterSpec : FunSpec({
             "Time,\"Log, all\"\n0.020000,\"armed, ready\"\n-3.0000,\n"
     }
 
+    test("a newline in a topic's name becomes a space, in both header lines") {
+        val header = BagHeader(listOf(BagTopic("a\nb"), BagTopic("c")))
+        val recording = parse(RowWriter().header(header).number(1.0).number(2.0).endRow().written())
+        recording.topics.map { it.name } shouldBe listOf("a b", "c")
+    }
+
     test("a cleared writer starts anew") {
         val writer = RowWriter().number(1.0)
         writer.clear()

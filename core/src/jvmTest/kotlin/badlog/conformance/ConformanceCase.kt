@@ -63,6 +63,7 @@ internal fun topic(
         truthValues = cells.count { it is Boolean },
         texts = cells.count { it is String },
         empty = cells.count { it == null },
+        gaps = cells.indices.count { isGap(cells[it]) && (it == 0 || !isGap(cells[it - 1])) },
     ),
     samples = cells.map { cell ->
         when (cell) {
@@ -88,3 +89,5 @@ internal infix fun ExpectedProblem.of(topic: String) = copy(topic = topic)
 
 /** A problem of the whole file. */
 internal val ProblemKind.anywhere: ExpectedProblem get() = ExpectedProblem(this)
+
+private fun isGap(cell: Any?) = cell == null || cell is String

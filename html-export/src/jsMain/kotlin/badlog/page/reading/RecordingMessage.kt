@@ -66,7 +66,7 @@ internal object RecordingMessage {
         message.rows = topic.texts.rows
         message.ids = topic.texts.ids
         message.dictionary = topic.texts.dictionary.toTypedArray()
-        message.counts = topic.counts.run { intArrayOf(numbers, notFinite, truthValues, texts, empty) }
+        message.counts = topic.counts.run { intArrayOf(numbers, notFinite, truthValues, texts, empty, gaps) }
         return message
     }
 
@@ -82,7 +82,7 @@ internal object RecordingMessage {
                 message.ids.unsafeCast<IntArray>(),
                 message.dictionary.unsafeCast<Array<String>>().asList(),
             ),
-            counts = CellCounts(counts[0], counts[1], counts[2], counts[3], counts[4]),
+            counts = CellCounts(counts[0], counts[1], counts[2], counts[3], counts[4], counts[5]),
         )
     }
 }
