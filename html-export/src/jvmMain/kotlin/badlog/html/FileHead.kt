@@ -28,9 +28,9 @@ internal class FileHead private constructor(val isGzip: Boolean, val title: Stri
                 parser.accept(bytes)
             }
             val recording = parser.finish()
-            // A text of one column may turn into a recording further down; what no column was found in can't.
+            // Without rows it was the bytes that the parser gave up on. A text of rows may yet have numbers further down.
             val refusal = recording.problems
-                .firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING && recording.topics.isEmpty() }
+                .firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING && parser.rowCount == 0 }
                 ?.message
             return FileHead(isGzip, matchTitle(recording.values), refusal)
         }

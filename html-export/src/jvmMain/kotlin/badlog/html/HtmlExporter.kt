@@ -43,7 +43,7 @@ class HtmlExporter(
             val head = FileHead.of(first)
             if (head.refusal != null) throw ExportException.NotARecording(input, "$input: ${head.refusal}")
             val source = ReadGuard(input, SequenceInputStream(ByteArrayInputStream(first), stream))
-            writing(page) { write(input, source, head, page, progress) }
+            passingOn(progress) { heard -> writing(page) { write(input, source, head, page, heard) } }
         }
     }
 

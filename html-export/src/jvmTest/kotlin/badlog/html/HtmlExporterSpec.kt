@@ -10,6 +10,8 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
 import kotlinx.serialization.json.jsonPrimitive
+import java.io.IOException
+import java.nio.channels.ClosedByInterruptException
 import java.nio.file.Path
 import kotlin.io.path.createDirectory
 import kotlin.io.path.div
@@ -76,6 +78,17 @@ class HtmlExporterSpec : FunSpec({
             report.recording.isSalvaged shouldBe false
         }
         pageOf(gzip + gzip("0.0400,3.0000\n".encodeToByteArray())) { _, report -> report.recording.rowCount shouldBe 3 }
+    }
+
+    test("a long text that turns into numbers further down is a recording, as for the parser") {
+        val text = ("Note\n" + "ready\n".repeat(50_000) + "1.5\n".repeat(60_000)).encodeToByteArray()
+        check(text.size - 4 * 60_000 > FileHead.BYTES)
+        for (bytes in listOf(text, gzip(text))) {
+            pageOf(bytes) { page, report ->
+                page.inflated() shouldBe text
+                report.recording.rowCount shouldBe 110_000
+            }
+        }
     }
 
     test("gzip that is cut says so, and keeps what can be inflated") {
@@ -156,6 +169,13 @@ class HtmlExporterSpec : FunSpec({
             failing(large) { input, page ->
                 val stop = IllegalStateException("stop")
                 shouldThrow<IllegalStateException> { exporter.export(input, page) { _, _ -> throw stop } } shouldBe stop
+            }
+        }
+        test("cancelled by its progress with an exception that files have too") {
+            for (stop in listOf(IOException("stop"), ClosedByInterruptException())) {
+                failing(large) { input, page ->
+                    shouldThrow<IOException> { exporter.export(input, page) { _, _ -> throw stop } } shouldBe stop
+                }
             }
         }
         test("cancelled by an interrupt") {
