@@ -8,16 +8,15 @@ internal class PageWriter(private val out: OutputStream, private val parts: Page
     fun begin(title: String) {
         text(
             """
-            <!DOCTYPE html>
+            $PAGE_START>
             <html lang="en">
             <head>
             <meta charset="utf-8">
             <meta http-equiv="Content-Security-Policy" content="${parts.policy}">
             <meta name="viewport" content="width=device-width, initial-scale=1">
             <meta name="generator" content="badlog ${escapeHtml(BADLOG_VERSION)}">
-            <title>${escapeHtml(title)}</title>
-
-            """.trimIndent() + "<style>",
+            <title>
+            """.trimIndent() + escapeHtml(title) + "</title>\n<style>",
         )
         out.write(parts.style)
         text(
