@@ -67,7 +67,9 @@ internal class ArgumentParser {
         override fun help(context: Context): String = """
             Makes a web page of each log: one that opens from disk and needs nothing else.
             With one INPUT the page is INPUT.html beside it. A second argument is the page (OUTPUT)
-            when it ends in .html or does not exist yet. Content decides what is a log, never the name.
+            when it ends in .html or .htm, when it is an older page, or when it does not exist yet and is
+            not named like a log (.bag, .badbag, .csv, .gz, .wpilog).
+            What exists is a log by its content, never by its name.
         """.trimIndent()
 
         override fun helpEpilog(context: Context): String =

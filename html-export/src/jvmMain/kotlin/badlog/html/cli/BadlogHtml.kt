@@ -1,6 +1,7 @@
 package badlog.html.cli
 
 import badlog.html.ExportException
+import badlog.html.ExportProgress
 import badlog.html.ExportReport
 import badlog.html.HtmlExporter
 import badlog.html.checkReadable
@@ -9,18 +10,23 @@ import java.io.PrintStream
 import java.nio.file.Files
 import java.nio.file.Path
 
+/** Makes the page of an input, as [HtmlExporter.export] does. */
+internal typealias Export = (input: Path, page: Path, progress: ExportProgress) -> ExportReport
+
 /**
  * The command line: makes the pages that its arguments ask for, prints where they are, and says what went wrong.
  *
  * @param out gets one line for each page: its absolute path.
  * @param err gets everything else that is to be read by a person.
  * @param isTerminal whether [err] is a terminal, which shows a progress bar.
+ * @param exporterOf makes the function that exports, with these attachments in each page.
  * @param open shows a page in the browser; false when that did not work.
  */
 internal class BadlogHtml(
     private val out: PrintStream,
     private val err: PrintStream,
     private val isTerminal: Boolean,
+    private val exporterOf: (attachments: List<Path>) -> Export = { HtmlExporter(it)::export },
     private val open: (Path) -> Boolean,
 ) {
     private val made = ArrayList<ExportReport>()
@@ -42,10 +48,10 @@ internal class BadlogHtml(
             err.println(e.message)
             return ExitCode.NOTHING
         }
-        val exporter = HtmlExporter(arguments.attachments)
+        val export = exporterOf(arguments.attachments)
         jobs.forEachIndexed { index, job ->
             val label = (if (jobs.size > 1) "${index + 1}/${jobs.size} " else "") + job.input.fileName
-            make(job, exporter, ProgressBar(label, err, isTerminal))
+            make(job, export, ProgressBar(label, err, isTerminal))
         }
         sayWhatIsMissing()
         if (arguments.opensPage) openNewest(jobs)
@@ -56,9 +62,9 @@ internal class BadlogHtml(
         }
     }
 
-    private fun make(job: ExportJob, exporter: HtmlExporter, bar: ProgressBar) {
+    private fun make(job: ExportJob, export: Export, bar: ProgressBar) {
         try {
-            val report = bar.use { exporter.export(job.input, job.page, it) }
+            val report = bar.use { export(job.input, job.page, it) }
             made += report
             out.println(report.page)
             saySalvaged(job, report)
@@ -70,6 +76,10 @@ internal class BadlogHtml(
             }
         } catch (_: OutOfMemoryError) {
             fail("${job.input} has a header too large for the memory at hand; set JAVA_OPTS=-Xmx2g and try again.")
+        } catch (e: Throwable) {
+            // Whatever it is, the other files shall have their pages.
+            val defect = e.toString().lineSequence().first()
+            fail("${job.input} has no page: this is a defect of badlog; please report it with the file ($defect).")
         }
     }
 

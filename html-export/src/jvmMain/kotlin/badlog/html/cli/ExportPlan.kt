@@ -1,6 +1,8 @@
 package badlog.html.cli
 
+import badlog.html.PAGE_START
 import badlog.html.reading
+import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -24,9 +26,20 @@ internal class ExportPlan(private val arguments: Arguments) {
         return inputs.map { ExportJob(it.file, freePage(it.file, taken), it.isFound) }
     }
 
-    private fun isOutput(path: Path) = Files.notExists(path) || isPage(path)
+    // What exists without such a name is an output only as the page of an earlier run, so that a second one does the same.
+    private fun isOutput(path: Path) =
+        isPage(path) || !path.endsIn(LOGS) && (Files.notExists(path) || Files.isRegularFile(path) && beginsAsPage(path))
 
-    private fun isPage(path: Path) = path.toString().endsWith(".html", ignoreCase = true)
+    private fun isPage(path: Path) = path.endsIn(PAGES)
+
+    private fun Path.endsIn(endings: List<String>) = endings.any { toString().endsWith(it, ignoreCase = true) }
+
+    private fun beginsAsPage(path: Path) = try {
+        Files.newInputStream(path).use { it.readNBytes(PAGE_START.length) }.decodeToString() == PAGE_START
+    } catch (_: IOException) {
+        // As an input it is told why it cannot be read.
+        false
+    }
 
     private fun logsIn(folder: Path): List<Input> = reading(folder) {
         Files.newDirectoryStream(folder) { Files.isRegularFile(it) && !Files.isHidden(it) && !isPage(it) }
@@ -43,4 +56,11 @@ internal class ExportPlan(private val arguments: Arguments) {
 
     // Most disks of laptops do not tell upper from lower case.
     private fun keyOf(path: Path) = path.toAbsolutePath().normalize().toString().lowercase()
+
+    private companion object {
+        val PAGES = listOf(".html", ".htm")
+
+        /** A missing file with such a name is a log whose name was mistyped. */
+        val LOGS = listOf(".bag", ".badbag", ".csv", ".gz", ".wpilog")
+    }
 }

@@ -6,6 +6,6 @@ import kotlin.system.exitProcess
 fun main(arguments: Array<String>) {
     // The start script can ask for it; Java could not until version 22.
     val isTerminal = System.getProperty("badlog.terminal")?.toBoolean() ?: (System.console() != null)
-    val program = BadlogHtml(System.out, System.err, isTerminal, ::openInBrowser)
+    val program = BadlogHtml(System.out, System.err, isTerminal, open = ::openInBrowser)
     exitProcess(program.run(arguments.toList()).code)
 }

@@ -3,6 +3,8 @@ package badlog.html.cli
 import badlog.html.BADLOG_VERSION
 import badlog.html.BAG
 import badlog.html.CUT_BAG
+import badlog.html.ExportProgress
+import badlog.html.HtmlExporter
 import badlog.html.ReadPage
 import badlog.html.gzip
 import badlog.html.inFolder
@@ -20,6 +22,7 @@ import java.nio.file.Path
 import java.nio.file.attribute.FileTime
 import kotlin.io.path.createDirectory
 import kotlin.io.path.div
+import kotlin.io.path.name
 import kotlin.io.path.readText
 import kotlin.io.path.setLastModifiedTime
 import kotlin.io.path.writeBytes
@@ -30,11 +33,20 @@ class BadlogHtmlSpec : FunSpec({
         val lines = out.lines().filter { it.isNotEmpty() }
     }
 
-    fun run(vararg arguments: Any, canOpen: Boolean = true): Ended {
+    // Makes pages, but of a file named so it fails as no exporter should.
+    fun failingOn(name: String) = { attachments: List<Path> ->
+        val export = HtmlExporter(attachments)::export
+        { input: Path, page: Path, progress: ExportProgress ->
+            check(input.name != name) { "Out of cheese\n+++" }
+            export(input, page, progress)
+        }
+    }
+
+    fun run(vararg arguments: Any, canOpen: Boolean = true, failsOn: String = ""): Ended {
         val out = ByteArrayOutputStream()
         val err = ByteArrayOutputStream()
         val opened = ArrayList<Path>()
-        val program = BadlogHtml(PrintStream(out), PrintStream(err), isTerminal = false) { page ->
+        val program = BadlogHtml(PrintStream(out), PrintStream(err), false, failingOn(failsOn)) { page ->
             opened.add(page)
             canOpen
         }
@@ -66,13 +78,48 @@ class BadlogHtmlSpec : FunSpec({
         }
     }
 
-    test("an output that exists is replaced when it ends in .html, else it is an input") {
+    test("an output is one by its ending, whether it exists or not") {
         inFolder { folder ->
-            folder.with("old.html", "old")
-            run(folder.with("a.bag"), folder / "old.html").code shouldBe ExitCode.WHOLE
-            ReadPage(folder / "old.html").inflated().decodeToString() shouldBe BAG
-            run(folder / "a.bag", folder.with("b.bag")).lines.size shouldBe 2
-            (folder / "b.bag").readText() shouldBe BAG
+            folder.with("a.bag")
+            for (name in listOf("p.html", "p.htm", "P.HTM")) {
+                folder.with("old$name", "old")
+                for (page in listOf(folder / name, folder / name, folder / "old$name")) {
+                    run(folder / "a.bag", page).lines shouldContainExactly listOf("$page")
+                    ReadPage(page).inflated().decodeToString() shouldBe BAG
+                }
+            }
+        }
+    }
+
+    test("an output without such an ending is replaced by the second run") {
+        inFolder { folder ->
+            folder.with("a.bag")
+            repeat(2) { run(folder / "a.bag", folder / "page").lines shouldContainExactly listOf("${folder / "page"}") }
+            folder.names() shouldContainExactly listOf("a.bag", "page")
+        }
+    }
+
+    test("any other second path is an input: what exists stays as it is") {
+        inFolder { folder ->
+            folder.with("a.bag")
+            for (name in listOf("b.bag", "b", "b.csv")) {
+                run(folder / "a.bag", folder.with(name)).lines.size shouldBe 2
+                (folder / name).readText() shouldBe BAG
+            }
+        }
+    }
+
+    test("a log whose name is mistyped is missed, not made") {
+        inFolder { folder ->
+            folder.with("a.bag")
+            for (name in listOf("nix.bag", "nix.badbag", "nix.CSV", "nix.bag.gz", "nix.wpilog")) {
+                repeat(2) {
+                    val ended = run(folder / "a.bag", folder / name)
+                    ended.code shouldBe ExitCode.SALVAGED
+                    ended.err shouldContain "There is no file ${folder / name}"
+                }
+            }
+            folder.names() shouldContainExactly listOf("a.bag", "a.bag.html")
         }
     }
 
@@ -141,6 +188,18 @@ class BadlogHtmlSpec : FunSpec({
             found.code shouldBe ExitCode.NOTHING
             found.err shouldContain "no log was found"
             folder.names() shouldContainExactly listOf("x.bag")
+        }
+    }
+
+    test("a defect of badlog costs one file its page, and is told in one line") {
+        inFolder { folder ->
+            for (name in listOf("a.bag", "b.bag", "c.bag")) folder.with(name)
+            val ended = run(folder, failsOn = "b.bag")
+            ended.code shouldBe ExitCode.SALVAGED
+            ended.lines shouldContainExactly listOf("a", "c").map { "${folder / "$it.bag.html"}" }
+            ended.err shouldContain "${folder / "b.bag"} has no page: this is a defect of badlog; please report it"
+            ended.err.lines().size shouldBe 2
+            run(folder / "b.bag", failsOn = "b.bag").code shouldBe ExitCode.NOTHING
         }
     }
 
