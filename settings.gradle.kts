@@ -19,6 +19,7 @@ dependencyResolutionManagement {
 rootProject.name = "badlog"
 
 include(":core")
+include(":jvm-robot")
 include(":html-export")
 include(":samples")
 include(":benchmarks:jvm")

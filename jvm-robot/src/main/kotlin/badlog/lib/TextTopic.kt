@@ -1,0 +1,29 @@
+package badlog.lib
+
+import badlog.bag.RowWriter
+import java.util.function.Supplier
+
+/** A queried topic of texts. */
+internal class TextTopic(
+    name: String,
+    unit: String,
+    attributes: List<String>,
+    faults: Faults,
+    private val supplier: Supplier<out String?>,
+) : QueriedTopic(name, unit, attributes, faults) {
+    private var sample = ""
+    private var current = ""
+
+    override fun query(): Boolean {
+        sample = supplier.get() ?: return false
+        return true
+    }
+
+    override fun keep() {
+        current = sample
+    }
+
+    override fun writeValue(row: RowWriter) {
+        row.text(current)
+    }
+}
