@@ -1,9 +1,6 @@
 package badlog.lib
 
-import java.io.File
 import java.io.IOException
-import java.nio.channels.FileChannel
-import java.nio.file.StandardOpenOption
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 
@@ -27,7 +24,7 @@ internal class SyncThread(
     }
 
     override fun run() {
-        syncFolder()
+        syncFolder(file.path.absoluteFile.parentFile)
         do {
             if (sink.isDirty) sync()
             lookForFile()
@@ -62,15 +59,6 @@ internal class SyncThread(
                 "The log ${file.path} could not be brought to the disk: ${describe(failure)}. A cut of power may cost " +
                     "more than the last quarter of a second.",
             )
-        }
-    }
-
-    /** Without this, a cut of power right after the start could take the file's very name. */
-    private fun syncFolder() {
-        try {
-            FileChannel.open(file.path.absoluteFile.parentFile.toPath(), StandardOpenOption.READ).use { it.force(true) }
-        } catch (_: IOException) {
-            // Not every system lets one open a folder; those that do not keep names safe by themselves.
         }
     }
 

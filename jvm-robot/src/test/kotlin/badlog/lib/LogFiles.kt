@@ -10,7 +10,7 @@ import java.nio.file.Files
 import java.util.zip.GZIPInputStream
 
 /** Runs [test] with an empty folder, which is deleted afterwards. */
-fun <T> inFolder(test: (File) -> T): T {
+inline fun <T> inFolder(test: (File) -> T): T {
     val folder = Files.createTempDirectory("badlog").toFile()
     try {
         return test(folder)
@@ -21,7 +21,7 @@ fun <T> inFolder(test: (File) -> T): T {
 }
 
 /** What [action] writes to standard error. */
-fun standardErrorOf(action: () -> Unit): String {
+inline fun standardErrorOf(action: () -> Unit): String {
     val before = System.err
     val captured = ByteArrayOutputStream()
     System.setErr(PrintStream(captured, true, "UTF-8"))
