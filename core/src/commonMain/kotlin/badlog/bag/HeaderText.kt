@@ -6,8 +6,8 @@ package badlog.bag
  *
  * Written without a JSON library, because a robot writes it before its first loop and has 256 MB for everything.
  *
- * @param asOriginal true to write the very bytes that the original badlog wrote: a topic's unit stands before its name, and
- *   more characters are escaped than need be.
+ * @param asOriginal true to write the very bytes that the original badlog wrote: a topic's unit stands before its name,
+ *   and more characters are escaped than need be.
  */
 public fun headerText(header: BagHeader, asOriginal: Boolean = false): String =
     HeaderText(asOriginal).apply { append(header) }.toString()

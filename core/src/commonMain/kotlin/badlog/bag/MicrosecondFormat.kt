@@ -1,8 +1,8 @@
 package badlog.bag
 
 /**
- * Writes a number with six digits after its point, as a time in seconds needs them: `%.5g` leaves 10 ms of 100 s. From a
- * size of 9e18 on, and for what is not finite, it is [FiveDigitFormat] that writes. Calls allocate nothing.
+ * Writes a number with six digits after its point, as a time in seconds needs them: `%.5g` leaves 10 ms of 100 s. From
+ * a size of 9e18 on, and for what is not finite, it is [FiveDigitFormat] that writes. Calls allocate nothing.
  */
 internal object MicrosecondFormat {
     /** Length in bytes of the longest text [write] produces. */

@@ -9,8 +9,8 @@ import java.util.function.Supplier
 
 /**
  * Logs what a robot does into a bag. There is one log at a time: [init] starts it, topics and values are created by the
- * functions that need no instance, [finishInitialization] writes the header, and then each loop calls [updateTopics] and
- * [log].
+ * functions that need no instance, [finishInitialization] writes the header, and then each loop calls [updateTopics]
+ * and [log].
  *
  * While a log is set up, mistakes are exceptions. What a robot calls in its loop, [updateTopics], [log], [flush] and
  * publishing, never throws: what fails leaves a gap or is ignored, is counted (see [counters]), said once on standard
@@ -47,8 +47,8 @@ public class BadLog private constructor(private val session: LogSession) : AutoC
     }
 
     /**
-     * Switches the thread off or on that brings rows to the disk four times a second; it is on by default. Without it, a
-     * cut of power may cost half a minute instead of a quarter of a second.
+     * Switches the thread off or on that brings rows to the disk four times a second; it is on by default. Without it,
+     * a cut of power may cost half a minute instead of a quarter of a second.
      */
     public fun setSyncing(enabled: Boolean): Unit = session.setSyncing(enabled)
 

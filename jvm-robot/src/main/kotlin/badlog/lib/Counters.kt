@@ -2,7 +2,7 @@ package badlog.lib
 
 import java.util.concurrent.atomic.AtomicLong
 
-/** The counters while they count. Atomic because each is read by any thread, and a robot's CPU may tear a plain long. */
+/** The counters while they count. Atomic because any thread reads them, and a robot's CPU may tear a plain long. */
 internal class Counters {
     private val rowsWritten = AtomicLong()
     private val bytesWritten = AtomicLong()

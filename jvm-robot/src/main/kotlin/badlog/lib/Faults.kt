@@ -3,8 +3,8 @@ package badlog.lib
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * Where everything goes that went wrong in a robot's loop: counted each time, said once on standard error, and noted as an
- * event in the log if that has [room] for events. Never throws.
+ * Where everything goes that went wrong in a robot's loop: counted each time, said once on standard error, and noted as
+ * an event in the log if that has [room] for events. Never throws.
  */
 internal class Faults(val counters: Counters) {
     private val said = ConcurrentHashMap.newKeySet<String>()

@@ -5,8 +5,8 @@ import java.util.zip.CRC32
 import java.util.zip.Deflater
 
 /**
- * A gzipped bag. Each [append] ends on a byte's boundary (zlib's sync flush), so that everything appended can be inflated
- * from a file that has been cut anywhere behind it.
+ * A gzipped bag. Each [append] ends on a byte's boundary (zlib's sync flush), so that everything appended can be
+ * inflated from a file that has been cut anywhere behind it.
  */
 internal class GzipOutput(private val file: AppendFile) : BagOutput {
     private val deflater = Deflater(Deflater.DEFAULT_COMPRESSION, true)

@@ -1,8 +1,8 @@
 package badlog.lib
 
 /**
- * Thrown while a log is set up, when something is done too early or too late: a topic created before [BadLog.init] or after
- * [BadLog.finishInitialization], or the latter called twice. Never thrown by what a robot calls in its loop.
+ * Thrown while a log is set up, when something is done too early or too late: a topic created before [BadLog.init] or
+ * after [BadLog.finishInitialization], or the latter called twice. Never thrown by what a robot calls in its loop.
  */
 public class InvalidModeException internal constructor(message: String?) : RuntimeException(message) {
     public constructor() : this(null)

@@ -70,7 +70,8 @@ internal class LogKeeper(
     private fun stopLogging() {
         faults.sayOnce(
             "full",
-            "Logging stopped: less than 5 MiB are free in ${folder.path}. Copy old logs to a laptop and delete them here.",
+            "Logging stopped: less than 5 MiB are free in ${folder.path}. " +
+                "Copy old logs to a laptop, then delete them here.",
         )
         session.close()
     }

@@ -4,8 +4,8 @@ import badlog.bag.RowWriter
 import java.util.function.Function
 
 /**
- * How a log's numbers become text: by core's formatter, or by the program's own [function] once it is set. A number keeps
- * the function that was set when it was asked for or published.
+ * How a log's numbers become text: by core's formatter, or by the program's own [function] once it is set. A number
+ * keeps the function that was set when it was asked for or published.
  */
 internal class NumberText(private val faults: Faults) {
     /** The program's own function, if any, for numbers from now on. */

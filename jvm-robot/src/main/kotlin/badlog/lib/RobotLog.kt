@@ -4,13 +4,13 @@ import java.io.File
 import java.util.function.BooleanSupplier
 
 /**
- * A log that looks after its files by itself: where they are, what they are called, and how much space they take. Between
- * [start] and the first [periodic] the robot's code creates topics and values by the functions of [BadLog]; it calls
- * neither [BadLog.finishInitialization] nor [BadLog.updateTopics] nor [BadLog.log].
+ * A log that looks after its files by itself: where they are, what they are called, and how much space they take.
+ * Between [start] and the first [periodic] the robot's code creates topics and values by the functions of [BadLog]; it
+ * calls neither [BadLog.finishInitialization] nor [BadLog.updateTopics] nor [BadLog.log].
  *
- * Nothing is written before a driver station is there or the robot is enabled (or a minute has passed), so that a robot that
- * was only switched on leaves no file. The file is then opened by a thread of the log's own, a tenth of a second later at
- * most, and later renamed by it as time, event and match become known.
+ * Nothing is written before a driver station is there or the robot is enabled (or a minute has passed), so that a robot
+ * that was only switched on leaves no file. The file is then opened by a thread of the log's own, a tenth of a second
+ * later at most, and later renamed by it as time, event and match become known.
  */
 public class RobotLog private constructor(
     /** The log itself, for its counters and settings. */

@@ -6,8 +6,8 @@ import java.util.function.DoubleSupplier
 import java.util.function.Supplier
 
 /**
- * How [RobotLog.start] logs. All that it asks the robot for is asked from WPILib, whichever season's, unless a supplier is
- * set here; without WPILib the robot counts as enabled, and event, match and battery as unknown.
+ * How [RobotLog.start] logs. All that it asks the robot for is asked from WPILib, whichever season's, unless a supplier
+ * is set here; without WPILib the robot counts as enabled, and event, match and battery as unknown.
  */
 public class RobotLogOptions {
     private val wpilib = Wpilib.find(RobotLogOptions::class.java.classLoader)
@@ -33,7 +33,7 @@ public class RobotLogOptions {
     /** Whether a driver station is connected. Asked in each [RobotLog.periodic] until logging begins. */
     public var isDriverStationAttached: BooleanSupplier = wpilib.isDriverStationAttached
 
-    /** Whether the clock is right, which on a robot it is not before a driver station set it. Asked by another thread. */
+    /** Whether the clock is right; on a robot, a driver station has to set it. Asked by another thread. */
     public var isClockSet: BooleanSupplier = wpilib.isClockSet
 
     /** The event's name, or an empty text as long as it is unknown. Asked by another thread. */

@@ -4,9 +4,9 @@ import badlog.bag.RowWriter
 import java.io.IOException
 
 /**
- * Takes rows and writes them: each at once, or several together, but none later than a quarter of a second after the write
- * before. Rows that cannot be written are lost and counted; it then waits a little before it tries again, because a disk
- * that is full or gone may be slow to say so. Guarded by the log's lock.
+ * Takes rows and writes them: each at once, or several together, but none later than a quarter of a second after the
+ * write before. Rows that cannot be written are lost and counted; it then waits a little before it tries again, because
+ * a disk that is full or gone may be slow to say so. Guarded by the log's lock.
  */
 internal class RowSink(
     private val file: LogFile,
@@ -93,8 +93,8 @@ internal class RowSink(
 
     private fun sayFailed(failure: IOException) = faults.sayOnce(
         "write",
-        "The log ${file.path} cannot be written: ${describe(failure)}. Rows are lost until it can; see whether the disk is " +
-            "full, or was pulled out.",
+        "The log ${file.path} cannot be written: ${describe(failure)}. Rows are lost until it can; see whether " +
+            "the disk is full, or was pulled out.",
     )
 
     private fun drop() {

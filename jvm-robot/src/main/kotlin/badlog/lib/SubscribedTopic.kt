@@ -5,8 +5,8 @@ import java.util.function.Function
 
 /**
  * A topic whose value the robot's code publishes, from any thread, at any time. A lock of its own, held for a few
- * nanoseconds, keeps publishers from ever waiting for a write. One that is an event log has room for the log's own events
- * in rows in which it has no text.
+ * nanoseconds, keeps publishers from ever waiting for a write. One that is an event log has room for the log's own
+ * events in rows in which it has no text.
  */
 internal class SubscribedTopic(
     name: String,

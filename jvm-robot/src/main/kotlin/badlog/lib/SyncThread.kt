@@ -56,8 +56,8 @@ internal class SyncThread(
             faults.counters.failedSyncs.incrementAndGet()
             faults.sayOnce(
                 "sync",
-                "The log ${file.path} could not be brought to the disk: ${describe(failure)}. A cut of power may cost " +
-                    "more than the last quarter of a second.",
+                "The log ${file.path} could not be brought to the disk: ${describe(failure)}. A cut of power may " +
+                    "cost more than the last quarter of a second.",
             )
         }
     }
@@ -69,8 +69,8 @@ internal class SyncThread(
         if (file.isMissing) {
             faults.sayOnce(
                 "missing",
-                "The log ${file.path} was deleted, or its disk pulled out, while it was written. What is logged from now " +
-                    "on is lost; start the robot program again to begin a new log.",
+                "The log ${file.path} was deleted, or its disk pulled out, while it was written. What is logged from " +
+                    "now on is lost; start the robot program again to begin a new log.",
             )
         }
     }

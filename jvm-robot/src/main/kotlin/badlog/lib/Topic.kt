@@ -4,8 +4,9 @@ import badlog.bag.BagTopic
 import badlog.bag.RowWriter
 
 /**
- * One column. A row is made in three steps: [sample] asks the robot's code, without any lock held, because that code may do
- * what it likes; [commit] makes all samples the current ones at once, and [write] writes those, both under the log's lock.
+ * One column. A row is made in three steps: [sample] asks the robot's code, without any lock held, because that code
+ * may do what it likes; [commit] makes all samples the current ones at once, and [write] writes those, both under the
+ * log's lock.
  */
 internal abstract class Topic(val name: String, val unit: String, val attributes: List<String>) {
     /** Whether it is the x of all other topics and so needs more digits than they. */

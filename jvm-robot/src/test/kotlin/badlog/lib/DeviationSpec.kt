@@ -31,7 +31,8 @@ class DeviationSpec : FunSpec({
                 BadLog.createTopicStr("a \"b\"", "ul", { "say \"hi\",\nthen go" })
                 BadLog.createTopicStr("Spaces, and a comma", "ul", { " x " })
             }) { it.row() }
-            file.readText() shouldContain "\n\"a \"\"b\"\"\",\"Spaces, and a comma\"\n\"say \"\"hi\"\",\nthen go\",\" x \"\n"
+            file.readText() shouldContain "\n\"a \"\"b\"\"\",\"Spaces, and a comma\"\n" +
+                "\"say \"\"hi\"\",\nthen go\",\" x \"\n"
         }
     }
 

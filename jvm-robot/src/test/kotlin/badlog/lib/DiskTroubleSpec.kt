@@ -48,7 +48,7 @@ class DiskTroubleSpec : FunSpec({
             }
     }
 
-    test("a disk that was full from the start gets the header, too, once it can").config(enabledOrReasonIf = { ifMount() }) {
+    test("a disk that was full from the start gets the header once it can").config(enabledOrReasonIf = { ifMount() }) {
         onSmallDisk { disk ->
             val filler = File(disk, "filler")
             fill(filler)
@@ -159,13 +159,17 @@ private fun expectNothingLogged(path: File) {
 }
 
 /**
- * How long [call] took at most, of [times]. A machine that does other things stalls any program now and then, so the best of
- * three parts counts.
+ * How long [call] took at most, of [times]. A machine that does other things stalls any program now and then, so the
+ * best of three parts counts.
  */
 private fun slowestOf(times: Int, call: () -> Unit): Long {
     call()
-    val parts = List(times - 1) { System.nanoTime().let { began -> call(); System.nanoTime() - began } }.chunked(times / 3)
-    return parts.minOf { it.max() }
+    val nanos = List(times - 1) {
+        val began = System.nanoTime()
+        call()
+        System.nanoTime() - began
+    }
+    return nanos.chunked(times / 3).minOf { it.max() }
 }
 
 private fun fill(file: File) {
@@ -188,7 +192,8 @@ private fun onSmallDisk(test: (File) -> Unit) = inFolder { folder ->
 }
 
 private fun ifMount(): Enabled = inFolder { folder ->
-    val mounted = canRun("mount") && run(listOf("mount", "-t", "tmpfs", "-o", "size=64k", "badlog", folder.path)).first == 0
+    val mount = listOf("mount", "-t", "tmpfs", "-o", "size=64k", "badlog", folder.path)
+    val mounted = canRun("mount") && run(mount).first == 0
     if (mounted) run(listOf("umount", folder.path))
     if (mounted) Enabled.enabled else Enabled.disabled("this user may not mount a small disk")
 }

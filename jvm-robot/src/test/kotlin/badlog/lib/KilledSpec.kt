@@ -6,7 +6,6 @@ import io.kotest.matchers.collections.shouldBeEmpty
 import java.io.File
 import java.nio.ByteBuffer
 import java.util.concurrent.Executors
-import java.util.concurrent.Future
 import kotlin.random.Random
 
 private const val KILLS = 200
@@ -15,9 +14,9 @@ class KilledSpec : FunSpec({
     test("$KILLS robots are killed in mid-loop, and every row whose log() returned is in the file") {
         inFolder { folder ->
             val pool = Executors.newFixedThreadPool(2)
-            val faults = List(KILLS) { number -> pool.submit<String?> { killOne(folder, number) } }.mapNotNull(Future<String?>::get)
+            val kills = List(KILLS) { number -> pool.submit<String?> { killOne(folder, number) } }
             pool.shutdown()
-            faults.shouldBeEmpty()
+            kills.mapNotNull { it.get() }.shouldBeEmpty()
         }
     }
 })

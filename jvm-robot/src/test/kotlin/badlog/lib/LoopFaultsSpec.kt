@@ -22,7 +22,8 @@ class LoopFaultsSpec : FunSpec({
                     log.state shouldBe LogState.LOGGING
                 }
                 val rows = rowsIn(file)
-                rows[0] shouldContain "1.0000,,,\"The topic \"\"Bad/Sensor\"\" threw java.lang.IllegalStateException: unplugged"
+                rows[0] shouldContain
+                    "1.0000,,,\"The topic \"\"Bad/Sensor\"\" threw java.lang.IllegalStateException: unplugged"
                 rows.drop(1) shouldBe List(2) { "1.0000,,," }
             }
             said.trim().lines() shouldHaveSize 2

@@ -52,6 +52,9 @@ private fun RobotLog.drive(millis: Int) = repeat(millis / 10) {
 private fun File.names() = list().orEmpty().sorted()
 
 class RobotLogSpec : FunSpec({
+    // Robots of other specs never close their logs, as real ones do not.
+    beforeTest { standardErrorOf { BadLog.init("/dev/null").close() } }
+
     test("nothing is written before a driver station is there; then time, event and match make the name") {
         inFolder { folder ->
             val logs = File(folder, "logs")
@@ -86,7 +89,8 @@ class RobotLogSpec : FunSpec({
             recording.topics.map { it.name } shouldBe
                 listOf("Time", "Robot/Enabled", "Robot/Battery Voltage", "Robot/Events", "Own")
             recording.topics[3].texts.dictionary shouldBe listOf("Match OHCL Q42")
-            recording.topics[0].samples.toList().zipWithNext().filter { (earlier, later) -> later <= earlier }.shouldBeEmpty()
+            val times = recording.topics[0].samples.toList()
+            times shouldBe times.sorted().distinct()
         }
     }
 
@@ -141,10 +145,12 @@ class RobotLogSpec : FunSpec({
         inFolder { folder ->
             val robot = Robot(folder).apply {
                 enabled = true
-                options.freeBytes = { 20_000_000L + (15 - folder.names().count { it.startsWith("FRC_2") }) * 1_000_000L }
+                options.freeBytes = { 20_000_000L }
             }
             for (day in 1..15) {
-                File(folder, "FRC_202603%02d_120000.bag".format(day)).apply { writeText("x") }.setLastModified(day * 1000L)
+                val log = File(folder, "FRC_202603%02d_120000.bag".format(day))
+                log.writeText("x")
+                log.setLastModified(day * 1000L)
             }
             File(folder, "notes.bag").writeText("x")
             File(folder, "FRC_20260301_120000.wpilog").writeText("x")

@@ -1,10 +1,12 @@
 package badlog.lib
 
 import badlog.recording.ProblemKind
+import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.longs.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import java.io.File
+import kotlin.time.Duration.Companion.seconds
 
 class TopicsSpec : FunSpec({
     test("published data is consumed by an update; the last counts") {
@@ -48,7 +50,9 @@ class TopicsSpec : FunSpec({
                 log.row()
             }
             rowsIn(file) shouldBe listOf(
-                "1.5000,1234567890123,true,2.5000", "1.5000,1234567890123,true,\"on, off\"", "0.5,1234567890123,true,\"on, off\"",
+                "1.5000,1234567890123,true,2.5000",
+                "1.5000,1234567890123,true,\"on, off\"",
+                "0.5,1234567890123,true,\"on, off\"",
             )
             recordingIn(file).run {
                 problems.map { it.kind } shouldBe listOf(ProblemKind.TRUTH_VALUES)
@@ -132,6 +136,28 @@ class TopicsSpec : FunSpec({
                 Thread.sleep(260)
                 log.row()
                 rowsIn(file).size shouldBe 2
+            }
+        }
+    }
+
+    test("the syncing thread is a daemon, and can be switched off and on") {
+        inFolder { folder ->
+            fun syncing() = Thread.getAllStackTraces().keys.filter { it.name == "badlog sync" }
+            eventually(2.seconds) { syncing().size shouldBe 0 }
+            val log = BadLog.init(File(folder, "a.bag").path)
+            log.finishInitialization()
+            syncing().map { it.isDaemon } shouldBe listOf(true)
+            log.setSyncing(false)
+            eventually(2.seconds) { syncing().size shouldBe 0 }
+            log.setSyncing(true)
+            syncing().size shouldBe 1
+            log.close()
+            eventually(2.seconds) { syncing().size shouldBe 0 }
+
+            BadLog.init(File(folder, "b.bag").path).use {
+                it.setSyncing(false)
+                it.finishInitialization()
+                syncing().size shouldBe 0
             }
         }
     }

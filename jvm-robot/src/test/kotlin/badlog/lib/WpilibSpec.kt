@@ -19,6 +19,7 @@ class WpilibSpec : FunSpec({
         RobotController.systemTimeValid = true
         wpilib.isClockSet.asBoolean shouldBe true
         wpilib.batteryVoltage?.asDouble shouldBe 12.6
+        DriverStation.matchType = DriverStation.MatchType.None
         wpilib.match.get() shouldBe ""
         DriverStation.event = "OHCL"
         DriverStation.matchType = DriverStation.MatchType.Qualification

@@ -15,8 +15,9 @@ import java.util.StringJoiner;
 import java.util.function.Supplier;
 
 /**
- * A bag logger as one writes it first, and as the original is: each number becomes a text by {@code String.format}, what is
- * published lies in a map of {@code Optional}s, a row is joined and handed to a buffered writer. To compare with.
+ * A bag logger as one writes it first, and as the original is: each number becomes a text by {@code String.format},
+ * what is published lies in a map of {@code Optional}s, a row is joined and handed to a buffered writer. To compare
+ * with.
  */
 final class StraightforwardLog implements AutoCloseable {
     private static final String NOTHING = "-1.0";
@@ -58,7 +59,8 @@ final class StraightforwardLog implements AutoCloseable {
 
     void log() {
         StringJoiner row = new StringJoiner(",");
-        columns.stream().map(column -> column.current.orElse(NOTHING)).map(StraightforwardLog::quoted).forEach(row::add);
+        columns.stream().map(column -> column.current.orElse(NOTHING)).map(StraightforwardLog::quoted)
+            .forEach(row::add);
         writeLine(row.toString());
     }
 
