@@ -4,7 +4,7 @@ import java.io.File
 import java.io.IOException
 
 /** The file of a log. */
-internal class LogFile private constructor(path: File, val output: BagOutput) {
+internal class LogFile(path: File, val output: BagOutput) {
     /** Where it is; changes when it is renamed. */
     @Volatile
     var path: File = path

@@ -39,7 +39,10 @@ internal class LogSession(private val flushesEachRow: Boolean) {
 
     /** Creates the file; said once if that fails. */
     fun open(path: File, isCompressed: Boolean) {
-        val opened = LogFile.open(path, isCompressed, faults) ?: return
+        LogFile.open(path, isCompressed, faults)?.let(::logTo)
+    }
+
+    fun logTo(opened: LogFile) {
         file = opened
         sink = RowSink(opened, flushesEachRow, faults)
         closeOnExit.register()
@@ -119,15 +122,21 @@ internal class LogSession(private val flushesEachRow: Boolean) {
 
     /** The topic to publish to, or null if the call is to be ignored. */
     fun publishing(name: String?, isNull: Boolean): SubscribedTopic? {
-        val topic = subscribers[name]
+        val topic = subscribers[name] ?: earlySubscriber(name)
         if (topic != null && !isNull) return topic
-        val why = when {
-            topic != null -> nullPublished(topic.name)
-            phase == LogState.SETTING_UP -> "What is published to \"$name\" before finishInitialization() is ignored."
-            else -> "What is published to \"$name\" is ignored: createTopicSubscriber() made no topic of that name."
+        val why = if (topic != null) {
+            nullPublished(topic.name)
+        } else {
+            "What is published to \"$name\" is ignored: createTopicSubscriber() made no topic of that name."
         }
         faults.callIgnored("publish $name", why)
         return null
+    }
+
+    /** What is published while a log is set up is kept for its first row: a [RobotLog] may be set up for long. */
+    private fun earlySubscriber(name: String?): SubscribedTopic? {
+        if (phase != LogState.SETTING_UP) return null
+        return synchronized(lock) { namespace.topics.firstOrNull { it.name == name } as? SubscribedTopic }
     }
 
     fun setSyncing(enabled: Boolean) {

@@ -28,8 +28,8 @@ class AllocationSpec : FunSpec({
                         for (i in 0 until 5) BadLog.publish(names[i], values[45 + i])
                         log.row()
                     }
-                    // Now and then the JVM itself makes an object on a thread, when it compiles what that runs. What a loop
-                    // made, it would make in each.
+                    // Now and then the JVM itself makes an object on a thread, when it compiles what that runs. What a
+                    // loop made, it would make in each.
                     List(4) { garbageOf(loop) }.min() shouldBe 0
                 }
             }

@@ -56,6 +56,7 @@ class LoopFaultsSpec : FunSpec({
                     BadLog.createTopic("Queried", "ul", { 1.0 })
                     BadLog.createTopicSubscriber("Published", "ul", DataInferMode.LAST)
                     BadLog.publish("Published", 1.0)
+                    BadLog.publish("Early", 1.0)
                 }) { log ->
                     repeat(2) {
                         BadLog.publish("Unknown", 1.0)
@@ -66,9 +67,9 @@ class LoopFaultsSpec : FunSpec({
                     log.row()
                     log.counters().callsIgnored shouldBe 9
                 }
-                rowsIn(file) shouldBe listOf("1.0000,-1.0")
+                rowsIn(file) shouldBe listOf("1.0000,1.0000")
             }
-            said.trim().lines() shouldHaveSize 4
+            said.trim().lines() shouldHaveSize 5
             said shouldContain "\"Unknown\""
         }
     }

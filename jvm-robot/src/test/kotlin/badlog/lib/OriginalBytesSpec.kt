@@ -15,14 +15,11 @@ class OriginalBytesSpec : FunSpec({
             val robot = WhitePaperRobot()
             robot.robotInit(file.path)
             listOf(0.25, 0.7071067811865476, 1e-5).forEach(robot::periodic)
-            file.readText() shouldBe """
-                {"topics":[{"unit":"s","name":"Match_Time","attrs":[]},{"unit":"ul","name":"Random_Numbers","attrs":["integrate"]}],"values":[{"name":"Match_Number","value":"8"}]}
-                Match_Time,Random_Numbers
-                15.000,0.25000
-                14.980,0.70711
-                14.960,1.0000e-05
-
-            """.trimIndent()
+            file.readText() shouldBe
+                """{"topics":[{"unit":"s","name":"Match_Time","attrs":[]},""" +
+                """{"unit":"ul","name":"Random_Numbers","attrs":["integrate"]}],""" +
+                """"values":[{"name":"Match_Number","value":"8"}]}""" +
+                "\nMatch_Time,Random_Numbers\n15.000,0.25000\n14.980,0.70711\n14.960,1.0000e-05\n"
         }
     }
 
