@@ -1,5 +1,6 @@
 package badlog.lib
 
+import badlog.bag.BagTopic
 import java.io.File
 import java.util.function.BooleanSupplier
 import java.util.function.DoubleSupplier
@@ -94,44 +95,44 @@ public class BadLog private constructor(private val session: LogSession) : AutoC
          * Creates a topic of numbers.
          *
          * @param name letters, digits, spaces, `_` and `/`, which makes folders.
-         * @param unit such as `V`, or [UNITLESS].
+         * @param unit such as `V`, or [UNITLESS], as null is, too.
          * @param supplier asked in each [updateTopics].
-         * @param attrs how it is to be shown, such as `hide` or `join:Drivetrain`.
+         * @param attrs how it is to be shown, such as `hide` or `join:Drivetrain`; null is nothing.
          * @throws DuplicateNameException if there is a topic or value of that name.
          * @throws InvalidModeException before [init] or after [finishInitialization].
          */
         @JvmStatic
-        public fun createTopic(name: String, unit: String, supplier: Supplier<out Double?>, vararg attrs: String) {
+        public fun createTopic(name: String, unit: String?, supplier: Supplier<out Double?>, vararg attrs: String?) {
             val session = settingUp(name)
-            session.add(BoxedNumberTopic(name, unit, attrs.asList(), session.faults, supplier, session.text))
+            session.add(BoxedNumberTopic(described(name, unit, attrs), session.faults, supplier, session.text))
         }
 
         /** Creates a topic of texts, as [createTopic] does. */
         @JvmStatic
-        public fun createTopicStr(name: String, unit: String, supplier: Supplier<out String?>, vararg attrs: String) {
+        public fun createTopicStr(name: String, unit: String?, supplier: Supplier<out String?>, vararg attrs: String?) {
             val session = settingUp(name)
-            session.add(TextTopic(name, unit, attrs.asList(), session.faults, supplier))
+            session.add(TextTopic(described(name, unit, attrs), session.faults, supplier))
         }
 
         /** Creates a topic of numbers that costs no garbage, as [createTopic] does. */
         @JvmStatic
-        public fun createTopicDouble(name: String, unit: String, supplier: DoubleSupplier, vararg attrs: String) {
+        public fun createTopicDouble(name: String, unit: String?, supplier: DoubleSupplier, vararg attrs: String?) {
             val session = settingUp(name)
-            session.add(NumberTopic(name, unit, attrs.asList(), session.faults, supplier, session.text))
+            session.add(NumberTopic(described(name, unit, attrs), session.faults, supplier, session.text))
         }
 
         /** Creates a topic that is true or false, as [createTopic] does. */
         @JvmStatic
-        public fun createTopicBoolean(name: String, unit: String, supplier: BooleanSupplier, vararg attrs: String) {
+        public fun createTopicBoolean(name: String, unit: String?, supplier: BooleanSupplier, vararg attrs: String?) {
             val session = settingUp(name)
-            session.add(BooleanTopic(name, unit, attrs.asList(), session.faults, supplier))
+            session.add(BooleanTopic(described(name, unit, attrs), session.faults, supplier))
         }
 
         /** Creates a topic of whole numbers, written with all their digits, as [createTopic] does. */
         @JvmStatic
-        public fun createTopicLong(name: String, unit: String, supplier: LongSupplier, vararg attrs: String) {
+        public fun createTopicLong(name: String, unit: String?, supplier: LongSupplier, vararg attrs: String?) {
             val session = settingUp(name)
-            session.add(LongTopic(name, unit, attrs.asList(), session.faults, supplier))
+            session.add(LongTopic(described(name, unit, attrs), session.faults, supplier))
         }
 
         /**
@@ -139,16 +140,16 @@ public class BadLog private constructor(private val session: LogSession) : AutoC
          * [createTopic].
          */
         @JvmStatic
-        public fun createTopicSubscriber(name: String, unit: String, mode: DataInferMode, vararg attrs: String) {
+        public fun createTopicSubscriber(name: String, unit: String?, mode: DataInferMode, vararg attrs: String?) {
             createPublisher(name, unit, mode, *attrs)
         }
 
         /** Creates a topic as [createTopicSubscriber] does, and returns the quicker way to publish to it. */
         @JvmStatic
-        public fun createPublisher(name: String, unit: String, mode: DataInferMode, vararg attrs: String): Publisher {
+        public fun createPublisher(name: String, unit: String?, mode: DataInferMode, vararg attrs: String?): Publisher {
             val session = settingUp(name)
             val notes = EventTexts(session.faults.counters.eventsDropped)
-            val topic = SubscribedTopic(name, unit, attrs.asList(), mode, session.text, notes)
+            val topic = SubscribedTopic(described(name, unit, attrs), mode, session.text, notes)
             return Publisher(session.add(topic), session.faults)
         }
 
@@ -160,9 +161,9 @@ public class BadLog private constructor(private val session: LogSession) : AutoC
             return Events(session.add(topic), session.faults)
         }
 
-        /** Creates a value: a text that is known now, such as the match's number. Throws what [createTopic] does. */
+        /** Creates a value: a text known now, such as the match's number; null is empty. Throws as [createTopic] does. */
         @JvmStatic
-        public fun createValue(name: String, value: String): Unit = settingUp(name).addValue(name, value)
+        public fun createValue(name: String, value: String?): Unit = settingUp(name).addValue(name, value ?: "")
 
         /** Publishes a text to a subscriber topic. Never throws. */
         @JvmStatic
@@ -187,6 +188,9 @@ public class BadLog private constructor(private val session: LogSession) : AutoC
             }
             return BadLog(session).also { current = it }
         }
+
+        private fun described(name: String, unit: String?, attrs: Array<out String?>) =
+            BagTopic(name, unit ?: UNITLESS, attrs.filterNotNull())
 
         private fun settingUp(name: String): LogSession = current?.session
             ?: throw InvalidModeException("\"$name\" was created too early: call BadLog.init(path) first.")

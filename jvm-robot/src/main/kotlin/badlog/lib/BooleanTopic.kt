@@ -1,16 +1,15 @@
 package badlog.lib
 
+import badlog.bag.BagTopic
 import badlog.bag.RowWriter
 import java.util.function.BooleanSupplier
 
 /** A queried topic that is true or false. */
 internal class BooleanTopic(
-    name: String,
-    unit: String,
-    attributes: List<String>,
+    description: BagTopic,
     faults: Faults,
     private val supplier: BooleanSupplier,
-) : QueriedTopic(name, unit, attributes, faults) {
+) : QueriedTopic(description, faults) {
     private var sample = false
     private var current = false
 

@@ -1,17 +1,16 @@
 package badlog.lib
 
+import badlog.bag.BagTopic
 import badlog.bag.RowWriter
 import java.util.function.Supplier
 
 /** A queried topic of numbers that come in boxes; the only garbage is the supplier's. */
 internal class BoxedNumberTopic(
-    name: String,
-    unit: String,
-    attributes: List<String>,
+    description: BagTopic,
     faults: Faults,
     private val supplier: Supplier<out Double?>,
     private val text: NumberText,
-) : QueriedTopic(name, unit, attributes, faults) {
+) : QueriedTopic(description, faults) {
     private var sample = 0.0
     private var current = 0.0
 

@@ -1,10 +1,11 @@
 package badlog.lib
 
+import badlog.bag.BagTopic
 import badlog.bag.RowWriter
 
 /** A topic of events: each row takes all that happened since the row before, however often the topics were updated. */
 internal class EventTopic(name: String, private val texts: EventTexts) :
-    Topic(name, BadLog.UNITLESS, listOf("log")), EventRoom {
+    Topic(BagTopic(name, attributes = listOf("log"))), EventRoom {
 
     override fun note(text: String) = texts.add(text)
 

@@ -1,16 +1,15 @@
 package badlog.lib
 
+import badlog.bag.BagTopic
 import badlog.bag.RowWriter
 import java.util.function.LongSupplier
 
 /** A queried topic of whole numbers, written with all their digits. */
 internal class LongTopic(
-    name: String,
-    unit: String,
-    attributes: List<String>,
+    description: BagTopic,
     faults: Faults,
     private val supplier: LongSupplier,
-) : QueriedTopic(name, unit, attributes, faults) {
+) : QueriedTopic(description, faults) {
     private var sample = 0L
     private var current = 0L
 

@@ -26,7 +26,7 @@ internal class Namespace {
 
     /** Line 1 and line 2 of the file. */
     fun headerLines(): ByteArray {
-        val json = headerText(BagHeader(topics.map { it.description() }, values), asOriginal = true)
+        val json = headerText(BagHeader(topics.map { it.description }, values), asOriginal = true)
         val titles = RowWriter()
         for (topic in topics) titles.text(topic.name)
         titles.endRow()

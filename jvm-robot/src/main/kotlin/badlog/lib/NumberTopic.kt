@@ -1,17 +1,16 @@
 package badlog.lib
 
+import badlog.bag.BagTopic
 import badlog.bag.RowWriter
 import java.util.function.DoubleSupplier
 
 /** A queried topic of numbers. */
 internal class NumberTopic(
-    name: String,
-    unit: String,
-    attributes: List<String>,
+    description: BagTopic,
     faults: Faults,
     private val supplier: DoubleSupplier,
     private val text: NumberText,
-) : QueriedTopic(name, unit, attributes, faults) {
+) : QueriedTopic(description, faults) {
     private var sample = 0.0
     private var current = 0.0
 

@@ -1,14 +1,13 @@
 package badlog.lib
 
+import badlog.bag.BagTopic
 import badlog.bag.RowWriter
 
 /** A topic whose value the log asks the robot's code for. A question that fails leaves a gap. */
 internal abstract class QueriedTopic(
-    name: String,
-    unit: String,
-    attributes: List<String>,
+    description: BagTopic,
     private val faults: Faults,
-) : Topic(name, unit, attributes) {
+) : Topic(description) {
     private var isSampleMissing = true
     private var isGap = true
 

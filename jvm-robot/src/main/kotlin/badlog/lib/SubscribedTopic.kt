@@ -1,5 +1,6 @@
 package badlog.lib
 
+import badlog.bag.BagTopic
 import badlog.bag.RowWriter
 import java.util.function.Function
 
@@ -9,15 +10,13 @@ import java.util.function.Function
  * events in rows in which it has no text.
  */
 internal class SubscribedTopic(
-    name: String,
-    unit: String,
-    attributes: List<String>,
+    description: BagTopic,
     private val mode: DataInferMode,
     private val numberText: NumberText,
     private val notes: EventTexts,
-) : Topic(name, unit, attributes), EventRoom {
+) : Topic(description), EventRoom {
     /** Whether it can take the log's own events. */
-    val isEventLog: Boolean = "log" in attributes
+    val isEventLog: Boolean = "log" in description.attributes
 
     private var isPublished = false
     private var publishedNumber = 0.0

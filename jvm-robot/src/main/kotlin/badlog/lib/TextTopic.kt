@@ -1,16 +1,15 @@
 package badlog.lib
 
+import badlog.bag.BagTopic
 import badlog.bag.RowWriter
 import java.util.function.Supplier
 
 /** A queried topic of texts. */
 internal class TextTopic(
-    name: String,
-    unit: String,
-    attributes: List<String>,
+    description: BagTopic,
     faults: Faults,
     private val supplier: Supplier<out String?>,
-) : QueriedTopic(name, unit, attributes, faults) {
+) : QueriedTopic(description, faults) {
     private var sample = ""
     private var current = ""
 

@@ -8,9 +8,11 @@ import badlog.bag.RowWriter
  * may do what it likes; [commit] makes all samples the current ones at once, and [write] writes those, both under the
  * log's lock.
  */
-internal abstract class Topic(val name: String, val unit: String, val attributes: List<String>) {
+internal abstract class Topic(val description: BagTopic) {
+    val name: String get() = description.name
+
     /** Whether it is the x of all other topics and so needs more digits than they. */
-    val isXAxis: Boolean = "xaxis" in attributes
+    val isXAxis: Boolean = "xaxis" in description.attributes
 
     /** Whether it was said that this topic leaves gaps. Saying it twice, when two threads race, does no harm. */
     @Volatile
@@ -21,6 +23,4 @@ internal abstract class Topic(val name: String, val unit: String, val attributes
     abstract fun commit()
 
     abstract fun write(row: RowWriter)
-
-    fun description(): BagTopic = BagTopic(name, unit, attributes)
 }

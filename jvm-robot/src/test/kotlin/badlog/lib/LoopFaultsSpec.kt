@@ -127,4 +127,16 @@ class LoopFaultsSpec : FunSpec({
             rowsIn(file) shouldBe listOf("1.0000,2.0000")
         }
     }
+
+    test("a thread that is interrupted goes on logging") {
+        inFolder { folder ->
+            val file = logged(folder, { BadLog.createTopic("A", "ul", { 1.0 }) }) { log ->
+                Thread.currentThread().interrupt()
+                repeat(3) { log.row() }
+                Thread.interrupted() shouldBe true
+                log.state shouldBe LogState.LOGGING
+            }
+            rowsIn(file) shouldBe List(3) { "1.0000" }
+        }
+    }
 })

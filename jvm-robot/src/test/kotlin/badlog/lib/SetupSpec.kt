@@ -67,4 +67,18 @@ class SetupSpec : FunSpec({
             File(folder, "a.bag").exists() shouldBe true
         }
     }
+
+    test("a unit, an attribute or a value that is null does not end the robot's program") {
+        inFolder { folder ->
+            val file = logged(folder, {
+                BadLog.createTopic("A", null, { 1.0 }, "hide", null)
+                BadLog.createValue("B", System.getProperty("no such property"))
+            }) { it.row() }
+            recordingIn(file).run {
+                topics[0].unit shouldBe "ul"
+                topics[0].attributes shouldBe listOf("hide")
+                values.map { it.text } shouldBe listOf("")
+            }
+        }
+    }
 })
