@@ -161,7 +161,7 @@ public class BadLog private constructor(private val session: LogSession) : AutoC
             return Events(session.add(topic), session.faults)
         }
 
-        /** Creates a value: a text known now, such as the match's number; null is empty. Throws as [createTopic] does. */
+        /** Creates a value: a text known now, such as the match's number; null is empty. Throws as [createTopic]. */
         @JvmStatic
         public fun createValue(name: String, value: String?): Unit = settingUp(name).addValue(name, value ?: "")
 
