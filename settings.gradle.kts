@@ -19,7 +19,9 @@ dependencyResolutionManagement {
 rootProject.name = "badlog"
 
 include(":core")
+include(":jvm-robot")
 include(":html-export")
 include(":samples")
 include(":benchmarks:jvm")
 include(":benchmarks:node")
+include(":benchmarks:robot")

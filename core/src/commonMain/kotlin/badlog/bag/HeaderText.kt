@@ -5,57 +5,88 @@ package badlog.bag
  * [readHeader] returned comes out with everything it had.
  *
  * Written without a JSON library, because a robot writes it before its first loop and has 256 MB for everything.
+ *
+ * @param asOriginal true to write the very bytes that the original badlog wrote: a topic's unit stands before its name,
+ *   and more characters are escaped than need be.
  */
-public fun headerText(header: BagHeader): String = buildString {
-    jsonObject(header.unknown) {
-        member("topics") { array(header.topics) { appendTopic(it) } }
-        member("values") { array(header.values) { appendValue(it) } }
+public fun headerText(header: BagHeader, asOriginal: Boolean = false): String =
+    HeaderText(asOriginal).apply { append(header) }.toString()
+
+private class HeaderText(private val asOriginal: Boolean) {
+    private val out = StringBuilder()
+
+    override fun toString() = out.toString()
+
+    fun append(header: BagHeader) = jsonObject(header.unknown) {
+        member("topics") { array(header.topics, ::append) }
+        member("values") { array(header.values, ::append) }
     }
-}
 
-private fun StringBuilder.appendTopic(topic: BagTopic) = jsonObject(topic.unknown) {
-    member("name") { appendQuoted(topic.name) }
-    member("unit") { appendQuoted(topic.unit) }
-    member("attrs") { array(topic.attributes) { appendQuoted(it) } }
-}
-
-private fun StringBuilder.appendValue(value: BagValue) = jsonObject(value.unknown) {
-    member("name") { appendQuoted(value.value.name) }
-    member("value") { appendQuoted(value.value.text) }
-}
-
-private fun StringBuilder.jsonObject(unknown: Map<String, String>, members: StringBuilder.() -> Unit) {
-    append('{')
-    members()
-    for ((key, json) in unknown) member(key) { append(json) }
-    append('}')
-}
-
-private fun StringBuilder.member(key: String, value: StringBuilder.() -> Unit) {
-    if (last() != '{') append(',')
-    appendQuoted(key)
-    append(':')
-    value()
-}
-
-private fun <T> StringBuilder.array(items: List<T>, appendItem: StringBuilder.(T) -> Unit) {
-    append('[')
-    items.forEachIndexed { index, item ->
-        if (index > 0) append(',')
-        appendItem(item)
+    private fun append(topic: BagTopic) = jsonObject(topic.unknown) {
+        if (asOriginal) member("unit") { quoted(topic.unit) }
+        member("name") { quoted(topic.name) }
+        if (!asOriginal) member("unit") { quoted(topic.unit) }
+        member("attrs") { array(topic.attributes, ::quoted) }
     }
-    append(']')
-}
 
-private fun StringBuilder.appendQuoted(text: String) {
-    append('"')
-    for (char in text) {
+    private fun append(value: BagValue) = jsonObject(value.unknown) {
+        member("name") { quoted(value.value.name) }
+        member("value") { quoted(value.value.text) }
+    }
+
+    private inline fun jsonObject(unknown: Map<String, String>, members: () -> Unit) {
+        out.append('{')
+        members()
+        for ((key, json) in unknown) member(key) { out.append(json) }
+        out.append('}')
+    }
+
+    private inline fun member(key: String, value: () -> Unit) {
+        if (out.last() != '{') out.append(',')
+        quoted(key)
+        out.append(':')
+        value()
+    }
+
+    private inline fun <T> array(items: List<T>, item: (T) -> Unit) {
+        out.append('[')
+        items.forEachIndexed { index, it ->
+            if (index > 0) out.append(',')
+            item(it)
+        }
+        out.append(']')
+    }
+
+    private fun quoted(text: String) {
+        out.append('"')
+        for (char in text) if (asOriginal) escapedAsOriginal(char) else escaped(char)
+        out.append('"')
+    }
+
+    private fun escaped(char: Char) {
         when {
-            char == '"' || char == '\\' -> append('\\').append(char)
-            char < ' ' || char == '\u2028' || char == '\u2029' ->
-                append("\\u").append(char.code.toString(16).padStart(4, '0'))
-            else -> append(char)
+            char == '"' || char == '\\' -> out.append('\\').append(char)
+            char < ' ' || char == '\u2028' || char == '\u2029' -> hex(char.code.toString(16))
+            else -> out.append(char)
         }
     }
-    append('"')
+
+    private fun escapedAsOriginal(char: Char) {
+        val short = SHORT.indexOf(char)
+        when {
+            short >= 0 -> out.append('\\').append(SHORT_LETTERS[short])
+            char < ' ' || char in '\u007f'..'\u009f' || char in '\u2000'..'\u20ff' ->
+                hex(char.code.toString(16).uppercase())
+            else -> out.append(char)
+        }
+    }
+
+    private fun hex(digits: String) {
+        out.append("\\u").append(digits.padStart(4, '0'))
+    }
+
+    private companion object {
+        const val SHORT = "\"\\/\b\u000c\n\r\t"
+        const val SHORT_LETTERS = "\"\\/bfnrt"
+    }
 }

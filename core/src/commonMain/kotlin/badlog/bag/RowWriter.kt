@@ -52,6 +52,28 @@ public class RowWriter {
     }
 
     /**
+     * Writes a cell with a number and six digits after its point, such as `100.020000`: what a time needs. From a size of
+     * 9e18 on, and when it is not finite, it is written as [number] writes it.
+     */
+    public fun microseconds(value: Double): RowWriter {
+        beginCell()
+        reserve(MicrosecondFormat.MAX_LENGTH)
+        size = MicrosecondFormat.write(value, bytes, size)
+        return this
+    }
+
+    /** Writes a cell with a whole number, all of its digits. */
+    public fun integer(value: Long): RowWriter {
+        beginCell()
+        reserve(IntegerFormat.MAX_LENGTH)
+        size = IntegerFormat.write(value, bytes, size)
+        return this
+    }
+
+    /** Writes a cell with `true` or `false`, which readers show as a state. */
+    public fun truth(value: Boolean): RowWriter = text(if (value) "true" else "false")
+
+    /**
      * Writes a cell with a text. A NUL, which in a bag is a sign of damage, becomes U+FFFD. A text that reads as a number
      * is read as one.
      */
@@ -84,6 +106,12 @@ public class RowWriter {
         cells = 0
         rowStart = size
         return this
+    }
+
+    /** Forgets the cells written since the last row ended. */
+    public fun dropRow() {
+        size = rowStart
+        cells = 0
     }
 
     private fun beginCell() {

@@ -70,6 +70,14 @@ class HeaderJsonSpec : FunSpec({
         }
     }
 
+    test("a header written as the original did has its order and its escapes, and is read the same") {
+        val header = BagHeader(listOf(BagTopic("A/B", "V", listOf("hide"))), listOf(BagValue(Value("a", "\"\\\n\u0001\u0085€°"))))
+        val text = headerText(header, asOriginal = true)
+        text shouldBe """{"topics":[{"unit":"V","name":"A\/B","attrs":["hide"]}],""" +
+            """"values":[{"name":"a","value":"\"\\\n\u0001\u0085\u20AC°"}]}"""
+        readHeader(text) shouldBe header
+    }
+
     test("a header is one line, and cannot end a script or a line of JavaScript") {
         val text = headerText(BagHeader(values = listOf(BagValue(Value("a\nb", "\u2028 \u0001")))))
         text.none { it == '\n' || it == '\u2028' || it == '\u0001' } shouldBe true

@@ -36,9 +36,29 @@ class RowWriterSpec : FunSpec({
         writer.number(2.0).endRow().written() shouldBe "2.0000\n"
     }
 
+    test("a dropped row leaves those before it") {
+        val writer = RowWriter().number(1.0).endRow().number(2.0).number(3.0)
+        writer.dropRow()
+        writer.number(4.0).endRow().written() shouldBe "1.0000\n4.0000\n"
+    }
+
     test("a row of one empty cell is not a blank line") {
         val recording = parse(RowWriter().text("a").endRow().empty().endRow().number(1.0).endRow().written())
         recording.rowCount shouldBe 2
+    }
+
+    test("times keep their microseconds") {
+        RowWriter().microseconds(100.02).microseconds(0.1 + 0.2).microseconds(-0.0000001).microseconds(-2.5)
+            .microseconds(0.9999999).microseconds(-0.0).microseconds(1.7720000001235e9).microseconds(1.772e15)
+            .microseconds(-1.0e19).microseconds(Double.NaN).endRow()
+            .written() shouldBe "100.020000,0.300000,0.000000,-2.500000,1.000000,0.000000,1772000000.123500," +
+            "1772000000000000.000000,-1.0000e+19,NaN\n"
+    }
+
+    test("whole numbers keep all their digits, and truth values are words") {
+        RowWriter().integer(0).integer(-7).integer(1234567890123).integer(Long.MAX_VALUE).integer(Long.MIN_VALUE)
+            .truth(true).truth(false).endRow()
+            .written() shouldBe "0,-7,1234567890123,9223372036854775807,-9223372036854775808,true,false\n"
     }
 
     test("any text comes back as it was written, in a row of its own") {

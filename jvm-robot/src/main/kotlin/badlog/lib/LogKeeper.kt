@@ -1,0 +1,133 @@
+package badlog.lib
+
+import java.io.File
+import java.time.Instant
+import java.util.function.Supplier
+
+/** Does with files what a robot's loop must not wait for: opens, renames, makes space, and stops when there is none. */
+internal class LogKeeper(
+    private val session: LogSession,
+    private val options: RobotLogOptions,
+) : Thread("badlog keeper") {
+    private val faults = session.faults
+    private val folder = LogFolder(LogFolder.choose(options.folder), options.freeBytes)
+    private val ending = if (options.isCompressed) ".bag.gz" else ".bag"
+    private var time: Instant? = null
+    private var event = ""
+    private var match = ""
+    private var ticks = 0L
+
+    @Volatile
+    private var hasLooped = false
+
+    @Volatile
+    private var isAwaited = false
+
+    init {
+        isDaemon = true
+    }
+
+    /** Says that all topics were created, and whether there [isReason] to begin at once. */
+    fun mayBegin(isReason: Boolean) {
+        if (isReason) isAwaited = true
+        hasLooped = true
+    }
+
+    override fun run() {
+        try {
+            while (session.state != LogState.CLOSED) {
+                tick()
+                sleep(TICK_MILLIS)
+            }
+        } catch (failure: Throwable) {
+            faults.sayOnce("keeper", "The log's files are not looked after any more: ${describe(failure)}.")
+        }
+    }
+
+    private fun tick() {
+        val waited = ++ticks * TICK_MILLIS / 1000.0
+        if (session.state == LogState.SETTING_UP) {
+            if (hasLooped && (isAwaited || waited >= options.headerTimeout)) begin()
+            return
+        }
+        rename()
+        if (ticks % SPACE_TICKS == 0L && folder.isFull) stopLogging()
+    }
+
+    private fun begin() {
+        val deleted = folder.makeSpace()
+        deleted.forEach { faults.sayOnce("deleted $it", "The disk is nearly full; the old log $it was deleted.") }
+        if (isFullFrom(folder.path)) return stopLogging()
+        learn()
+        addValues()
+        session.open(LogName.free(folder.path, currentName(), ending), options.isCompressed)
+        session.finishSetup()
+    }
+
+    // Before the first log there is no folder, and what is not there has no space.
+    private fun isFullFrom(path: File) = (path.isDirectory || path.mkdirs()) && folder.isFull
+
+    private fun stopLogging() {
+        faults.sayOnce(
+            "full",
+            "Logging stopped: less than 5 MiB are free in ${folder.path}. " +
+                "Copy old logs to a laptop, then delete them here.",
+        )
+        session.close()
+    }
+
+    private fun rename() {
+        val file = session.file ?: return
+        if (!learn() || time == null) return
+        val name = LogName.free(folder.path, currentName(), ending)
+        if (!file.rename(name)) {
+            faults.sayOnce("rename", "The log ${file.path} could not be renamed to ${name.name}; it keeps its name.")
+            return
+        }
+        syncFolder(folder.path)
+        if (match.isNotEmpty()) faults.room?.note("Match $event $match")
+    }
+
+    /** Asks for what is not known yet; true if any of it is known now. */
+    private fun learn(): Boolean {
+        val before = Triple(time, event, match)
+        if (time == null && ask("isClockSet") { options.isClockSet.asBoolean } == true) time = Instant.now()
+        if (match.isEmpty()) {
+            event = text("event", options.event)
+            match = text("match", options.match)
+        }
+        return before != Triple(time, event, match)
+    }
+
+    private fun currentName() = time?.let { LogName.of(it, event, match) } ?: LogName.provisional()
+
+    private fun addValues() {
+        addValue("Event Name", event)
+        addValue("Match Type", MATCH_TYPES[match.firstOrNull()] ?: "")
+        addValue("Match Number", match.drop(1))
+    }
+
+    private fun addValue(name: String, text: String) {
+        if (text.isEmpty()) return
+        try {
+            session.addValue(name, text)
+        } catch (_: DuplicateNameException) {
+            // The program says it itself.
+        }
+    }
+
+    private fun text(name: String, supplier: Supplier<String>) = ask(name) { supplier.get() } ?: ""
+
+    private fun <T : Any> ask(name: String, question: () -> T?): T? = try {
+        question()
+    } catch (failure: Throwable) {
+        faults.callIgnored(name, "Asking $name failed: ${describe(failure)}. It counts as unknown.")
+        null
+    }
+
+    private companion object {
+        const val TICK_MILLIS = 100L
+        const val SPACE_TICKS = 50L
+        val MATCH_TYPES = mapOf('P' to "Practice", 'Q' to "Qualification", 'E' to "Elimination")
+    }
+}

@@ -1,0 +1,193 @@
+package badlog.lib
+
+import java.io.File
+import java.util.concurrent.atomic.AtomicBoolean
+
+/**
+ * One log from its set-up to its end. Set-up mistakes are exceptions; [update], [log] and [publishing] never throw.
+ *
+ * Two locks, so that nobody waits who need not: [lock] is held while a row is put together and written, each
+ * [SubscribedTopic] has its own for what is published to it, and none is held while suppliers are asked.
+ */
+internal class LogSession(private val flushesEachRow: Boolean) {
+    private val lock = Any()
+    private val namespace = Namespace()
+    private val isSampling = AtomicBoolean()
+    private val closeOnExit = CloseOnExit(this)
+    private var topics = emptyArray<Topic>()
+    private var sink: RowSink? = null
+    private var syncThread: SyncThread? = null
+    private var syncs = true
+
+    val faults: Faults = Faults(Counters())
+    val text: NumberText = NumberText(faults)
+
+    /** The file, or null as long as there is none. */
+    @Volatile
+    var file: LogFile? = null
+        private set
+
+    // Not known before the set-up is finished, so that publishing needs no lock.
+    @Volatile
+    private var subscribers: Map<String, SubscribedTopic> = emptyMap()
+
+    @Volatile
+    private var phase = LogState.SETTING_UP
+
+    val state: LogState
+        get() = if (phase == LogState.LOGGING && !isWritable()) LogState.FAILING else phase
+
+    /** Creates the file; said once if that fails. */
+    fun open(path: File, isCompressed: Boolean) {
+        LogFile.open(path, isCompressed, faults)?.let(::logTo)
+    }
+
+    fun logTo(opened: LogFile) {
+        file = opened
+        sink = RowSink(opened, flushesEachRow, faults)
+        closeOnExit.register()
+    }
+
+    fun <T : Topic> add(topic: T): T {
+        synchronized(lock) {
+            requireSettingUp(topic.name)
+            namespace.add(topic)
+        }
+        return topic
+    }
+
+    fun addValue(name: String, value: String) {
+        synchronized(lock) {
+            requireSettingUp(name)
+            namespace.addValue(name, value)
+        }
+    }
+
+    fun finishSetup() {
+        synchronized(lock) {
+            if (phase != LogState.SETTING_UP) {
+                throw InvalidModeException("The log was set up already: call finishInitialization() only once.")
+            }
+            topics = namespace.topics.toTypedArray()
+            subscribers = topics.filterIsInstance<SubscribedTopic>().associateBy { it.name }
+            faults.room = topics.firstOrNull { it is EventTopic } as EventTopic?
+                ?: topics.firstOrNull { it is SubscribedTopic && it.isEventLog } as SubscribedTopic?
+            sink?.begin(namespace.headerLines())
+            phase = LogState.LOGGING
+            if (syncs) startSyncing()
+        }
+    }
+
+    fun update() {
+        if (phase != LogState.LOGGING) return ignored("updateTopics()")
+        // The suppliers' code may take locks of its own, or call this again. A thread that comes second finds its work
+        // being done.
+        if (!isSampling.compareAndSet(false, true)) return
+        try {
+            for (topic in topics) topic.sample()
+            synchronized(lock) {
+                text.commit()
+                for (topic in topics) topic.commit()
+            }
+        } finally {
+            isSampling.set(false)
+        }
+    }
+
+    fun log() {
+        synchronized(lock) {
+            if (phase != LogState.LOGGING) return ignored("log()")
+            val sink = sink
+            if (sink == null) faults.counters.rowsMissed.incrementAndGet() else writeRow(sink)
+        }
+    }
+
+    private fun writeRow(sink: RowSink) {
+        val began = System.nanoTime()
+        try {
+            for (topic in topics) topic.write(sink.row)
+            sink.endRow(began)
+        } catch (failure: Throwable) {
+            // Such as too little memory for a text: this row is lost, the robot goes on.
+            sink.dropRow()
+            faults.sayOnce("row", "A row of the log was lost: ${describe(failure)}.")
+        }
+    }
+
+    fun flush() {
+        synchronized(lock) {
+            if (phase == LogState.LOGGING) sink?.flush()
+        }
+    }
+
+    /** The topic to publish to, or null if the call is to be ignored. */
+    fun publishing(name: String?, isNull: Boolean): SubscribedTopic? {
+        val topic = subscribers[name] ?: earlySubscriber(name)
+        if (topic != null && !isNull) return topic
+        val why = if (topic != null) {
+            nullPublished(topic.name)
+        } else {
+            "What is published to \"$name\" is ignored: createTopicSubscriber() made no topic of that name."
+        }
+        faults.callIgnored("publish $name", why)
+        return null
+    }
+
+    /** What is published while a log is set up is kept for its first row: a [RobotLog] may be set up for long. */
+    private fun earlySubscriber(name: String?): SubscribedTopic? {
+        if (phase != LogState.SETTING_UP) return null
+        return synchronized(lock) { namespace.topics.firstOrNull { it.name == name } as? SubscribedTopic }
+    }
+
+    fun setSyncing(enabled: Boolean) {
+        synchronized(lock) {
+            syncs = enabled
+            if (phase != LogState.LOGGING) return
+            if (enabled) startSyncing() else stopSyncing(closesFile = false)
+        }
+    }
+
+    fun close() {
+        synchronized(lock) {
+            if (phase == LogState.CLOSED) return
+            phase = LogState.CLOSED
+            sink?.finish()
+            if (!stopSyncing(closesFile = true)) file?.output?.close()
+        }
+        if (file != null && Thread.currentThread() !== closeOnExit) closeOnExit.unregister()
+    }
+
+    private fun isWritable() = sink?.isFailing == false && file?.isMissing == false
+
+    private fun requireSettingUp(name: String) {
+        if (phase != LogState.SETTING_UP) {
+            throw InvalidModeException(
+                "\"$name\" was created too late: create all topics and values before finishInitialization().",
+            )
+        }
+    }
+
+    private fun ignored(call: String) = faults.callIgnored(
+        call,
+        if (phase == LogState.CLOSED) {
+            "$call is ignored, because the log was closed."
+        } else {
+            "$call is ignored until finishInitialization() was called."
+        },
+    )
+
+    private fun startSyncing() {
+        val file = file
+        val sink = sink
+        if (syncThread == null && file != null && sink != null) {
+            syncThread = SyncThread(file, sink, faults).also { it.start() }
+        }
+    }
+
+    private fun stopSyncing(closesFile: Boolean): Boolean {
+        val thread = syncThread ?: return false
+        syncThread = null
+        thread.finish(closesFile)
+        return true
+    }
+}

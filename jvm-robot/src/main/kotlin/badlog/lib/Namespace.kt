@@ -1,0 +1,45 @@
+package badlog.lib
+
+import badlog.bag.BagHeader
+import badlog.bag.BagValue
+import badlog.bag.RowWriter
+import badlog.bag.headerText
+import badlog.recording.Value
+
+/** The topics and values of a log while it is set up, each under a name of its own. Guarded by the log's lock. */
+internal class Namespace {
+    private val names = HashSet<String>()
+    private val values = ArrayList<BagValue>()
+    val topics = ArrayList<Topic>()
+
+    /** @throws DuplicateNameException if its name is taken. */
+    fun add(topic: Topic) {
+        claim(topic.name)
+        topics.add(topic)
+    }
+
+    /** @throws DuplicateNameException if [name] is taken. */
+    fun addValue(name: String, text: String) {
+        claim(name)
+        values.add(BagValue(Value(name, text)))
+    }
+
+    /** Line 1 and line 2 of the file. */
+    fun headerLines(): ByteArray {
+        val json = headerText(BagHeader(topics.map { it.description }, values), asOriginal = true)
+        val titles = RowWriter()
+        for (topic in topics) titles.text(topic.name)
+        titles.endRow()
+        return (json + "\n").encodeToByteArray() + titles.bytes.copyOf(titles.size)
+    }
+
+    private fun claim(name: String) {
+        if (!names.add(name)) {
+            throw DuplicateNameException(
+                "There already is a topic or value \"$name\" in this log. Give one of the two another name.",
+            )
+        }
+        val odd = name.firstOrNull { !it.isLetterOrDigit() && it != ' ' && it != '_' && it != '/' } ?: return
+        sayAboutBadLog("The name \"$name\" has the character '$odd'; letters, digits, spaces, _ and / are safer.")
+    }
+}

@@ -1,0 +1,48 @@
+package badlog.lib
+
+import badlog.bag.RowWriter
+import java.util.function.Function
+
+/**
+ * How a log's numbers become text: by core's formatter, or by the program's own [function] once it is set. A number
+ * keeps the function that was set when it was asked for or published.
+ */
+internal class NumberText(private val faults: Faults) {
+    /** The program's own function, if any, for numbers from now on. */
+    @Volatile
+    var function: Function<in Double, out String?>? = null
+
+    /** What [function] was when the current values were asked for. Guarded by the log's lock. */
+    var current: Function<in Double, out String?>? = null
+        private set
+
+    fun commit() {
+        current = function
+    }
+
+    fun write(value: Double, function: Function<in Double, out String?>?, topic: Topic, row: RowWriter) {
+        if (function != null) {
+            writeBy(function, value, topic, row)
+        } else if (topic.isXAxis) {
+            row.microseconds(value)
+        } else {
+            row.number(value)
+        }
+    }
+
+    private fun writeBy(function: Function<in Double, out String?>, value: Double, topic: Topic, row: RowWriter) {
+        val text = try {
+            function.apply(value)
+        } catch (failure: Throwable) {
+            faults.cellMissed(topic, "could not be formatted: the doubleToString function threw ${describe(failure)}")
+            row.empty()
+            return
+        }
+        if (text != null) {
+            row.text(text)
+        } else {
+            faults.cellMissed(topic, "could not be formatted: the doubleToString function gave null")
+            row.empty()
+        }
+    }
+}

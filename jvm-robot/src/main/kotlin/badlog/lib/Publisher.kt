@@ -1,0 +1,19 @@
+package badlog.lib
+
+/**
+ * Publishes to one subscriber topic, without looking its name up. Created by [BadLog.createPublisher]. Safe for use by
+ * several threads; never throws and never waits for a file.
+ */
+public class Publisher internal constructor(private val topic: SubscribedTopic, private val faults: Faults) {
+    /** Makes [value] what the next [BadLog.updateTopics] finds; the last one published counts. */
+    public fun publish(value: Double) {
+        topic.publish(value)
+    }
+
+    /** Makes [value] what the next [BadLog.updateTopics] finds; the last one published counts. Null is ignored. */
+    public fun publish(value: String?) {
+        if (value == null) faults.callIgnored(topic.name, nullPublished(topic.name)) else topic.publish(value)
+    }
+}
+
+internal fun nullPublished(name: String): String = "null was published to the topic \"$name\"; that is ignored."

@@ -1,0 +1,82 @@
+package badlog.lib
+
+import java.io.File
+import java.util.function.BooleanSupplier
+
+/**
+ * A log that looks after its files by itself: where they are, what they are called, and how much space they take.
+ * Between [start] and the first [periodic] the robot's code creates topics and values by the functions of [BadLog]; it
+ * calls neither [BadLog.finishInitialization] nor [BadLog.updateTopics] nor [BadLog.log].
+ *
+ * Nothing is written before a driver station is there or the robot is enabled (or a minute has passed), so that a robot
+ * that was only switched on leaves no file. The file is then opened by a thread of the log's own, a tenth of a second
+ * later at most, and later renamed by it as time, event and match become known.
+ */
+public class RobotLog private constructor(
+    /** The log itself, for its counters and settings. */
+    public val log: BadLog,
+    private val session: LogSession,
+    private val options: RobotLogOptions,
+) : AutoCloseable {
+    private val keeper = LogKeeper(session, options)
+    private val disabledNanos = (options.disabledPeriod * 1e9).toLong()
+    private var lastRow = System.nanoTime() - disabledNanos
+    private var wasEnabled = false
+
+    /** Whether the robot was enabled in the last [periodic]. */
+    private var isEnabled = false
+
+    /** The file that is written, under its name of the moment; null as long as there is none. */
+    public val file: File? get() = session.file?.path
+
+    /** Logs what is to be logged now. To be called in each of the robot's loops, last; never throws. */
+    public fun periodic() {
+        isEnabled = ask(options.isEnabled, "isEnabled")
+        if (session.state == LogState.SETTING_UP) {
+            keeper.mayBegin(isEnabled || ask(options.isDriverStationAttached, "isDriverStationAttached"))
+            return
+        }
+        if (session.state == LogState.CLOSED) return
+        val now = System.nanoTime()
+        if (isEnabled || wasEnabled || now - lastRow >= disabledNanos) {
+            lastRow = now
+            wasEnabled = isEnabled
+            session.update()
+            session.log()
+        }
+    }
+
+    /** Closes the log. */
+    override fun close(): Unit = session.close()
+
+    private fun ask(supplier: BooleanSupplier, name: String): Boolean = try {
+        supplier.asBoolean
+    } catch (failure: Throwable) {
+        session.faults.callIgnored(name, "Asking $name failed: ${describe(failure)}. It counts as false.")
+        false
+    }
+
+    private fun createStandardTopics() {
+        val began = System.nanoTime()
+        BadLog.createTopicDouble("Time", "s", { (System.nanoTime() - began) * 1e-9 }, "xaxis", "hide")
+        BadLog.createTopicBoolean("Robot/Enabled", BadLog.UNITLESS, { isEnabled })
+        options.batteryVoltage?.let { BadLog.createTopicDouble("Robot/Battery Voltage", "V", it, "zero") }
+        BadLog.createEvents("Robot/Events")
+    }
+
+    public companion object {
+        /** Starts a log with the options that suit most robots. See [RobotLog]. */
+        @JvmStatic
+        public fun start(): RobotLog = start(RobotLogOptions())
+
+        /** Starts a log; if there is one already, it is closed first. See [RobotLog]. */
+        @JvmStatic
+        public fun start(options: RobotLogOptions): RobotLog {
+            val session = LogSession(flushesEachRow = true)
+            val robotLog = RobotLog(BadLog.start(session), session, options)
+            if (options.hasStandardTopics) robotLog.createStandardTopics()
+            robotLog.keeper.start()
+            return robotLog
+        }
+    }
+}

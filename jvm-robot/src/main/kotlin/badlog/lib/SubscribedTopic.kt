@@ -1,0 +1,70 @@
+package badlog.lib
+
+import badlog.bag.BagTopic
+import badlog.bag.RowWriter
+import java.util.function.Function
+
+/**
+ * A topic whose value the robot's code publishes, from any thread, at any time. A lock of its own, held for a few
+ * nanoseconds, keeps publishers from ever waiting for a write. One that is an event log has room for the log's own
+ * events in rows in which it has no text.
+ */
+internal class SubscribedTopic(
+    description: BagTopic,
+    private val mode: DataInferMode,
+    private val numberText: NumberText,
+    private val notes: EventTexts,
+) : Topic(description), EventRoom {
+    /** Whether it can take the log's own events. */
+    val isEventLog: Boolean = "log" in description.attributes
+
+    private var isPublished = false
+    private var publishedNumber = 0.0
+    private var publishedText: String? = null
+    private var publishedFunction: Function<in Double, out String?>? = null
+
+    private var number = 0.0
+    private var text: String? = BadLog.DEFAULT_DATA
+    private var function: Function<in Double, out String?>? = null
+    private var isDefault = true
+
+    fun publish(value: Double) {
+        synchronized(this) {
+            publishedNumber = value
+            publishedText = null
+            publishedFunction = numberText.function
+            isPublished = true
+        }
+    }
+
+    fun publish(value: String) {
+        synchronized(this) {
+            publishedText = value
+            isPublished = true
+        }
+    }
+
+    override fun note(text: String) = notes.add(text)
+
+    override fun sample() = Unit
+
+    override fun commit() {
+        synchronized(this) {
+            if (isPublished) {
+                number = publishedNumber
+                text = publishedText
+                function = publishedFunction
+                isDefault = false
+                isPublished = false
+            } else if (mode == DataInferMode.DEFAULT) {
+                text = BadLog.DEFAULT_DATA
+                isDefault = true
+            }
+        }
+    }
+
+    override fun write(row: RowWriter) {
+        val text = (if (isDefault) notes.take() else null) ?: text
+        if (text != null) row.text(text) else numberText.write(number, function, this, row)
+    }
+}

@@ -1,0 +1,81 @@
+package badlog.lib
+
+import java.io.IOException
+import java.util.concurrent.CountDownLatch
+import java.util.concurrent.TimeUnit
+
+/**
+ * Brings what was written to the disk, a quarter of a second after it was written at the latest, so that a cut of power
+ * takes no more than that. It holds no lock while it waits for the disk. It also notices when the file was deleted.
+ */
+internal class SyncThread(
+    private val file: LogFile,
+    private val sink: RowSink,
+    private val faults: Faults,
+) : Thread("badlog sync") {
+    private var timesMissing = 0
+    private val stopped = CountDownLatch(1)
+
+    @Volatile
+    private var closesFile = false
+
+    init {
+        isDaemon = true
+    }
+
+    override fun run() {
+        syncFolder(file.path.absoluteFile.parentFile)
+        do {
+            if (sink.isDirty) sync()
+            lookForFile()
+        } while (pause())
+        if (sink.isDirty) sync()
+        if (closesFile) file.output.close()
+    }
+
+    /** Ends the thread soon, without waiting for it. It closes the file then, if [closesFile]. */
+    fun finish(closesFile: Boolean) {
+        this.closesFile = closesFile
+        stopped.countDown()
+    }
+
+    /** Waits a while; false when it is time to end. */
+    private fun pause(): Boolean = try {
+        !stopped.await(INTERVAL_MILLIS, TimeUnit.MILLISECONDS)
+    } catch (_: InterruptedException) {
+        // Not the way to end this thread; it just looks a little earlier.
+        true
+    }
+
+    private fun sync() {
+        // Before the sync, so that what is written meanwhile is not missed.
+        sink.isDirty = false
+        try {
+            file.output.sync()
+        } catch (failure: IOException) {
+            faults.counters.failedSyncs.incrementAndGet()
+            faults.sayOnce(
+                "sync",
+                "The log ${file.path} could not be brought to the disk: ${describe(failure)}. A cut of power may " +
+                    "cost more than the last quarter of a second.",
+            )
+        }
+    }
+
+    /** Once is not enough: it may be on its way to another name. */
+    private fun lookForFile() {
+        timesMissing = if (file.path.exists()) 0 else timesMissing + 1
+        file.isMissing = timesMissing > 1
+        if (file.isMissing) {
+            faults.sayOnce(
+                "missing",
+                "The log ${file.path} was deleted, or its disk pulled out, while it was written. What is logged from " +
+                    "now on is lost; start the robot program again to begin a new log.",
+            )
+        }
+    }
+
+    private companion object {
+        const val INTERVAL_MILLIS = 250L
+    }
+}

@@ -1,0 +1,79 @@
+package badlog.lib
+
+import java.lang.invoke.MethodHandle
+import java.lang.invoke.MethodHandles
+import java.lang.invoke.MethodType
+import java.util.function.BooleanSupplier
+import java.util.function.DoubleSupplier
+import java.util.function.Supplier
+
+/**
+ * What WPILib knows about the robot, found at run time, because its classes move: to season 2026 they are under
+ * `edu.wpi.first`, from 2027 on under `org.wpilib`. What is not found is answered as if all were well.
+ */
+internal class Wpilib private constructor(private val loader: ClassLoader?) {
+    val isEnabled: BooleanSupplier = truth("isEnabled", DRIVER_STATION) ?: BooleanSupplier { true }
+
+    val isDriverStationAttached: BooleanSupplier = truth("isDSAttached", DRIVER_STATION) ?: BooleanSupplier { false }
+
+    val isClockSet: BooleanSupplier = truth("isSystemTimeValid", ROBOT_CONTROLLER)
+        ?: BooleanSupplier { System.currentTimeMillis() > LONG_AGO_MILLIS }
+
+    val batteryVoltage: DoubleSupplier? = handle("getBatteryVoltage", ROBOT_CONTROLLER)
+        ?.asType(MethodType.methodType(Double::class.javaPrimitiveType))
+        ?.let { handle -> DoubleSupplier { handle.invokeExact() as Double } }
+
+    val event: Supplier<String> = handle("getEventName", MATCH_STATE).let { name ->
+        Supplier { name?.invoke()?.toString() ?: "" }
+    }
+
+    val match: Supplier<String> = matchOf(handle("getMatchType", MATCH_STATE), handle("getMatchNumber", MATCH_STATE))
+
+    private fun truth(method: String, classes: List<String>): BooleanSupplier? = handle(method, classes)
+        ?.asType(MethodType.methodType(Boolean::class.javaPrimitiveType))
+        ?.let { handle -> BooleanSupplier { handle.invokeExact() as Boolean } }
+
+    private fun matchOf(type: MethodHandle?, number: MethodHandle?) = Supplier {
+        // None, Practice, Qualification, Elimination.
+        val letter = type?.invoke()?.toString()?.firstOrNull()?.uppercaseChar()
+        if (letter == null || letter !in "PQE" || number == null) "" else "$letter${number.invoke()}"
+    }
+
+    /** The static method of that name without parameters, in the first of [classes] that has it. */
+    private fun handle(method: String, classes: List<String>): MethodHandle? {
+        for (name in classes) {
+            try {
+                val found = Class.forName(name, false, loader).getMethod(method)
+                return MethodHandles.publicLookup().unreflect(found)
+            } catch (_: ReflectiveOperationException) {
+                // Another season's name.
+            } catch (_: LinkageError) {
+                // There, but broken: as good as absent.
+            }
+        }
+        return null
+    }
+
+    companion object {
+        private val DRIVER_STATION = listOf(
+            "edu.wpi.first.wpilibj.DriverStation",
+            "org.wpilib.driverstation.RobotState",
+            "org.wpilib.driverstation.DriverStation",
+        )
+        private val MATCH_STATE = listOf(
+            "edu.wpi.first.wpilibj.DriverStation",
+            "org.wpilib.driverstation.MatchState",
+            "org.wpilib.driverstation.DriverStation",
+        )
+        private val ROBOT_CONTROLLER = listOf(
+            "edu.wpi.first.wpilibj.RobotController",
+            "org.wpilib.system.RobotController",
+        )
+
+        // The start of 2025, in which nothing ran this: a clock that is behind it was never set.
+        private const val LONG_AGO_MILLIS = 1_735_689_600_000L
+
+        /** Looks in [loader]; initializes no class. */
+        fun find(loader: ClassLoader?): Wpilib = Wpilib(loader)
+    }
+}

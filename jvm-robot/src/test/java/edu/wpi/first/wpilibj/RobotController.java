@@ -1,0 +1,17 @@
+package edu.wpi.first.wpilibj;
+
+/** Stands for WPILib's class of that name, to season 2026. */
+public final class RobotController {
+    public static boolean systemTimeValid;
+
+    private RobotController() {
+    }
+
+    public static double getBatteryVoltage() {
+        return 12.6;
+    }
+
+    public static boolean isSystemTimeValid() {
+        return systemTimeValid;
+    }
+}

@@ -1,0 +1,15 @@
+package org.wpilib.system;
+
+/** Stands for WPILib's class of that name, from season 2027 on. */
+public final class RobotController {
+    private RobotController() {
+    }
+
+    public static double getBatteryVoltage() {
+        return 11.9;
+    }
+
+    public static boolean isSystemTimeValid() {
+        return false;
+    }
+}

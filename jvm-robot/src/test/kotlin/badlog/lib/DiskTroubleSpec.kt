@@ -1,0 +1,199 @@
+package badlog.lib
+
+import badlog.recording.Severity
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.core.test.Enabled
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.longs.shouldBeGreaterThan
+import io.kotest.matchers.longs.shouldBeLessThan
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import java.io.File
+import java.io.IOException
+
+private const val MOST_NANOS = 20_000_000L
+
+class DiskTroubleSpec : FunSpec({
+    for (compress in listOf(false, true)) {
+        test("a full disk costs the rows meanwhile and nothing else" + if (compress) ", compressed" else "")
+            .config(enabledOrReasonIf = { ifMount() }) {
+                onSmallDisk { disk ->
+                    val filler = File(disk, "filler")
+                    val file = File(disk, if (compress) "full.bag.gz" else "full.bag")
+                    val said = standardErrorOf {
+                        BadLog.init("$disk/full.bag", compress, true).use { log ->
+                            createTopics()
+                            log.finishInitialization()
+                            repeat(50) { log.row() }
+                            fill(filler)
+                            slowestOf(2000) { log.row() } shouldBeLessThan MOST_NANOS
+                            log.state shouldBe LogState.FAILING
+                            filler.delete()
+                            Thread.sleep(300)
+                            repeat(50) { log.row() }
+                            log.state shouldBe LogState.LOGGING
+                            val counters = log.counters()
+                            counters.rowsMissed shouldBeGreaterThan 0
+                            counters.rowsWritten + counters.rowsMissed shouldBe 2100
+                            counters.bytesWritten shouldBe file.length()
+                        }
+                    }
+                    said.trim().lines().size shouldBe 1
+                    said shouldContain "No space left"
+                    val recording = recordingIn(if (compress) inflated(file.readBytes()) else file.readBytes())
+                    recording.problems.filter { it.severity == Severity.ERROR }.shouldBeEmpty()
+                    recording.topics[0].samples.run { last() } shouldBe 2100.0
+                    recording.topics.last().texts.dictionary.single() shouldContain "could not be written"
+                }
+            }
+    }
+
+    test("a disk that was full from the start gets the header once it can").config(enabledOrReasonIf = { ifMount() }) {
+        onSmallDisk { disk ->
+            val filler = File(disk, "filler")
+            fill(filler)
+            standardErrorOf {
+                BadLog.init("$disk/late.bag").use { log ->
+                    createTopics()
+                    log.finishInitialization()
+                    repeat(10) { log.row() }
+                    filler.delete()
+                    Thread.sleep(300)
+                    repeat(10) { log.row() }
+                }
+            }
+            recordingIn(File(disk, "late.bag")).run {
+                rowCount shouldBe 10
+                problems.filter { it.severity == Severity.ERROR }.shouldBeEmpty()
+            }
+        }
+    }
+
+    test("a read-only disk is said, and nothing is logged").config(enabledOrReasonIf = { ifMount() }) {
+        onSmallDisk { disk ->
+            run(listOf("mount", "-o", "remount,ro", disk.path)).first shouldBe 0
+            expectNothingLogged(File(disk, "a.bag"))
+        }
+    }
+
+    test("a folder that cannot be is said, and nothing is logged") {
+        inFolder { folder ->
+            val file = File(folder, "file").apply { writeText("") }
+            expectNothingLogged(File(file, "a.bag"))
+            expectNothingLogged(folder)
+        }
+    }
+
+    test("a file that takes nothing is said") {
+        standardErrorOf {
+            BadLog.init("/dev/full").use { log ->
+                createTopics()
+                log.finishInitialization()
+                slowestOf(100) { log.row() } shouldBeLessThan MOST_NANOS
+                log.state shouldBe LogState.FAILING
+                log.counters().rowsMissed shouldBe 100
+            }
+        } shouldContain "/dev/full"
+    }
+
+    test("a folder that is deleted, or pulled out, while logging is noticed") {
+        val trouble = mapOf<String, (File) -> Unit>(
+            "deleted" to { it.deleteRecursively() },
+            "renamed" to { it.renameTo(File(it.parentFile, "gone")) },
+        )
+        for ((name, happen) in trouble) inFolder { folder ->
+            val usb = File(folder, name)
+            standardErrorOf {
+                BadLog.init("$usb/logs/a.bag").use { log ->
+                    createTopics()
+                    log.finishInitialization()
+                    repeat(10) { log.row() }
+                    happen(usb)
+                    slowestOf(700) {
+                        log.row()
+                        Thread.sleep(1)
+                    } shouldBeLessThan MOST_NANOS
+                    log.state shouldBe LogState.FAILING
+                    log.counters().rowsWritten shouldBe 710
+                }
+            } shouldContain "was deleted, or its disk pulled out"
+        }
+    }
+
+    test("a disk that is unmounted while logging is noticed").config(enabledOrReasonIf = { ifMount() }) {
+        onSmallDisk { disk ->
+            standardErrorOf {
+                BadLog.init("$disk/a.bag", false, true).use { log ->
+                    createTopics()
+                    log.finishInitialization()
+                    log.row()
+                    run(listOf("umount", "-l", disk.path)).first shouldBe 0
+                    slowestOf(700) {
+                        log.row()
+                        Thread.sleep(1)
+                    } shouldBeLessThan MOST_NANOS
+                    log.state shouldBe LogState.FAILING
+                }
+            } shouldContain "pulled out"
+        }
+    }
+})
+
+private fun createTopics() {
+    var count = 0L
+    BadLog.createTopicLong("Count", "ul", { ++count })
+    for (i in 1..20) BadLog.createTopicDouble("Topic $i", "ul", { count * 0.37 * i })
+    BadLog.createEvents("Events")
+}
+
+private fun expectNothingLogged(path: File) {
+    standardErrorOf {
+        BadLog.init(path.path).use { log ->
+            createTopics()
+            log.finishInitialization()
+            repeat(10) { log.row() }
+            log.state shouldBe LogState.FAILING
+            log.counters().rowsMissed shouldBe 10
+        }
+    } shouldContain "The log $path cannot be created"
+}
+
+/**
+ * How long [call] took at most, of [times]. A machine that does other things stalls any program now and then, so the
+ * best of three parts counts.
+ */
+private fun slowestOf(times: Int, call: () -> Unit): Long {
+    call()
+    val nanos = List(times - 1) {
+        val began = System.nanoTime()
+        call()
+        System.nanoTime() - began
+    }
+    return nanos.chunked(times / 3).minOf { it.max() }
+}
+
+private fun fill(file: File) {
+    try {
+        file.outputStream().use { while (true) it.write(ByteArray(64)) }
+    } catch (_: IOException) {
+        // Full.
+    }
+}
+
+/** Runs [test] in an own file system of half a megabyte. */
+private fun onSmallDisk(test: (File) -> Unit) = inFolder { folder ->
+    val disk = File(folder, "disk").apply { mkdir() }
+    run(listOf("mount", "-t", "tmpfs", "-o", "size=512k", "badlog", disk.path)).first shouldBe 0
+    try {
+        test(disk)
+    } finally {
+        run(listOf("umount", "-l", disk.path))
+    }
+}
+
+private fun ifMount(): Enabled = inFolder { folder ->
+    val mount = listOf("mount", "-t", "tmpfs", "-o", "size=64k", "badlog", folder.path)
+    val mounted = canRun("mount") && run(mount).first == 0
+    if (mounted) run(listOf("umount", folder.path))
+    if (mounted) Enabled.enabled else Enabled.disabled("this user may not mount a small disk")
+}

@@ -1,0 +1,69 @@
+package badlog.lib
+
+import edu.wpi.first.wpilibj.DriverStation
+import edu.wpi.first.wpilibj.RobotController
+import edu.wpi.first.wpilibj.TimedRobot
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldContainAll
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import java.io.File
+
+private val root = generateSequence(File("").absoluteFile) { it.parentFile }
+    .first { File(it, "settings.gradle.kts").exists() }
+
+private val robots = mapOf<String, () -> TimedRobot>(
+    "Java" to { frc.robot.Robot() },
+    "Kotlin" to { frc.kotlinrobot.Robot() },
+)
+
+class GuideSpec : FunSpec({
+    test("the robots in docs/robot.md are those that run here") {
+        val guide = File(root, "docs/robot.md").readText()
+        val sources = File(root, "jvm-robot/src/test")
+        guide shouldContain "```java\n" + File(sources, "java/frc/robot/Robot.java").readText() + "```"
+        guide shouldContain "```kotlin\n" + File(sources, "kotlin/frc/kotlinrobot/Robot.kt").readText() + "```"
+    }
+
+    for ((name, make) in robots) {
+        test("the robot in $name logs") {
+            val logs = File("logs").absoluteFile
+            logs.deleteRecursively()
+            DriverStation.enabled = true
+            DriverStation.event = "OHCL"
+            DriverStation.matchType = DriverStation.MatchType.Qualification
+            DriverStation.matchNumber = 42
+            RobotController.systemTimeValid = true
+            standardErrorOf {
+                val robot = make()
+                repeat(60) {
+                    robot.robotPeriodic()
+                    Thread.sleep(10)
+                }
+                BadLog.init(File(logs, "other.bag").path).close()
+            }
+            val file = logs.listFiles().orEmpty().single { it.name.startsWith("FRC_") }
+            val recording = recordingIn(if (file.extension == "gz") inflated(file.readBytes()) else file.readBytes())
+            recording.topics.map { it.name } shouldContainAll
+                listOf("Time", "Robot/Battery Voltage", "Arm/Angle", "Arm/Events")
+            recording.values.map { it.name } shouldContainAll listOf("Arm/P", "Event Name", "Match Number")
+            recording.topics.first { it.name == "Arm/Target" }.samples.last() shouldBe 45.0
+            recording.problems.filter { it.line != null }.shouldBeEmpty()
+            logs.deleteRecursively()
+        }
+    }
+
+    test("the vendordep files are of this version, and each of one season") {
+        val properties = File(root, "gradle.properties").readLines()
+        val version = properties.first { it.startsWith("version=") }.substringAfter('=')
+        val seasons = mapOf("Badlog" to "\"frcYear\": \"2026\"", "Badlog2027" to "\"wpilibYear\": \"2027\"")
+        for ((name, season) in seasons) {
+            val text = File(root, "vendordep/$name.json").readText()
+            text shouldContain "\"fileName\": \"$name.json\""
+            Regex("Year\"").findAll(text).count() shouldBe 1
+            text shouldContain season
+            Regex("\"version\": \"$version\"").findAll(text).count() shouldBe 2
+        }
+    }
+})

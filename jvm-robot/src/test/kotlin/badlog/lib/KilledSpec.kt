@@ -1,0 +1,48 @@
+package badlog.lib
+
+import badlog.recording.Severity
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import java.io.File
+import java.nio.ByteBuffer
+import java.util.concurrent.Executors
+import kotlin.random.Random
+
+private const val KILLS = 200
+
+class KilledSpec : FunSpec({
+    test("$KILLS robots are killed in mid-loop, and every row whose log() returned is in the file") {
+        inFolder { folder ->
+            val pool = Executors.newFixedThreadPool(2)
+            val kills = List(KILLS) { number -> pool.submit<String?> { killOne(folder, number) } }
+            pool.shutdown()
+            kills.mapNotNull { it.get() }.shouldBeEmpty()
+        }
+    }
+})
+
+/** What is wrong with the log of a robot that was killed, or null. */
+private fun killOne(folder: File, number: Int): String? {
+    val compress = number % 2 == 1
+    val returned = File(folder, "$number.returned")
+    val path = File(folder, "$number.bag")
+    val process = ProcessBuilder(childCommand(listOf(path.path, "100000000", "$compress", returned.path)))
+        .redirectErrorStream(true).redirectOutput(File(folder, "$number.txt")).start()
+    while (process.isAlive && rowsReturned(returned) == 0L) Thread.sleep(1)
+    Thread.sleep(Random.nextLong(30), Random.nextInt(1_000_000))
+    process.destroyForcibly().waitFor()
+
+    val rows = rowsReturned(returned)
+    val file = if (compress) File("$path.gz") else path
+    val recording = recordingIn(if (compress) inflated(file.readBytes()) else file.readBytes())
+    val samples = recording.topics.firstOrNull()?.samples ?: DoubleArray(0)
+    val whole = (0 until rows.toInt()).all { it < samples.size && samples[it] == it.toDouble() }
+    val said = File(folder, "$number.txt").readText()
+    listOf(file, path, returned).forEach(File::delete)
+    val lost = recording.problems.filter { it.severity == Severity.ERROR && recording.rowCount <= rows }
+    return if (rows > 0 && whole && lost.isEmpty() && said.isEmpty()) null
+    else "robot $number: $rows rows returned, ${samples.size} found, ${recording.problems}, said: $said"
+}
+
+private fun rowsReturned(file: File): Long =
+    if (file.length() < Long.SIZE_BYTES) 0 else ByteBuffer.wrap(file.readBytes()).getLong()

@@ -1,0 +1,77 @@
+package badlog.lib
+
+import badlog.bag.BagParser
+import badlog.recording.Recording
+import java.io.ByteArrayOutputStream
+import java.io.EOFException
+import java.io.File
+import java.io.PrintStream
+import java.nio.file.Files
+import java.util.zip.GZIPInputStream
+
+/** Runs [test] with an empty folder, which is deleted afterwards. */
+inline fun <T> inFolder(test: (File) -> T): T {
+    val folder = Files.createTempDirectory("badlog").toFile()
+    try {
+        return test(folder)
+    } finally {
+        folder.walkBottomUp().forEach { it.setWritable(true) }
+        folder.deleteRecursively()
+    }
+}
+
+/** What [action] writes to standard error. */
+inline fun standardErrorOf(action: () -> Unit): String {
+    val before = System.err
+    val captured = ByteArrayOutputStream()
+    System.setErr(PrintStream(captured, true, "UTF-8"))
+    try {
+        action()
+    } finally {
+        System.setErr(before)
+    }
+    return captured.toString("UTF-8")
+}
+
+fun recordingIn(bytes: ByteArray): Recording = BagParser().run {
+    accept(bytes)
+    finish()
+}
+
+fun recordingIn(file: File): Recording = recordingIn(file.readBytes())
+
+/** All that can be inflated of [packed], which may be cut. */
+fun inflated(packed: ByteArray): ByteArray {
+    val out = ByteArrayOutputStream()
+    val buffer = ByteArray(512)
+    try {
+        val stream = GZIPInputStream(packed.inputStream())
+        while (true) {
+            val count = stream.read(buffer)
+            if (count < 0) break
+            out.write(buffer, 0, count)
+        }
+    } catch (_: EOFException) {
+        // Cut.
+    }
+    return out.toByteArray()
+}
+
+/** The lines of a bag behind its two header lines. */
+fun rowsIn(file: File): List<String> = file.readLines().drop(2)
+
+/** Logs in a new file of [folder]: [create] makes topics, [loop] is what the robot does. Returns the file, closed. */
+fun logged(folder: File, create: () -> Unit = {}, loop: (BadLog) -> Unit): File {
+    val file = File(folder, "test.bag")
+    BadLog.init(file.path).use { log ->
+        create()
+        log.finishInitialization()
+        loop(log)
+    }
+    return file
+}
+
+fun BadLog.row() {
+    updateTopics()
+    log()
+}

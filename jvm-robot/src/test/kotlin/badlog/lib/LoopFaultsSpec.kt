@@ -1,0 +1,142 @@
+package badlog.lib
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldHaveSize
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import java.io.File
+
+class LoopFaultsSpec : FunSpec({
+    test("a supplier that throws leaves a gap, is counted, said once, and an event in the log") {
+        inFolder { folder ->
+            val said = standardErrorOf {
+                val file = logged(folder, {
+                    BadLog.createTopic("Good", "ul", { 1.0 })
+                    BadLog.createTopic("Bad/Sensor", "ul", { throw IllegalStateException("unplugged") })
+                    BadLog.createTopicBoolean("Worse", "ul", { throw NoClassDefFoundError("Vendor") })
+                    BadLog.createEvents("Events")
+                }) { log ->
+                    repeat(3) { log.row() }
+                    log.counters().cellsMissed shouldBe 6
+                    log.counters().rowsWritten shouldBe 3
+                    log.state shouldBe LogState.LOGGING
+                }
+                val rows = rowsIn(file)
+                rows[0] shouldContain
+                    "1.0000,,,\"The topic \"\"Bad/Sensor\"\" threw java.lang.IllegalStateException: unplugged"
+                rows.drop(1) shouldBe List(2) { "1.0000,,," }
+            }
+            said.trim().lines() shouldHaveSize 2
+            said shouldContain "Bad/Sensor"
+        }
+    }
+
+    test("without an event log of its own, a subscriber with the attribute log takes what went wrong") {
+        inFolder { folder ->
+            standardErrorOf {
+                val file = logged(folder, {
+                    BadLog.createTopic("Bad", "ul", { throw IllegalStateException() })
+                    BadLog.createTopicSubscriber("Log", "ul", DataInferMode.DEFAULT, "log")
+                }) { log ->
+                    BadLog.publish("Log", "enabled")
+                    repeat(3) { log.row() }
+                }
+                val rows = rowsIn(file)
+                rows[0] shouldBe ",enabled"
+                rows[1] shouldContain "The topic \"\"Bad\"\" threw"
+                rows[2] shouldBe ",-1.0"
+            }
+        }
+    }
+
+    test("publishing what cannot be published is ignored, counted, and said once for each name") {
+        inFolder { folder ->
+            val said = standardErrorOf {
+                val file = logged(folder, {
+                    BadLog.createTopic("Queried", "ul", { 1.0 })
+                    BadLog.createTopicSubscriber("Published", "ul", DataInferMode.LAST)
+                    BadLog.publish("Published", 1.0)
+                    BadLog.publish("Early", 1.0)
+                }) { log ->
+                    repeat(2) {
+                        BadLog.publish("Unknown", 1.0)
+                        BadLog.publish("Queried", "2")
+                        BadLog.publish(null, "3")
+                        BadLog.publish("Published", null)
+                    }
+                    log.row()
+                    log.counters().callsIgnored shouldBe 9
+                }
+                rowsIn(file) shouldBe listOf("1.0000,1.0000")
+            }
+            said.trim().lines() shouldHaveSize 5
+            said shouldContain "\"Unknown\""
+        }
+    }
+
+    test("a formatter that throws or gives null leaves a gap") {
+        inFolder { folder ->
+            val said = standardErrorOf {
+                val file = logged(folder, {
+                    BadLog.createTopic("One", "ul", { 1.0 })
+                    BadLog.createTopic("Two", "ul", { 2.0 })
+                    BadLog.createTopic("Three", "ul", { 3.0 })
+                }) { log ->
+                    log.setDoubleToStringFunction {
+                        if (it == 1.0) error("no ones") else if (it == 2.0) null else "three"
+                    }
+                    log.row()
+                }
+                rowsIn(file) shouldBe listOf(",,three")
+            }
+            said shouldContain "no ones"
+        }
+    }
+
+    test("calls in the wrong order are ignored in the loop") {
+        inFolder { folder ->
+            standardErrorOf {
+                val log = BadLog.init(File(folder, "a.bag").path)
+                log.row()
+                log.flush()
+                log.finishInitialization()
+                log.close()
+                log.close()
+                log.row()
+                log.flush()
+                BadLog.publish("A", 1.0)
+                log.counters().callsIgnored shouldBe 5
+            } shouldContain "finishInitialization"
+        }
+    }
+
+    test("a supplier may publish, log, and update") {
+        inFolder { folder ->
+            var log: BadLog? = null
+            val file = logged(folder, {
+                BadLog.createTopic("A", "ul", {
+                    BadLog.publish("B", 2.0)
+                    log?.updateTopics()
+                    1.0
+                })
+                BadLog.createTopicSubscriber("B", "ul", DataInferMode.DEFAULT)
+            }) {
+                log = it
+                it.row()
+            }
+            rowsIn(file) shouldBe listOf("1.0000,2.0000")
+        }
+    }
+
+    test("a thread that is interrupted goes on logging") {
+        inFolder { folder ->
+            val file = logged(folder, { BadLog.createTopic("A", "ul", { 1.0 }) }) { log ->
+                Thread.currentThread().interrupt()
+                repeat(3) { log.row() }
+                Thread.interrupted() shouldBe true
+                log.state shouldBe LogState.LOGGING
+            }
+            rowsIn(file) shouldBe List(3) { "1.0000" }
+        }
+    }
+})

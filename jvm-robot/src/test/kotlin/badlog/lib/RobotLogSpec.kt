@@ -1,0 +1,230 @@
+package badlog.lib
+
+import io.kotest.assertions.nondeterministic.eventually
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.ints.shouldBeInRange
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.shouldNotBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldMatch
+import java.io.File
+import kotlin.time.Duration.Companion.seconds
+
+/** A robot that is what a test says. */
+private class Robot(folder: File) {
+    @Volatile
+    var enabled = false
+
+    @Volatile
+    var attached = false
+
+    @Volatile
+    var clockSet = false
+
+    @Volatile
+    var event = ""
+
+    @Volatile
+    var match = ""
+
+    @Volatile
+    var free = 1_000_000_000L
+
+    val options = RobotLogOptions().also {
+        it.folder = folder
+        it.isEnabled = { enabled }
+        it.isDriverStationAttached = { attached }
+        it.isClockSet = { clockSet }
+        it.event = { event }
+        it.match = { match }
+        it.batteryVoltage = { 12.5 }
+        it.freeBytes = { free }
+    }
+}
+
+private fun RobotLog.drive(millis: Int) = repeat(millis / 10) {
+    periodic()
+    Thread.sleep(10)
+}
+
+private fun File.names() = list().orEmpty().sorted()
+
+class RobotLogSpec : FunSpec({
+    // Robots of other specs never close their logs, as real ones do not.
+    beforeTest { standardErrorOf { BadLog.init("/dev/null").close() } }
+
+    test("nothing is written before a driver station is there; then time, event and match make the name") {
+        inFolder { folder ->
+            val logs = File(folder, "logs")
+            val robot = Robot(logs)
+            val said = standardErrorOf {
+                RobotLog.start(robot.options).use { log ->
+                    BadLog.createTopicDouble("Own", "V", { 1.0 })
+                    log.drive(300)
+                    logs.exists() shouldBe false
+                    log.file shouldBe null
+
+                    robot.attached = true
+                    log.drive(400)
+                    logs.names().single() shouldMatch "FRC_TBD_[0-9a-f]{16}\\.bag"
+                    shouldThrow<InvalidModeException> { BadLog.createTopicDouble("Late", "V", { 1.0 }) }
+
+                    robot.clockSet = true
+                    log.drive(300)
+                    logs.names().single() shouldMatch "FRC_\\d{8}_\\d{6}\\.bag"
+
+                    robot.event = "OHCL"
+                    robot.match = "Q42"
+                    robot.enabled = true
+                    log.drive(700)
+                    logs.names().single() shouldMatch "FRC_\\d{8}_\\d{6}_OHCL_Q42\\.bag"
+                    log.file?.name shouldBe logs.names().single()
+                    log.log.state shouldBe LogState.LOGGING
+                }
+            }
+            said shouldBe ""
+            val recording = recordingIn(logs.listFiles()!!.single())
+            recording.topics.map { it.name } shouldBe
+                listOf("Time", "Robot/Enabled", "Robot/Battery Voltage", "Robot/Events", "Own")
+            recording.topics[3].texts.dictionary shouldBe listOf("Match OHCL Q42")
+            val times = recording.topics[0].samples.toList()
+            times shouldBe times.sorted().distinct()
+        }
+    }
+
+    test("a disabled robot logs four rows a second, an enabled one every loop") {
+        inFolder { folder ->
+            val robot = Robot(folder).apply { attached = true }
+            RobotLog.start(robot.options).use { log ->
+                log.drive(200)
+                eventually(5.seconds) {
+                    log.periodic()
+                    log.log.state shouldBe LogState.LOGGING
+                }
+                fun rowsIn(seconds: Double): Int {
+                    val before = log.log.counters().rowsWritten
+                    val end = System.nanoTime() + (seconds * 1e9).toLong()
+                    while (System.nanoTime() < end) {
+                        log.periodic()
+                        Thread.sleep(2)
+                    }
+                    return (log.log.counters().rowsWritten - before).toInt()
+                }
+                rowsIn(1.0) shouldBeInRange 3..5
+                robot.enabled = true
+                rowsIn(1.0) shouldBeInRange 30..500
+            }
+        }
+    }
+
+    test("what is known when the header is written stands in it; being enabled or waiting long is a reason, too") {
+        inFolder { folder ->
+            for (begin in listOf<Robot.() -> Unit>({ enabled = true }, { options.headerTimeout = 0.1 })) {
+                val robot = Robot(File(folder, "logs")).apply {
+                    clockSet = true
+                    event = "A/B: C"
+                    match = "E3"
+                    options.isCompressed = true
+                    begin()
+                }
+                RobotLog.start(robot.options).use { it.drive(600) }
+            }
+            val names = File(folder, "logs").names()
+            names.size shouldBe 2
+            names.forEach { it shouldMatch "FRC_\\d{8}_\\d{6}_ABC_E3(_2)?\\.bag\\.gz" }
+            recordingIn(inflated(File(folder, "logs/${names[0]}").readBytes())).values.map { "$it" } shouldBe listOf(
+                "Value(name=Event Name, text=A/B: C)", "Value(name=Match Type, text=Elimination)",
+                "Value(name=Match Number, text=3)",
+            )
+        }
+    }
+
+    test("the oldest logs are deleted when space is short, but ten are kept and nothing else is touched") {
+        inFolder { folder ->
+            val robot = Robot(folder).apply {
+                enabled = true
+                options.freeBytes = { 20_000_000L }
+            }
+            for (day in 1..15) {
+                val log = File(folder, "FRC_202603%02d_120000.bag".format(day))
+                log.writeText("x")
+                log.setLastModified(day * 1000L)
+            }
+            File(folder, "notes.bag").writeText("x")
+            File(folder, "FRC_20260301_120000.wpilog").writeText("x")
+            File(folder, "FRC_TBD_0.bag").writeText("x")
+            standardErrorOf {
+                RobotLog.start(robot.options).use { log ->
+                    log.drive(400)
+                    log.log.state shouldBe LogState.LOGGING
+                }
+            } shouldContain "FRC_20260301_120000.bag was deleted"
+            folder.names().filter { it.startsWith("FRC_2") && it.endsWith(".bag") } shouldBe
+                (6..15).map { "FRC_202603%02d_120000.bag".format(it) }
+            File(folder, "FRC_TBD_0.bag").exists() shouldBe false
+            File(folder, "notes.bag").exists() shouldBe true
+            File(folder, "FRC_20260301_120000.wpilog").exists() shouldBe true
+        }
+    }
+
+    test("a disk that is all but full is left alone, at the start and later") {
+        inFolder { folder ->
+            val robot = Robot(folder).apply {
+                enabled = true
+                free = 4_000_000
+            }
+            standardErrorOf {
+                RobotLog.start(robot.options).use { log ->
+                    log.drive(400)
+                    log.log.state shouldBe LogState.CLOSED
+                }
+            } shouldContain "less than 5 MiB"
+            folder.names().shouldBeEmpty()
+
+            robot.free = 100_000_000
+            standardErrorOf {
+                RobotLog.start(robot.options).use { log ->
+                    log.drive(400)
+                    log.log.state shouldBe LogState.LOGGING
+                    robot.free = 5_000_000
+                    eventually(8.seconds) { log.log.state shouldBe LogState.CLOSED }
+                    log.drive(50)
+                }
+            } shouldContain "less than 5 MiB"
+            recordingIn(folder.listFiles()!!.single()).rowCount shouldNotBe 0
+        }
+    }
+
+    test("suppliers that throw do not stop it") {
+        inFolder { folder ->
+            val robot = Robot(folder).apply {
+                options.headerTimeout = 0.1
+                options.isEnabled = { error("no driver station") }
+                options.event = { error("no event") }
+                options.isClockSet = { error("no clock") }
+                options.batteryVoltage = null
+            }
+            standardErrorOf {
+                RobotLog.start(robot.options).use { log ->
+                    log.drive(500)
+                    log.log.state shouldBe LogState.LOGGING
+                    log.log.counters().rowsMissed shouldBe 0
+                }
+            } shouldContain "no driver station"
+        }
+    }
+
+    test("the folder is the one wanted, a stick's, the robot's, or beside the program") {
+        inFolder { folder ->
+            val stick = File(folder, "u").apply { mkdir() }
+            val home = File(folder, "home").apply { mkdir() }
+            val none = File(folder, "none")
+            LogFolder.choose(none, stick, listOf(home)) shouldBe none
+            LogFolder.choose(null, stick, listOf(home)) shouldBe File(stick, "logs")
+            LogFolder.choose(null, none, listOf(none, home)) shouldBe File(home, "logs")
+            LogFolder.choose(null, none, listOf(none)) shouldBe File(File("").absoluteFile, "logs")
+        }
+    }
+})

@@ -1,0 +1,36 @@
+package badlog.robots
+
+import badlog.lib.BadLog
+import badlog.lib.DataInferMode
+import java.io.RandomAccessFile
+import java.nio.channels.FileChannel
+
+/**
+ * A robot program in a process of its own: logs to the path in the first argument as many rows as the second says,
+ * gzipped if the third is `true`, and says in the file that the fourth names how many calls of `log()` have returned.
+ * That file is mapped into memory, so that it is right however the process ends.
+ */
+object ChildRobot {
+    @JvmStatic
+    fun main(args: Array<String>) {
+        val (path, rows, compress, returned) = args
+        val progress = RandomAccessFile(returned, "rw").use { it.channel.map(FileChannel.MapMode.READ_WRITE, 0, 8) }
+        val log = BadLog.init(path, compress.toBoolean(), true)
+        var row = 0L
+        BadLog.createTopicLong("Row", "ul", { row })
+        BadLog.createTopicDouble("Sine", "ul", { Math.sin(row.toDouble()) })
+        for (i in 1..20) BadLog.createTopic("Topic/$i", "V", { row * 0.1 * i })
+        BadLog.createTopicBoolean("Odd", "ul", { row % 2 == 1L })
+        val events = BadLog.createEvents("Events")
+        val publisher = BadLog.createPublisher("Published", "ul", DataInferMode.LAST)
+        BadLog.createValue("Robot", "child")
+        log.finishInitialization()
+        while (row < rows.toLong()) {
+            publisher.publish(row * 0.5)
+            if (row % 100 == 7L) events.event("row $row, \"quoted\"")
+            log.updateTopics()
+            log.log()
+            progress.putLong(0, ++row)
+        }
+    }
+}
