@@ -1,5 +1,6 @@
 package badlog.lib
 
+import badlog.robots.ReadmeRobot
 import edu.wpi.first.wpilibj.DriverStation
 import edu.wpi.first.wpilibj.RobotController
 import edu.wpi.first.wpilibj.TimedRobot
@@ -24,6 +25,17 @@ class GuideSpec : FunSpec({
         val sources = File(root, "jvm-robot/src/test")
         guide shouldContain "```java\n" + File(sources, "java/frc/robot/Robot.java").readText() + "```"
         guide shouldContain "```kotlin\n" + File(sources, "kotlin/frc/kotlinrobot/Robot.kt").readText() + "```"
+    }
+
+    test("the README's lines in Java are those that run here, and log") {
+        val example = File(root, "README.md").readText().substringAfter("```java\n").substringBefore("```")
+        val here = File(root, "jvm-robot/src/test/java/badlog/robots/ReadmeRobot.java").readLines().map { it.trim() }
+        val lines = example.lines().filter { it.isNotBlank() && !it.startsWith("//") }
+        here shouldContainAll lines.map { it.replace("\"/home/lvuser/logs/match.bag\"", "file") }
+        val file = File.createTempFile("readme", ".bag")
+        ReadmeRobot.run(file.path)
+        recordingIn(file.readBytes()).topics.single().samples.toList() shouldBe listOf(12.346)
+        file.delete()
     }
 
     for ((name, make) in robots) {
