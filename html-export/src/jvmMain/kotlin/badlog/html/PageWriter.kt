@@ -25,7 +25,7 @@ internal class PageWriter(private val out: OutputStream, private val parts: Page
             </head>
             <body>
             <noscript><p>$NO_SCRIPT</p></noscript>
-            <main id="page"></main>
+            <main id="page"><p class="screen waiting">$WAITING</p></main>
 
             """.trimIndent(),
         )
@@ -62,6 +62,8 @@ internal class PageWriter(private val out: OutputStream, private val parts: Page
     private fun text(text: String) = out.write(text.encodeToByteArray())
 
     private companion object {
+        // The program stands last: a page that was cut never runs it, and a large one only after a while.
+        const val WAITING = "Loading… If this stays, the file is incomplete: copy it again, whole."
         const val NO_SCRIPT = "This page needs JavaScript to draw. The recording is inside it all the same: allow " +
             "scripts for this file, or open it in another browser."
     }

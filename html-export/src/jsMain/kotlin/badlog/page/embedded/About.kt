@@ -8,12 +8,14 @@ import kotlinx.browser.document
  * @property name the file's name.
  * @property isCompressed whether the file itself is a gzip stream, possibly a cut one.
  * @property inflatedBytes how many bytes can be inflated from what the page carries.
+ * @property isCut whether something of that gzip stream is missing.
  * @property version the version of badlog that made the page.
  */
 internal class About(
     val name: String,
     val isCompressed: Boolean,
     val inflatedBytes: Double,
+    val isCut: Boolean,
     val version: String,
 ) {
     companion object {
@@ -29,6 +31,7 @@ internal class About(
                 name = json.name as? String ?: "recording",
                 isCompressed = json.original == "gzip",
                 inflatedBytes = (json.inflatedBytes as? Number)?.toDouble() ?: 0.0,
+                isCut = json.cut == true,
                 version = json.version as? String ?: "",
             )
         }

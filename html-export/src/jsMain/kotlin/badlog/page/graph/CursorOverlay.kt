@@ -4,6 +4,7 @@ import badlog.analysis.Graph
 import badlog.page.dom.add
 import badlog.page.dom.isHidden
 import badlog.page.dom.showText
+import badlog.page.view.Palette
 import badlog.page.view.Scene
 import org.w3c.dom.HTMLElement
 
@@ -16,7 +17,7 @@ internal class CursorOverlay(
 ) {
     private val line = over.add("div", "cursor-line")
     private val label = over.add("div", "event-label")
-    private val dots = graph.series.indices.map { over.add("div", "cursor-dot line-${it % 16}") }
+    private val dots = graph.series.indices.map { over.add("div", "cursor-dot line-${it % Palette.LINES}") }
 
     init {
         update()

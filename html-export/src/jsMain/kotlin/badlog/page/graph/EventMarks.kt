@@ -2,45 +2,38 @@ package badlog.page.graph
 
 import badlog.page.view.Scene
 import badlog.page.view.VisibleRange
-import kotlin.math.floor
 import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D
 import org.w3c.dom.Path2D
 
-/**
- * The marks of the events of [span] on the time line of a plot: never more than one for a pixel, and only a tick for
- * those that crowd behind another.
- */
+/** Draws the marks of the events of [span] on the time line of a plot. */
 internal fun drawEventMarks(
     context: CanvasRenderingContext2D,
     frame: PlotFrame,
     scene: Scene,
     span: VisibleRange.Span = scene.range.now,
 ) {
-    val timeline = scene.events
-    if (timeline.events.isEmpty()) return
+    if (scene.events.events.isEmpty()) return
     val ratio = window.devicePixelRatio
+    val head = HEAD * ratio
     val heads = Path2D()
     val lines = Path2D()
+    val seriousLines = Path2D()
     val ticks = Path2D()
-    var lastPixel = Double.NEGATIVE_INFINITY
-    for (i in timeline.firstAtOrAfter(span.from) until timeline.events.size) {
-        val event = timeline.events[i]
-        if (event.x > span.to) break
-        val pixel = floor(frame.pixelOfX(event.x)) + 0.5
-        if (pixel - lastPixel < ratio) continue
-        val isApart = pixel - lastPixel >= FEWEST_PIXELS_APART * ratio
-        lastPixel = pixel
-        val head = HEAD * ratio
-        if (isApart) {
+    for (mark in eventMarks(scene.events, span, frame.width, ratio)) {
+        val pixel = frame.left + mark.pixel + 0.5
+        if (mark.hasHead) {
             heads.moveTo(pixel - head, frame.top)
             heads.lineTo(pixel + head, frame.top)
             heads.lineTo(pixel, frame.top + head * 1.5)
             heads.closePath()
-            lines.moveTo(pixel, frame.top)
-            lines.lineTo(pixel, frame.bottom)
         } else {
             ticks.rect(pixel - ratio / 2, frame.top, ratio, head)
+        }
+        if (mark.hasLine) {
+            val path = if (mark.isSerious) seriousLines else lines
+            path.moveTo(pixel, frame.top)
+            path.lineTo(pixel, frame.bottom)
         }
     }
     context.save()
@@ -49,7 +42,8 @@ internal fun drawEventMarks(
     context.lineWidth = 1.0
     context.globalAlpha = LINE_OPACITY
     context.stroke(lines)
-    context.globalAlpha = TICK_OPACITY
+    context.globalAlpha = SERIOUS_OPACITY
+    context.stroke(seriousLines)
     context.fill(ticks)
     context.globalAlpha = 1.0
     context.fill(heads)
@@ -57,6 +51,5 @@ internal fun drawEventMarks(
 }
 
 private const val HEAD = 3.5
-private const val FEWEST_PIXELS_APART = 9
 private const val LINE_OPACITY = 0.2
-private const val TICK_OPACITY = 0.5
+private const val SERIOUS_OPACITY = 0.5

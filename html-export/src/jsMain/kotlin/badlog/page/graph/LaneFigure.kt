@@ -4,6 +4,7 @@ import badlog.analysis.Graph
 import badlog.analysis.PixelColumns
 import badlog.page.view.Palette
 import badlog.page.view.VisibleRange
+import kotlin.math.ceil
 import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D
 
@@ -35,69 +36,66 @@ internal class LaneFigure(
         val ratio = window.devicePixelRatio
         val lane = frame.height / runs.size
         context.save()
+        context.translate(frame.left, frame.top)
         context.beginPath()
-        context.rect(frame.left, frame.top, frame.width, frame.height)
+        context.rect(0.0, 0.0, frame.width, frame.height)
         context.clip()
         context.font = "${LETTERS * ratio}px system-ui, sans-serif"
         context.asDynamic().textBaseline = "middle"
         context.asDynamic().textAlign = "left"
         runs.forEachIndexed { index, run ->
-            if (isShown[index]) drawLane(context, frame, index, run, frame.top + lane * index, lane - GAP * ratio)
+            if (!isShown[index]) return@forEachIndexed
+            val names = graph.series[index].states.orEmpty()
+            for (block in laneBlocks(run, span, frame.width, ceil(SHORTEST * ratio).toInt())) {
+                drawBlock(context, block, names, lane * index, lane - GAP * ratio)
+            }
         }
         context.restore()
     }
 
-    private fun drawLane(
+    private fun drawBlock(
         context: CanvasRenderingContext2D,
-        frame: PlotFrame,
-        series: Int,
-        run: StateRuns,
+        block: LaneBlock,
+        names: List<String>,
         top: Double,
         height: Double,
     ) {
-        val ratio = window.devicePixelRatio
-        val names = graph.series[series].states.orEmpty()
-        var drawnTo = frame.left - 1
-        for (i in run.firstReaching(span.from) until run.states.size) {
-            if (run.from[i] > span.to) {
-                if (graph.series[series].data.isOrdered) break else continue
-            }
-            val left = maxOf(frame.pixelOfX(run.from[i]), frame.left)
-            val right = minOf(maxOf(frame.pixelOfX(run.to[i]), left + 1), frame.right)
-            // Thousands of changes in one pixel look the same as one of them.
-            if (right <= drawnTo + 1 && right - left <= 1) continue
-            drawnTo = right
-            context.fillStyle = colourOf(run.states[i], names)
-            context.fillRect(left, top, right - left, height)
-            drawName(context, names.getOrElse(run.states[i]) { "?" }, left, right, top + height / 2, ratio)
-        }
+        // The quiet colours let through what is below them, as the longer block that a short one interrupts.
+        context.clearRect(block.left, top, block.width, height)
+        context.fillStyle = colourOf(block, names)
+        context.fillRect(block.left, top, block.width, height)
+        drawName(context, block, names.getOrElse(block.state) { "?" }, top + height / 2)
     }
 
-    private fun drawName(
-        context: CanvasRenderingContext2D,
-        name: String,
-        left: Double,
-        right: Double,
-        middle: Double,
-        ratio: Double,
-    ) {
-        val room = right - left - 2 * MARGIN * ratio
+    private fun drawName(context: CanvasRenderingContext2D, block: LaneBlock, name: String, middle: Double) {
+        val ratio = window.devicePixelRatio
+        val room = block.width - 2 * MARGIN * ratio
         if (room < LETTERS * ratio) return
         val letters = (room / (LETTERS * ratio * LETTER_SHARE)).toInt()
         val fits = name.length < letters || context.measureText(name).width <= room
-        val text = if (fits) name else name.take(maxOf(1, letters - 1)) + "…"
+        // A few letters of a name say nothing, or what another state is called.
+        if (!fits && letters <= FEWEST_LETTERS) return
         context.fillStyle = palette.stateText
-        context.fillText(text, left + MARGIN * ratio, middle)
+        context.fillText(if (fits) name else name.take(letters - 1) + "…", block.left + MARGIN * ratio, middle)
     }
 
-    // False is the quiet one: where a switch is pressed has to be seen at a glance.
-    private fun colourOf(state: Int, names: List<String>) =
-        if (names.size == 2 && names[0] == "false" && state == 0) palette.off else palette.state(state)
+    private fun colourOf(block: LaneBlock, names: List<String>) = when {
+        // False is the quiet one: where a switch is pressed has to be seen at a glance.
+        names.size == 2 && names[0] == "false" && block.state == 0 -> palette.off
+        // And nobody sees a few pixels of a colour that is quiet enough for text.
+        block.width < NARROW * window.devicePixelRatio -> palette.line(block.state)
+        else -> palette.state(block.state)
+    }
 
     private companion object {
         const val LANE_HEIGHT = 30
         const val AXIS_HEIGHT = 38
         const val GAP = 3
+
+        /** The width of the shortest state, in pixels of the page. */
+        const val SHORTEST = 1.5
+        const val NARROW = 4
+        const val FEWEST_LETTERS = 6
         const val LETTERS = 11
         const val LETTER_SHARE = 0.58
         const val MARGIN = 5

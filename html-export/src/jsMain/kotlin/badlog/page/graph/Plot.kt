@@ -94,11 +94,14 @@ internal class Plot(
             "y" to json("range" to { arrayOf(figure.limits.from, figure.limits.to) }),
         ),
         "series" to (listOf<dynamic>(json()) + lines).toTypedArray(),
-        "axes" to arrayOf(axis("x", X_AXIS_HEIGHT, X_TICK_SPACE), axis("y", GUTTER, Y_TICK_SPACE)),
+        "axes" to arrayOf(
+            axis("x", X_AXIS_HEIGHT, X_TICK_SPACE, X_LETTERS),
+            axis("y", GUTTER, Y_TICK_SPACE, Y_LETTERS),
+        ),
         "hooks" to json("draw" to arrayOf(::draw), "setSize" to arrayOf(onSize)),
     )
 
-    private fun axis(scale: String, size: Int, space: Int): dynamic {
+    private fun axis(scale: String, size: Int, space: Int, letters: Int): dynamic {
         val hasTicks = scale == "x" || figure.hasYAxis
         return json(
             "scale" to scale,
@@ -110,19 +113,23 @@ internal class Plot(
             "grid" to json("show" to hasTicks, "stroke" to { scene.palette.grid }, "width" to 1),
             "ticks" to json("show" to false),
             "values" to { _: UPlot, splits: Array<Double>, _: Int, _: Double, step: Double ->
-                if (hasTicks) axisTexts(splits, step) else splits.map { "" }.toTypedArray()
+                if (hasTicks) axisTexts(splits, step, letters) else splits.map { "" }.toTypedArray()
             },
         )
     }
 
     private companion object {
         // Every plot has the same margins, so that one place on x is one place on the screen in all of them.
-        const val GUTTER = 58
+        const val GUTTER = 62
         const val RIGHT = 14
         const val TOP = 6
         const val X_AXIS_HEIGHT = 26
         const val X_TICK_SPACE = 76
         const val Y_TICK_SPACE = 30
+
+        // What fits between two ticks, or into the gutter, in the widest of the common fonts.
+        const val X_LETTERS = 10
+        const val Y_LETTERS = 8
         const val NARROWEST = 100
     }
 }

@@ -1,5 +1,6 @@
 package badlog.page.graph
 
+import badlog.page.dom.EscapeKey
 import badlog.page.dom.add
 import badlog.page.dom.isHidden
 import badlog.page.dom.showText
@@ -22,11 +23,14 @@ internal class PlotGestures(private val over: HTMLElement, private val scene: Sc
     private val selection = over.add("div", "selection").apply { isHidden = true }
     private val range = scene.range
     private val pinch = Pinch(range, ::xAt)
+    private val escape = EscapeKey(::giveUp)
     private var drag = Drag.NONE
+    private var startSpan = range.now
     private var startX = 0.0
     private var lastX = 0.0
     private var hasMoved = false
-    private var tappedAt = 0.0
+    private var tappedAt = Double.NEGATIVE_INFINITY
+    private var tappedX = 0.0
     private var wheeledAt = 0.0
 
     init {
@@ -39,25 +43,30 @@ internal class PlotGestures(private val over: HTMLElement, private val scene: Sc
 
     private fun on(type: String, listener: (Event) -> Unit) = over.addEventListener(type, listener)
 
+    /** Where the pixel [clientX] is on x, or would be if the plot went on beside its frame. */
     private fun xAt(clientX: Double): Double {
         val box = over.getBoundingClientRect()
         return range.now.from + (clientX - box.left) / box.width * range.now.width
     }
 
+    /** The same within the frame: a drag ends at its edge. */
+    private fun xWithin(clientX: Double): Double = xAt(clientX).coerceIn(range.now.from, range.now.to)
+
     private fun press(event: PointerEvent) {
         if (event.button.toInt() != 0) return
         over.setPointerCapture(event.pointerId)
         if (event.pointerType == TOUCH && pinch.press(event)) {
-            drag = Drag.NONE
-            selection.isHidden = true
+            stop()
             return
         }
         // A finger moves what it touches, as on a map; a mouse draws a frame around it.
         val pans = if (event.pointerType == TOUCH) range.isZoomed else event.shiftKey
         drag = if (pans) Drag.PAN else Drag.SELECT
         startX = event.clientX.toDouble()
+        startSpan = range.now
         lastX = startX
         hasMoved = false
+        escape.take()
     }
 
     private fun move(event: PointerEvent) {
@@ -87,24 +96,25 @@ internal class PlotGestures(private val over: HTMLElement, private val scene: Sc
         selection.style.transform = "translateX(${from}px)"
         selection.style.width = "${to - from}px"
         selection.showText("Δ " + scene.xText((to - from) / box.width * range.now.width))
-        scene.cursor.place(xAt(x).coerceIn(range.now.from, range.now.to))
+        scene.cursor.place(xWithin(x))
     }
 
     private fun release(event: PointerEvent) {
         if (pinch.release(event)) return
         val x = event.clientX.toDouble()
-        if (drag == Drag.SELECT && hasMoved) range.show(xAt(startX), xAt(x))
+        if (drag == Drag.SELECT && hasMoved) range.show(xWithin(startX), xWithin(x))
         if (drag != Drag.NONE && !hasMoved) tap(x)
         stop()
     }
 
     private fun tap(x: Double) {
         val now = window.performance.now()
-        if (now - tappedAt < DOUBLE_TAP_MILLISECONDS) {
-            tappedAt = 0.0
+        if (now - tappedAt < DOUBLE_TAP_MILLISECONDS && abs(x - tappedX) < DOUBLE_TAP_PIXELS) {
+            tappedAt = Double.NEGATIVE_INFINITY
             range.reset()
         } else {
             tappedAt = now
+            tappedX = x
             scene.cursor.place(xAt(x))
         }
     }
@@ -114,7 +124,13 @@ internal class PlotGestures(private val over: HTMLElement, private val scene: Sc
         stop()
     }
 
+    private fun giveUp() {
+        if (drag == Drag.PAN) range.move(startSpan.from, startSpan.to)
+        stop()
+    }
+
     private fun stop() {
+        escape.giveBack()
         drag = Drag.NONE
         selection.isHidden = true
     }
@@ -140,6 +156,7 @@ internal class PlotGestures(private val over: HTMLElement, private val scene: Sc
         const val TOUCH = "touch"
         const val FEWEST_PIXELS = 4.0
         const val DOUBLE_TAP_MILLISECONDS = 350.0
+        const val DOUBLE_TAP_PIXELS = 24.0
         const val WHEEL_PAUSE_MILLISECONDS = 500.0
         const val PIXELS_OF_LINE = 16.0
         const val WHEEL_SPEED = 0.008

@@ -38,7 +38,19 @@ internal class StateRuns(series: Series, end: Double) {
         }
     }
 
-    private val ends = if (series.isOrdered) Series(to, to) else null
+    /** Whether the runs are in the order of x. */
+    val isOrdered: Boolean = series.isOrdered
+
+    private val ends = if (isOrdered) Series(to, to) else null
+
+    private val times: DoubleArray by lazy {
+        val sums = DoubleArray((states.maxOrNull() ?: -1) + 1)
+        for (i in states.indices) sums[states[i]] += to[i] - from[i]
+        sums
+    }
+
+    /** How much of x the whole recording is in [state]. */
+    fun timeIn(state: Int): Double = times[state]
 
     /** The index of the first run that may reach to [position] or beyond. */
     fun firstReaching(position: Double): Int = ends?.firstAtOrAfter(position) ?: 0

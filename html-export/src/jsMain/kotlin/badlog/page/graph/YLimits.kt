@@ -20,6 +20,12 @@ internal class YLimits {
         val high = (if (includesZero) maxOf(most, 0.0) else most).coerceAtMost(LARGEST)
         val isFlat = high - low <= abs(high) * FLAT
         val margin = if (isFlat) maxOf(abs(high) * 0.1, if (high == 0.0) 1.0 else 0.0) else (high - low) * MARGIN
+        // A line of nothing but 0 would lie on the frame's edge.
+        if (low == 0.0 && high == 0.0) {
+            from = -margin
+            to = margin
+            return
+        }
         // What never goes below 0 gets no room there: it would look as if it could.
         from = if (low >= 0.0 && low - margin < 0.0) 0.0 else low - margin
         to = if (high <= 0.0 && high + margin > 0.0 && low < 0.0) 0.0 else high + margin

@@ -2,6 +2,8 @@ package badlog.page.reading
 
 import badlog.page.embedded.About
 import badlog.page.embedded.Base64Text
+import badlog.recording.Problem
+import badlog.recording.ProblemKind
 import badlog.recording.Recording
 import kotlin.js.Promise
 import kotlinx.browser.window
@@ -22,7 +24,15 @@ internal class Reading(
     /** Starts, and promises the recording. */
     fun start(): Promise<Recording> = Promise { resolve, reject ->
         val worker = ReadingWorker.start()
-        if (worker == null) readHere(resolve, reject) else readIn(worker, resolve, reject)
+        val finish = { recording: Recording -> resolve(withCut(recording)) }
+        if (worker == null) readHere(finish, reject) else readIn(worker, finish, reject)
+    }
+
+    // Only the exporter, which inflated the file to its end, knows whether that was the stream's.
+    private fun withCut(recording: Recording): Recording {
+        if (!about.isCut) return recording
+        val text = "The compressed file is cut off or damaged; the ${about.inflatedBytes} bytes before that were read."
+        return recording + Problem(ProblemKind.GZIP_CUT, text)
     }
 
     private fun readIn(worker: Worker, resolve: (Recording) -> Unit, reject: (Throwable) -> Unit) {

@@ -46,14 +46,11 @@ internal class RecordingReader(
         val recording = parser.finish()
         val missing = expectedBytes - inflation.inflatedBytes
         if (missing <= 0) return recording
-        val problem = Problem(
+        return recording + Problem(
             ProblemKind.GZIP_CUT,
             "Of the ${bytesText(expectedBytes)} that this page should carry, ${bytesText(missing)} at the end " +
                 "cannot be read; the page may have been cut in copying.",
         )
-        return recording.run {
-            Recording(format, headerLine, values, topics, rowCount, problems + problem)
-        }
     }
 
     private companion object {

@@ -60,7 +60,9 @@ internal class Downloads(
         button.add("span", "", text)
         button.addEventListener("click", {
             button.setAttribute("aria-busy", "true")
-            content().then { saveFile(it, name) }
+            // Begun in a promise, so that what fails at once is told as well.
+            Promise.resolve(Unit).then { content() }
+                .then { saveFile(it, name) }
                 .catch { button.textContent = "Could not be saved: ${it.message}" }
                 .then { button.removeAttribute("aria-busy") }
         })

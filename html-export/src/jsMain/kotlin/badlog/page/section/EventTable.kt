@@ -8,6 +8,7 @@ import badlog.page.dom.addButton
 import badlog.page.dom.addIconButton
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
+import badlog.page.dom.json
 import badlog.page.dom.showText
 import badlog.page.text.countText
 import badlog.page.text.decimalsFor
@@ -23,6 +24,7 @@ internal class EventTable(private val log: EventLog, private val scene: Scene) {
     private var found = log.events
     private var listed = 0
     private lateinit var count: HTMLElement
+    private lateinit var scroll: HTMLElement
     private lateinit var body: HTMLElement
     private lateinit var more: HTMLElement
 
@@ -32,7 +34,7 @@ internal class EventTable(private val log: EventLog, private val scene: Scene) {
             add("h3", "graph-title", log.title).title = log.name
             count = add("span", "unit")
         }
-        add("div", "events-scroll") {
+        scroll = add("div", "events-scroll") {
             setAttribute("tabindex", "0")
             setAttribute("role", "group")
             setAttribute("aria-label", "Events of ${log.name}")
@@ -50,6 +52,12 @@ internal class EventTable(private val log: EventLog, private val scene: Scene) {
     init {
         showFound()
     }
+
+    /** How many events there are, or were found. */
+    val foundCount: Int get() = found.size
+
+    /** Lets the keys scroll it. */
+    fun focus() = scroll.asDynamic().focus(json("preventScroll" to true)).unsafeCast<Unit>()
 
     /** Shows the events that [query] finds, and tells how many they are. */
     fun filter(query: Query): Int {

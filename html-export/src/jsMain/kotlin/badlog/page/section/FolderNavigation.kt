@@ -4,12 +4,15 @@ import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
+import badlog.page.dom.showText
+import badlog.page.text.countText
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLSelectElement
 
 /** The ways to the folders: a list beside them on a wide screen, a choice in the bar on a narrow one. */
 internal class FolderNavigation(private val folders: FolderList) {
     private val links = ArrayList<Pair<HTMLElement, FolderSection>>()
+    private val counts = ArrayList<Pair<HTMLElement, FolderSection>>()
 
     val list: HTMLElement = element("nav", "folder-list") {
         setAttribute("aria-label", "Folders")
@@ -21,7 +24,7 @@ internal class FolderNavigation(private val folders: FolderList) {
         for (section in folders.sections) {
             val link = addButton("folder-link", "", section.folder.name) { section.reveal() }.apply {
                 add("span", "folder-link-name", nameOf(section))
-                add("span", "count", (section.cards.size + section.folder.eventLogs.size).toString())
+                counts += add("span", "count", countText(section.count)) to section
             }
             links += link to section
         }
@@ -38,9 +41,10 @@ internal class FolderNavigation(private val folders: FolderList) {
         })
     }
 
-    /** Shows only the ways to folders that are shown themselves. */
+    /** Shows only the ways to folders that are shown themselves, and how much is in them. */
     fun update() {
         for ((link, section) in links) link.isHidden = section.element.isHidden
+        for ((count, section) in counts) count.showText(countText(section.count))
     }
 
     private fun nameOf(section: FolderSection) = section.folder.name.ifEmpty { "Top level" }

@@ -6,7 +6,9 @@ import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
+import badlog.page.dom.showText
 import badlog.page.graph.GraphCard
+import badlog.page.text.countText
 import badlog.page.text.unitText
 import badlog.page.view.Hits
 import badlog.page.view.Query
@@ -26,17 +28,27 @@ internal class FolderSection(
     private val onToggle: () -> Unit,
 ) {
     private val values = folder.values.takeIf { it.isNotEmpty() }?.let(::ValueList)
-    private val tables = folder.eventLogs.map { EventTable(it, scene) }
     private val haystacks = folder.graphs.map { graph ->
         val lines = graph.series.joinToString(" ") { "${it.topic.name} ${unitText(it.unit)}" }
         "${graph.name} ${unitText(graph.unit)} $lines".lowercase()
     }
     private var toggle: HTMLElement? = null
+    private var countLabel: HTMLElement? = null
     private lateinit var body: HTMLElement
     private var isSearching = false
 
+    /** The event logs, in their order. */
+    val tables: List<EventTable> = folder.eventLogs.map { EventTable(it, scene) }
+
     /** The graphs, in their order. */
     val cards: List<GraphCard> = folder.graphs.map { GraphCard(it, scene) }
+
+    /** How much there is in it; while something is searched for, how much of that. */
+    var count: Int = cards.size + tables.size
+        private set(value) {
+            field = value
+            countLabel?.showText(countText(value))
+        }
 
     /** Whether it was closed by a person. */
     var isClosed: Boolean = isClosed && folder.name.isNotEmpty()
@@ -68,18 +80,19 @@ internal class FolderSection(
             if (!card.element.isHidden) graphs++
         }
         val hits = Hits(graphs, values?.filter(query) ?: 0, tables.sumOf { it.filter(query) })
+        count = if (isSearching) hits.sum else cards.size + tables.size
         element.isHidden = isSearching && hits.isEmpty
         showOpenness()
         return hits
     }
 
-    /** Opens it and brings it into sight. */
-    fun reveal() {
+    /** Opens it and brings [part] of it into sight. */
+    fun reveal(part: HTMLElement = element) {
         if (isClosed) {
             isClosed = false
             onToggle()
         }
-        element.scrollIntoView()
+        part.scrollIntoView()
     }
 
     private fun HTMLElement.addHeading() {
@@ -90,7 +103,7 @@ internal class FolderSection(
             }.apply {
                 appendChild(Icon.CHEVRON.draw())
                 add("span", "folder-name", folder.name.split('/').joinToString(" / "))
-                add("span", "count", (cards.size + tables.size).toString())
+                countLabel = add("span", "count", countText(count))
             }
         }
     }

@@ -48,7 +48,7 @@ internal class HelpOverlay {
             "0 or Home" to "show everything",
             "Backspace" to "back to the zoom before",
             "/" to "search",
-            "Escape" to "clear the search, take the cursor away",
+            "Escape" to "clear the search, take the cursor away, give up a drag",
             "?" to "this help",
             "touch" to "tap sets the cursor, sideways drag zooms or moves, double tap shows everything",
         )

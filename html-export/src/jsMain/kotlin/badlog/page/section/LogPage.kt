@@ -24,7 +24,8 @@ internal class LogPage(
     private val folders = FolderList(view, scene, "${about.name}:${about.inflatedBytes}")
     private val navigation = FolderNavigation(folders)
     private val search = SearchBox(::filter)
-    private val zoomBar = ZoomBar(scene, search.element, navigation.choice)
+    private val eventsLink = EventsLink(folders)
+    private val zoomBar = ZoomBar(scene, listOf(search.element, navigation.choice, eventsLink.element))
     private val help = HelpOverlay()
     private val deck = GraphDeck(scene, folders.cards)
     private val nothingFound = element("p", "nothing-found", "Nothing matches. Escape clears the search.")
@@ -72,6 +73,7 @@ internal class LogPage(
         val hits = folders.filter(query)
         nothingFound.isHidden = query.isEmpty || !hits.isEmpty
         navigation.update()
+        eventsLink.update()
         // What was found begins above the screen when the page was scrolled before.
         if (!query.isEmpty && content.getBoundingClientRect().top < 0) content.scrollIntoView()
         return hits

@@ -1,5 +1,6 @@
 package badlog.page.section
 
+import badlog.page.dom.EscapeKey
 import badlog.page.dom.ResizeObserver
 import badlog.page.dom.add
 import badlog.page.dom.element
@@ -27,6 +28,8 @@ internal class Overview(private val scene: Scene) {
     private var grip = Double.NaN
     private var anchor = Double.NaN
     private var startX = 0.0
+    private var startSpan = full
+    private val escape = EscapeKey(::giveUp)
 
     val element: HTMLElement = element("div", "overview") {
         setAttribute("aria-hidden", "true")
@@ -81,6 +84,8 @@ internal class Overview(private val scene: Scene) {
         val x = xAt(event)
         val now = scene.range.now
         startX = event.clientX.toDouble()
+        startSpan = now
+        escape.take()
         if (scene.range.isZoomed && x in now.from..now.to) grip = x - now.from else anchor = x
     }
 
@@ -109,7 +114,13 @@ internal class Overview(private val scene: Scene) {
 
     private fun moveTo(from: Double) = scene.range.move(from, from + scene.range.now.width)
 
+    private fun giveUp() {
+        scene.range.move(startSpan.from, startSpan.to)
+        stop()
+    }
+
     private fun stop() {
+        escape.giveBack()
         grip = Double.NaN
         anchor = Double.NaN
     }

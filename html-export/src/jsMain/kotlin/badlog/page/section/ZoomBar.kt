@@ -12,8 +12,12 @@ import badlog.page.view.Frame
 import badlog.page.view.Scene
 import org.w3c.dom.HTMLElement
 
-/** What is visible, where the cursor is and what happened there, always in sight. */
-internal class ZoomBar(private val scene: Scene, search: HTMLElement, folderChoice: HTMLElement) {
+/**
+ * What is visible, where the cursor is and what happened there, always in sight.
+ *
+ * @param ways lead to parts of the page.
+ */
+internal class ZoomBar(private val scene: Scene, ways: List<HTMLElement>) {
     private val overview = Overview(scene)
     private lateinit var range: HTMLElement
     private lateinit var width: HTMLElement
@@ -24,8 +28,7 @@ internal class ZoomBar(private val scene: Scene, search: HTMLElement, folderChoi
 
     val element: HTMLElement = element("div", "zoom-bar") {
         add("div", "zoom-row") {
-            appendChild(search)
-            appendChild(folderChoice)
+            for (way in ways) appendChild(way)
             add("div", "place") {
                 add("div", "readout") {
                     cursor = add("output", "cursor-readout")
@@ -78,7 +81,7 @@ internal class ZoomBar(private val scene: Scene, search: HTMLElement, folderChoi
         event.isHidden = true
         if (!scene.cursor.isPlaced) return
         cursor.showText(scene.xText(x))
-        val last = scene.eventAt(x) ?: scene.events.lastBefore(x) ?: return
+        val last = scene.lastEventAt(x) ?: return
         event.isHidden = false
         event.showText("${scene.xNumber(last.x)}  ${last.text}")
         event.title = last.text

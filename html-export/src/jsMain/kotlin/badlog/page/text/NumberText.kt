@@ -4,6 +4,8 @@ import kotlin.math.abs
 import kotlin.math.ceil
 import kotlin.math.floor
 import kotlin.math.log10
+import kotlin.math.pow
+import kotlin.math.round
 
 /** A sample as a person reads it: up to seven significant digits, whole numbers in full, `–` for none. */
 internal fun numberText(value: Double): String {
@@ -26,9 +28,14 @@ internal fun fixedText(value: Double, decimals: Int): String {
 internal fun decimalsFor(span: Double): Int =
     if (span > 0) ceil(DECADES_SEEN - log10(span)).toInt().coerceIn(0, MOST_DECIMALS) else MOST_DECIMALS
 
-/** How many decimals a multiple of [step] needs. */
-internal fun decimalsOf(step: Double): Int =
-    if (step > 0) ceil(-log10(step) - ROUNDING).toInt().coerceIn(0, MOST_TICK_DECIMALS) else 0
+/** How many decimals a multiple of [step] needs, which has one or, as 2.5 has, two digits. */
+internal fun decimalsOf(step: Double): Int {
+    if (!(step > 0)) return 0
+    val ofFirst = ceil(-log10(step) - ROUNDING).toInt().coerceIn(0, MOST_TICK_DECIMALS)
+    val scaled = step * 10.0.pow(ofFirst)
+    val isWhole = abs(scaled - round(scaled)) <= scaled * ROUNDING
+    return if (isWhole) ofFirst else minOf(ofFirst + 1, MOST_TICK_DECIMALS)
+}
 
 private fun trimmed(digits: String): String {
     val exponent = digits.indexOf('e')

@@ -13,6 +13,11 @@ internal class EventTimeline(view: LogView) {
 
     private val positions = DoubleArray(events.size) { events[it].x }.let { Series(it, it) }
 
+    private val isSerious by lazy { BooleanArray(events.size) { SERIOUS.containsMatchIn(events[it].text) } }
+
+    /** Whether event [index] calls itself an error or a warning. */
+    fun isSerious(index: Int): Boolean = isSerious[index]
+
     /** The index of the first event at or after [x]. */
     fun firstAtOrAfter(x: Double): Int = positions.firstAtOrAfter(x)
 
@@ -27,5 +32,10 @@ internal class EventTimeline(view: LogView) {
         var index = positions.firstAtOrAfter(x)
         while (index < events.size && events[index].x == x) index++
         return events.getOrNull(index - 1)
+    }
+
+    private companion object {
+        /** As logs write it: `ERROR: brownout`, `[warning] …`. */
+        val SERIOUS = Regex("^\\W*(error|warn|fatal|severe|critical)", RegexOption.IGNORE_CASE)
     }
 }

@@ -4,7 +4,10 @@ import badlog.page.text.countText
 
 /** How much of the page a [Query] found. */
 internal data class Hits(val graphs: Int = 0, val values: Int = 0, val events: Int = 0) {
-    val isEmpty: Boolean get() = graphs == 0 && values == 0 && events == 0
+    val isEmpty: Boolean get() = sum == 0
+
+    /** How many there are in all. */
+    val sum: Int get() = graphs + values + events
 
     operator fun plus(other: Hits): Hits = Hits(graphs + other.graphs, values + other.values, events + other.events)
 

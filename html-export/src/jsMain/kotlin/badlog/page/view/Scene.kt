@@ -29,6 +29,9 @@ internal class Scene(val view: LogView) {
     /** The event that is pointed at when the cursor is at [x], or null. */
     fun eventAt(x: Double): Event? = events.nearest(x, range.now.width * REACH)
 
+    /** The last event at or before [x], as exactly as a pixel is; null before the first. */
+    fun lastEventAt(x: Double): Event? = events.lastBefore(x + range.now.width * ONE_PIXEL)
+
     /** A place on the x axis as text, as exact as the screen is, with the unit of x. */
     fun xText(x: Double): String = withUnit(xNumber(x), xAxis.unit)
 
@@ -42,5 +45,8 @@ internal class Scene(val view: LogView) {
     private companion object {
         /** Which part of the screen's width may lie between the cursor and what it points at. */
         const val REACH = 0.008
+
+        /** The part of the screen's width that a mouse cannot do better than: else the last event could not be met. */
+        const val ONE_PIXEL = 0.002
     }
 }

@@ -25,7 +25,8 @@ internal class VisibleRange(from: Double, to: Double) {
     private val listeners = ArrayList<() -> Unit>()
 
     // Narrower, and neighbouring pixels would be the same number.
-    private val narrowest = maxOf(full.width * 1e-9, maxOf(abs(full.from), abs(full.to)) * 1e-12, 1e-300)
+    private val narrowest =
+        minOf(maxOf(full.width * 1e-9, maxOf(abs(full.from), abs(full.to)) * 1e-12, 1e-300), full.width)
 
     val isZoomed: Boolean get() = now != full
     val canGoBack: Boolean get() = history.isNotEmpty()

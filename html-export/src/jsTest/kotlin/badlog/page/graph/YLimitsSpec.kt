@@ -11,6 +11,13 @@ class YLimitsSpec : FunSpec({
         limits.from shouldBe 0.0
     }
 
+    test("a line of nothing but 0 does not lie on the frame's edge") {
+        val limits = YLimits()
+        limits.fit(0.0, 0.0, includesZero = true)
+        limits.from shouldBeLessThan 0.0
+        0.0 shouldBeLessThan limits.to
+    }
+
     test("0 is included when it must be") {
         val limits = YLimits()
         limits.fit(11.0, 12.0, includesZero = true)

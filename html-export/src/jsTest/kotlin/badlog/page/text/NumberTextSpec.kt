@@ -16,7 +16,9 @@ class NumberTextSpec : FunSpec({
     test("decimals follow what is visible") {
         decimalsFor(150.0) shouldBe 2
         decimalsFor(0.01) shouldBe 6
-        decimalsOf(0.25) shouldBe 1
+        decimalsOf(0.25) shouldBe 2
+        decimalsOf(2.5) shouldBe 1
+        decimalsOf(25.0) shouldBe 0
         decimalsOf(0.01) shouldBe 2
         decimalsOf(20.0) shouldBe 0
     }

@@ -42,6 +42,15 @@ class VisibleRangeSpec : FunSpec({
         (range.now.width > 0.0) shouldBe true
     }
 
+    test("a recording that is narrower than what can be drawn cannot be zoomed, and nothing fails") {
+        for ((from, to) in listOf(0.0 to 2e-310, 1e15 to 1e15 + 0.5)) {
+            val range = VisibleRange(from, to)
+            range.show(from, from + (to - from) / 2)
+            range.scale(0.5, from)
+            (range.now.width <= range.full.width) shouldBe true
+        }
+    }
+
     test("a recording of one moment, or of none, can be shown") {
         (VisibleRange(7.0, 7.0).now.width > 0.0) shouldBe true
         VisibleRange(Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY).now.width shouldBe 1.0

@@ -1,0 +1,41 @@
+package badlog.page.section
+
+import badlog.page.dom.add
+import badlog.page.dom.element
+import badlog.page.dom.isHidden
+import badlog.page.dom.showText
+import badlog.page.text.countText
+import org.w3c.dom.HTMLElement
+
+/** The way to what explains a recording, which stands far below its graphs: the first event log. */
+internal class EventsLink(private val folders: FolderList) {
+    private lateinit var count: HTMLElement
+
+    val element: HTMLElement = element("button", "events-link") {
+        setAttribute("type", "button")
+        title = "Go to the event log"
+        add("span", "", "Events")
+        count = add("span", "count")
+        addEventListener("click", { go() })
+    }
+
+    init {
+        update()
+    }
+
+    /** Tells how many events are to be found now. */
+    fun update() {
+        val found = folders.sections.sumOf { section -> section.tables.sumOf { it.foundCount } }
+        element.isHidden = found == 0
+        count.showText(countText(found))
+    }
+
+    private fun go() {
+        for (section in folders.sections) {
+            val table = section.tables.firstOrNull { it.foundCount > 0 } ?: continue
+            section.reveal(table.element)
+            table.focus()
+            return
+        }
+    }
+}

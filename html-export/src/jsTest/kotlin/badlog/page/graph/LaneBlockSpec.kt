@@ -1,0 +1,46 @@
+package badlog.page.graph
+
+import badlog.analysis.Series
+import badlog.page.view.VisibleRange
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+
+class LaneBlockSpec : FunSpec({
+    fun blocks(count: Int, width: Double, state: (Int) -> Int): List<LaneBlock> {
+        val series = Series(DoubleArray(count) { it.toDouble() }, DoubleArray(count) { state(it).toDouble() })
+        val end = count - 1.0
+        return laneBlocks(StateRuns(series, end), VisibleRange.Span(0.0, end), width, shortest = 2)
+    }
+
+    test("long states are as long as they are") {
+        blocks(101, 200.0) { if (it < 50) 0 else 1 } shouldBe
+            listOf(LaneBlock(0.0, 100.0, 0), LaneBlock(100.0, 200.0, 1))
+    }
+
+    test("a state of one row among 10,000 gets two pixels, over its neighbours") {
+        val blocks = blocks(10_001, 1000.0) { if (it == 6000) 1 else 0 }
+        blocks.last() shouldBe LaneBlock(600.0, 602.0, 1)
+        blocks.count { it.state == 0 } shouldBe 2
+    }
+
+    test("a dropout of one row is seen too") {
+        blocks(10_001, 1000.0) { if (it == 6000) 0 else 1 }.last() shouldBe LaneBlock(600.0, 602.0, 0)
+    }
+
+    test("the last row can be seen when it alone differs") {
+        blocks(10_001, 1000.0) { if (it == 10_000) 1 else 0 }.last() shouldBe LaneBlock(998.0, 1000.0, 1)
+    }
+
+    test("of several states in one pixel, the rarer one is seen, whichever comes first") {
+        val rareLast = blocks(100_001, 1000.0) { if (it in 50_000..50_009) (if (it == 50_005) 2 else 1) else 0 }
+        rareLast.last() shouldBe LaneBlock(500.0, 502.0, 2)
+        val rareFirst = blocks(100_001, 1000.0) { if (it in 50_000..50_009) (if (it == 50_000) 2 else 1) else 0 }
+        rareFirst.last() shouldBe LaneBlock(500.0, 502.0, 2)
+    }
+
+    test("millions of changes are no more blocks than there are pixels") {
+        val blocks = blocks(100_000, 500.0) { it % 3 }
+        (blocks.size <= 500) shouldBe true
+        blocks.sumOf { it.width } shouldBe 500.0
+    }
+})

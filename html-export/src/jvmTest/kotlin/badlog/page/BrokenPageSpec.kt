@@ -1,0 +1,56 @@
+package badlog.page
+
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import java.nio.file.Files
+import java.nio.file.Path
+
+/** Pages that were cut in copying, and browsers that cannot show them. Nobody is left with an empty window. */
+internal class BrokenPageSpec : PageSpec({
+    fun cut(page: Path, bytes: Int): Path {
+        val file = Files.createTempFile("badlog-cut", ".html")
+        file.toFile().deleteOnExit()
+        return Files.write(file, Files.readAllBytes(page).copyOf(bytes))
+    }
+
+    browserTest("a browser without DecompressionStream is told which one can show the page") {
+        onPage(TestPages.ofSample("practice.bag"), script = "delete window.DecompressionStream", state = "failed") {
+            text shouldContain "This browser is too old"
+            text shouldContain "Safari 16.4"
+        }
+    }
+
+    browserTest("a page cut in half says so") {
+        val page = TestPages.ofSample("practice.bag")
+        OpenPage.open(cut(page, (Files.size(page) / 2).toInt()), Screen.WIDE, null).use {
+            it.await("a word about the cut") { "the file is incomplete" in it.text }
+        }
+    }
+
+    browserTest("a page cut inside its script says so") {
+        val page = TestPages.ofSample("practice.bag")
+        OpenPage.open(cut(page, (Files.size(page) - 100).toInt()), Screen.WIDE, null).use {
+            it.await("a word about the cut") { "the file is incomplete" in it.text }
+        }
+    }
+
+    browserTest("a browser that allows no worker shows the page all the same") {
+        val script = "window.Worker = class { constructor() { throw new Error('forbidden') } }"
+        onPage(TestPages.ofSample("practice.bag"), script = script) { graph(graphNames.first()).isDrawn shouldBe true }
+    }
+
+    browserTest("a browser that keeps nothing shows the page all the same") {
+        val script = "Object.defineProperty(window, 'localStorage', {get() { throw new Error('forbidden') }})"
+        onPage(TestPages.of(stepBag(graphs = 2)), script = script) {
+            click("#theme")
+            graph("Step 1").isDrawn shouldBe true
+        }
+    }
+
+    browserTest("a browser that does not decode base64 by itself shows the same values") {
+        onPage(TestPages.of(stepBag(graphs = 1)), script = "delete Uint8Array.fromBase64") {
+            graph("Step 1").hover(0.9)
+            graph("Step 1").value("Step 1") shouldBe "1"
+        }
+    }
+})

@@ -1,0 +1,86 @@
+package badlog.page
+
+import io.kotest.core.test.Enabled
+import java.io.File
+import java.nio.file.Files
+import java.nio.file.Path
+import org.openqa.selenium.chrome.ChromeDriver
+import org.openqa.selenium.chrome.ChromeDriverService
+import org.openqa.selenium.chrome.ChromeOptions
+
+/** The one Chromium that all page tests share, started when the first of them needs it. */
+internal object Chromium {
+    private val program = onPath("chromium", "chromium-browser", "google-chrome")
+    private val driverProgram = onPath("chromedriver")
+    private val isRequired = System.getenv("BADLOG_BROWSER") == "required"
+
+    /** Whether page tests run here, and if not, why; said once for all of them, in a line that the build passes on. */
+    val enabled: Enabled by lazy {
+        val missing = listOfNotNull(
+            "Chromium".takeIf { program == null },
+            "chromedriver".takeIf { driverProgram == null },
+        )
+        if (missing.isEmpty() || isRequired) {
+            Enabled.enabled
+        } else {
+            val reason = "${missing.joinToString(" and ")} missing on the PATH"
+            println("Page tests are skipped: $reason")
+            Enabled.disabled(reason)
+        }
+    }
+
+    /** Where downloads go. */
+    val downloads: Path by lazy { Files.createTempDirectory("badlog-downloads") }
+
+    /** The browser, which ends with the tests. */
+    val driver: ChromeDriver by lazy(::start)
+
+    private fun start(): ChromeDriver {
+        val profile = Files.createTempDirectory("badlog-profile")
+        val options = ChromeOptions().apply {
+            setBinary(present(program, "Chromium").toFile())
+            addArguments(
+                "--headless=new", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+                "--disable-background-networking", "--disable-component-update", "--disable-sync",
+                "--user-data-dir=$profile",
+            )
+            setCapability("goog:loggingPrefs", mapOf("browser" to "ALL", "performance" to "ALL"))
+            setExperimentalOption("perfLoggingPrefs", mapOf("enableNetwork" to true, "enablePage" to false))
+        }
+        val service = ChromeDriverService.Builder()
+            .usingDriverExecutable(present(driverProgram, "chromedriver").toFile())
+            .usingAnyFreePort()
+            .build()
+        val driver = ChromeDriver(service, options)
+        driver.executeCdpCommand(
+            "Browser.setDownloadBehavior",
+            mapOf("behavior" to "allow", "downloadPath" to downloads.toString()),
+        )
+        Runtime.getRuntime().addShutdownHook(
+            Thread {
+                driver.quit()
+                listOf(profile, downloads).forEach(::delete)
+            },
+        )
+        return driver
+    }
+
+    // The browser writes for a moment after it has said that it is over.
+    private fun delete(folder: Path) {
+        var tries = 0
+        while (!folder.toFile().deleteRecursively() && tries++ < MOST_TRIES) Thread.sleep(PAUSE_MILLISECONDS)
+    }
+
+    private fun present(program: Path?, name: String): Path =
+        checkNotNull(program) { "BADLOG_BROWSER=required, but $name is not on the PATH." }
+
+    private fun onPath(vararg names: String): Path? {
+        val folders = System.getenv("PATH").orEmpty().split(File.pathSeparator).filter { it.isNotEmpty() }
+        return names.firstNotNullOfOrNull { name ->
+            folders.flatMap { listOf(Path.of(it, name), Path.of(it, "$name.exe")) }.firstOrNull(Files::isExecutable)
+        }
+    }
+
+    private const val MOST_TRIES = 40
+    private const val PAUSE_MILLISECONDS = 50L
+}

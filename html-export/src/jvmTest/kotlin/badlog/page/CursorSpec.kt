@@ -1,0 +1,111 @@
+package badlog.page
+
+import badlog.bag.BagTopic
+import io.kotest.inspectors.forAll
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.doubles.shouldBeGreaterThan
+import io.kotest.matchers.shouldBe
+import kotlin.math.roundToInt
+import org.openqa.selenium.By
+import org.openqa.selenium.Keys
+
+private const val ROWS = 100_000
+private const val SPIKE_ROW = 54_321
+
+/** Each row has a number of its own, so that a value tells which row it was read from. */
+internal class CursorSpec : PageSpec({
+    val page by lazy {
+        val topics = listOf(TIME, BagTopic("Row"), BagTopic("Spike", "V"), BagTopic("Mode")) +
+            List(8) { BagTopic("More ${it + 1}") }
+        TestPages.of(
+            bagOf(topics, ROWS) { row, column ->
+                when (column) {
+                    0, 1 -> row
+                    2 -> if (row == SPIKE_ROW) 7 else 0
+                    3 -> if (row < 40_000) "armed" else "ready"
+                    else -> row % 1000
+                }
+            },
+        )
+    }
+
+    browserTest("the values at the cursor are those of the very sample, however many share a pixel") {
+        onPage(page) {
+            for (across in listOf(0.1234, 0.5, 0.987)) {
+                graph("Row").hover(across)
+                val row = graph("Row").value("Row").toInt()
+                val frame = graph("Row").frame
+                val pixel = frame.at(across).first
+                row shouldBe ((pixel - frame.x) / frame.width * (ROWS - 1)).roundToInt()
+                graph("More 1").value("More 1").toInt() shouldBe row % 1000
+                graph("Mode").value("Mode") shouldBe if (row < 40_000) "armed" else "ready"
+            }
+        }
+    }
+
+    browserTest("a lone spike among 100,000 samples is drawn, and its value and its neighbours' can be read") {
+        onPage(page) {
+            graph("Spike").steepest() shouldBe (SPIKE_ROW / (ROWS - 1.0) plusOrMinus 0.002)
+            graph("Spike").hover(SPIKE_ROW / (ROWS - 1.0))
+            fun row() = graph("Row").value("Row").toInt()
+            while (row() - SPIKE_ROW >= 10) pressShift(Keys.ARROW_LEFT)
+            while (SPIKE_ROW - row() >= 10) pressShift(Keys.ARROW_RIGHT)
+            while (row() > SPIKE_ROW) press(Keys.ARROW_LEFT)
+            while (row() < SPIKE_ROW) press(Keys.ARROW_RIGHT)
+            graph("Spike").value("Spike") shouldBe "7"
+            press(Keys.ARROW_LEFT)
+            graph("Spike").value("Spike") shouldBe "0"
+            pressShift(Keys.ARROW_RIGHT)
+            row() shouldBe SPIKE_ROW + 9
+            graph("Spike").value("Spike") shouldBe "0"
+        }
+    }
+
+    browserTest("one cursor stands at the same place in all graphs, also in one scrolled to later") {
+        onPage(page) {
+            graph("Spike").hover(0.25)
+            val row = graph("Row").value("Row")
+            fun OpenPage.cursorAt(name: String): Double {
+                val line = graph(name).card.findElement(By.cssSelector(".cursor-line"))
+                line.isDisplayed shouldBe true
+                return number("return arguments[0].getBoundingClientRect().x", line) - graph(name).frame.x
+            }
+            val expected = graph("Spike").frame.width * 0.25
+            listOf("Row", "Spike", "Mode").forAll { cursorAt(it) shouldBe (expected plusOrMinus 1.5) }
+            graph("More 8").scrollTo()
+            cursorAt("More 8") shouldBe (expected plusOrMinus 1.5)
+            graph("More 8").value("More 8").toInt() shouldBe row.toInt() % 1000
+        }
+    }
+
+    browserTest("the bar tells the cursor's time with its unit") {
+        onPage(page) {
+            graph("Row").hover(0.5)
+            val (number, unit) = texts(".cursor-readout").single().split(' ')
+            number.toDouble().roundToInt() shouldBe graph("Row").value("Row").toInt()
+            unit shouldBe "s"
+        }
+    }
+
+    browserTest("the cursor stays at its sample when the graphs are zoomed, and leaves with Escape") {
+        onPage(page) {
+            graph("Row").hover(0.5)
+            val row = graph("Row").value("Row")
+            press("+", "+")
+            graph("Row").value("Row") shouldBe row
+            press(Keys.ESCAPE)
+            graph("Row").value("Row") shouldBe ""
+            texts(".cursor-readout").single().isEmpty() || !element(".cursor-readout").isDisplayed shouldBe true
+        }
+    }
+
+    browserTest("arrow keys at the edge of what is visible take the view along") {
+        onPage(page) {
+            graph("Row").drag(0.4, 0.4 + 60 / graph("Row").frame.width)
+            graph("Row").hover(0.999)
+            val end = visibleRange.endInclusive
+            while (graph("Row").value("Row").toDouble() <= end) pressShift(*Array(10) { Keys.ARROW_RIGHT })
+            visibleRange.endInclusive shouldBeGreaterThan end
+        }
+    }
+})

@@ -1,0 +1,37 @@
+package badlog.page
+
+/** A text that a page drew on a canvas, with where it stands in CSS pixels of that canvas. */
+internal data class DrawnText(val text: String, val left: Double, val right: Double, val y: Double)
+
+/** Notes the texts that stand on each canvas of a page; to be run before the page's own script. */
+internal const val NOTING_TEXTS: String = """
+    const draw = CanvasRenderingContext2D.prototype.fillText;
+    CanvasRenderingContext2D.prototype.fillText = function (text, x, y) {
+        const width = this.measureText(text).width, at = this.getTransform().transformPoint({x, y});
+        const share = {left: 0, start: 0, center: 0.5, right: 1, end: 1}[this.textAlign], ratio = devicePixelRatio;
+        const left = at.x - width * share;
+        (this.canvas.texts ??= []).push([String(text), left / ratio, (left + width) / ratio, at.y / ratio]);
+        return draw.apply(this, arguments);
+    };
+    const clear = CanvasRenderingContext2D.prototype.clearRect;
+    CanvasRenderingContext2D.prototype.clearRect = function () {
+        this.canvas.texts = [];
+        return clear.apply(this, arguments);
+    };
+"""
+
+/** The texts that were drawn on the canvas of the graph [name], of a page with [NOTING_TEXTS]. */
+internal fun OpenPage.drawnTexts(name: String): List<DrawnText> {
+    val texts = script("return arguments[0].querySelector('canvas').texts ?? []", graph(name).card) as List<*>
+    return texts.map { text ->
+        val (left, right, y) = (text as List<*>).drop(1).map { (it as Number).toDouble() }
+        DrawnText(text[0] as String, left, right, y)
+    }
+}
+
+/** The left edge of the frame of the graph [name] in its canvas. */
+internal fun OpenPage.frameLeft(name: String): Double = number(
+    "const [card] = arguments; return card.querySelector('.u-over').getBoundingClientRect().x - " +
+        "card.querySelector('canvas').getBoundingClientRect().x",
+    graph(name).card,
+)

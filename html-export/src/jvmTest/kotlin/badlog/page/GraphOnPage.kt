@@ -1,0 +1,120 @@
+package badlog.page
+
+import java.util.Base64
+import org.openqa.selenium.Keys
+import org.openqa.selenium.WebElement
+
+/** One graph of an open page, as a person sees and touches it. */
+internal class GraphOnPage(private val page: OpenPage, private val name: String) {
+    /** Its card. */
+    val card: WebElement
+        get() {
+            val find = "return [...document.querySelectorAll('.graph')].find(e => e.dataset.name === arguments[0])"
+            val card = page.script(find, name) as WebElement?
+            return checkNotNull(card) { "There is no “$name”, but ${page.graphNames}." }
+        }
+
+    /** Whether it is drawn now. */
+    val isDrawn: Boolean get() = page.script("return !!arguments[0].querySelector('canvas')", card) as Boolean
+
+    /** Whether some of its frame is on the screen. */
+    val isOnScreen: Boolean
+        get() = page.script(
+            "const b = arguments[0].querySelector('.plot').getBoundingClientRect();" +
+                "return b.height > 0 && b.bottom > 0 && b.top < innerHeight",
+            card,
+        ) as Boolean
+
+    /** Brings it into the middle of the screen. */
+    fun scrollTo(): GraphOnPage {
+        page.script("arguments[0].scrollIntoView({block: 'center', behavior: 'instant'})", card)
+        page.await("the graph $name to be drawn") { isDrawn }
+        page.settle()
+        return this
+    }
+
+    /** Where its frame is on the screen. */
+    val frame: Box
+        get() {
+            val numbers = page.script(
+                "const b = arguments[0].querySelector('.u-over').getBoundingClientRect();" +
+                    "return [b.x, b.y, b.width, b.height]",
+                card,
+            ) as List<*>
+            val (x, y, width, height) = numbers.map { (it as Number).toDouble() }
+            return Box(x, y, width, height)
+        }
+
+    /** A rectangle in CSS pixels. */
+    data class Box(val x: Double, val y: Double, val width: Double, val height: Double) {
+        /** The pixel at the share [across] of the width and [down] of the height. */
+        fun at(across: Double, down: Double = 0.5): Pair<Int, Int> =
+            (x + width * across).toInt() to (y + height * down).toInt()
+    }
+
+    /** Moves the mouse to the share [across] of the frame's width. */
+    fun hover(across: Double) {
+        val (x, y) = frame.at(across)
+        // From beside it, so that the browser notices a move even where the mouse is there already.
+        page.act { mouseTo(x, y + 3).mouseTo(x, y) }
+    }
+
+    /** Drags the mouse from one share of the frame's width to another. */
+    fun drag(from: Double, to: Double, withShift: Boolean = false) {
+        val (startX, y) = frame.at(from)
+        val (endX, _) = frame.at(to)
+        page.act {
+            mouseTo(startX, y)
+            if (withShift) keyDown(Keys.SHIFT)
+            mouseDown().mouseTo((startX + endX) / 2, y).mouseTo(endX, y).mouseUp()
+            if (withShift) keyUp(Keys.SHIFT)
+            this
+        }
+    }
+
+    /** Double-clicks in its middle. */
+    fun doubleClick() {
+        val (x, y) = frame.at(0.5)
+        page.act { mouseTo(x, y).mouseDown().mouseUp().mouseDown().mouseUp() }
+    }
+
+    /** What its legend says of [line] at the cursor. */
+    fun value(line: String): String =
+        page.script("return arguments[0].querySelector('.value').textContent", legend(line)) as String
+
+    /** The legend's button of [line]. */
+    fun legend(line: String): WebElement = page.script(
+        "return [...arguments[0].querySelectorAll('.legend-entry')].find(e => e.dataset.series === arguments[1])",
+        card, line,
+    ) as WebElement
+
+    /** What it has drawn inside its frame: read from the canvas itself, not from what the page says. */
+    val picture: FramePicture
+        get() {
+            val drawn = page.script(
+                """
+                const canvas = arguments[0].querySelector('canvas');
+                const over = arguments[0].querySelector('.u-over').getBoundingClientRect();
+                const box = canvas.getBoundingClientRect(), ratio = canvas.width / box.width;
+                const place = [over.x - box.x, over.y - box.y, over.width, over.height];
+                return [canvas.toDataURL().split(',')[1], ...place.map(n => Math.round(n * ratio))];
+                """.trimIndent(),
+                card,
+            ) as List<*>
+            val (left, top, width, height) = drawn.drop(1).map { (it as Number).toInt() }
+            val png = Base64.getDecoder().decode(drawn[0] as String)
+            return FramePicture.of(png.inputStream(), left, top, width, height)
+        }
+
+    /** Its whole canvas as text, to be compared with another one. */
+    val canvas: String get() = page.script("return arguments[0].querySelector('canvas').toDataURL()", card) as String
+
+    /** For each pixel column of the frame, how many of its pixels have the colour of line [index]. */
+    fun lineColumns(index: Int = 0): List<Int> = picture.columnsOf(page.colour("--line-$index"))
+
+    /** How many pixels of the canvas have the colour of line [index]. */
+    fun pixelsOfLine(index: Int): Int = lineColumns(index).sum()
+
+    /** Where on x line [index] rises or falls the most, as a share of the frame's width. */
+    fun steepest(index: Int = 0): Double = lineColumns(index).let { (it.indexOf(it.max()) + 0.5) / it.size }
+}

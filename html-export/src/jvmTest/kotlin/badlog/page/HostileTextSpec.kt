@@ -1,0 +1,112 @@
+package badlog.page
+
+import badlog.bag.BagTopic
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.collections.shouldContainAll
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+
+/** Texts that try to become markup, script or the end of something. */
+private val HOSTILE = listOf(
+    "</script><img src=x onerror=alert(1)>",
+    "<!--",
+    "<!--<script>",
+    "\"><svg onload=alert(1)>",
+    "' onmouseover='alert(1)",
+    "]]>",
+    "\${alert(1)}",
+    "`\${alert(1)}`",
+    "{{constructor.constructor('alert(1)')()}}",
+    "&lt;b&gt;&amp;",
+    "javascript:alert(1)",
+    "</title></textarea></style><iframe src=javascript:alert(1)>",
+    "__proto__",
+    "constructor",
+)
+
+internal class HostileTextSpec : PageSpec({
+    // Counts calls where a dialog would only stop the test.
+    val alarm = "window.alarms = 0; window.alert = () => { window.alarms++ };"
+
+    fun OpenPage.checkTame() {
+        number("return window.alarms") shouldBe 0.0
+        script(
+            "return [...document.querySelectorAll('img, iframe, object, [onload], [onerror], [onmouseover], b')]" +
+                ".map(e => e.outerHTML)",
+        ) shouldBe emptyList<String>()
+        texts("script:not(#recording):not(#about):not(#program)") shouldBe emptyList()
+    }
+
+    browserTest("hostile names, units and attributes of topics stay text") {
+        // A slash would make a folder of what stands before it: those are tested by their base names.
+        val topics = listOf(TIME) + HOSTILE.map { BagTopic(it, it, listOf(it)) }
+        onPage(TestPages.of(bagOf(topics, 50) { row, column -> row * column }), script = alarm) {
+            checkTame()
+            texts(".graph-title") shouldContainAll HOSTILE.map { it.substringAfterLast('/') }
+            elements(".graph").map { it.getDomAttribute("data-name") } shouldContainAll HOSTILE
+            texts(".graph-unit") shouldContainAll HOSTILE
+            for (name in graphNames) graph(name).scrollTo().hover(0.5)
+            if (!element(".problem-list").isDisplayed) click(".problems-toggle")
+            texts(".problem-text").joinToString("\n").let { listed -> HOSTILE.forEach { listed shouldContain it } }
+            click("#info summary")
+            checkTame()
+        }
+    }
+
+    browserTest("a hostile x axis, joined graph and derived graph stay text") {
+        val name = HOSTILE[0].replace("/", "")
+        val topics = listOf(
+            BagTopic(name, HOSTILE[3], listOf("xaxis", "delta")),
+            BagTopic("A", "V", listOf("differentiate", "join:${HOSTILE[3]}")),
+        )
+        onPage(TestPages.of(bagOf(topics, 50) { row, _ -> row }), script = alarm) {
+            for (graph in graphNames) graph(graph).scrollTo()
+            texts(".x-title") shouldContain "$name (${HOSTILE[3]})"
+            checkTame()
+        }
+    }
+
+    browserTest("hostile values stay text, also as the title of the page") {
+        val values = HOSTILE.associateWith { it } + mapOf("Event Name" to HOSTILE[0], "Match Number" to HOSTILE[3])
+        onPage(TestPages.of(bagOf(listOf(TIME, BagTopic("A")), 5, values) { row, _ -> row }), script = alarm) {
+            texts(".values dd") shouldContainAll HOSTILE
+            driver.title shouldContain HOSTILE[0]
+            texts("h1").single() shouldContain HOSTILE[3]
+            checkTame()
+        }
+    }
+
+    browserTest("hostile events and states stay text, in the list, on the graphs and in the bar") {
+        val topics = listOf(TIME, BagTopic("State"), BagTopic("A"), BagTopic("Log", attributes = listOf("log")))
+        val bag = bagOf(topics, HOSTILE.size) { row, column -> if (column == 1 || column == 3) HOSTILE[row] else row }
+        onPage(TestPages.of(bag), script = alarm) {
+            texts(".event-text") shouldContainAll HOSTILE
+            for (row in HOSTILE.indices) {
+                graph("State").scrollTo().hover(row * 0.9995 / (HOSTILE.size - 1))
+                graph("State").value("State") shouldBe HOSTILE[row]
+                texts(".event-readout").single() shouldContain HOSTILE[row]
+            }
+            checkTame()
+            press("/")
+            press(HOSTILE[0])
+            checkTame()
+        }
+    }
+
+    browserTest("a hostile file name stays text") {
+        val names = listOf("<img src=x onerror=alert(1)>", "\"><svg onload=alert(1)>", "<!--<script>", "a&amp;b")
+        for (name in names.map { "$it.bag" }) {
+            onPage(TestPages.of(bagOf(listOf(TIME, BagTopic("A")), 5) { row, _ -> row }, name), script = alarm) {
+                driver.title shouldBe name
+                texts("h1").single() shouldBe name
+                checkTame()
+            }
+        }
+    }
+
+    browserTest("a hostile header that is no bag's stays text where it is reported") {
+        onPage(TestPages.of("{\"topics\":[{\"name\":\"${HOSTILE[0]}\nTime,${HOSTILE[0]}\n0,1\n1,2\n"), script = alarm) {
+            checkTame()
+        }
+    }
+})

@@ -1,0 +1,129 @@
+package badlog.page
+
+import badlog.bag.BagTopic
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.doubles.shouldBeLessThan
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.shouldNotBe
+import org.openqa.selenium.Keys
+
+internal class KeyboardSpec : PageSpec({
+    val page by lazy {
+        val topics = listOf(
+            TIME,
+            BagTopic("Arm/Angle", "deg", listOf("join:Arm/Tracking")),
+            BagTopic("Arm/Setpoint", "deg", listOf("hide", "join:Arm/Tracking")),
+            BagTopic("Odd?"),
+            BagTopic("Log", attributes = listOf("log")),
+        )
+        TestPages.of(
+            bagOf(topics, 101, mapOf("Match" to "8")) { row, column ->
+                if (column == 4) "brownout".takeIf { row == 60 } else row
+            },
+        )
+    }
+
+    browserTest("Tab reaches everything that can be pressed, and where it is can be seen") {
+        onPage(page) {
+            val unseen = ArrayList<String>()
+            var steps = 0
+            do {
+                press(Keys.TAB)
+                val seen = script(
+                    """
+                    const e = document.activeElement;
+                    if (!e || e === document.body) return null;
+                    e.dataset.reached = '1';
+                    const style = getComputedStyle(e), box = e.getBoundingClientRect();
+                    const isMarked = style.outlineStyle !== 'none' && parseFloat(style.outlineWidth) >= 2;
+                    const isOnScreen = box.bottom > 0 && box.top < innerHeight && box.width > 0;
+                    return isMarked && isOnScreen ? '' : e.outerHTML.slice(0, 120);
+                    """.trimIndent(),
+                ) as String?
+                if (!seen.isNullOrEmpty()) unseen += seen
+                steps++
+            } while (seen != null && steps < 100)
+            unseen.shouldBeEmpty()
+            script(
+                "return [...document.querySelectorAll('button, input, select, summary, .plot, .events-scroll')]" +
+                    ".filter(e => e.checkVisibility() && !e.disabled && !e.dataset.reached)" +
+                    ".map(e => e.outerHTML.slice(0, 120))",
+            ) shouldBe emptyList<String>()
+        }
+    }
+
+    browserTest("every button and field has a name for those who do not see it") {
+        onPage(page) {
+            script(
+                "return [...document.querySelectorAll('button, input, select')].filter(e => e.checkVisibility())" +
+                    ".filter(e => !(e.getAttribute('aria-label') || e.textContent.trim())).map(e => e.outerHTML)",
+            ) shouldBe emptyList<String>()
+        }
+    }
+
+    browserTest("arrows move the cursor by one sample, with Shift by ten") {
+        onPage(page) {
+            press(Keys.ARROW_RIGHT)
+            val start = graph("Arm/Angle").value("Angle").toInt()
+            press(Keys.ARROW_RIGHT)
+            graph("Arm/Angle").value("Angle").toInt() shouldBe start + 1
+            pressShift(Keys.ARROW_RIGHT)
+            graph("Arm/Angle").value("Angle").toInt() shouldBe start + 11
+            press(Keys.ARROW_LEFT)
+            graph("Arm/Angle").value("Angle").toInt() shouldBe start + 10
+        }
+    }
+
+    browserTest("plus, minus, Backspace and 0 zoom") {
+        onPage(page) {
+            press("+")
+            val zoomed = visibleRange
+            zoomed.endInclusive - zoomed.start shouldBeLessThan 100.0
+            press("+")
+            press(Keys.BACK_SPACE)
+            visibleRange shouldBe zoomed
+            press("0")
+            visibleRange shouldBe 0.0..100.0
+            press("+", "-")
+            visibleRange shouldBe 0.0..100.0
+            press("+")
+            press(Keys.HOME)
+            visibleRange shouldBe 0.0..100.0
+        }
+    }
+
+    browserTest("a question mark opens the help, which holds the focus, and Escape closes it") {
+        onPage(page) {
+            press("?")
+            element("#help").isDisplayed shouldBe true
+            script("return document.getElementById('help').contains(document.activeElement)") shouldBe true
+            press(Keys.ARROW_RIGHT)
+            graph("Arm/Angle").value("Angle") shouldBe ""
+            press(Keys.ESCAPE)
+            element("#help").isDisplayed shouldBe false
+            click("#help-button")
+            element("#help").isDisplayed shouldBe true
+            press("?")
+            element("#help").isDisplayed shouldBe false
+        }
+    }
+
+    browserTest("a folder, the problems and an event answer to Enter and Space") {
+        onPage(page) {
+            fun focus(selector: String) = script("document.querySelector(arguments[0]).focus()", selector)
+            focus(".folder[data-name='Arm'] .folder-toggle")
+            press(Keys.ENTER)
+            graphNames shouldBe listOf("Odd?")
+            press(Keys.SPACE)
+            graphNames shouldContain "Arm/Angle"
+            focus(".problems-toggle")
+            val before = element(".problem-list").isDisplayed
+            press(Keys.SPACE)
+            element(".problem-list").isDisplayed shouldNotBe before
+            focus(".event-go")
+            press(Keys.ENTER)
+            graph("Arm/Angle").scrollTo().value("Angle") shouldBe "60"
+        }
+    }
+})

@@ -1,0 +1,81 @@
+package badlog.page
+
+import badlog.bag.BagTopic
+import io.kotest.assertions.withClue
+import io.kotest.inspectors.forAll
+import io.kotest.matchers.collections.shouldNotBeEmpty
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.doubles.shouldBeGreaterThan
+import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.shouldBe
+
+/** States drawn as lanes of blocks. */
+internal class LaneSpec : PageSpec({
+    // The modes take a quarter of the width each.
+    val modes = listOf("disabled", "autonomous", "teleop", "test")
+    val page by lazy {
+        val topics = listOf(TIME, BagTopic("Mode"), BagTopic("Level", "V"))
+        TestPages.of(
+            bagOf(topics, 401) { row, column ->
+                when (column) {
+                    0 -> row / 10.0
+                    1 -> modes[minOf(row / 100, 3)]
+                    else -> row
+                }
+            },
+        )
+    }
+
+    browserTest("the name of a state stands inside the block of that state") {
+        onPage(page, script = NOTING_TEXTS) {
+            val frame = graph("Mode").frame
+            val left = frameLeft("Mode")
+            val names = drawnTexts("Mode").filter { it.text in modes }
+            names.shouldNotBeEmpty()
+            names.forAll { name ->
+                val from = left + frame.width * modes.indexOf(name.text) / 4
+                withClue("block from $from to ${from + frame.width / 4}") {
+                    name.left shouldBeGreaterThan from
+                    name.right shouldBe (from + frame.width / 8 plusOrMinus frame.width / 8)
+                }
+            }
+        }
+    }
+
+    browserTest("a state that lasts for one of 10,000 samples can be seen") {
+        val bag = bagOf(listOf(TIME, BagTopic("Browned Out")), 10_000) { row, column ->
+            if (column == 0) row / 50.0 else row == 6000
+        }
+        onPage(TestPages.of(bag)) {
+            val picture = graph("Browned Out").picture
+            picture.columnsOf(colour("--line-1")).max() shouldBeGreaterThan picture.height / 2
+        }
+    }
+
+    browserTest("the brownouts of a match can be seen among all of it") {
+        onPage(TestPages.ofSample("qualification-42.bag")) {
+            val picture = graph("System/Browned Out").scrollTo().picture
+            val columns = picture.columnsOf(colour("--line-1"))
+            // From 93.7 to 97.4 s of some 156 s.
+            val seen = columns.indices.filter { columns[it] > picture.height / 2 }
+            seen.size shouldBeGreaterThan 5
+            seen.forAll { it.toDouble() / columns.size shouldBe (0.61 plusOrMinus 0.03) }
+        }
+    }
+
+    browserTest("a block that is too narrow for its name has none") {
+        val bag = bagOf(listOf(TIME, BagTopic("On")), 400) { row, column ->
+            if (column == 0) row / 10.0 else row / 8 % 2 == 0
+        }
+        onPage(TestPages.of(bag), script = NOTING_TEXTS) {
+            drawnTexts("On").none { "…" in it.text } shouldBe true
+        }
+    }
+
+    browserTest("lanes and lines have the same x") {
+        onPage(page) {
+            graph("Mode").frame.x shouldBe graph("Level").frame.x
+            graph("Mode").frame.width shouldBe graph("Level").frame.width
+        }
+    }
+})

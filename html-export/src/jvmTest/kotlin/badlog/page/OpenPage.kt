@@ -1,0 +1,189 @@
+package badlog.page
+
+import io.kotest.assertions.withClue
+import io.kotest.matchers.shouldBe
+import java.nio.file.Files
+import java.nio.file.Path
+import java.time.Duration
+import org.openqa.selenium.By
+import org.openqa.selenium.Keys
+import org.openqa.selenium.OutputType
+import org.openqa.selenium.WebElement
+import org.openqa.selenium.WindowType
+import org.openqa.selenium.chrome.ChromeDriver
+import org.openqa.selenium.interactions.Actions
+
+/** A page in a tab of its own. */
+internal class OpenPage private constructor(val driver: ChromeDriver, private val before: String) : AutoCloseable {
+    private val logs = PageLogs(driver)
+
+    /** What the page says of itself. */
+    val state: String? get() = script("return document.documentElement.dataset.state") as String?
+
+    /** Waits until the page says that it is ready, or failed. */
+    fun awaitState(state: String) {
+        await("the page's state $state") { this.state == state || this.state == "failed" }
+        withClue(text) { this.state shouldBe state }
+        settle()
+    }
+
+    /** All that can be read on the page. */
+    val text: String get() = script("return document.body.innerText") as String
+
+    /** The first element that [selector] finds. */
+    fun element(selector: String): WebElement = driver.findElement(By.cssSelector(selector))
+
+    /** All elements that [selector] finds. */
+    fun elements(selector: String): List<WebElement> = driver.findElements(By.cssSelector(selector))
+
+    /** The texts of the elements that [selector] finds, as they are in the page, seen or not. */
+    fun texts(selector: String): List<String> = strings(
+        script("return [...document.querySelectorAll(arguments[0])].map(e => e.textContent)", selector),
+    )
+
+    /** The graph of the whole [name]. */
+    fun graph(name: String): GraphOnPage = GraphOnPage(this, name)
+
+    /** The names of all graphs that are not hidden, in their order. */
+    val graphNames: List<String>
+        get() = strings(
+            script(
+                "return [...document.querySelectorAll('.graph')].filter(e => e.checkVisibility())" +
+                    ".map(e => e.dataset.name)",
+            ),
+        )
+
+    /** From where to where the page says that it shows x. */
+    val visibleRange: ClosedFloatingPointRange<Double>
+        get() {
+            val said = texts(".range-readout").single()
+            val found = checkNotNull(Regex("""(-?[\d.]+) – (-?[\d.]+)""").find(said)) { "No range in “$said”" }
+            val (from, to) = found.destructured
+            return from.toDouble()..to.toDouble()
+        }
+
+    /** The colour that the style sheet calls [name] in the theme of now. */
+    fun colour(name: String): Int {
+        val style = "getComputedStyle(document.documentElement).getPropertyValue(arguments[0])"
+        return (script("return $style.trim()", name) as String).removePrefix("#").toInt(radix = 16)
+    }
+
+    /** Runs JavaScript. */
+    fun script(code: String, vararg arguments: Any?): Any? = driver.executeScript(code, *arguments)
+
+    /** The result of JavaScript that is a number. */
+    fun number(code: String, vararg arguments: Any?): Double =
+        (script(code, *arguments) as Number).toDouble()
+
+    /** Waits until what was just done is on the screen, and beside it: the page draws that a frame later. */
+    fun settle() {
+        driver.executeAsyncScript(
+            """
+            const done = arguments[0];
+            let frames = 2;
+            const next = () => frames-- > 0 ? requestAnimationFrame(next) : setTimeout(done);
+            next();
+            """.trimIndent(),
+        )
+    }
+
+    /** Waits for [what]; how long is only to end a test that has failed. */
+    fun await(what: String, isSo: () -> Boolean) {
+        val end = System.nanoTime() + PATIENCE_NANOSECONDS
+        while (!isSo()) {
+            check(System.nanoTime() < end) { "Waited in vain for $what. The page shows:\n${text.take(MOST_TEXT)}" }
+            Thread.sleep(POLL_MILLISECONDS)
+        }
+    }
+
+    /** Mouse and keys, as the browser's own driver makes them. */
+    fun act(steps: Actions.() -> Actions) {
+        Actions(driver, Duration.ofMillis(POINTER_MILLISECONDS)).steps().perform()
+        settle()
+    }
+
+    /** Types [keys] where the focus is. */
+    fun press(vararg keys: CharSequence) = act { sendKeys(*keys) }
+
+    /** Clicks what [selector] finds. */
+    fun click(selector: String) {
+        element(selector).click()
+        settle()
+    }
+
+    /** Holds Shift while [keys] are typed. */
+    fun pressShift(vararg keys: CharSequence) = act { keyDown(Keys.SHIFT).sendKeys(*keys).keyUp(Keys.SHIFT) }
+
+    /** Shows the page on another [screen]. */
+    fun show(screen: Screen) {
+        emulate(screen)
+        settle()
+    }
+
+    private fun emulate(screen: Screen) {
+        driver.executeCdpCommand(
+            "Emulation.setDeviceMetricsOverride",
+            mapOf(
+                "width" to screen.width,
+                "height" to screen.height,
+                "deviceScaleFactor" to screen.density,
+                "mobile" to screen.isPhone,
+            ),
+        )
+        driver.executeCdpCommand("Emulation.setTouchEmulationEnabled", mapOf("enabled" to screen.isPhone))
+        val scheme = mapOf("name" to "prefers-color-scheme", "value" to if (screen.isDark) "dark" else "light")
+        val calm = mapOf("name" to "prefers-reduced-motion", "value" to "reduce")
+        driver.executeCdpCommand("Emulation.setEmulatedMedia", mapOf("features" to listOf(scheme, calm)))
+    }
+
+    /** Loads the page again. */
+    fun reload() {
+        driver.navigate().refresh()
+        awaitState("ready")
+    }
+
+    /** What the page wrote to the console: warnings and errors. */
+    fun consoleMessages(): List<String> = logs.messages()
+
+    /** The addresses that the page asked for. */
+    fun requests(): List<String> = logs.requests()
+
+    /** Keeps a picture of the page, for a person to look at. */
+    fun keepScreenshot(name: String) {
+        val file = Path.of("build", "screenshots", "$name.png")
+        Files.createDirectories(file.parent)
+        Files.write(file, driver.getScreenshotAs(OutputType.BYTES))
+    }
+
+    override fun close() {
+        // All pages on a disk share what the browser keeps.
+        driver.executeScript("try { localStorage.clear() } catch { }")
+        driver.close()
+        driver.switchTo().window(before)
+    }
+
+    internal companion object {
+        private const val PATIENCE_NANOSECONDS = 15_000_000_000
+        private const val POLL_MILLISECONDS = 15L
+        private const val POINTER_MILLISECONDS = 10L
+        private const val MOST_TEXT = 1000
+
+        /** Opens [file]. */
+        fun open(file: Path, screen: Screen, script: String?): OpenPage {
+            val driver = Chromium.driver
+            val before = driver.windowHandle
+            driver.switchTo().newWindow(WindowType.TAB)
+            val page = OpenPage(driver, before)
+            page.emulate(screen)
+            if (script != null) {
+                driver.executeCdpCommand("Page.addScriptToEvaluateOnNewDocument", mapOf("source" to script))
+            }
+            page.logs.forget()
+            driver.get(file.toUri().toString())
+            return page
+        }
+
+        @Suppress("UNCHECKED_CAST")
+        private fun strings(result: Any?) = result as List<String>
+    }
+}

@@ -1,0 +1,61 @@
+package badlog.page
+
+import io.kotest.inspectors.forAll
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.collections.shouldNotBeEmpty
+import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.shouldBe
+
+internal class OpeningSpec : PageSpec({
+    val titles = mapOf(
+        "qualification-42.bag" to "Mill Creek Regional Qualification 42",
+        "qualification-57.bag.gz" to "Mill Creek Regional Qualification 57",
+        "practice.bag" to "practice.bag",
+        "elevator-bench.csv" to "elevator-bench.csv",
+    )
+    for ((sample, title) in titles) {
+        browserTest("$sample opens quietly, is called “$title”, and draws the graphs on the screen") {
+            onPage(TestPages.ofSample(sample)) {
+                driver.title shouldBe title
+                texts("h1") shouldBe listOf(title)
+                val names = graphNames
+                names.shouldNotBeEmpty()
+                val onScreen = names.filter { graph(it).isOnScreen }
+                onScreen.shouldNotBeEmpty()
+                onScreen.forAll { graph(it).isDrawn shouldBe true }
+            }
+        }
+    }
+
+    browserTest("every graph of a match is drawn once it is scrolled to") {
+        onPage(TestPages.ofSample("qualification-42.bag")) {
+            for (name in graphNames) {
+                val graph = graph(name).scrollTo()
+                if (graph.card.getDomAttribute("data-kind") == "lines") graph.pixelsOfLine(0) shouldBeGreaterThan 0
+            }
+        }
+    }
+
+    browserTest("values stand in their folders") {
+        onPage(TestPages.ofSample("qualification-42.bag")) {
+            texts(".folder[data-name=''] .values dd") shouldContain "2024-03-16T10:41:07"
+            texts(".folder[data-name='System'] .values dt") shouldContain "Brownout Voltage"
+            texts(".folder[data-name='System'] .values dd") shouldContain "6.75"
+        }
+    }
+
+    browserTest("folders follow one another regardless of case, the top level first") {
+        onPage(TestPages.ofSample("qualification-42.bag")) {
+            val names = elements(".folder").map { it.getDomAttribute("data-name").orEmpty() }
+            names shouldBe names.sortedBy { it.lowercase() }
+            names.first() shouldBe ""
+        }
+    }
+
+    browserTest("Info holds the header of the file") {
+        onPage(TestPages.ofSample("qualification-42.bag")) {
+            click("#info summary")
+            texts("#info pre").single().contains("\"Mill Creek Regional\"") shouldBe true
+        }
+    }
+})

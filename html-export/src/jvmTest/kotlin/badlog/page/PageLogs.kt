@@ -1,0 +1,32 @@
+package badlog.page
+
+import java.util.logging.Level
+import org.openqa.selenium.chrome.ChromeDriver
+import org.openqa.selenium.json.Json
+import org.openqa.selenium.logging.LogType
+
+/** What the browser notes about a page. */
+internal class PageLogs(private val driver: ChromeDriver) {
+    /** Drops what was noted so far. */
+    fun forget() {
+        entries(LogType.BROWSER)
+        entries(LogType.PERFORMANCE)
+    }
+
+    /** The console's warnings and errors since the last look, those of the browser itself among them. */
+    fun messages(): List<String> = entries(LogType.BROWSER)
+        .filter { it.level.intValue() >= Level.WARNING.intValue() }
+        .map { it.message }
+
+    /** The addresses asked for since the last look. */
+    fun requests(): List<String> = entries(LogType.PERFORMANCE).mapNotNull { entry ->
+        val event = member(Json().toType<Map<String, Any?>>(entry.message, Json.MAP_TYPE), "message")
+        if (event["method"] != "Network.requestWillBeSent") return@mapNotNull null
+        member(member(event, "params"), "request")["url"] as String
+    }
+
+    private fun entries(type: String) = driver.manage().logs().get(type).all
+
+    @Suppress("UNCHECKED_CAST")
+    private fun member(of: Map<String, Any?>, name: String) = of[name] as Map<String, Any?>
+}

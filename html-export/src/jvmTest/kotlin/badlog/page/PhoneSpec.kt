@@ -1,0 +1,125 @@
+package badlog.page
+
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.doubles.shouldBeGreaterThan
+import io.kotest.matchers.doubles.shouldBeLessThan
+import io.kotest.matchers.doubles.shouldBeLessThanOrEqual
+import io.kotest.matchers.shouldBe
+import java.time.Duration
+import org.openqa.selenium.interactions.PointerInput
+import org.openqa.selenium.interactions.PointerInput.Kind
+import org.openqa.selenium.interactions.PointerInput.MouseButton
+import org.openqa.selenium.interactions.PointerInput.Origin
+import org.openqa.selenium.interactions.Sequence
+
+internal class PhoneSpec : PageSpec({
+    val page by lazy { TestPages.of(stepBag(graphs = 12)) }
+
+    /** Puts down one finger for each path, moves it along, and lifts it. All paths have as many points. */
+    fun OpenPage.touch(vararg paths: List<Pair<Int, Int>>) {
+        val fingers = paths.mapIndexed { index, path ->
+            val finger = PointerInput(Kind.TOUCH, "finger $index")
+            Sequence(finger, 0).apply {
+                path.forEachIndexed { i, (x, y) ->
+                    val duration = Duration.ofMillis(if (i == 0) 0 else 20)
+                    addAction(finger.createPointerMove(duration, Origin.viewport(), x, y))
+                    if (i == 0) addAction(finger.createPointerDown(MouseButton.LEFT.asArg()))
+                }
+                addAction(finger.createPointerUp(MouseButton.LEFT.asArg()))
+            }
+        }
+        driver.perform(fingers)
+        settle()
+    }
+
+    fun between(from: Pair<Int, Int>, to: Pair<Int, Int>, steps: Int = 8) = List(steps + 1) { step ->
+        from.first + (to.first - from.first) * step / steps to from.second + (to.second - from.second) * step / steps
+    }
+
+    for (sample in listOf("qualification-42.bag", "practice.bag")) {
+        browserTest("$sample is no wider than the phone") {
+            onPage(TestPages.ofSample(sample), Screen.PHONE) {
+                number("return document.documentElement.scrollWidth") shouldBeLessThanOrEqual 390.0
+                number("return innerWidth") shouldBe 390.0
+                graph(graphNames.last()).scrollTo()
+                number("return document.documentElement.scrollWidth") shouldBeLessThanOrEqual 390.0
+            }
+        }
+    }
+
+    browserTest("a vertical swipe over a graph scrolls the page and zooms nothing") {
+        onPage(page, Screen.PHONE) {
+            val (x, y) = graph("Step 2").scrollTo().frame.at(0.5)
+            val before = number("return scrollY")
+            touch(between(x to y, x + 3 to y - 250))
+            await("the page to scroll") { number("return scrollY") > before + 50 }
+            visibleRange shouldBe 0.0..10.0
+        }
+    }
+
+    browserTest("a sideways drag zooms to what it covers") {
+        onPage(page, Screen.PHONE) {
+            val frame = graph("Step 1").scrollTo().frame
+            touch(between(frame.at(0.2), frame.at(0.6)))
+            graph("Step 1").steepest() shouldBe (0.25 plusOrMinus 0.02)
+            visibleRange.start shouldBe (2.0 plusOrMinus 0.1)
+        }
+    }
+
+    browserTest("two fingers that part zoom into what is between them") {
+        onPage(page, Screen.PHONE) {
+            val frame = graph("Step 1").scrollTo().frame
+            touch(between(frame.at(0.25), frame.at(0.1)), between(frame.at(0.35), frame.at(0.9)))
+            val range = visibleRange
+            range.endInclusive - range.start shouldBeLessThan 3.0
+            // The step was in their middle.
+            graph("Step 1").steepest() shouldBe (0.5 plusOrMinus 0.06)
+        }
+    }
+
+    browserTest("a finger moves what is zoomed, and a double tap shows everything") {
+        onPage(page, Screen.PHONE) {
+            val frame = graph("Step 1").scrollTo().frame
+            touch(between(frame.at(0.2), frame.at(0.6)))
+            touch(between(frame.at(0.25), frame.at(0.5)))
+            graph("Step 1").steepest() shouldBe (0.5 plusOrMinus 0.03)
+            repeat(2) { touch(List(2) { frame.at(0.5) }) }
+            visibleRange shouldBe 0.0..10.0
+        }
+    }
+
+    browserTest("a tap sets the cursor, whose values can be read") {
+        onPage(page, Screen.PHONE) {
+            val frame = graph("Step 1").scrollTo().frame
+            touch(List(2) { frame.at(0.8) })
+            graph("Step 1").value("Step 1") shouldBe "1"
+        }
+    }
+
+    browserTest("the event log is one tap away") {
+        onPage(TestPages.ofSample("qualification-42.bag"), Screen.PHONE) {
+            click(".events-link")
+            number("return document.querySelector('.events').getBoundingClientRect().top") shouldBeLessThan 300.0
+            number("return document.documentElement.scrollWidth") shouldBeLessThanOrEqual 390.0
+        }
+    }
+
+    browserTest("two quick taps at different places are no double tap") {
+        onPage(page, Screen.PHONE) {
+            val frame = graph("Step 1").scrollTo().frame
+            touch(between(frame.at(0.2), frame.at(0.6)))
+            touch(List(2) { frame.at(0.8) })
+            touch(List(2) { frame.at(0.1) })
+            graph("Step 1").value("Step 1") shouldBe "0"
+            visibleRange.start shouldBe (2.0 plusOrMinus 0.1)
+        }
+    }
+
+    browserTest("what is pressed is large enough for a finger") {
+        onPage(TestPages.ofSample("qualification-42.bag"), Screen.PHONE) {
+            val height = "return document.querySelector(arguments[0]).getBoundingClientRect().height"
+            val pressed = listOf("#download", "#reset", "#back", ".folder-toggle", ".search-input", ".legend-entry")
+            for (selector in pressed) number(height, selector) shouldBeGreaterThan 23.9
+        }
+    }
+})

@@ -1,0 +1,54 @@
+package badlog.page
+
+import io.kotest.inspectors.forAtLeastOne
+import io.kotest.matchers.collections.shouldContainAll
+import io.kotest.matchers.ints.shouldBeLessThan
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import java.nio.file.Files
+
+internal class ProblemStripSpec : PageSpec({
+    browserTest("what was lost of a cut bag is listed at once, with its line and its text") {
+        onPage(TestPages.ofSample("practice.bag")) {
+            element(".problem-list").isDisplayed shouldBe true
+            elements(".problem").map { it.getDomAttribute("data-kind") } shouldContainAll listOf("NUL_HOLE", "ROW_CUT")
+            val lastLine = Files.readAllBytes(SAMPLES.resolve("practice.bag")).count { it == '\n'.code.toByte() } + 1
+            val cut = elements(".problem[data-kind='ROW_CUT']").map { it.text }
+            cut.forAtLeastOne { it shouldContain "line $lastLine" }
+            cut.forAtLeastOne { it shouldContain "45.382" }
+        }
+    }
+
+    browserTest("a cut gzip file says so, and what its last row held") {
+        onPage(TestPages.ofSample("qualification-57.bag.gz")) {
+            element(".problem-list").isDisplayed shouldBe true
+            elements(".problem").map { it.getDomAttribute("data-kind") } shouldContainAll
+                listOf("GZIP_CUT", "ROW_CUT")
+            texts(".problem[data-kind='GZIP_CUT']").single() shouldContain "bytes before that were read"
+        }
+    }
+
+    browserTest("the strip folds by mouse, and counts by severity") {
+        onPage(TestPages.ofSample("practice.bag")) {
+            element("#problems").getDomAttribute("data-errors")!!.toInt() shouldBe
+                texts(".problem .severity").count { it == "lost" }
+            click(".problems-toggle")
+            element(".problem-list").isDisplayed shouldBe false
+            click(".problems-toggle")
+            element(".problem-list").isDisplayed shouldBe true
+        }
+    }
+
+    browserTest("notes alone are one quiet line") {
+        onPage(TestPages.of("Time,A\n0,true\n1,false\n\n2,true\n", "notes.csv")) {
+            element("#problems").getDomAttribute("data-errors") shouldBe "0"
+            element("#problems").getDomAttribute("data-warnings") shouldBe "0"
+            element("#problems").size.height shouldBeLessThan 30
+            element(".problem-list").isDisplayed shouldBe false
+        }
+    }
+
+    browserTest("a whole bag has no strip") {
+        onPage(TestPages.of(stepBag(graphs = 1))) { element("#problems").isDisplayed shouldBe false }
+    }
+})

@@ -1,0 +1,36 @@
+package badlog.page
+
+import badlog.html.HtmlExporter
+import java.nio.file.Files
+import java.nio.file.Path
+
+/** The samples of this repository. */
+internal val SAMPLES: Path = Path.of("../samples")
+
+/** The pages that tests look at, made as a person makes them. */
+internal object TestPages {
+    private val folder = Files.createTempDirectory("badlog-pages").also { folder ->
+        Runtime.getRuntime().addShutdownHook(Thread { folder.toFile().deleteRecursively() })
+    }
+    private val exporter by lazy { HtmlExporter() }
+    private val samples = HashMap<String, Path>()
+    private var count = 0
+
+    /** The page of the sample [name]. */
+    fun ofSample(name: String): Path = samples.getOrPut(name) { ofFile(SAMPLES.resolve(name)) }
+
+    /** The page of a file with these [bytes] and this [name]. */
+    fun of(bytes: ByteArray, name: String = "test.bag"): Path {
+        val file = Files.createDirectory(folder.resolve("${count++}")).resolve(name)
+        return ofFile(Files.write(file, bytes))
+    }
+
+    /** The page of a file with this [text]. */
+    fun of(text: String, name: String = "test.bag"): Path = of(text.encodeToByteArray(), name)
+
+    private fun ofFile(file: Path): Path {
+        val page = folder.resolve("page-${count++}.html")
+        exporter.export(file, page)
+        return page
+    }
+}

@@ -1,0 +1,167 @@
+package badlog.page
+
+import io.kotest.inspectors.forAll
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.doubles.shouldBeGreaterThan
+import io.kotest.matchers.doubles.shouldBeLessThan
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.shouldNotBe
+import org.openqa.selenium.Keys
+import org.openqa.selenium.interactions.WheelInput.ScrollOrigin
+
+/** Every graph steps at 3 s of 10 s, so that where the step is drawn tells which part of x a canvas shows. */
+internal class ZoomSpec : PageSpec({
+    val page by lazy { TestPages.of(stepBag(graphs = 12)) }
+    val exactness = 0.01
+
+    fun OpenPage.stepsOnScreen() = graphNames.map { graph(it) }.filter { it.isOnScreen }.map { it.steepest() }
+
+    browserTest("dragging over a graph zooms all graphs on the screen to what was dragged over") {
+        onPage(page) {
+            stepsOnScreen().forAll { it shouldBe (0.3 plusOrMinus exactness) }
+            graph("Step 2").drag(0.2, 0.6)
+            stepsOnScreen().forAll { it shouldBe (0.25 plusOrMinus exactness) }
+            visibleRange.start shouldBe (2.0 plusOrMinus 0.05)
+            visibleRange.endInclusive shouldBe (6.0 plusOrMinus 0.05)
+        }
+    }
+
+    browserTest("dragging leftwards zooms as well") {
+        onPage(page) {
+            graph("Step 1").drag(0.6, 0.2)
+            graph("Step 1").steepest() shouldBe (0.25 plusOrMinus exactness)
+        }
+    }
+
+    browserTest("a drag that ends beside the graph zooms to the graph's edge") {
+        onPage(page) {
+            graph("Step 1").drag(0.2, 1.02)
+            visibleRange.endInclusive shouldBe (10.0 plusOrMinus 0.001)
+            graph("Step 1").steepest() shouldBe (0.125 plusOrMinus exactness)
+        }
+    }
+
+    browserTest("a graph that is scrolled to after a zoom shows the same part") {
+        onPage(page) {
+            graph("Step 12").isDrawn shouldBe false
+            graph("Step 1").drag(0.2, 0.6)
+            graph("Step 12").scrollTo().steepest() shouldBe (0.25 plusOrMinus exactness)
+        }
+    }
+
+    browserTest("a graph that was drawn, left and come back to shows the same part") {
+        onPage(page) {
+            graph("Step 12").scrollTo().drag(0.2, 0.6)
+            graph("Step 1").scrollTo().steepest() shouldBe (0.25 plusOrMinus exactness)
+        }
+    }
+
+    browserTest("double-clicking shows everything again, in all graphs") {
+        onPage(page) {
+            val before = graph("Step 1").canvas
+            graph("Step 1").drag(0.2, 0.6)
+            graph("Step 1").canvas shouldNotBe before
+            graph("Step 2").doubleClick()
+            graph("Step 1").canvas shouldBe before
+            stepsOnScreen().forAll { it shouldBe (0.3 plusOrMinus exactness) }
+            visibleRange shouldBe 0.0..10.0
+        }
+    }
+
+    browserTest("zooms can be gone back through one by one, and reset") {
+        onPage(page) {
+            element("#back").isEnabled shouldBe false
+            element("#reset").isEnabled shouldBe false
+            graph("Step 1").drag(0.2, 0.6)
+            val first = visibleRange
+            graph("Step 1").drag(0.1, 0.5)
+            val second = visibleRange
+            click("#back")
+            visibleRange shouldBe first
+            graph("Step 1").steepest() shouldBe (0.25 plusOrMinus exactness)
+            click("#back")
+            visibleRange shouldBe 0.0..10.0
+            graph("Step 1").drag(0.1, 0.5)
+            click("#reset")
+            visibleRange shouldBe 0.0..10.0
+            element("#reset").isEnabled shouldBe false
+            second shouldNotBe first
+        }
+    }
+
+    browserTest("the overview zooms by a drag, moves what is visible, and follows a click") {
+        onPage(page) {
+            val strip = element(".overview").rect
+            val y = strip.y + strip.height / 2
+            fun x(seconds: Double) = strip.x + (strip.width * seconds / 10).toInt()
+            act { mouseTo(x(2.0), y).mouseDown().mouseTo(x(4.0), y).mouseTo(x(6.0), y).mouseUp() }
+            graph("Step 1").steepest() shouldBe (0.25 plusOrMinus exactness)
+            act { mouseTo(x(4.0), y).mouseDown().mouseTo(x(3.5), y).mouseTo(x(3.0), y).mouseUp() }
+            graph("Step 1").steepest() shouldBe (0.5 plusOrMinus exactness)
+            act { mouseTo(x(8.0), y).mouseDown().mouseUp() }
+            visibleRange.start shouldBe (6.0 plusOrMinus 0.05)
+        }
+    }
+
+    browserTest("the wheel scrolls the page and leaves the zoom alone") {
+        onPage(page) {
+            val (x, y) = graph("Step 1").frame.at(0.5)
+            act { scrollFromOrigin(ScrollOrigin.fromViewport(x, y), 0, 300) }
+            await("the page to scroll") { number("return scrollY") > 0 }
+            visibleRange shouldBe 0.0..10.0
+        }
+    }
+
+    browserTest("Ctrl and the wheel zoom around the pointer, and the page stays where it is") {
+        onPage(page) {
+            val (x, y) = graph("Step 1").frame.at(0.3)
+            act { keyDown(Keys.CONTROL).scrollFromOrigin(ScrollOrigin.fromViewport(x, y), 0, -120).keyUp(Keys.CONTROL) }
+            val width = visibleRange.endInclusive - visibleRange.start
+            width shouldBeLessThan 9.0
+            graph("Step 1").steepest() shouldBe (0.3 plusOrMinus exactness)
+            act { keyDown(Keys.CONTROL).scrollFromOrigin(ScrollOrigin.fromViewport(x, y), 0, 60).keyUp(Keys.CONTROL) }
+            visibleRange.endInclusive - visibleRange.start shouldBeGreaterThan width
+            number("return scrollY") shouldBe 0.0
+        }
+    }
+
+    browserTest("Shift and a drag move along") {
+        onPage(page) {
+            graph("Step 1").drag(0.2, 0.6)
+            graph("Step 1").drag(0.25, 0.5, withShift = true)
+            graph("Step 2").steepest() shouldBe (0.5 plusOrMinus exactness)
+            visibleRange.start shouldBe (1.0 plusOrMinus 0.05)
+        }
+    }
+
+    browserTest("Escape gives up a drag, and nothing else") {
+        onPage(page) {
+            click("#search")
+            press("step")
+            script("document.activeElement.blur()")
+            val (x, y) = graph("Step 1").frame.at(0.2)
+            act { mouseTo(x, y).mouseDown().mouseTo(x + 200, y).sendKeys(Keys.ESCAPE).mouseTo(x + 210, y).mouseUp() }
+            visibleRange shouldBe 0.0..10.0
+            element(".selection").isDisplayed shouldBe false
+            element("#search").getDomProperty("value") shouldBe "step"
+        }
+    }
+
+    browserTest("two quick clicks far apart are no double-click") {
+        onPage(page) {
+            graph("Step 1").drag(0.2, 0.6)
+            val (x, y) = graph("Step 1").frame.at(0.2)
+            act { mouseTo(x, y).mouseDown().mouseUp().mouseTo(x + 300, y).mouseDown().mouseUp() }
+            visibleRange.start shouldBe (2.0 plusOrMinus 0.05)
+        }
+    }
+
+    browserTest("a click without a drag zooms nothing") {
+        onPage(page) {
+            val (x, y) = graph("Step 1").frame.at(0.4)
+            act { mouseTo(x, y).mouseDown().mouseUp() }
+            visibleRange shouldBe 0.0..10.0
+            element("#back").isEnabled shouldBe false
+        }
+    }
+})
