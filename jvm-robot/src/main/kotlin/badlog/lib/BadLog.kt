@@ -42,14 +42,19 @@ public class BadLog private constructor(private val session: LogSession) : AutoC
     /** Writes the rows that still wait, if the log was started without writing each row at once. */
     public fun flush(): Unit = session.flush()
 
-    /** Sets how numbers become text, for all topics, also those created before. By default it is `%.5g`. */
+    /**
+     * Sets how numbers become text, for all topics, also those created before. By default it is `%.5g`.
+     *
+     * @param function called while a row is put together, under the log's lock: it must be quick, and must not wait for
+     *   other threads, which may be waiting for that lock.
+     */
     public fun setDoubleToStringFunction(function: Function<in Double, out String?>) {
         session.text.function = function
     }
 
     /**
-     * Switches the thread off or on that brings rows to the disk four times a second; it is on by default. Without it,
-     * a cut of power may cost half a minute instead of a quarter of a second.
+     * Switches off or on that rows are brought to the disk four times a second; on by default. Without it, a cut of
+     * power may cost half a minute instead of a quarter of a second.
      */
     public fun setSyncing(enabled: Boolean): Unit = session.setSyncing(enabled)
 

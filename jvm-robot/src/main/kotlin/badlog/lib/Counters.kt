@@ -18,11 +18,15 @@ internal class Counters {
         if (nanos > slowestRow.get()) slowestRow.set(nanos)
     }
 
-    fun wrote(rows: Int, fileLength: Long, nanos: Long) {
-        rowsWritten.addAndGet(rows.toLong())
-        bytesWritten.set(fileLength)
+    fun writeTook(nanos: Long) {
         if (nanos > SLOW_NANOS) slowWrites.incrementAndGet()
     }
+
+    fun wrote(rows: Int) {
+        rowsWritten.addAndGet(rows.toLong())
+    }
+
+    fun grewTo(fileLength: Long) = bytesWritten.set(fileLength)
 
     fun snapshot(): LogCounters = LogCounters(
         rowsWritten = rowsWritten.get(),

@@ -1,7 +1,7 @@
 package badlog.lib
 
 /** A column into which the log itself can write what went wrong. */
-internal fun interface EventRoom {
-    /** Keeps [text] for the next row that has room. May be called by any thread. */
-    fun note(text: String)
+internal interface EventRoom {
+    /** What waits for the next row that has room. */
+    val texts: EventTexts
 }

@@ -2,22 +2,31 @@ package badlog.lib
 
 import java.util.concurrent.atomic.AtomicLong
 
-/** Events that wait for a row. Safe for use by several threads. */
+/**
+ * Events that wait for a row, and those a row took that is not written yet: they come back if it cannot be. Safe for
+ * use by several threads.
+ */
 internal class EventTexts(private val dropped: AtomicLong) {
     private val waiting = StringBuilder()
+    private val taken = StringBuilder()
+    private var eventsWaiting = 0L
+    private var eventsTaken = 0L
 
     // Read without the lock in each row, so that rows without events cost nothing.
     @Volatile
     private var isWaiting = false
 
+    @Volatile
+    private var isTaken = false
+
     fun add(text: String) {
         synchronized(this) {
-            if (waiting.length + text.length > MOST_CHARACTERS) {
+            if (waiting.length + taken.length + text.length > MOST_CHARACTERS) {
                 dropped.incrementAndGet()
                 return
             }
-            if (waiting.isNotEmpty()) waiting.append(SEPARATOR)
-            waiting.append(text)
+            waiting.appendEvent(text)
+            eventsWaiting++
             isWaiting = true
         }
     }
@@ -27,9 +36,53 @@ internal class EventTexts(private val dropped: AtomicLong) {
         if (!isWaiting) return null
         val text = synchronized(this) {
             isWaiting = false
-            waiting.toString().also { waiting.setLength(0) }
+            waiting.toString().also {
+                taken.appendEvent(it)
+                waiting.setLength(0)
+                eventsTaken += eventsWaiting
+                eventsWaiting = 0
+                isTaken = true
+            }
         }
         return if (isReadAsEvent(text)) text else "event $text"
+    }
+
+    /** Says that the rows which took events are written. */
+    fun written() {
+        if (isTaken) synchronized(this) { forgetTaken() }
+    }
+
+    /** Says that the rows which took events are lost: the events wait again. */
+    fun restore() {
+        if (!isTaken) return
+        synchronized(this) {
+            if (waiting.isNotEmpty()) taken.append(SEPARATOR)
+            waiting.insert(0, taken)
+            eventsWaiting += eventsTaken
+            isWaiting = true
+            forgetTaken()
+        }
+    }
+
+    /** Counts what still waits: no row will take it. */
+    fun end() {
+        synchronized(this) {
+            dropped.addAndGet(eventsWaiting)
+            waiting.setLength(0)
+            eventsWaiting = 0
+            isWaiting = false
+        }
+    }
+
+    private fun forgetTaken() {
+        taken.setLength(0)
+        eventsTaken = 0
+        isTaken = false
+    }
+
+    private fun StringBuilder.appendEvent(text: String) {
+        if (isNotEmpty()) append(SEPARATOR)
+        append(text)
     }
 
     private fun isReadAsEvent(text: String): Boolean {

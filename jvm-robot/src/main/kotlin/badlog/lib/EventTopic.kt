@@ -4,10 +4,8 @@ import badlog.bag.BagTopic
 import badlog.bag.RowWriter
 
 /** A topic of events: each row takes all that happened since the row before, however often the topics were updated. */
-internal class EventTopic(name: String, private val texts: EventTexts) :
+internal class EventTopic(name: String, override val texts: EventTexts) :
     Topic(BagTopic(name, attributes = listOf("log"))), EventRoom {
-
-    override fun note(text: String) = texts.add(text)
 
     override fun sample() = Unit
 

@@ -8,9 +8,9 @@ public class Events internal constructor(private val topic: EventTopic, private 
      */
     public fun event(text: String?) {
         if (text.isNullOrBlank()) {
-            faults.callIgnored(topic.name, "The event log \"${topic.name}\" was given an event without a text.")
+            faults.callIgnored(topic.name) { "The event log \"${topic.name}\" was given an event without a text." }
         } else {
-            topic.note(text)
+            topic.texts.add(text)
         }
     }
 }

@@ -5,38 +5,63 @@ import java.util.concurrent.ConcurrentHashMap
 /**
  * Where everything goes that went wrong in a robot's loop: counted each time, said once on standard error, and noted as
  * an event in the log if that has [room] for events. Never throws.
+ *
+ * Texts are made only when they are said: what goes wrong in each loop is not to make garbage in each.
  */
 internal class Faults(val counters: Counters) {
+    // Three, because the names that a program makes up must neither meet each other nor the log's own subjects.
     private val said = ConcurrentHashMap.newKeySet<String>()
+    private val ignoredCalls = ConcurrentHashMap.newKeySet<String>()
+    private val ignoredNames = ConcurrentHashMap.newKeySet<String>()
 
     /** The column that takes events, if there is one. */
     @Volatile
     var room: EventRoom? = null
 
     /** The cell of [topic] stays empty in this row. */
-    fun cellMissed(topic: Topic, cause: Throwable) = cellMissed(topic, "threw ${describe(cause)}")
+    fun cellMissed(topic: Topic, cause: Throwable) = cellMissed(topic) { "threw ${describe(cause)}" }
 
-    fun cellMissed(topic: Topic, what: String) {
+    inline fun cellMissed(topic: Topic, what: () -> String) {
         counters.cellsMissed.incrementAndGet()
         if (topic.isFaultSaid) return
         topic.isFaultSaid = true
-        say("The topic \"${topic.name}\" $what, so its cell is empty. Further gaps of this topic are only counted.")
+        say("The topic \"${topic.name}\" ${what()}, so its cell is empty. Further gaps of this topic are only counted.")
     }
 
     /** A call was not followed. [about] tells apart what is said once each. */
-    fun callIgnored(about: String, why: String) {
-        counters.callsIgnored.incrementAndGet()
-        sayOnce(about, why)
+    inline fun callIgnored(about: String, why: () -> String) {
+        if (isNewCall(about)) say(why())
     }
 
-    /** Says [message], unless something was said about [about] before. */
-    fun sayOnce(about: String, message: String) {
-        if (said.size < MOST_MESSAGES && said.add(about)) say(message)
+    /** What was published to [name] was not taken. */
+    inline fun publishIgnored(name: String?, why: () -> String) {
+        if (isNewName(name ?: "")) say(why())
     }
 
-    private fun say(message: String) {
+    /** Says [message], unless something was said about [about] before: one of the log's own few subjects. */
+    inline fun sayOnce(about: String, message: () -> String) {
+        if (isNew(about)) say(message())
+    }
+
+    /** Keeps [text] for the next row that has room. May be called by any thread. */
+    fun note(text: String) {
+        room?.texts?.add(text)
+    }
+
+    fun say(message: String) {
         sayAboutBadLog(message)
-        room?.note(message)
+        note(message)
+    }
+
+    fun isNew(about: String): Boolean = said.add(about)
+
+    fun isNewCall(about: String): Boolean = isCountedNew(ignoredCalls, about)
+
+    fun isNewName(name: String): Boolean = isCountedNew(ignoredNames, name)
+
+    private fun isCountedNew(before: MutableSet<String>, about: String): Boolean {
+        counters.callsIgnored.incrementAndGet()
+        return before.size < MOST_MESSAGES && before.add(about)
     }
 
     private companion object {

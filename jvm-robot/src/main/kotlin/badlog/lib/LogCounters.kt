@@ -3,15 +3,17 @@ package badlog.lib
 /**
  * What a log has been through since [BadLog.init], at one moment.
  *
- * @property rowsWritten rows that were handed to the operating system.
- * @property rowsMissed rows that were lost because they could not be written.
+ * @property rowsWritten rows that were handed to the operating system, and not into a file known to be deleted.
+ * @property rowsMissed rows that were lost because they could not be written, or because the file is known to be
+ *   deleted, which is noticed half a second later at most.
  * @property bytesWritten how long the file is, in bytes.
  * @property slowestRowNanos the longest that one call of [BadLog.log] took, in nanoseconds.
- * @property slowWrites writes that took more than 5 ms.
+ * @property slowWrites writes that took more than 5 ms, also those that failed.
  * @property failedSyncs times that the operating system could not bring the file to the disk.
  * @property cellsMissed cells left empty because a supplier threw or gave null.
  * @property callsIgnored calls that could not be followed, such as publishing to a name that was never created.
- * @property eventsDropped events that came faster than rows could take them.
+ * @property eventsDropped events that no row took: they came faster than rows, or the log ended before one could be
+ *   written.
  */
 public class LogCounters internal constructor(
     public val rowsWritten: Long,

@@ -17,6 +17,24 @@ internal class LogFile(path: File, val output: BagOutput) {
     /** Gives it another name; false, and nothing changed, if that fails. */
     fun rename(to: File): Boolean = path.renameTo(to).also { if (it) path = to }
 
+    /** Closes it; said if that fails, for a disk may be gone by then. */
+    fun close(faults: Faults) {
+        try {
+            output.close()
+        } catch (failure: IOException) {
+            faults.sayOnce("close") {
+                "The log $path could not be closed: ${describe(failure)}. Its end may be missing."
+            }
+        }
+    }
+
+    /** Closes and deletes it, because its log was closed before it began. */
+    fun discard(faults: Faults) {
+        close(faults)
+        // Not a device or a pipe.
+        if (path.isFile) path.delete()
+    }
+
     companion object {
         /** Creates or empties the file at [path]; null, said once, if that is impossible. */
         fun open(path: File, isCompressed: Boolean, faults: Faults): LogFile? = try {
@@ -29,11 +47,10 @@ internal class LogFile(path: File, val output: BagOutput) {
         }
 
         private fun refused(path: File, failure: Exception, faults: Faults): LogFile? {
-            faults.sayOnce(
-                "open",
+            faults.sayOnce("open") {
                 "The log $path cannot be created: ${describe(failure)}. Nothing is logged; choose a folder that " +
-                    "exists and can be written to, such as /home/lvuser/logs.",
-            )
+                    "exists and can be written to, such as /home/lvuser/logs."
+            }
             return null
         }
     }

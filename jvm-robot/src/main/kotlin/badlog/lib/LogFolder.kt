@@ -5,7 +5,8 @@ import java.io.File
 /** The folder in which a robot's logs lie: which one, and what is deleted there when space is short. */
 internal class LogFolder(val path: File, private val freeBytes: (File) -> Long) {
     /** Whether there is too little space to log at all. */
-    val isFull: Boolean get() = freeBytes(path) < STOP_BYTES
+    // What is not there, such as a stick that was pulled out, has no space either, but is not full.
+    val isFull: Boolean get() = path.isDirectory && freeBytes(path) < STOP_BYTES
 
     /** Deletes the oldest logs until there is space enough, but keeps ten. Returns what it deleted. */
     fun makeSpace(): List<File> {

@@ -40,7 +40,7 @@ internal class LogKeeper(
                 sleep(TICK_MILLIS)
             }
         } catch (failure: Throwable) {
-            faults.sayOnce("keeper", "The log's files are not looked after any more: ${describe(failure)}.")
+            faults.sayOnce("keeper") { "The log's files are not looked after any more: ${describe(failure)}." }
         }
     }
 
@@ -56,23 +56,27 @@ internal class LogKeeper(
 
     private fun begin() {
         val deleted = folder.makeSpace()
-        deleted.forEach { faults.sayOnce("deleted $it", "The disk is nearly full; the old log $it was deleted.") }
-        if (isFullFrom(folder.path)) return stopLogging()
+        if (deleted.isNotEmpty()) sayDeleted(deleted)
+        // Before the first log there is no folder, and what is not there has no space.
+        folder.path.mkdirs()
+        if (folder.isFull) return stopLogging()
+        // Asks the robot's code, which may close the log meanwhile.
         learn()
+        if (session.state == LogState.CLOSED) return
         addValues()
-        session.open(LogName.free(folder.path, currentName(), ending), options.isCompressed)
-        session.finishSetup()
+        session.begin(LogName.free(folder.path, currentName(), ending), options.isCompressed)
     }
 
-    // Before the first log there is no folder, and what is not there has no space.
-    private fun isFullFrom(path: File) = (path.isDirectory || path.mkdirs()) && folder.isFull
+    private fun sayDeleted(deleted: List<File>) = faults.sayOnce("deleted") {
+        val names = deleted.joinToString(limit = 3, truncated = "and ${deleted.size - 3} more") { it.name }
+        "The disk is nearly full; the oldest logs in ${folder.path} were deleted: $names."
+    }
 
     private fun stopLogging() {
-        faults.sayOnce(
-            "full",
+        faults.sayOnce("full") {
             "Logging stopped: less than 5 MiB are free in ${folder.path}. " +
-                "Copy old logs to a laptop, then delete them here.",
-        )
+                "Copy old logs to a laptop, then delete them here."
+        }
         session.close()
     }
 
@@ -81,11 +85,11 @@ internal class LogKeeper(
         if (!learn() || time == null) return
         val name = LogName.free(folder.path, currentName(), ending)
         if (!file.rename(name)) {
-            faults.sayOnce("rename", "The log ${file.path} could not be renamed to ${name.name}; it keeps its name.")
+            faults.sayOnce("rename") { "The log ${file.path} could not be renamed to ${name.name}; it keeps its name." }
             return
         }
         syncFolder(folder.path)
-        if (match.isNotEmpty()) faults.room?.note("Match $event $match")
+        if (match.isNotEmpty()) faults.note("Match $event $match")
     }
 
     /** Asks for what is not known yet; true if any of it is known now. */
@@ -113,6 +117,8 @@ internal class LogKeeper(
             session.addValue(name, text)
         } catch (_: DuplicateNameException) {
             // The program says it itself.
+        } catch (_: InvalidModeException) {
+            // The log was closed meanwhile.
         }
     }
 
@@ -121,7 +127,7 @@ internal class LogKeeper(
     private fun <T : Any> ask(name: String, question: () -> T?): T? = try {
         question()
     } catch (failure: Throwable) {
-        faults.callIgnored(name, "Asking $name failed: ${describe(failure)}. It counts as unknown.")
+        faults.callIgnored(name) { "Asking $name failed: ${describe(failure)}. It counts as unknown." }
         null
     }
 

@@ -42,10 +42,24 @@ internal class LogSession(private val flushesEachRow: Boolean) {
         LogFile.open(path, isCompressed, faults)?.let(::logTo)
     }
 
+    /** Logs to [opened], unless the log was closed while that was opened. */
     fun logTo(opened: LogFile) {
-        file = opened
-        sink = RowSink(opened, flushesEachRow, faults)
-        closeOnExit.register()
+        synchronized(lock) {
+            if (phase != LogState.SETTING_UP) return opened.discard(faults)
+            file = opened
+            sink = RowSink(opened, flushesEachRow, faults)
+            closeOnExit.register()
+        }
+    }
+
+    /** Creates the file and ends the set-up, or does neither, if the log is closed meanwhile. */
+    fun begin(path: File, isCompressed: Boolean) {
+        // Not under the lock, which who publishes may want, because a disk may be slow.
+        val opened = LogFile.open(path, isCompressed, faults)
+        synchronized(lock) {
+            opened?.let(::logTo)
+            if (phase == LogState.SETTING_UP) finishSetup()
+        }
     }
 
     fun <T : Topic> add(topic: T): T {
@@ -72,9 +86,10 @@ internal class LogSession(private val flushesEachRow: Boolean) {
             subscribers = topics.filterIsInstance<SubscribedTopic>().associateBy { it.name }
             faults.room = topics.firstOrNull { it is EventTopic } as EventTopic?
                 ?: topics.firstOrNull { it is SubscribedTopic && it.isEventLog } as SubscribedTopic?
-            sink?.begin(namespace.headerLines())
+            val events = topics.filterIsInstance<EventRoom>().map { it.texts }.toTypedArray()
+            sink?.begin(namespace.headerLines(), events)
             phase = LogState.LOGGING
-            if (syncs) startSyncing()
+            startSyncing()
         }
     }
 
@@ -104,13 +119,14 @@ internal class LogSession(private val flushesEachRow: Boolean) {
 
     private fun writeRow(sink: RowSink) {
         val began = System.nanoTime()
+        if (sink.isRefusing(began)) return sink.missRow()
         try {
             for (topic in topics) topic.write(sink.row)
             sink.endRow(began)
         } catch (failure: Throwable) {
             // Such as too little memory for a text: this row is lost, the robot goes on.
             sink.dropRow()
-            faults.sayOnce("row", "A row of the log was lost: ${describe(failure)}.")
+            faults.sayOnce("row") { "A row of the log was lost: ${describe(failure)}." }
         }
     }
 
@@ -124,12 +140,13 @@ internal class LogSession(private val flushesEachRow: Boolean) {
     fun publishing(name: String?, isNull: Boolean): SubscribedTopic? {
         val topic = subscribers[name] ?: earlySubscriber(name)
         if (topic != null && !isNull) return topic
-        val why = if (topic != null) {
-            nullPublished(topic.name)
-        } else {
-            "What is published to \"$name\" is ignored: createTopicSubscriber() made no topic of that name."
+        faults.publishIgnored(name) {
+            if (topic != null) {
+                nullPublished(topic.name)
+            } else {
+                "What is published to \"$name\" is ignored: createTopicSubscriber() made no topic of that name."
+            }
         }
-        faults.callIgnored("publish $name", why)
         return null
     }
 
@@ -142,8 +159,7 @@ internal class LogSession(private val flushesEachRow: Boolean) {
     fun setSyncing(enabled: Boolean) {
         synchronized(lock) {
             syncs = enabled
-            if (phase != LogState.LOGGING) return
-            if (enabled) startSyncing() else stopSyncing(closesFile = false)
+            syncThread?.syncs = enabled
         }
     }
 
@@ -152,7 +168,9 @@ internal class LogSession(private val flushesEachRow: Boolean) {
             if (phase == LogState.CLOSED) return
             phase = LogState.CLOSED
             sink?.finish()
-            if (!stopSyncing(closesFile = true)) file?.output?.close()
+            val thread = syncThread
+            syncThread = null
+            if (thread != null) thread.finish() else file?.close(faults)
         }
         if (file != null && Thread.currentThread() !== closeOnExit) closeOnExit.unregister()
     }
@@ -167,27 +185,25 @@ internal class LogSession(private val flushesEachRow: Boolean) {
         }
     }
 
-    private fun ignored(call: String) = faults.callIgnored(
-        call,
+    private fun ignored(call: String) = faults.callIgnored(call) {
         if (phase == LogState.CLOSED) {
             "$call is ignored, because the log was closed."
         } else {
             "$call is ignored until finishInitialization() was called."
-        },
-    )
+        }
+    }
 
     private fun startSyncing() {
         val file = file
         val sink = sink
         if (syncThread == null && file != null && sink != null) {
-            syncThread = SyncThread(file, sink, faults).also { it.start() }
+            syncThread = SyncThread(file, sink, faults, syncs, ::flushWaiting).also { it.start() }
         }
     }
 
-    private fun stopSyncing(closesFile: Boolean): Boolean {
-        val thread = syncThread ?: return false
-        syncThread = null
-        thread.finish(closesFile)
-        return true
+    private fun flushWaiting() {
+        synchronized(lock) {
+            if (phase == LogState.LOGGING) sink?.flushWaiting()
+        }
     }
 }

@@ -34,14 +34,16 @@ internal class NumberText(private val faults: Faults) {
         val text = try {
             function.apply(value)
         } catch (failure: Throwable) {
-            faults.cellMissed(topic, "could not be formatted: the doubleToString function threw ${describe(failure)}")
+            faults.cellMissed(topic) {
+                "could not be formatted: the doubleToString function threw ${describe(failure)}"
+            }
             row.empty()
             return
         }
         if (text != null) {
             row.text(text)
         } else {
-            faults.cellMissed(topic, "could not be formatted: the doubleToString function gave null")
+            faults.cellMissed(topic) { "could not be formatted: the doubleToString function gave null" }
             row.empty()
         }
     }

@@ -12,7 +12,7 @@ public class Publisher internal constructor(private val topic: SubscribedTopic, 
 
     /** Makes [value] what the next [BadLog.updateTopics] finds; the last one published counts. Null is ignored. */
     public fun publish(value: String?) {
-        if (value == null) faults.callIgnored(topic.name, nullPublished(topic.name)) else topic.publish(value)
+        if (value == null) faults.publishIgnored(topic.name) { nullPublished(topic.name) } else topic.publish(value)
     }
 }
 

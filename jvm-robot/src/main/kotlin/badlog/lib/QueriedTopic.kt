@@ -24,7 +24,7 @@ internal abstract class QueriedTopic(
         // Errors, too: a class that fails to load is as much a supplier's private trouble as an exception is.
         isSampleMissing = try {
             val found = query()
-            if (!found) faults.cellMissed(this, "gave null")
+            if (!found) faults.cellMissed(this) { "gave null" }
             !found
         } catch (failure: Throwable) {
             faults.cellMissed(this, failure)

@@ -15,6 +15,7 @@ internal class RowSink(
 ) {
     private val output = file.output
     private val counters = faults.counters
+    private var events = emptyArray<EventTexts>()
     private var header: ByteArray? = null
     private var rowsWaiting = 0
     private var lastWrite = System.nanoTime()
@@ -32,19 +33,25 @@ internal class RowSink(
     @Volatile
     var isDirty: Boolean = false
 
-    /** Writes [lines] before any row. */
-    fun begin(lines: ByteArray) {
+    /** Writes [lines] before any row. The rows will take [events]. */
+    fun begin(lines: ByteArray, events: Array<EventTexts>) {
+        this.events = events
         header = lines
         write(System.nanoTime())
     }
+
+    /** Whether a row begun at [now] would be lost. It is better not begun then, so that it takes no events with it. */
+    fun isRefusing(now: Long): Boolean = isWaitingToRetry(now) && (flushesEachRow || row.size >= BATCH_BYTES)
+
+    /** Counts a row that was not begun. */
+    fun missRow() = lose(1)
 
     /** Ends the row in [row], whose writing began at [began] of [System.nanoTime]. */
     fun endRow(began: Long) {
         row.endRow()
         rowsWaiting++
-        if (flushesEachRow || row.size >= BATCH_BYTES || began - lastWrite >= LONGEST_WAIT_NANOS) {
-            if (isFailing && began - lastWrite < RETRY_NANOS) drop() else write(began)
-        }
+        val isDue = flushesEachRow || row.size >= BATCH_BYTES || began - lastWrite >= LONGEST_WAIT_NANOS
+        if (isDue && !isWaitingToRetry(began)) write(began)
         counters.rowTook(System.nanoTime() - began)
     }
 
@@ -52,6 +59,8 @@ internal class RowSink(
     fun dropRow() {
         row.dropRow()
         counters.rowsMissed.incrementAndGet()
+        // With those of rows that wait: to have an event in two rows is better than in none.
+        for (texts in events) texts.restore()
     }
 
     /** Writes all rows that wait. */
@@ -59,54 +68,77 @@ internal class RowSink(
         if (rowsWaiting > 0 || header != null) write(System.nanoTime())
     }
 
+    /** Does what [flush] does, unless that failed a moment ago. */
+    fun flushWaiting() {
+        if (!isWaitingToRetry(System.nanoTime())) flush()
+    }
+
     /** Writes what waits and what the end of the file needs. */
     fun finish() {
         flush()
         try {
-            output.finish()
+            timed { output.finish() }
             isDirty = true
         } catch (failure: IOException) {
             sayFailed(failure)
         }
+        for (texts in events) texts.end()
     }
+
+    private fun isWaitingToRetry(now: Long) = isFailing && now - lastWrite < RETRY_NANOS
 
     private fun write(now: Long) {
         lastWrite = now
         try {
             header?.let {
-                output.append(it, it.size)
+                timed { output.append(it, it.size) }
                 header = null
             }
-            val began = System.nanoTime()
-            if (rowsWaiting > 0) output.append(row.bytes, row.size)
-            counters.wrote(rowsWaiting, output.length, System.nanoTime() - began)
+            if (rowsWaiting > 0) timed { output.append(row.bytes, row.size) }
+            // A deleted file takes rows without a word; it may be back, if it was only moved for a while.
+            if (file.isMissing) counters.rowsMissed.addAndGet(rowsWaiting.toLong()) else counters.wrote(rowsWaiting)
+            counters.grewTo(output.length)
             isDirty = true
-            row.clear()
-            rowsWaiting = 0
+            forgetRows()
+            for (texts in events) texts.written()
             if (isFailing) recovered()
         } catch (failure: IOException) {
-            drop()
+            lose(rowsWaiting)
+            forgetRows()
+            for (texts in events) texts.restore()
             isFailing = true
             sayFailed(failure)
         }
     }
 
-    private fun sayFailed(failure: IOException) = faults.sayOnce(
-        "write",
-        "The log ${file.path} cannot be written: ${describe(failure)}. Rows are lost until it can; see whether " +
-            "the disk is full, or was pulled out.",
-    )
+    /** In `finally`, because a disk that fails is slow above all. */
+    private inline fun timed(write: () -> Unit) {
+        val began = System.nanoTime()
+        try {
+            write()
+        } finally {
+            counters.writeTook(System.nanoTime() - began)
+        }
+    }
 
-    private fun drop() {
-        rowsLost += rowsWaiting
-        counters.rowsMissed.addAndGet(rowsWaiting.toLong())
+    private fun sayFailed(failure: IOException) = faults.sayOnce("write") {
+        "The log ${file.path} cannot be written: ${describe(failure)}. Rows are lost until it can; see whether " +
+            "the disk is full, or was pulled out."
+    }
+
+    private fun lose(rows: Int) {
+        rowsLost += rows
+        counters.rowsMissed.addAndGet(rows.toLong())
+    }
+
+    private fun forgetRows() {
         row.clear()
         rowsWaiting = 0
     }
 
     private fun recovered() {
         isFailing = false
-        faults.room?.note("$rowsLost rows before this one could not be written")
+        faults.note("$rowsLost rows before this one could not be written")
         rowsLost = 0
     }
 

@@ -7,13 +7,13 @@ import java.util.function.Function
 /**
  * A topic whose value the robot's code publishes, from any thread, at any time. A lock of its own, held for a few
  * nanoseconds, keeps publishers from ever waiting for a write. One that is an event log has room for the log's own
- * events in rows in which it has no text.
+ * events in rows in which it has no new text.
  */
 internal class SubscribedTopic(
     description: BagTopic,
     private val mode: DataInferMode,
     private val numberText: NumberText,
-    private val notes: EventTexts,
+    override val texts: EventTexts,
 ) : Topic(description), EventRoom {
     /** Whether it can take the log's own events. */
     val isEventLog: Boolean = "log" in description.attributes
@@ -26,7 +26,7 @@ internal class SubscribedTopic(
     private var number = 0.0
     private var text: String? = BadLog.DEFAULT_DATA
     private var function: Function<in Double, out String?>? = null
-    private var isDefault = true
+    private var isNew = false
 
     fun publish(value: Double) {
         synchronized(this) {
@@ -44,27 +44,24 @@ internal class SubscribedTopic(
         }
     }
 
-    override fun note(text: String) = notes.add(text)
-
     override fun sample() = Unit
 
     override fun commit() {
         synchronized(this) {
+            isNew = isPublished
             if (isPublished) {
                 number = publishedNumber
                 text = publishedText
                 function = publishedFunction
-                isDefault = false
                 isPublished = false
             } else if (mode == DataInferMode.DEFAULT) {
                 text = BadLog.DEFAULT_DATA
-                isDefault = true
             }
         }
     }
 
     override fun write(row: RowWriter) {
-        val text = (if (isDefault) notes.take() else null) ?: text
+        val text = (if (isNew) null else texts.take()) ?: text
         if (text != null) row.text(text) else numberText.write(number, function, this, row)
     }
 }

@@ -5,39 +5,42 @@ import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 
 /**
- * Brings what was written to the disk, a quarter of a second after it was written at the latest, so that a cut of power
- * takes no more than that. It holds no lock while it waits for the disk. It also notices when the file was deleted.
+ * Four times a second, writes the rows that wait and brings what was written to the disk, so that a cut of power takes
+ * no more than that. It holds no lock while it waits for a sync. It also notices when the file was deleted. At last it
+ * closes the file.
+ *
+ * @param syncs whether it brings rows to the disk; it does the rest anyway.
+ * @param flush writes the rows that wait.
  */
 internal class SyncThread(
     private val file: LogFile,
     private val sink: RowSink,
     private val faults: Faults,
+    @Volatile var syncs: Boolean,
+    private val flush: () -> Unit,
 ) : Thread("badlog sync") {
     private var timesMissing = 0
     private val stopped = CountDownLatch(1)
-
-    @Volatile
-    private var closesFile = false
 
     init {
         isDaemon = true
     }
 
     override fun run() {
-        syncFolder(file.path.absoluteFile.parentFile)
-        do {
-            if (sink.isDirty) sync()
+        if (syncs) syncFolder(file.path.absoluteFile.parentFile)
+        sync()
+        lookForFile()
+        while (pause()) {
+            flush()
+            sync()
             lookForFile()
-        } while (pause())
-        if (sink.isDirty) sync()
-        if (closesFile) file.output.close()
+        }
+        sync()
+        file.close(faults)
     }
 
-    /** Ends the thread soon, without waiting for it. It closes the file then, if [closesFile]. */
-    fun finish(closesFile: Boolean) {
-        this.closesFile = closesFile
-        stopped.countDown()
-    }
+    /** Ends the thread soon, without waiting for it. */
+    fun finish() = stopped.countDown()
 
     /** Waits a while; false when it is time to end. */
     private fun pause(): Boolean = try {
@@ -48,17 +51,17 @@ internal class SyncThread(
     }
 
     private fun sync() {
+        if (!syncs || !sink.isDirty) return
         // Before the sync, so that what is written meanwhile is not missed.
         sink.isDirty = false
         try {
             file.output.sync()
         } catch (failure: IOException) {
             faults.counters.failedSyncs.incrementAndGet()
-            faults.sayOnce(
-                "sync",
+            faults.sayOnce("sync") {
                 "The log ${file.path} could not be brought to the disk: ${describe(failure)}. A cut of power may " +
-                    "cost more than the last quarter of a second.",
-            )
+                    "cost more than the last quarter of a second."
+            }
         }
     }
 
@@ -67,11 +70,10 @@ internal class SyncThread(
         timesMissing = if (file.path.exists()) 0 else timesMissing + 1
         file.isMissing = timesMissing > 1
         if (file.isMissing) {
-            faults.sayOnce(
-                "missing",
+            faults.sayOnce("missing") {
                 "The log ${file.path} was deleted, or its disk pulled out, while it was written. What is logged from " +
-                    "now on is lost; start the robot program again to begin a new log.",
-            )
+                    "now on is lost; start the robot program again to begin a new log."
+            }
         }
     }
 

@@ -43,9 +43,53 @@ class DiskTroubleSpec : FunSpec({
                     val recording = recordingIn(if (compress) inflated(file.readBytes()) else file.readBytes())
                     recording.problems.filter { it.severity == Severity.ERROR }.shouldBeEmpty()
                     recording.topics[0].samples.run { last() } shouldBe 2100.0
-                    recording.topics.last().texts.dictionary.single() shouldContain "could not be written"
+                    val events = recording.topics.last().texts.dictionary
+                    events.first() shouldContain "cannot be written"
+                    events.last() shouldContain "could not be written"
                 }
             }
+    }
+
+    test("events that happen while the disk is full are written later").config(enabledOrReasonIf = { ifMount() }) {
+        onSmallDisk { disk ->
+            val filler = File(disk, "filler")
+            standardErrorOf {
+                BadLog.init("$disk/events.bag").use { log ->
+                    val events = BadLog.createEvents("Events")
+                    log.finishInitialization()
+                    log.row()
+                    fill(filler)
+                    // Fills the rest of the page that the file has already.
+                    while (log.state == LogState.LOGGING) {
+                        events.event("filling " + "x".repeat(500))
+                        log.row()
+                    }
+                    for (i in 1..100) {
+                        events.event("event $i!")
+                        log.row()
+                    }
+                    filler.delete()
+                    Thread.sleep(300)
+                    repeat(2) { log.row() }
+                    log.counters().eventsDropped shouldBe 0
+                }
+            }
+            val texts = recordingIn(File(disk, "events.bag")).topics.single().texts.dictionary.joinToString()
+            for (i in 1..100) texts shouldContain "event $i!"
+        }
+    }
+
+    test("events that no row could take before the end are counted") {
+        standardErrorOf {
+            val log = BadLog.init("/dev/full")
+            val events = BadLog.createEvents("Events")
+            log.finishInitialization()
+            events.event("one")
+            log.row()
+            log.close()
+            // With the one that says that nothing can be written.
+            log.counters().eventsDropped shouldBe 2
+        }
     }
 
     test("a disk that was full from the start gets the header once it can").config(enabledOrReasonIf = { ifMount() }) {
@@ -114,7 +158,9 @@ class DiskTroubleSpec : FunSpec({
                         Thread.sleep(1)
                     } shouldBeLessThan MOST_NANOS
                     log.state shouldBe LogState.FAILING
-                    log.counters().rowsWritten shouldBe 710
+                    val counters = log.counters()
+                    counters.rowsMissed shouldBeGreaterThan 0
+                    counters.rowsWritten + counters.rowsMissed shouldBe 710
                 }
             } shouldContain "was deleted, or its disk pulled out"
         }

@@ -49,6 +49,34 @@ class LoopFaultsSpec : FunSpec({
         }
     }
 
+    test("a subscriber of the mode LAST takes what went wrong in rows without a new text") {
+        inFolder { folder ->
+            standardErrorOf {
+                val file = logged(folder, {
+                    BadLog.createTopic("Bad", "ul", { throw IllegalStateException() })
+                    BadLog.createTopicSubscriber("Log", "ul", DataInferMode.LAST, "log")
+                }) { log ->
+                    BadLog.publish("Log", "enabled")
+                    repeat(3) { log.row() }
+                }
+                val rows = rowsIn(file)
+                rows[0] shouldBe ",enabled"
+                rows[1] shouldContain "The topic \"\"Bad\"\" threw"
+                rows[2] shouldBe ",enabled"
+            }
+        }
+    }
+
+    test("names that a program makes up leave room for the log's own messages") {
+        val faults = Faults(Counters())
+        standardErrorOf {
+            for (i in 1..200) faults.publishIgnored("name $i") { "name $i" }
+            for (i in 1..200) faults.callIgnored(if (i == 1) "full" else "call $i") { "call $i" }
+            faults.sayOnce("full") { "full" }
+            faults.sayOnce("full") { error("not made twice") }
+        }.lines().count { it.isNotEmpty() } shouldBe 201
+    }
+
     test("publishing what cannot be published is ignored, counted, and said once for each name") {
         inFolder { folder ->
             val said = standardErrorOf {

@@ -10,6 +10,7 @@ import io.kotest.matchers.shouldNotBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldMatch
 import java.io.File
+import java.util.function.Supplier
 import kotlin.time.Duration.Companion.seconds
 
 /** A robot that is what a test says. */
@@ -160,7 +161,7 @@ class RobotLogSpec : FunSpec({
                     log.drive(400)
                     log.log.state shouldBe LogState.LOGGING
                 }
-            } shouldContain "FRC_20260301_120000.bag was deleted"
+            } shouldContain "deleted: FRC_TBD_0.bag, FRC_20260301_120000.bag, FRC_20260302_120000.bag, and 3 more."
             folder.names().filter { it.startsWith("FRC_2") && it.endsWith(".bag") } shouldBe
                 (6..15).map { "FRC_202603%02d_120000.bag".format(it) }
             File(folder, "FRC_TBD_0.bag").exists() shouldBe false
@@ -195,6 +196,34 @@ class RobotLogSpec : FunSpec({
             } shouldContain "less than 5 MiB"
             recordingIn(folder.listFiles()!!.single()).rowCount shouldNotBe 0
         }
+    }
+
+    test("a log that is closed while it begins leaves no file") {
+        inFolder { folder ->
+            var log: RobotLog? = null
+            val robot = Robot(folder).apply { enabled = true }
+            robot.options.event = Supplier {
+                log?.close()
+                ""
+            }
+            standardErrorOf {
+                log = RobotLog.start(robot.options)
+                log.drive(400)
+            } shouldBe ""
+            log?.log?.state shouldBe LogState.CLOSED
+            folder.names().shouldBeEmpty()
+
+            val session = LogSession(flushesEachRow = true)
+            session.close()
+            session.begin(File(folder, "late.bag"), false)
+            session.open(File(folder, "late.bag"), true)
+            session.file shouldBe null
+            folder.names().shouldBeEmpty()
+        }
+    }
+
+    test("a folder that is gone is not full") {
+        LogFolder(File("none"), File::getUsableSpace).isFull shouldBe false
     }
 
     test("suppliers that throw do not stop it") {
