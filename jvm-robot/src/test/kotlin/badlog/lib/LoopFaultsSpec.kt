@@ -31,38 +31,22 @@ class LoopFaultsSpec : FunSpec({
         }
     }
 
-    test("without an event log of its own, a subscriber with the attribute log takes what went wrong") {
-        inFolder { folder ->
-            standardErrorOf {
-                val file = logged(folder, {
-                    BadLog.createTopic("Bad", "ul", { throw IllegalStateException() })
-                    BadLog.createTopicSubscriber("Log", "ul", DataInferMode.DEFAULT, "log")
-                }) { log ->
-                    BadLog.publish("Log", "enabled")
-                    repeat(3) { log.row() }
+    for ((mode, otherwise) in mapOf(DataInferMode.DEFAULT to "-1.0", DataInferMode.LAST to "enabled")) {
+        test("without an event log, a subscriber with the attribute log and mode $mode takes what went wrong") {
+            inFolder { folder ->
+                standardErrorOf {
+                    val file = logged(folder, {
+                        BadLog.createTopic("Bad", "ul", { throw IllegalStateException() })
+                        BadLog.createTopicSubscriber("Log", "ul", mode, "log")
+                    }) { log ->
+                        BadLog.publish("Log", "enabled")
+                        repeat(3) { log.row() }
+                    }
+                    val rows = rowsIn(file)
+                    rows[0] shouldBe ",enabled"
+                    rows[1] shouldContain "The topic \"\"Bad\"\" threw"
+                    rows[2] shouldBe ",$otherwise"
                 }
-                val rows = rowsIn(file)
-                rows[0] shouldBe ",enabled"
-                rows[1] shouldContain "The topic \"\"Bad\"\" threw"
-                rows[2] shouldBe ",-1.0"
-            }
-        }
-    }
-
-    test("a subscriber of the mode LAST takes what went wrong in rows without a new text") {
-        inFolder { folder ->
-            standardErrorOf {
-                val file = logged(folder, {
-                    BadLog.createTopic("Bad", "ul", { throw IllegalStateException() })
-                    BadLog.createTopicSubscriber("Log", "ul", DataInferMode.LAST, "log")
-                }) { log ->
-                    BadLog.publish("Log", "enabled")
-                    repeat(3) { log.row() }
-                }
-                val rows = rowsIn(file)
-                rows[0] shouldBe ",enabled"
-                rows[1] shouldContain "The topic \"\"Bad\"\" threw"
-                rows[2] shouldBe ",enabled"
             }
         }
     }
