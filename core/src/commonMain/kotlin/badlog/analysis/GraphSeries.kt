@@ -8,6 +8,7 @@ import badlog.recording.Topic
  * @property name what the legend calls it.
  * @property unit its unit, `ul` for none.
  * @property topic the topic it comes from.
+ * @property isDerived whether its samples were calculated from those of [topic] rather than logged.
  * @property states what each number means, where the numbers only stand for states: state `n` is `states[n]`. Else null.
  */
 public class GraphSeries internal constructor(
@@ -15,6 +16,7 @@ public class GraphSeries internal constructor(
     public val unit: String,
     public val topic: Topic,
     public val states: List<String>?,
+    public val isDerived: Boolean = false,
     compute: () -> Series,
 ) {
     /** Its samples, computed when they are first asked for. */

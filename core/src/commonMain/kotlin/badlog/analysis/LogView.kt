@@ -3,6 +3,7 @@ package badlog.analysis
 import badlog.recording.Problem
 import badlog.recording.Recording
 import badlog.recording.Severity
+import badlog.recording.Topic
 
 /**
  * A recording after its attributes were applied: what a front end shows, in the order in which it shows it.
@@ -20,6 +21,9 @@ public class LogView internal constructor(
     public val folders: List<Folder>,
     public val problems: List<Problem>,
 ) {
+    /** The line that [topic], one of the recording's, gives by itself, whether or not a graph shows it. */
+    public fun seriesOf(topic: Topic): GraphSeries = seriesOf(topic, xAxis)
+
     /** How many of [problems] are of each severity. */
     public fun count(severity: Severity): Int = problems.count { it.severity == severity }
 

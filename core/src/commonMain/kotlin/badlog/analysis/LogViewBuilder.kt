@@ -141,7 +141,9 @@ internal class LogViewBuilder(private val recording: Recording, private val regi
             val unit = derivation.unit(topic.unit, xAxis.unit)
             val name = freeName(derivation.name)
             addGraph(GraphDraft(name, unit, isVirtual = true)).series +=
-                GraphSeries(PathName.baseNameOf(name), unit, topic, null) { derivation.series(samplesOf(topic, xAxis)) }
+                GraphSeries(PathName.baseNameOf(name), unit, topic, null, isDerived = true) {
+                    derivation.series(samplesOf(topic, xAxis))
+                }
         }
     }
 
@@ -180,17 +182,6 @@ internal class LogViewBuilder(private val recording: Recording, private val regi
             plan.report(ProblemKind.UNUSUAL_JOIN, "The graph “$name” has several lines named “${series.name}”.")
         }
         graph.series += series
-    }
-
-    private fun seriesOf(topic: Topic, xAxis: XAxis): GraphSeries {
-        val name = PathName.baseNameOf(topic.name)
-        return when (topic.kind) {
-            TopicKind.STATE ->
-                GraphSeries(name, topic.unit, topic, topic.texts.dictionary) { statesOf(topic, xAxis) }
-            TopicKind.BOOLEAN ->
-                GraphSeries(name, topic.unit, topic, listOf("false", "true")) { samplesOf(topic, xAxis) }
-            else -> GraphSeries(name, topic.unit, topic, null) { samplesOf(topic, xAxis) }
-        }
     }
 }
 

@@ -1,5 +1,6 @@
 package badlog.analysis
 
+import badlog.recording.PathName
 import badlog.recording.Topic
 import badlog.recording.TopicKind
 
@@ -33,6 +34,18 @@ internal fun statesOf(topic: Topic, xAxis: XAxis): Series {
         DoubleArray(rows.size) { xAxis.positions[rows[it]] },
         DoubleArray(rows.size) { states[rows[it]] },
     )
+}
+
+/** The line that [topic] gives by itself: its numbers, or the states it was in. */
+internal fun seriesOf(topic: Topic, xAxis: XAxis): GraphSeries {
+    val name = PathName.baseNameOf(topic.name)
+    return when (topic.kind) {
+        TopicKind.STATE ->
+            GraphSeries(name, topic.unit, topic, topic.texts.dictionary) { statesOf(topic, xAxis) }
+        TopicKind.BOOLEAN ->
+            GraphSeries(name, topic.unit, topic, listOf("false", "true")) { samplesOf(topic, xAxis) }
+        else -> GraphSeries(name, topic.unit, topic, null) { samplesOf(topic, xAxis) }
+    }
 }
 
 private fun isDrawable(x: Double, y: Double, isSparse: Boolean) = x.isFinite() && (!isSparse || !y.isNaN())

@@ -1,6 +1,7 @@
 package badlog.page.graph
 
 import badlog.page.dom.json
+import badlog.plot.Curve
 import kotlin.math.PI
 import org.w3c.dom.Path2D
 

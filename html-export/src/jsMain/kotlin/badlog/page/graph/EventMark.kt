@@ -1,7 +1,7 @@
 package badlog.page.graph
 
 import badlog.page.view.EventTimeline
-import badlog.page.view.VisibleRange
+import badlog.plot.Span
 import kotlin.math.floor
 
 /**
@@ -20,7 +20,7 @@ internal class EventMark(val pixel: Double, val isSerious: Boolean, val hasHead:
  */
 internal fun eventMarks(
     timeline: EventTimeline,
-    span: VisibleRange.Span,
+    span: Span,
     width: Double,
     onePixel: Double,
 ): List<EventMark> {

@@ -1,7 +1,7 @@
 package badlog.page.graph
 
 import badlog.page.view.Scene
-import badlog.page.view.VisibleRange
+import badlog.plot.Span
 import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D
 import org.w3c.dom.Path2D
@@ -11,7 +11,7 @@ internal fun drawEventMarks(
     context: CanvasRenderingContext2D,
     frame: PlotFrame,
     scene: Scene,
-    span: VisibleRange.Span = scene.range.now,
+    span: Span = scene.range.now,
 ) {
     if (scene.events.events.isEmpty()) return
     val ratio = window.devicePixelRatio

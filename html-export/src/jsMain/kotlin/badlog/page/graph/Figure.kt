@@ -1,7 +1,8 @@
 package badlog.page.graph
 
 import badlog.analysis.PixelColumns
-import badlog.page.view.VisibleRange
+import badlog.plot.Span
+import badlog.plot.YLimits
 import org.w3c.dom.CanvasRenderingContext2D
 
 /** What a plot shows inside its frame: lines, or lanes of states. */
@@ -19,7 +20,7 @@ internal interface Figure {
     fun lines(frameOf: (UPlot) -> PlotFrame): List<dynamic>
 
     /** Finds what is to be seen of [span] on a screen of as many pixel columns as [columns] has. */
-    fun prepare(span: VisibleRange.Span, columns: PixelColumns)
+    fun prepare(span: Span, columns: PixelColumns)
 
     /** Sets how uPlot draws what [prepare] found. */
     fun style(plot: UPlot)

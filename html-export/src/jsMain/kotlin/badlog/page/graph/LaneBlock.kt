@@ -1,6 +1,7 @@
 package badlog.page.graph
 
-import badlog.page.view.VisibleRange
+import badlog.plot.Span
+import badlog.plot.StateRuns
 import kotlin.math.ceil
 import kotlin.math.floor
 
@@ -14,7 +15,7 @@ internal data class LaneBlock(val left: Double, val right: Double, val state: In
  * one that lasts shorter than [shortest] pixels gets that many, over the longer ones beside it; where several do, the
  * one in which the recording is the least of its time is seen.
  */
-internal fun laneBlocks(runs: StateRuns, span: VisibleRange.Span, width: Double, shortest: Int): List<LaneBlock> {
+internal fun laneBlocks(runs: StateRuns, span: Span, width: Double, shortest: Int): List<LaneBlock> {
     val blocks = ArrayList<LaneBlock>()
     val slivers = Slivers(runs, ceil(width).toInt(), shortest)
     fun pixelOf(x: Double) = (x - span.from) / span.width * width

@@ -3,7 +3,9 @@ package badlog.page.graph
 import badlog.analysis.Graph
 import badlog.analysis.PixelColumns
 import badlog.page.view.Palette
-import badlog.page.view.VisibleRange
+import badlog.plot.Span
+import badlog.plot.StateRuns
+import badlog.plot.YLimits
 import kotlin.math.ceil
 import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D
@@ -16,7 +18,7 @@ internal class LaneFigure(
     end: Double,
 ) : Figure {
     private val runs = graph.series.map { StateRuns(it.data, end) }
-    private var span = VisibleRange.Span(0.0, 1.0)
+    private var span = Span(0.0, 1.0)
 
     override val height: Int get() = LANE_HEIGHT * graph.series.size + AXIS_HEIGHT
     override val limits: YLimits = YLimits()
@@ -24,7 +26,7 @@ internal class LaneFigure(
 
     override fun lines(frameOf: (UPlot) -> PlotFrame): List<dynamic> = emptyList()
 
-    override fun prepare(span: VisibleRange.Span, columns: PixelColumns) {
+    override fun prepare(span: Span, columns: PixelColumns) {
         this.span = span
     }
 

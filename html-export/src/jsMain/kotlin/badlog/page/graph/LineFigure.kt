@@ -4,7 +4,9 @@ import badlog.analysis.Graph
 import badlog.analysis.PixelColumns
 import badlog.page.dom.json
 import badlog.page.view.Palette
-import badlog.page.view.VisibleRange
+import badlog.plot.Curve
+import badlog.plot.Span
+import badlog.plot.YLimits
 import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D
 
@@ -43,7 +45,7 @@ internal class LineFigure(
         )
     }
 
-    override fun prepare(span: VisibleRange.Span, columns: PixelColumns) {
+    override fun prepare(span: Span, columns: PixelColumns) {
         var least = Double.NaN
         var most = Double.NaN
         curves.forEachIndexed { index, curve ->

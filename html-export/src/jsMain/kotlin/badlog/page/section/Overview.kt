@@ -8,7 +8,7 @@ import badlog.page.dom.isHidden
 import badlog.page.graph.PlotFrame
 import badlog.page.graph.drawEventMarks
 import badlog.page.view.Scene
-import badlog.page.view.VisibleRange
+import badlog.plot.Span
 import kotlin.math.abs
 import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D
@@ -104,7 +104,7 @@ internal class Overview(private val scene: Scene) {
         // A click beside the visible part brings that part here.
         val isClick = !startX.isNaN()
         if (isClick && !anchor.isNaN()) {
-            val now: VisibleRange.Span = scene.range.now
+            val now: Span = scene.range.now
             if (scene.range.isZoomed) scene.range.remember()
             moveTo(xAt(event) - now.width / 2)
             scene.cursor.place(xAt(event))

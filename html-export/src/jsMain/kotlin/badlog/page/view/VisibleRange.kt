@@ -1,5 +1,6 @@
 package badlog.page.view
 
+import badlog.plot.Span
 import kotlin.math.abs
 
 /**
@@ -9,11 +10,6 @@ import kotlin.math.abs
  * @param to the largest x of the recording.
  */
 internal class VisibleRange(from: Double, to: Double) {
-    /** A part of the x axis. */
-    data class Span(val from: Double, val to: Double) {
-        val width: Double get() = to - from
-    }
-
     /** All there is to see; wider than the recording where that has a single x. */
     val full: Span = if (to > from) Span(from, to) else around(if (from.isFinite()) from else 0.0)
 

@@ -1,7 +1,8 @@
 package badlog.page.graph
 
 import badlog.analysis.Series
-import badlog.page.view.VisibleRange
+import badlog.plot.Span
+import badlog.plot.StateRuns
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
@@ -9,7 +10,7 @@ class LaneBlockSpec : FunSpec({
     fun blocks(count: Int, width: Double, state: (Int) -> Int): List<LaneBlock> {
         val series = Series(DoubleArray(count) { it.toDouble() }, DoubleArray(count) { state(it).toDouble() })
         val end = count - 1.0
-        return laneBlocks(StateRuns(series, end), VisibleRange.Span(0.0, end), width, shortest = 2)
+        return laneBlocks(StateRuns(series, end), Span(0.0, end), width, shortest = 2)
     }
 
     test("long states are as long as they are") {

@@ -1,10 +1,11 @@
 package badlog.page.view
 
+import badlog.plot.Span
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
 class VisibleRangeSpec : FunSpec({
-    fun span(from: Double, to: Double) = VisibleRange.Span(from, to)
+    fun span(from: Double, to: Double) = Span(from, to)
 
     test("keeps within the recording, and its width where it can") {
         val range = VisibleRange(0.0, 100.0)

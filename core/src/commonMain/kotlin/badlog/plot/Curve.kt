@@ -1,4 +1,4 @@
-package badlog.page.graph
+package badlog.plot
 
 import badlog.analysis.Downsampling
 import badlog.analysis.PixelColumns
@@ -8,34 +8,38 @@ import badlog.analysis.Series
  * The points of one line, as they are to be joined on the screen: the samples themselves where they are few, else a
  * handful for each pixel column. Point `i` is `(x[i], y[i])`; a NaN in [y] breaks the line.
  */
-internal class Curve(private val series: Series) {
+public class Curve(private val series: Series) {
     private val downsampling = Downsampling(series)
 
-    var x = DoubleArray(0)
+    /** Where each point stands, in its first [size] entries. */
+    public var x: DoubleArray = DoubleArray(0)
         private set
-    var y = DoubleArray(0)
+    /** The value of each point, NaN where the line is broken, in its first [size] entries. */
+    public var y: DoubleArray = DoubleArray(0)
         private set
 
     /** How many points there are. */
-    var size = 0
+    public var size: Int = 0
         private set
 
-    /** The smallest and largest finite value that is to be seen; NaN without one. */
-    var min = Double.NaN
+    /** The smallest finite value that is to be seen; NaN without one. */
+    public var min: Double = Double.NaN
         private set
-    var max = Double.NaN
+
+    /** The largest finite value that is to be seen; NaN without one. */
+    public var max: Double = Double.NaN
         private set
 
     /** Whether the samples are so far apart that each deserves a dot. */
-    var isSparse = false
+    public var isSparse: Boolean = false
         private set
 
     /** Whether there are more samples than pixel columns. */
-    var isDense = false
+    public var isDense: Boolean = false
         private set
 
     /** Finds the points for what lies from [from] to [to], on a screen of as many columns as [columns] has. */
-    fun draw(from: Double, to: Double, columns: PixelColumns) {
+    public fun draw(from: Double, to: Double, columns: PixelColumns) {
         size = 0
         min = Double.NaN
         max = Double.NaN

@@ -1,16 +1,19 @@
-package badlog.page.graph
+package badlog.plot
 
 import kotlin.math.abs
 
 /** The part of the y axis that a plot shows, so that what is seen in it fills it. */
-internal class YLimits {
-    var from = 0.0
+public class YLimits {
+    /** The lowest value that is shown. */
+    public var from: Double = 0.0
         private set
-    var to = 1.0
+
+    /** The highest value that is shown. */
+    public var to: Double = 1.0
         private set
 
     /** Makes room for [least] to [most], both NaN when there is nothing to see, and for 0 when [includesZero]. */
-    fun fit(least: Double, most: Double, includesZero: Boolean) {
+    public fun fit(least: Double, most: Double, includesZero: Boolean) {
         if (least.isNaN()) {
             from = 0.0
             to = 1.0

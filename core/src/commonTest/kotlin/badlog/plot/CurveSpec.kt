@@ -1,4 +1,4 @@
-package badlog.page.graph
+package badlog.plot
 
 import badlog.analysis.PixelColumns
 import badlog.analysis.Series

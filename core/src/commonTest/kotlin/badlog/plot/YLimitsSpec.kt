@@ -1,4 +1,4 @@
-package badlog.page.graph
+package badlog.plot
 
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.doubles.shouldBeLessThan

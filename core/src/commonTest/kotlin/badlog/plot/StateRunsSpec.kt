@@ -1,4 +1,4 @@
-package badlog.page.graph
+package badlog.plot
 
 import badlog.analysis.Series
 import io.kotest.core.spec.style.FunSpec

@@ -1,4 +1,4 @@
-package badlog.page.graph
+package badlog.plot
 
 import badlog.analysis.Series
 
@@ -7,10 +7,15 @@ import badlog.analysis.Series
  * which is where the next one begins. The last one goes on until [end]: a topic that is logged when it changes stays as
  * it is.
  */
-internal class StateRuns(series: Series, end: Double) {
-    val from: DoubleArray
-    val to: DoubleArray
-    val states: IntArray
+public class StateRuns(series: Series, end: Double) {
+    /** Where each run begins. */
+    public val from: DoubleArray
+
+    /** Where each run ends. */
+    public val to: DoubleArray
+
+    /** The state of each run. */
+    public val states: IntArray
 
     init {
         val x = series.x
@@ -39,7 +44,7 @@ internal class StateRuns(series: Series, end: Double) {
     }
 
     /** Whether the runs are in the order of x. */
-    val isOrdered: Boolean = series.isOrdered
+    public val isOrdered: Boolean = series.isOrdered
 
     private val ends = if (isOrdered) Series(to, to) else null
 
@@ -50,10 +55,10 @@ internal class StateRuns(series: Series, end: Double) {
     }
 
     /** How much of x the whole recording is in [state]. */
-    fun timeIn(state: Int): Double = times[state]
+    public fun timeIn(state: Int): Double = times[state]
 
     /** The index of the first run that may reach to [position] or beyond. */
-    fun firstReaching(position: Double): Int = ends?.firstAtOrAfter(position) ?: 0
+    public fun firstReaching(position: Double): Int = ends?.firstAtOrAfter(position) ?: 0
 
     private fun isSame(one: Double, other: Double) = one == other || (one.isNaN() && other.isNaN())
 }

@@ -1,0 +1,33 @@
+package badlog.viewer.app
+
+import androidx.compose.runtime.mutableStateListOf
+
+/** The sentences that the window shows at its foot, the latest last. To be used on the window's thread only. */
+internal class Notices {
+    private val mutable = mutableStateListOf<Notice>()
+    private var lastId = 0
+
+    /** Them. */
+    val all: List<Notice> get() = mutable
+
+    /** Says that something went well. */
+    fun say(text: String) = add(text, isError = false)
+
+    /** Says that something did not work: what, where, and what to do next, in one sentence. */
+    fun complain(text: String) = add(text, isError = true)
+
+    /** Takes notice [id] away. */
+    fun dismiss(id: Int) {
+        mutable.removeAll { it.id == id }
+    }
+
+    private fun add(text: String, isError: Boolean) {
+        mutable.removeAll { it.text == text }
+        while (mutable.size >= MOST) mutable.removeAt(0)
+        mutable += Notice(++lastId, text, isError)
+    }
+
+    private companion object {
+        const val MOST = 3
+    }
+}

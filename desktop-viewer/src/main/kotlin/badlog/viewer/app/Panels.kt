@@ -1,0 +1,36 @@
+package badlog.viewer.app
+
+/**
+ * Which parts of the window are open.
+ *
+ * @property library whether the list of logs stands at the left.
+ * @property topics whether the topics stand beside it.
+ * @property inspector which panel stands at the right, or null for none.
+ * @property main what fills the middle.
+ * @property help whether the help sheet lies above everything.
+ */
+internal data class Panels(
+    val library: Boolean = true,
+    val topics: Boolean = true,
+    val inspector: InspectorTab? = null,
+    val main: MainView = MainView.GRAPHS,
+    val help: Boolean = false,
+) {
+    /** Opens [tab] at the right, or closes it when it is open. */
+    fun toggled(tab: InspectorTab): Panels = copy(inspector = if (inspector == tab) null else tab)
+}
+
+/** What the panel at the right shows. */
+internal enum class InspectorTab { EVENTS, VALUES, PROBLEMS, STATISTICS }
+
+/** What fills the middle of the window. */
+internal enum class MainView {
+    /** The graphs of the open recording. */
+    GRAPHS,
+
+    /** Every log of the folder with all its columns. */
+    LOGS,
+
+    /** A statistic of topics across recordings. */
+    STATISTICS,
+}

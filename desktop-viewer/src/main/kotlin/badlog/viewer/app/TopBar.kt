@@ -1,0 +1,51 @@
+package badlog.viewer.app
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.dp
+import badlog.viewer.settings.Theme
+import badlog.viewer.theme.Icons
+import badlog.viewer.theme.LocalPalette
+import badlog.viewer.theme.ToolButton
+
+/** What stands along the window's top: which parts are open, what is shown, and what can be done with it. */
+@Composable
+internal fun TopBar(viewer: Viewer) {
+    val panels = viewer.panels
+    Row(
+        Modifier.fillMaxWidth().background(LocalPalette.current.surface).padding(horizontal = 8.dp, vertical = 4.dp),
+        horizontalArrangement = Arrangement.spacedBy(4.dp),
+        verticalAlignment = Alignment.CenterVertically,
+    ) {
+        ToolButton("Logs: the list at the left", Icons.List, isOn = panels.library) {
+            viewer.panels = panels.copy(library = !panels.library)
+        }
+        ToolButton("Topics", Icons.Tree, isOn = panels.topics) {
+            viewer.panels = panels.copy(topics = !panels.topics)
+        }
+        Text(
+            viewer.open?.label ?: "badlog",
+            Modifier.weight(1f).padding(horizontal = 8.dp),
+            fontWeight = FontWeight.SemiBold,
+            maxLines = 1,
+            overflow = TextOverflow.Ellipsis,
+        )
+        ToolButton("Theme: ${viewer.settings.theme.name.lowercase()}", Icons.Sun) {
+            val themes = Theme.entries
+            val next = themes[(viewer.settings.theme.ordinal + 1) % themes.size]
+            viewer.settings = viewer.settings.copy(theme = next)
+        }
+        ToolButton("Keys and gestures", Icons.Help, isOn = panels.help) {
+            viewer.panels = panels.copy(help = !panels.help)
+        }
+    }
+}

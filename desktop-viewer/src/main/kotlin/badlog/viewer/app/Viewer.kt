@@ -1,0 +1,60 @@
+package badlog.viewer.app
+
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.setValue
+import badlog.plot.Span
+import badlog.viewer.compare.Comparison
+import badlog.viewer.graph.GraphList
+import badlog.viewer.library.LibraryState
+import badlog.viewer.playback.Playback
+import badlog.viewer.recording.OpenRecording
+import badlog.viewer.settings.Settings
+import badlog.viewer.settings.UserFolders
+import badlog.viewer.view.Viewport
+import kotlinx.coroutines.CoroutineScope
+
+/**
+ * All that a window shows, in parts that change apart from each other. Each part is plain data: a change replaces it by what
+ * one of its transitions gives. To be used on the window's thread only; work is launched in [scope], off that thread.
+ *
+ * @param scope lives as long as the window, on its thread.
+ * @property folders where the user's own files are.
+ */
+internal class Viewer(val scope: CoroutineScope, val folders: UserFolders, settings: Settings = Settings()) {
+    /** What the person has chosen. */
+    var settings by mutableStateOf(settings)
+
+    /** The folder of logs. */
+    var library by mutableStateOf(LibraryState())
+
+    /** The recording that is shown, or null. */
+    var open by mutableStateOf<OpenRecording?>(null)
+
+    /** What is drawn of it. */
+    var graphs by mutableStateOf(GraphList())
+
+    /** Which part of x is seen. */
+    var viewport by mutableStateOf(Viewport(Span(0.0, 1.0)))
+
+    /** Where on x the cursor stands, the same in all graphs; null for nowhere. */
+    var cursor by mutableStateOf<Double?>(null)
+
+    /** The part of x that a person has marked, or null. */
+    var selection by mutableStateOf<Span?>(null)
+
+    /** How the cursor runs by itself. */
+    var playback by mutableStateOf(Playback())
+
+    /** What is laid over the open recording. */
+    var comparison by mutableStateOf(Comparison())
+
+    /** Which parts of the window are open. */
+    var panels by mutableStateOf(Panels())
+
+    /** What the window has to say. */
+    val notices = Notices()
+
+    /** What a person is waiting for. */
+    val tasks = LongTasks(scope, notices)
+}

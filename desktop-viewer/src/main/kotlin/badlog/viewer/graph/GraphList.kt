@@ -1,0 +1,46 @@
+package badlog.viewer.graph
+
+import badlog.plot.Span
+
+/**
+ * The graphs of the window, from top to bottom. Never changes; each transition gives a new one.
+ *
+ * @property graphs them.
+ */
+internal data class GraphList(val graphs: List<GraphSpec> = emptyList()) {
+    private val nextId: Int get() = (graphs.maxOfOrNull { it.id } ?: 0) + 1
+
+    /** Adds a graph of the signals [names] at the end, or before the graph [before]. */
+    fun withGraph(names: List<String>, before: Int? = null): GraphList {
+        if (names.isEmpty()) return this
+        val graph = GraphSpec(nextId, names.first(), names.distinct().map(::LineSpec))
+        val place = graphs.indexOfFirst { it.id == before }.let { if (it < 0) graphs.size else it }
+        return copy(graphs = graphs.take(place) + graph + graphs.drop(place))
+    }
+
+    /** Adds the signal [name] to graph [id], where it is not there yet. */
+    fun withLine(id: Int, name: String): GraphList =
+        change(id) { if (it.lines.any { line -> line.signal == name }) it else it.copy(lines = it.lines + LineSpec(name)) }
+
+    /** Takes the signal [name] out of graph [id], which goes with its last line. */
+    fun withoutLine(id: Int, name: String): GraphList {
+        val changed = change(id) { it.copy(lines = it.lines.filterNot { line -> line.signal == name }) }
+        return changed.copy(graphs = changed.graphs.filter { it.lines.isNotEmpty() })
+    }
+
+    /** Takes graph [id] away. */
+    fun without(id: Int): GraphList = copy(graphs = graphs.filterNot { it.id == id })
+
+    /** Moves graph [id] by [places], up when negative. */
+    fun moved(id: Int, places: Int): GraphList {
+        val from = graphs.indexOfFirst { it.id == id }
+        if (from < 0) return this
+        val to = (from + places).coerceIn(graphs.indices)
+        return copy(graphs = graphs.toMutableList().apply { add(to, removeAt(from)) })
+    }
+
+    /** Shows only [range] of y in graph [id]; all of it for null. */
+    fun withYRange(id: Int, range: Span?): GraphList = change(id) { it.copy(yRange = range) }
+
+    private fun change(id: Int, to: (GraphSpec) -> GraphSpec) = copy(graphs = graphs.map { if (it.id == id) to(it) else it })
+}

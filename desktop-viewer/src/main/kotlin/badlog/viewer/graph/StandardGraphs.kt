@@ -1,0 +1,42 @@
+package badlog.viewer.graph
+
+import badlog.analysis.Graph
+import badlog.analysis.LogView
+
+/**
+ * The graphs that the attributes of a recording's topics ask for, in their order. States that follow one another in a folder
+ * share a graph, in which each has a lane.
+ */
+internal fun standardGraphs(view: LogView): GraphList {
+    var id = 0
+    val specs = view.folders.flatMap { folder ->
+        runsOf(folder.graphs).map { graphs ->
+            val first = graphs.first()
+            val isJoint = graphs.size > 1
+            GraphSpec(
+                id = ++id,
+                title = if (isJoint) listOf(folder.name, "States").filter { it.isNotEmpty() }.joinToString("/") else nameOf(first),
+                lines = graphs.flatMap { graph -> linesOf(graph) },
+                isFilled = first.isFilled,
+                includesZero = first.includesZero,
+            )
+        }
+    }
+    return GraphList(specs)
+}
+
+/** Each graph by itself, but neighbours that show states together. */
+private fun runsOf(graphs: List<Graph>): List<List<Graph>> {
+    val runs = ArrayList<MutableList<Graph>>()
+    for (graph in graphs) {
+        val last = runs.lastOrNull()
+        if (graph.showsStates && last != null && last.first().showsStates) last += graph else runs += mutableListOf(graph)
+    }
+    return runs
+}
+
+private fun nameOf(graph: Graph) =
+    if (graph.isVirtual) listOf(graph.folder, graph.title).filter { it.isNotEmpty() }.joinToString("/") else graph.name
+
+private fun linesOf(graph: Graph) =
+    graph.series.map { line -> LineSpec(if (line.isDerived) graph.name else line.topic.name) }

@@ -1,0 +1,60 @@
+package badlog.viewer.recording
+
+import badlog.analysis.EnabledSpan
+import badlog.analysis.EventLog
+import badlog.analysis.LogView
+import badlog.analysis.enabledSpans
+import badlog.plot.Span
+import java.nio.file.Path
+
+/**
+ * A recording whose file was read, with all that can be drawn of it.
+ *
+ * @property file where it was read from; absolute.
+ */
+internal class OpenRecording(val file: Path, val view: LogView) {
+    /** All that can be drawn: the topics in the order of the file, then what is derived from them. */
+    val signals: List<Signal> = signalsOf(view)
+
+    private val byName = signals.associateBy { it.name }
+
+    /** The events of all topics of texts. */
+    val eventLogs: List<EventLog> = view.folders.flatMap { it.eventLogs }
+
+    /** When the robot was enabled; empty when nothing tells. */
+    val enabled: List<EnabledSpan> by lazy { view.enabledSpans() }
+
+    /** All of the x axis that has samples; wider than that where there is a single x. */
+    val span: Span = fullSpan(view.xAxis.positions)
+
+    /** What a person would call it: the match, or else the name of the file. */
+    val label: String get() = view.title ?: file.fileName.toString()
+
+    /** The signal called [name], or null when this recording has none. */
+    fun signal(name: String): Signal? = byName[name]
+}
+
+private fun signalsOf(view: LogView): List<Signal> {
+    val logged = view.recording.topics
+        .filter { it !== view.xAxis.topic && (it.samples.isNotEmpty() || it.texts.size > 0) }
+        .map { Signal(it.name, isDerived = false, view.seriesOf(it)) }
+    val derived = view.folders.flatMap { it.graphs }
+        .filter { graph -> graph.series.all { it.isDerived } }
+        .map { Signal(it.name, isDerived = true, it.series.single()) }
+    return logged + derived
+}
+
+private fun fullSpan(positions: DoubleArray): Span {
+    var from = Double.POSITIVE_INFINITY
+    var to = Double.NEGATIVE_INFINITY
+    for (x in positions) {
+        if (!x.isFinite()) continue
+        if (x < from) from = x
+        if (x > to) to = x
+    }
+    return when {
+        from < to -> Span(from, to)
+        from == to -> Span(from - 0.5, to + 0.5)
+        else -> Span(0.0, 1.0)
+    }
+}

@@ -1,0 +1,33 @@
+package badlog.viewer.recording
+
+import badlog.analysis.GraphSeries
+import badlog.analysis.Series
+import badlog.recording.PathName
+import badlog.recording.Topic
+
+/**
+ * What can be drawn as one line: a topic, or what an attribute derives from one. The same name means the same signal in
+ * every recording of a robot, which is how graphs, layouts and comparisons speak of it.
+ *
+ * @property name the full name, unique in its recording.
+ * @property isDerived whether it was calculated rather than logged; its [title] then stands in brackets.
+ */
+internal class Signal(val name: String, val isDerived: Boolean, private val line: GraphSeries) {
+    /** The unit, `ul` for none. */
+    val unit: String get() = line.unit
+
+    /** The topic it comes from. */
+    val topic: Topic get() = line.topic
+
+    /** What each number means, where the numbers stand for states, else null. */
+    val states: List<String>? get() = line.states
+
+    /** The folder it belongs to; empty for the root folder. */
+    val folder: String get() = PathName.folderOf(name)
+
+    /** Its name without the folder. */
+    val title: String get() = PathName.baseNameOf(name).let { if (isDerived) "[ $it ]" else it }
+
+    /** Its samples; the first call may calculate them, so not to be called while drawing. */
+    val series: Series get() = line.data
+}

@@ -1,0 +1,43 @@
+package badlog.viewer.settings
+
+import kotlinx.serialization.Serializable
+
+/**
+ * What a person has chosen, kept from one start to the next.
+ *
+ * @property theme light, dark, or as the system is.
+ * @property recentFolders the folders opened last, the latest first.
+ * @property previewTopic the topic of which the list of logs draws a small line; null for the battery's voltage.
+ * @property graphHeight how high a graph is, in dp.
+ * @property window where the window was; null before the first time.
+ */
+@Serializable
+internal data class Settings(
+    val theme: Theme = Theme.SYSTEM,
+    val recentFolders: List<String> = emptyList(),
+    val previewTopic: String? = null,
+    val graphHeight: Int = 150,
+    val window: WindowPlace? = null,
+) {
+    /** Remembers that [folder] was opened. */
+    fun opened(folder: String): Settings =
+        copy(recentFolders = (listOf(folder) + (recentFolders - folder)).take(MOST_RECENT))
+
+    companion object {
+        private const val MOST_RECENT = 10
+    }
+}
+
+/** Which colours the window has. */
+@Serializable
+internal enum class Theme { SYSTEM, LIGHT, DARK }
+
+/** Where a window is on the screen, in dp, and whether it fills it. */
+@Serializable
+internal data class WindowPlace(
+    val x: Int,
+    val y: Int,
+    val width: Int,
+    val height: Int,
+    val isMaximized: Boolean,
+)

@@ -1,0 +1,38 @@
+package badlog.viewer.settings
+
+import java.nio.file.Path
+
+/**
+ * Where the viewer keeps what is the user's own.
+ *
+ * @property settings what a person has chosen; to be kept.
+ * @property cache what can be found out again; may be deleted at any time.
+ */
+internal class UserFolders(val settings: Path, val cache: Path) {
+    companion object {
+        /** The folders that the system means for it: XDG's on Linux, `Library` on macOS, `AppData` on Windows. */
+        fun ofSystem(
+            system: String = System.getProperty("os.name"),
+            home: Path = Path.of(System.getProperty("user.home")),
+            variable: (String) -> String? = System::getenv,
+        ): UserFolders {
+            fun named(name: String, otherwise: Path) = variable(name)?.takeIf { it.isNotBlank() }?.let(Path::of) ?: otherwise
+            return when {
+                system.startsWith("Windows") -> UserFolders(
+                    settings = named("APPDATA", home.resolve("AppData/Roaming")).resolve(NAME),
+                    cache = named("LOCALAPPDATA", home.resolve("AppData/Local")).resolve(NAME).resolve("cache"),
+                )
+                system.startsWith("Mac") -> UserFolders(
+                    settings = home.resolve("Library/Application Support").resolve(NAME),
+                    cache = home.resolve("Library/Caches").resolve(NAME),
+                )
+                else -> UserFolders(
+                    settings = named("XDG_CONFIG_HOME", home.resolve(".config")).resolve(NAME),
+                    cache = named("XDG_CACHE_HOME", home.resolve(".cache")).resolve(NAME),
+                )
+            }
+        }
+
+        private const val NAME = "badlog"
+    }
+}

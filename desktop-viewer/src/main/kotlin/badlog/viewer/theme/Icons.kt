@@ -1,0 +1,48 @@
+package badlog.viewer.theme
+
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.graphics.SolidColor
+import androidx.compose.ui.graphics.StrokeCap
+import androidx.compose.ui.graphics.StrokeJoin
+import androidx.compose.ui.graphics.vector.ImageVector
+import androidx.compose.ui.graphics.vector.addPathNodes
+import androidx.compose.ui.unit.dp
+
+/** The window's icons: lines on a grid of 16 by 16. */
+internal object Icons {
+    val Folder = icon("M2 4.5 V12.5 H14 V5.5 H7.5 L6 3.5 H2 Z")
+    val Close = icon("M4 4 L12 12 M12 4 L4 12")
+    val Search = icon("M7 3 A4 4 0 1 0 7 11 A4 4 0 1 0 7 3 M10 10 L13.5 13.5")
+    val Play = icon("M5 3 L12.5 8 L5 13 Z")
+    val Pause = icon("M5 3.5 V12.5 M11 3.5 V12.5")
+    val Loop = icon("M3 7 V5.5 H12 M10 3 L12.5 5.5 L10 8 M13 9 V10.5 H4 M6 13 L3.5 10.5 L6 8")
+    val List = icon("M2.5 4 H13.5 M2.5 8 H13.5 M2.5 12 H13.5")
+    val Table = icon("M2.5 3 H13.5 V13 H2.5 Z M2.5 6.5 H13.5 M6.5 6.5 V13")
+    val Graph = icon("M2.5 2.5 V13.5 H13.5 M4.5 10 L7 6.5 L9.5 9 L13 4")
+    val Tree = icon("M3 3 H7 M5 3 V12.5 H8 M5 7.5 H8 M9.5 7.5 H13.5 M9.5 12.5 H13.5")
+    val Compare = icon("M2.5 11 L6 5 L9 9 L13.5 3 M2.5 13.5 L6 8.5 L9 12 L13.5 7.5")
+    val Share = icon("M8 10 V2.5 M5 5.5 L8 2.5 L11 5.5 M3 9 V13.5 H13 V9")
+    val Layout = icon("M2.5 3 H13.5 V13 H2.5 Z M2.5 8 H13.5 M6.5 3 V13")
+    val Help = icon("M5.5 6 A2.5 2.5 0 1 1 8 8.5 V10 M8 12.5 V12.6")
+    val Sun = icon("M8 5 A3 3 0 1 0 8 11 A3 3 0 1 0 8 5 M8 1.5 V2.5 M8 13.5 V14.5 M1.5 8 H2.5 M13.5 8 H14.5")
+    val Up = icon("M4 10 L8 6 L12 10")
+    val Down = icon("M4 6 L8 10 L12 6")
+    val Right = icon("M6 4 L10 8 L6 12")
+    val More = icon("M8 3.5 V3.6 M8 8 V8.1 M8 12.5 V12.6", width = 2f)
+    val Add = icon("M8 3 V13 M3 8 H13")
+    val Check = icon("M3 8.5 L6.5 12 L13 4.5")
+    val Warning = icon("M8 2.5 L14 13 H2 Z M8 6.5 V9.5 M8 11.3 V11.4")
+    val Copy = icon("M5.5 5.5 H13 V13.5 H5.5 Z M3 10.5 V2.5 H10.5")
+    val Reset = icon("M3 8 A5 5 0 1 0 5 4 M5 1.5 V4.5 H8")
+
+    private fun icon(path: String, width: Float = 1.4f): ImageVector =
+        ImageVector.Builder(defaultWidth = 16.dp, defaultHeight = 16.dp, viewportWidth = 16f, viewportHeight = 16f)
+            .addPath(
+                pathData = addPathNodes(path),
+                stroke = SolidColor(Color.Black),
+                strokeLineWidth = width,
+                strokeLineCap = StrokeCap.Round,
+                strokeLineJoin = StrokeJoin.Round,
+            )
+            .build()
+}

@@ -1,0 +1,48 @@
+package badlog.viewer.theme
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.border
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.foundation.text.BasicTextField
+import androidx.compose.material3.Icon
+import androidx.compose.material3.LocalTextStyle
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.graphics.SolidColor
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.dp
+
+/** A field of one line to search with; [hint] stands in it while it is empty. */
+@Composable
+internal fun SearchField(text: String, hint: String, modifier: Modifier = Modifier, onChange: (String) -> Unit) {
+    val palette = LocalPalette.current
+    Row(
+        modifier
+            .background(palette.raised, RoundedCornerShape(5.dp))
+            .border(1.dp, palette.border, RoundedCornerShape(5.dp))
+            .padding(horizontal = 8.dp, vertical = 5.dp),
+        horizontalArrangement = Arrangement.spacedBy(6.dp),
+        verticalAlignment = Alignment.CenterVertically,
+    ) {
+        Icon(Icons.Search, contentDescription = null, Modifier.size(14.dp), palette.muted)
+        Box(Modifier.weight(1f)) {
+            if (text.isEmpty()) Text(hint, color = palette.muted, maxLines = 1)
+            BasicTextField(
+                text,
+                onChange,
+                Modifier.semantics { contentDescription = hint },
+                textStyle = LocalTextStyle.current,
+                singleLine = true,
+                cursorBrush = SolidColor(palette.accent),
+            )
+        }
+    }
+}
