@@ -6,6 +6,7 @@ import androidx.compose.runtime.setValue
 import badlog.plot.Span
 import badlog.viewer.compare.Comparison
 import badlog.viewer.graph.GraphList
+import badlog.viewer.library.LibraryFolder
 import badlog.viewer.library.LibraryState
 import badlog.viewer.playback.Playback
 import badlog.viewer.recording.OpenRecording
@@ -61,4 +62,7 @@ internal class Viewer(val scope: CoroutineScope, val folders: UserFolders, setti
 
     /** Opens recordings. */
     val loading = RecordingLoading(this)
+
+    /** Keeps [library] as its folder is. */
+    val libraryFolder = LibraryFolder(this)
 }

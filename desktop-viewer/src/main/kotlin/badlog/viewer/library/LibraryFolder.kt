@@ -1,0 +1,102 @@
+package badlog.viewer.library
+
+import badlog.viewer.app.Viewer
+import badlog.viewer.library.index.IndexCache
+import badlog.viewer.library.index.IndexQueue
+import badlog.viewer.library.index.Indexing
+import java.nio.file.Path
+import kotlin.time.Duration.Companion.milliseconds
+import kotlin.time.Duration.Companion.seconds
+import kotlin.time.TimeMark
+import kotlin.time.TimeSource
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.Job
+import kotlinx.coroutines.delay
+import kotlinx.coroutines.launch
+import kotlinx.coroutines.withContext
+
+/** Keeps the window's library as its folder is. To be used on the window's thread only. */
+internal class LibraryFolder(private val viewer: Viewer) {
+    private var job: Job? = null
+    private var indexing: Indexing? = null
+
+    /**
+     * Shows the logs of [folder] and its sub-folders from now on.
+     *
+     * @param showsNewest whether its newest log is opened when nothing is open.
+     */
+    fun open(folder: Path, showsNewest: Boolean = true) {
+        val path = folder.toAbsolutePath().normalize()
+        close()
+        viewer.library = viewer.library.opening(path)
+        viewer.settings = viewer.settings.opened(path.toString())
+        val started = Indexing(path, IndexCache(viewer.folders.cache, path))
+        indexing = started
+        job = viewer.scope.launch {
+            launch { started.run() }
+            publish(started, showsNewest)
+        }
+    }
+
+    /** Forgets the folder; what is known of it is kept for the next time. */
+    fun close() {
+        job?.cancel()
+        job = null
+        indexing = null
+    }
+
+    /** Leaves the logs that wait unread. */
+    fun stopReading() {
+        indexing?.queue?.passOverWaiting()
+    }
+
+    /** Reads what [stopReading] left. */
+    fun readAll() {
+        indexing?.queue?.wantAll()
+    }
+
+    private suspend fun publish(indexing: Indexing, showsNewest: Boolean) {
+        val since = TimeSource.Monotonic.markNow()
+        var mayOpen = showsNewest
+        var shownQueue: IndexQueue? = null
+        var shownChanges = -1
+        while (true) {
+            val hasLooked = indexing.hasLooked
+            val queue = indexing.queue
+            val state = withContext(Dispatchers.Default) { queue.state() }
+            var library = viewer.library.copy(
+                hasLooked = hasLooked,
+                trouble = indexing.trouble,
+                passedOver = state.passedOver,
+                reading = if (state.waiting > 0) ReadingProgress(state.read, state.read + state.waiting) else null,
+            )
+            if (queue !== shownQueue || state.changes != shownChanges) library = library.knowing(state.entries)
+            shownQueue = queue
+            shownChanges = state.changes
+            if (library != viewer.library) viewer.library = library
+            if (mayOpen && hasLooked) mayOpen = !openNewest(queue, isComplete = state.waiting == 0, since)
+            // Sorting many logs again takes time that the window needs for other things.
+            delay(if (state.entries.size > MANY) PERIOD * 5 else PERIOD)
+        }
+    }
+
+    /** Opens the newest log once it is clear which one that is; returns whether there is nothing more to do. */
+    private fun openNewest(queue: IndexQueue, isComplete: Boolean, since: TimeMark): Boolean {
+        if (viewer.open != null || viewer.tasks.all.isNotEmpty()) return true
+        val newest = when {
+            isComplete -> viewer.library.newest
+            since.elapsedNow() > PATIENCE -> queue.newestKnown().firstOrNull { !it.isGrey }
+            else -> null
+        } ?: return false
+        viewer.openLog(newest)
+        return true
+    }
+
+    private companion object {
+        val PERIOD = 100.milliseconds
+        const val MANY = 2000
+
+        /** So long it may take to know all dates; then the file written last is taken for the newest log. */
+        val PATIENCE = 1.seconds
+    }
+}
