@@ -6,9 +6,6 @@ import badlog.viewer.library.index.IndexQueue
 import badlog.viewer.library.index.Indexing
 import java.nio.file.Path
 import kotlin.time.Duration.Companion.milliseconds
-import kotlin.time.Duration.Companion.seconds
-import kotlin.time.TimeMark
-import kotlin.time.TimeSource
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.Job
 import kotlinx.coroutines.delay
@@ -23,7 +20,7 @@ internal class LibraryFolder(private val viewer: Viewer) {
     /**
      * Shows the logs of [folder] and its sub-folders from now on.
      *
-     * @param showsNewest whether its newest log is opened when nothing is open.
+     * @param showsNewest whether its newest log is shown while nobody has opened another.
      */
     fun open(folder: Path, showsNewest: Boolean = true) {
         val path = folder.toAbsolutePath().normalize()
@@ -56,8 +53,7 @@ internal class LibraryFolder(private val viewer: Viewer) {
     }
 
     private suspend fun publish(indexing: Indexing, showsNewest: Boolean) {
-        val since = TimeSource.Monotonic.markNow()
-        var mayOpen = showsNewest
+        val newest = if (showsNewest) NewestShowing(viewer) else null
         var shownQueue: IndexQueue? = null
         var shownChanges = -1
         while (true) {
@@ -74,29 +70,14 @@ internal class LibraryFolder(private val viewer: Viewer) {
             shownQueue = queue
             shownChanges = state.changes
             if (library != viewer.library) viewer.library = library
-            if (mayOpen && hasLooked) mayOpen = !openNewest(queue, isComplete = state.waiting == 0, since)
+            if (hasLooked) newest?.update(queue, isComplete = state.waiting == 0)
             // Sorting many logs again takes time that the window needs for other things.
             delay(if (state.entries.size > MANY) PERIOD * 5 else PERIOD)
         }
     }
 
-    /** Opens the newest log once it is clear which one that is; returns whether there is nothing more to do. */
-    private fun openNewest(queue: IndexQueue, isComplete: Boolean, since: TimeMark): Boolean {
-        if (viewer.open != null || viewer.tasks.all.isNotEmpty()) return true
-        val newest = when {
-            isComplete -> viewer.library.newest
-            since.elapsedNow() > PATIENCE -> queue.newestKnown().firstOrNull { !it.isGrey }
-            else -> null
-        } ?: return false
-        viewer.openLog(newest)
-        return true
-    }
-
     private companion object {
         val PERIOD = 100.milliseconds
         const val MANY = 2000
-
-        /** So long it may take to know all dates; then the file written last is taken for the newest log. */
-        val PATIENCE = 1.seconds
     }
 }

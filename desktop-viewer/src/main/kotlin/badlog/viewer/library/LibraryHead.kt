@@ -12,6 +12,11 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.focus.focusRequester
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.input.key.KeyEventType
+import androidx.compose.ui.input.key.key
+import androidx.compose.ui.input.key.onPreviewKeyEvent
+import androidx.compose.ui.input.key.type
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.viewer.app.Viewer
@@ -38,7 +43,7 @@ internal fun LibraryHead(viewer: Viewer) {
     }
 }
 
-/** The field that filters the logs. */
+/** The field that filters the logs; Enter opens the first that is left, Escape lists all again. */
 @Composable
 internal fun LogSearch(viewer: Viewer, modifier: Modifier = Modifier) {
     val focus = remember { FocusRequester() }
@@ -49,9 +54,19 @@ internal fun LogSearch(viewer: Viewer, modifier: Modifier = Modifier) {
         if (asked != before[0]) focus.requestFocus()
         before[0] = asked
     }
-    SearchField(viewer.library.listing.filter, "Search logs", modifier.focusRequester(focus)) {
+    val keyed = modifier.focusRequester(focus).onPreviewKeyEvent { it.type == KeyEventType.KeyDown && onSearchKey(viewer, it.key) }
+    SearchField(viewer.library.listing.filter, "Search logs", keyed) {
         viewer.library = viewer.library.filtered(it)
     }
+}
+
+private fun onSearchKey(viewer: Viewer, key: Key): Boolean {
+    when (key) {
+        Key.Enter, Key.NumPadEnter -> viewer.library.visible.firstOrNull()?.let { viewer.openLog(it) }
+        Key.Escape -> viewer.library = viewer.library.filtered("")
+        else -> return false
+    }
+    return true
 }
 
 /** How many logs are listed. */

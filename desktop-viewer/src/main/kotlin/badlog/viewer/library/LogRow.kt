@@ -33,6 +33,7 @@ import androidx.compose.ui.unit.sp
 import badlog.viewer.library.index.LogEntry
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Palette
+import badlog.viewer.theme.Tip
 
 /** A log in the list: what match it is, when, how long and how it went, and a small line. */
 @Composable
@@ -66,14 +67,16 @@ internal fun LogRow(
                 AllianceMark(entry)
                 ProblemBadge(entry)
             }
-            Text(
-                rowFacts(entry, palette),
-                color = palette.muted,
-                fontSize = 12.sp,
-                lineHeight = 16.sp,
-                maxLines = 1,
-                overflow = TextOverflow.Ellipsis,
-            )
+            Tip("${entry.file}\n${dateText(entry.date)} ${entry.date.source.saying}") {
+                Text(
+                    rowFacts(entry, palette),
+                    color = palette.muted,
+                    fontSize = 12.sp,
+                    lineHeight = 16.sp,
+                    maxLines = 1,
+                    overflow = TextOverflow.Ellipsis,
+                )
+            }
             RowPreview(entry, previews, palette)
         }
     }

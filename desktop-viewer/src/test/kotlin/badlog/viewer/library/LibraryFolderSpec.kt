@@ -2,6 +2,7 @@ package badlog.viewer.library
 
 import badlog.viewer.app.Viewer
 import badlog.viewer.library.index.Content
+import badlog.viewer.library.index.IndexQueue
 import badlog.viewer.settings.UserFolders
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec
@@ -61,6 +62,21 @@ class LibraryFolderSpec : FunSpec({
         watching(folder) { viewer ->
             eventually(longest) { viewer.open.shouldNotBeNull().file shouldBe folder.resolve("5.bag") }
             viewer.library.selected shouldBe folder.resolve("5.bag")
+        }
+    }
+
+    test("a newer log takes the place of the one that was shown unasked, unless somebody is looking closer at that") {
+        val folder = tempdir().toPath()
+        folder.put("1.bag", bag(values = matchValues(1)))
+        watching(folder) { viewer ->
+            eventually(longest) { viewer.open.shouldNotBeNull().file shouldBe folder.resolve("1.bag") }
+            folder.put("2.bag", bag(values = matchValues(2)))
+            eventually(longest) { viewer.open.shouldNotBeNull().file shouldBe folder.resolve("2.bag") }
+            withContext(Dispatchers.Main) { viewer.viewport = viewer.viewport.showing(1.0, 2.0) }
+            folder.put("3.bag", bag(values = matchValues(3)))
+            eventually(longest) { viewer.library.newest?.fileName shouldBe "3.bag" }
+            withContext(Dispatchers.Main) { NewestShowing(viewer).update(IndexQueue(), isComplete = true) }
+            viewer.open.shouldNotBeNull().file shouldBe folder.resolve("2.bag")
         }
     }
 

@@ -66,6 +66,8 @@ class LibraryScreenSpec : FunSpec({
             onNodeWithContentDescription("Search logs").performTextInput("qual blue")
             shown(viewer) shouldContainExactly listOf("Qualification 42")
             onNodeWithText("1 of 4 logs").assertExists()
+            onNodeWithContentDescription("Search logs").performKeyInput { pressKey(Key.Enter) }
+            waitUntil(timeoutMillis = 30_000) { viewer.open?.file?.fileName.toString() == "qualification-42.bag" }
             onNodeWithContentDescription("Search logs").performTextInput(" nothing")
             onNodeWithText("List all logs").performClick()
             shown(viewer).size shouldBe 4

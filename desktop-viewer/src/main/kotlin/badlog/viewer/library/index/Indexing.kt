@@ -21,7 +21,7 @@ import kotlinx.coroutines.withContext
  * Knows the logs of [folder] and keeps knowing them: looks at the folder again and again, and reads what is new or has grown,
  * on all cores.
  *
- * A look costs about 10 ms for 1,000 files. Asking the system to tell of changes instead would cost less, but it tells of none
+ * A look costs about 2 ms for 1,000 files on a drive of the machine's own. Asking the system to tell of changes instead would cost less, but it tells of none
  * on network drives, and late on macOS.
  *
  * @param cache where what is known is kept; null to keep it nowhere.
@@ -138,7 +138,7 @@ internal class Indexing(
     }
 
     private companion object {
-        val LOOK_PERIOD: Duration = 400.milliseconds
+        val LOOK_PERIOD: Duration = 300.milliseconds
         val SAVE_PERIOD: Duration = 4.seconds
 
         /** Looking and saving take no more than a twentieth of the time. */

@@ -42,7 +42,7 @@ internal data class LogDate(val second: Long, val source: DateSource) {
  * @property saying the same, for people.
  */
 internal enum class DateSource(val saying: String) {
-    VALUES("from the log's values"),
-    FILE_NAME("from the file's name"),
-    FILE_TIME("when the file was written"),
+    VALUES("by the log’s values"),
+    FILE_NAME("by the file’s name"),
+    FILE_TIME("by the time at which the file was written"),
 }
