@@ -24,12 +24,16 @@ internal class LibraryFolder(private val viewer: Viewer) {
      */
     fun open(folder: Path, showsNewest: Boolean = true) {
         val path = folder.toAbsolutePath().normalize()
+        val before = job
+        val isSame = viewer.library.folder == path
         close()
         viewer.library = viewer.library.opening(path)
         viewer.settings = viewer.settings.opened(path.toString())
         val started = Indexing(path, IndexCache(viewer.folders.cache, path))
         indexing = started
         job = viewer.scope.launch {
+            // What is still being written into the cache of a folder is to be known when that is opened again.
+            if (isSame) before?.join()
             launch { started.run() }
             publish(started, showsNewest)
         }

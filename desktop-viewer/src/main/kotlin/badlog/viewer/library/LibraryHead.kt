@@ -54,7 +54,9 @@ internal fun LogSearch(viewer: Viewer, modifier: Modifier = Modifier) {
         if (asked != before[0]) focus.requestFocus()
         before[0] = asked
     }
-    val keyed = modifier.focusRequester(focus).onPreviewKeyEvent { it.type == KeyEventType.KeyDown && onSearchKey(viewer, it.key) }
+    val keyed = modifier
+        .focusRequester(focus)
+        .onPreviewKeyEvent { it.type == KeyEventType.KeyDown && onSearchKey(viewer, it.key) }
     SearchField(viewer.library.listing.filter, "Search logs", keyed) {
         viewer.library = viewer.library.filtered(it)
     }

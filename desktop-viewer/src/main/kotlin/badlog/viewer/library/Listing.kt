@@ -49,6 +49,7 @@ internal data class Listing(
         return compareBy<LogEntry> { column.isMissing(it) }
             .then { a, b -> if (column.isMissing(a)) 0 else present.compare(a, b) }
             .thenByDescending { it.date.second }
+            .thenByDescending { it.source.modified }
             .thenBy(NaturalOrder) { it.fileName }
             .thenBy { it.file }
     }

@@ -92,7 +92,8 @@ private fun RowPreview(entry: LogEntry, previews: Previews, palette: Palette) {
 
 private fun rowTitle(entry: LogEntry, palette: Palette): AnnotatedString = buildAnnotatedString {
     val colour = if (entry.isGrey) palette.muted else palette.text
-    withStyle(SpanStyle(colour, fontWeight = if (entry.isGrey) FontWeight.Normal else FontWeight.SemiBold)) { append(entry.title) }
+    val weight = if (entry.isGrey) FontWeight.Normal else FontWeight.SemiBold
+    withStyle(SpanStyle(colour, fontWeight = weight)) { append(entry.title) }
     if (entry.match.match != null) entry.match.event?.let { withStyle(SpanStyle(palette.muted)) { append("  $it") } }
 }
 

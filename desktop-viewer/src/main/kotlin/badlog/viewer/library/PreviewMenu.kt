@@ -34,7 +34,9 @@ internal fun PreviewMenu(viewer: Viewer) {
 private fun PreviewChoice(viewer: Viewer, onChosen: () -> Unit) {
     var filter by remember { mutableStateOf("") }
     val entries = viewer.library.entries
-    val names = remember(entries) { entries.flatMapTo(HashSet()) { entry -> entry.topics.map { it.name } }.sortedWith(NaturalOrder) }
+    val names = remember(entries) {
+        entries.flatMapTo(HashSet()) { entry -> entry.topics.map { it.name } }.sortedWith(NaturalOrder)
+    }
     val shown = names.filter { filter.lowercase() in it.lowercase() }
     // A menu measures its content before it knows its size, which a lazy list needs to be told.
     Column(Modifier.width(280.dp).padding(horizontal = 8.dp)) {

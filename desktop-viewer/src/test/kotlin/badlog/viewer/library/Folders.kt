@@ -14,7 +14,7 @@ internal fun bag(
     append("""{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"System/Battery Voltage","unit":"V","attrs":[]},""")
     append("""{"name":"Enabled","unit":"ul","attrs":[]}],"values":[$named]}""").append('\n')
     append("Time,System/Battery Voltage,Enabled\n")
-    for (row in 0 until rows) append(row * 0.02).append(',').append(voltage(row)).append(',').append(if (isEnabled) 1 else 0).append('\n')
+    for (row in 0 until rows) appendLine("${row * 0.02},${voltage(row)},${if (isEnabled) 1 else 0}")
 }
 
 /** The values of qualification [number] at the Mill Creek Regional. */

@@ -94,7 +94,8 @@ class LibraryStateSpec : FunSpec({
         val texts = Arb.string(0..6)
         checkAll(texts, texts, texts) { a, b, c ->
             Integer.signum(NaturalOrder.compare(a, b)) shouldBe -Integer.signum(NaturalOrder.compare(b, a))
-            if (NaturalOrder.compare(a, b) <= 0 && NaturalOrder.compare(b, c) <= 0) (NaturalOrder.compare(a, c) <= 0) shouldBe true
+            val (first, second, third) = listOf(a, b, c).sortedWith(NaturalOrder)
+            (NaturalOrder.compare(first, second) <= 0 && NaturalOrder.compare(first, third) <= 0) shouldBe true
         }
         listOf("m10", "M9", "m09", "m", "").sortedWith(NaturalOrder) shouldContainExactly listOf("", "m", "M9", "m09", "m10")
     }

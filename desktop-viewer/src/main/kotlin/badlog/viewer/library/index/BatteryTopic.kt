@@ -8,10 +8,11 @@ internal fun batteryTopic(topics: List<TopicSummary>): TopicSummary? {
     return volts.firstOrNull { baseName(it) == "battery voltage" }
         ?: volts.firstOrNull { "battery" in words(it.name) && ("volt" in words(it.name) || it.unit.lowercase().startsWith("v")) }
         ?: volts.firstOrNull { baseName(it) in OTHER_NAMES }
-        ?: volts.firstOrNull { name -> POWER_PANELS.any { it in words(name.name) } && "volt" in baseName(name) }
+        ?: volts.firstOrNull { topic -> POWER_PANELS.any { it in words(topic.name) } && "volt" in baseName(topic) }
 }
 
-private val OTHER_NAMES = setOf("batteryvoltage", "voltage battery", "input voltage", "system voltage", "robot voltage", "battery")
+private val OTHER_NAMES =
+    setOf("batteryvoltage", "voltage battery", "input voltage", "system voltage", "robot voltage", "battery")
 private val POWER_PANELS = listOf("pdp", "pdh", "power distribution")
 
 private fun isVolts(unit: String) = unit.trim().lowercase() in setOf("v", "volt", "volts", "ul", "")

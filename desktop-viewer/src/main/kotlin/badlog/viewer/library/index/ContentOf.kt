@@ -28,7 +28,10 @@ internal fun contentOf(
 private fun changes(topic: TopicSummary) = topic.statistics.count > 0 && topic.statistics.min != topic.statistics.max
 
 /** An event tells something, and so does a state that becomes another. */
-private fun tells(topic: Topic) = topic.texts.size > 0 && (topic.texts.size < topic.counts.total || topic.texts.dictionary.size > 1)
+private fun tells(topic: Topic): Boolean {
+    val texts = topic.texts
+    return texts.size > 0 && (texts.size < topic.counts.total || texts.dictionary.size > 1)
+}
 
 private fun isNeverEnabled(topic: TopicSummary): Boolean =
     PathName.baseNameOf(topic.name).replace('_', ' ').lowercase().substringAfterLast(':') in ENABLED &&

@@ -40,7 +40,8 @@ internal class FolderScan(val files: List<LogFile>, val unreadable: List<Path>) 
 
         override fun preVisitDirectory(folder: Path, attributes: BasicFileAttributes): FileVisitResult {
             val isNew = seen.add(attributes.fileKey() ?: folder.toRealPath())
-            return if (isNew && (folder == root || !isPassedOver(folder))) FileVisitResult.CONTINUE else FileVisitResult.SKIP_SUBTREE
+            val isWanted = isNew && (folder == root || !isPassedOver(folder))
+            return if (isWanted) FileVisitResult.CONTINUE else FileVisitResult.SKIP_SUBTREE
         }
 
         override fun visitFile(file: Path, attributes: BasicFileAttributes): FileVisitResult {

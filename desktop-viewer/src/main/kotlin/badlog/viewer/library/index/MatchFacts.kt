@@ -41,7 +41,9 @@ internal fun List<Value>.meant(vararg names: String): String? = firstOrNull { va
 }?.text?.trim()
 
 // Without a field, robots log what the driver station gives them.
-private fun isMeant(text: String) = text.isNotBlank() && text.trim().lowercase() !in setOf("0", "none", "null", "invalid", "unknown")
+private fun isMeant(text: String) = text.isNotBlank() && text.trim().lowercase() !in MEANINGLESS
+
+private val MEANINGLESS = setOf("0", "none", "null", "invalid", "unknown")
 
 private fun colour(text: String) = when {
     text.startsWith("red", ignoreCase = true) -> "Red"

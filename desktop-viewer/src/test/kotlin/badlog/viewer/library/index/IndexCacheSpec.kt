@@ -19,7 +19,8 @@ import java.util.zip.CRC32
 
 class IndexCacheSpec : FunSpec({
     val entries = List(20) {
-        entry("m$it.bag", MatchFacts("Event", "Final", "$it", "Red"), it * 1000L, topics = List(5) { i -> topic("Arm/$i", i + 0.5) })
+        val topics = List(5) { i -> topic("Arm/$i", i + 0.5) }
+        entry("m$it.bag", MatchFacts("Event", "Final", "$it", "Red"), it * 1000L, topics = topics)
     } + entry("broken.bag", content = Content.UNREADABLE).copy(trouble = "It is broken.", duration = null)
 
     /** Damage that the check sum does not tell. */

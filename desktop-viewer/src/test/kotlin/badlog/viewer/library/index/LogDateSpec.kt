@@ -49,6 +49,7 @@ class LogDateSpec : FunSpec({
 
     test("no text breaks it") {
         checkAll(Arb.string(0, 40)) { text -> date("a$text".replace('\u0000', 'x').replace('/', '-'), text) }
-        for (text in listOf("1e300", "999999999999999999999", "-99999999999", "NaN123456789", "2024-02-30T00:00:00")) date("a", text)
+        val odd = listOf("1e300", "999999999999999999999", "-99999999999", "NaN123456789", "2024-02-30T00:00:00")
+        for (text in odd) date("a", text)
     }
 })
