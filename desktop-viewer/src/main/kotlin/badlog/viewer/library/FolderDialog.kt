@@ -5,10 +5,11 @@ import java.awt.FileDialog
 import java.awt.Frame
 import java.nio.file.Path
 import javax.swing.JFileChooser
+import javax.swing.UIManager
 
 /** Asks for a folder and opens it. */
 internal fun chooseFolder(viewer: Viewer) {
-    val folder = if (isMac) chosenByMac(viewer.library.folder) else chosenBySwing(viewer.library.folder)
+    val folder = if (isSystem("Mac")) chosenByMac(viewer.library.folder) else chosenBySwing(viewer.library.folder)
     if (folder != null) viewer.libraryFolder.open(folder)
 }
 
@@ -36,6 +37,8 @@ private fun chosenByMac(current: Path?): Path? {
 }
 
 private fun chosenBySwing(current: Path?): Path? {
+    // On Windows alone the system's look brings the dialog that people know from elsewhere.
+    if (isSystem("Windows")) UIManager.setLookAndFeel(UIManager.getSystemLookAndFeelClassName())
     val chooser = JFileChooser(current?.toFile())
     chooser.dialogTitle = TITLE
     chooser.fileSelectionMode = JFileChooser.DIRECTORIES_ONLY
@@ -45,7 +48,7 @@ private fun chosenBySwing(current: Path?): Path? {
 
 private fun owner(): Frame? = Frame.getFrames().firstOrNull { it.isActive }
 
-private val isMac get() = System.getProperty("os.name").startsWith("Mac")
+private fun isSystem(name: String) = System.getProperty("os.name").startsWith(name)
 
 private const val TITLE = "Open a folder of logs"
 private const val MAC_FOLDERS = "apple.awt.fileDialogForDirectories"

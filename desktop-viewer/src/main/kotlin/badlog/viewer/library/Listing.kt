@@ -46,8 +46,8 @@ internal data class Listing(
 
     private fun order(): Comparator<LogEntry> {
         val present = if (isDescending) column.order.reversed() else column.order
-        return compareBy<LogEntry> { column.isMissing(it) }
-            .then { a, b -> if (column.isMissing(a)) 0 else present.compare(a, b) }
+        return compareBy<LogEntry> { !column.has(it) }
+            .then { a, b -> if (column.has(a)) present.compare(a, b) else 0 }
             .thenByDescending { it.date.second }
             .thenByDescending { it.source.modified }
             .thenBy(NaturalOrder) { it.fileName }

@@ -12,6 +12,7 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.width
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
@@ -60,7 +61,9 @@ internal fun LogRow(
                 selected = isOpen
             },
     ) {
-        Box(Modifier.padding(start = 2.dp, top = 3.dp)) { TickBox("Compare ${entry.fileName}", isTicked, onTick) }
+        Box(Modifier.width(28.dp).padding(start = 2.dp, top = 3.dp)) {
+            if (entry.isReadable) TickBox("Compare ${entry.fileName}", isTicked, onTick)
+        }
         Column(Modifier.weight(1f).padding(top = 6.dp, bottom = 6.dp, end = 12.dp)) {
             Row(horizontalArrangement = Arrangement.spacedBy(6.dp), verticalAlignment = Alignment.CenterVertically) {
                 Text(rowTitle(entry, palette), Modifier.weight(1f), maxLines = 1, overflow = TextOverflow.Ellipsis)

@@ -3,7 +3,6 @@ package badlog.viewer.library
 import badlog.plot.Span
 import badlog.viewer.library.index.LogEntry
 import badlog.viewer.library.index.TopicSummary
-import badlog.viewer.library.index.batteryTopic
 
 /**
  * Which topic each of [entries] previews: the one called [name], or else its battery's voltage. All are drawn to one scale, so
@@ -14,7 +13,7 @@ internal class Previews(entries: List<LogEntry>, private val name: String?) {
     val range: Span? = commonRange(entries.mapNotNull(::of).filter { it.statistics.count > 0 })
 
     /** What [entry] previews; null when it has no such topic. */
-    fun of(entry: LogEntry): TopicSummary? = if (name != null) entry.topic(name) else batteryTopic(entry.topics)
+    fun of(entry: LogEntry): TopicSummary? = (name ?: entry.batteryTopic)?.let(entry::topic)
 }
 
 /** Wide enough for nearly all of [topics]: a single log with a wild value must not flatten the others. */

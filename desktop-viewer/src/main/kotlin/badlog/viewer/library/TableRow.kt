@@ -115,7 +115,9 @@ internal fun TableRow(
             },
         verticalAlignment = Alignment.CenterVertically,
     ) {
-        Box(Modifier.width(TICK_WIDTH.dp).padding(start = 4.dp)) { TickBox("Compare ${entry.fileName}", isTicked, onTick) }
+        Box(Modifier.width(TICK_WIDTH.dp).padding(start = 4.dp)) {
+            if (entry.isReadable) TickBox("Compare ${entry.fileName}", isTicked, onTick)
+        }
         for (column in LogColumn.entries) {
             if (column == LogColumn.FILE) RowPreview(entry, previews, palette)
             val color = cellColour(entry, column, palette)

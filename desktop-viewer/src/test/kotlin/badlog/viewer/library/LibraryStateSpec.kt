@@ -55,7 +55,8 @@ class LibraryStateSpec : FunSpec({
             val distinct = entries.distinctBy { it.file }
             val sorted = (1..clicks).fold(LibraryState().knowing(distinct)) { state, _ -> state.sorted(column) }.visible
             sorted shouldContainExactlyInAnyOrder distinct
-            sorted.dropWhile { !column.isMissing(it) }.all { column.isMissing(it) } shouldBe true
+            sorted.dropWhile { column.has(it) }.none { column.has(it) } shouldBe true
+            for (entry in sorted) (column.text(entry) != null) shouldBe column.has(entry)
         }
     }
 

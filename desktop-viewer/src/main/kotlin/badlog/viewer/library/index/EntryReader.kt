@@ -19,6 +19,7 @@ internal class EntryReader(private val buffer: ByteBuffer, private val texts: Ar
         content = Content.entries[buffer.get().toInt()],
         trouble = text(),
         batteryMinimum = number(),
+        batteryTopic = text(),
         topics = List(buffer.count(TOPIC_BYTES)) { readTopic() },
     )
 
@@ -51,7 +52,7 @@ internal class EntryReader(private val buffer: ByteBuffer, private val texts: Ar
         private const val TOPIC_BYTES = 4 + 4 + 1 + 2 * 4 + 10 * 8 + PreviewLine.BYTES
 
         /** No entry has fewer bytes. */
-        const val LEAST_BYTES = 4 + 2 * 8 + 4 * 4 + 8 + 1 + 8 + 4 + 4 * 4 + 1 + 4 + 8 + 4
+        const val LEAST_BYTES = 4 + 2 * 8 + 4 * 4 + 8 + 1 + 8 + 4 + 4 * 4 + 1 + 4 + 8 + 4 + 4
 
         /** Seconds that are of a year with four digits. */
         private val PLAUSIBLE = -62_000_000_000L..250_000_000_000L

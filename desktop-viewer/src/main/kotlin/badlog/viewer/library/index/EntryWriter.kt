@@ -24,6 +24,7 @@ internal class EntryWriter(private val out: DataOutputStream, private val texts:
         out.writeByte(content.ordinal)
         text(trouble)
         out.writeDouble(batteryMinimum ?: Double.NaN)
+        text(batteryTopic)
         out.writeInt(topics.size)
         topics.forEach(::write)
     }

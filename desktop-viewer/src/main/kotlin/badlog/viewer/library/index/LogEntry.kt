@@ -16,6 +16,7 @@ import java.nio.file.Path
  * @property content whether there is anything to see.
  * @property trouble why it cannot be read, as a sentence; null when it can.
  * @property batteryMinimum the lowest voltage of the robot's battery, in volts; null when no topic tells.
+ * @property batteryTopic the name of that topic.
  * @property topics its topics with numbers, in the order of the file.
  */
 internal data class LogEntry(
@@ -29,6 +30,7 @@ internal data class LogEntry(
     val content: Content = Content.UNREADABLE,
     val trouble: String? = null,
     val batteryMinimum: Double? = null,
+    val batteryTopic: String? = null,
     val topics: List<TopicSummary> = emptyList(),
 ) {
     /** The file; absolute. */

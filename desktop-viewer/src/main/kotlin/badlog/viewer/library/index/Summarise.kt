@@ -52,6 +52,7 @@ private fun summaryOf(file: LogFile, view: LogView): LogEntry {
     val match = MatchFacts.of(recording.values, file.name)
     val time = view.xAxis.topic ?: timeTopic(recording)
     val duration = time?.let { lengthOf(it.samples) }
+    val battery = batteryTopic(topics)
     val trouble = if (recording.isReadable) null else recording.problems.last().message
     return LogEntry(
         source = file,
@@ -67,7 +68,8 @@ private fun summaryOf(file: LogFile, view: LogView): LogEntry {
             else -> Content.NO_LOG
         },
         trouble = trouble,
-        batteryMinimum = batteryTopic(topics)?.let { lowestVoltage(recording.topics, it.name) },
+        batteryMinimum = battery?.let { lowestVoltage(recording.topics, it.name) },
+        batteryTopic = battery?.name,
         topics = topics,
     )
 }

@@ -23,6 +23,7 @@ internal fun entry(
     rows = 7500,
     content = content,
     batteryMinimum = batteryMinimum,
+    batteryTopic = topics.firstOrNull()?.name,
     topics = topics,
 )
 
