@@ -10,6 +10,7 @@ import badlog.viewer.graph.PlotGesture
 import badlog.viewer.library.LibraryState
 import badlog.viewer.playback.Playback
 import badlog.viewer.recording.OpenRecording
+import badlog.viewer.recording.RecordingLoading
 import badlog.viewer.settings.Settings
 import badlog.viewer.settings.UserFolders
 import badlog.viewer.view.Viewport
@@ -64,4 +65,7 @@ internal class Viewer(val scope: CoroutineScope, val folders: UserFolders, setti
 
     /** What a person is waiting for. */
     val tasks = LongTasks(scope, notices)
+
+    /** Opens recordings. */
+    val loading = RecordingLoading(this)
 }
