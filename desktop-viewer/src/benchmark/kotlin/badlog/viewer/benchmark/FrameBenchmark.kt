@@ -1,14 +1,13 @@
 package badlog.viewer.benchmark
 
-import androidx.compose.ui.Modifier
 import badlog.analysis.LogView
 import badlog.recording.CellCounts
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
 import badlog.recording.TextColumn
 import badlog.recording.Topic
+import badlog.viewer.compare.drawnRecordings
 import badlog.viewer.graph.GraphPane
-import badlog.viewer.graph.plot.Plots
 import badlog.viewer.graph.standardGraphs
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.settings.Theme
@@ -20,10 +19,9 @@ import kotlin.random.Random
 
 /** How long frames take while a person zooms, pans, and moves the cursor over ten graphs of a million samples each. */
 internal fun measureFrames(pictures: Path): List<FrameTimes> {
-    val plots = Plots()
-    OffScreenWindow { viewer -> ViewerTheme(Theme.LIGHT) { GraphPane(viewer, Modifier, plots) } }.use { window ->
+    OffScreenWindow { viewer -> ViewerTheme(Theme.LIGHT) { GraphPane(viewer) } }.use { window ->
         val viewer = window.viewer
-        val isReady = { plots.areReady(viewer.viewport.visible) }
+        val isReady = { viewer.plots.areReady(viewer.drawnRecordings(), viewer.viewport.visible) }
         window.measure({
             val recording = OpenRecording(Path.of("ten-graphs.bag").toAbsolutePath(), tenMillionSamples())
             viewer.open = recording

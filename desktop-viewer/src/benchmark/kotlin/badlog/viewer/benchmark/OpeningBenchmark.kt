@@ -1,11 +1,8 @@
 package badlog.viewer.benchmark
 
-import androidx.compose.ui.Modifier
-import badlog.viewer.graph.GraphPane
-import badlog.viewer.graph.plot.Plots
+import badlog.viewer.app.ViewerScreen
+import badlog.viewer.compare.drawnRecordings
 import badlog.viewer.recording.RecordingLoading
-import badlog.viewer.settings.Theme
-import badlog.viewer.theme.ViewerTheme
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -20,11 +17,10 @@ internal class Opening(val seconds: Double, val megabytes: Double)
 /** Opens the bag that the first argument names, in a window that is there already, and prints what it took. */
 internal fun main(args: Array<String>) {
     val file = Path.of(args[0])
-    val plots = Plots()
-    OffScreenWindow { viewer -> ViewerTheme(Theme.LIGHT) { GraphPane(viewer, Modifier, plots) } }.use { window ->
+    OffScreenWindow { viewer -> ViewerScreen(viewer) }.use { window ->
         window.measure { true }
         val millis = window.measure({ RecordingLoading(window.viewer).open(file) }) {
-            window.viewer.open != null && plots.areReady(window.viewer.viewport.visible)
+            window.viewer.open != null && window.viewer.plots.areReady(window.viewer.drawnRecordings(), window.viewer.viewport.visible)
         }
         val peak = peakMegabytes()
         if (args.size > 1) window.save(Path.of(args[1]))
@@ -36,8 +32,9 @@ internal fun main(args: Array<String>) {
 /** Opens [file] in a Java of its own, with as much memory as the window's has. */
 internal fun measureOpening(file: Path, picture: Path): Opening {
     val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
+    val options = System.getProperty("badlog.viewer.options").split(' ')
     val process = ProcessBuilder(
-        listOf(java) + WINDOW_OPTIONS +
+        listOf(java) + options +
             listOf("-cp", System.getProperty("java.class.path"), "badlog.viewer.benchmark.OpeningBenchmarkKt", file.toString(), picture.toString()),
     ).redirectError(ProcessBuilder.Redirect.INHERIT).start()
     val output = process.inputStream.bufferedReader().readText()
@@ -52,6 +49,3 @@ private fun peakMegabytes(): Double {
     val line = Files.readAllLines(status).firstOrNull { it.startsWith("VmHWM:") } ?: return Double.NaN
     return line.filter { it.isDigit() }.toDouble() / 1000
 }
-
-/** How the window's Java is started. */
-private val WINDOW_OPTIONS = listOf("-XX:+UseParallelGC", "-Xmx1100m")

@@ -7,6 +7,7 @@ import badlog.plot.Span
 import badlog.viewer.compare.Comparison
 import badlog.viewer.graph.GraphList
 import badlog.viewer.graph.PlotGesture
+import badlog.viewer.graph.plot.Plots
 import badlog.viewer.library.LibraryState
 import badlog.viewer.playback.Playback
 import badlog.viewer.recording.OpenRecording
@@ -59,6 +60,9 @@ internal class Viewer(val scope: CoroutineScope, val folders: UserFolders, setti
 
     /** Which parts of the window are open. */
     var panels by mutableStateOf(Panels())
+
+    /** The pictures of the graphs. */
+    val plots = Plots()
 
     /** What the window has to say. */
     val notices = Notices()

@@ -32,7 +32,7 @@ internal fun YAxes(scene: GraphScene, state: PlotState, modifier: Modifier) {
     val style = remember(palette) { TextStyle(color = palette.muted, fontSize = 11.sp) }
     Spacer(
         modifier.drawBehind {
-            val picture = state.picture ?: return@drawBehind
+            val picture = scene.pictureOf(state) ?: return@drawBehind
             val left = GraphScene.LEFT_GUTTER.toPx()
             val right = size.width - scene.rightGutter.toPx()
             val margin = MARGIN * density
@@ -81,15 +81,17 @@ private fun DrawScope.drawNumbers(
 
 /** The lines behind a plot, at the ticks of the left axis and those of x. */
 internal fun DrawScope.drawGrid(picture: PlotPicture, visible: Span, palette: Palette) {
+    // Of the text's colour, so that it shows on shaded ground as well.
+    val colour = palette.text.copy(alpha = GRID_OPACITY)
     picture.axes.firstOrNull()?.let { axis ->
         for (value in axis.ticks.values) {
             val y = axis.pixelOf(value, picture.plotHeight)
-            drawLine(palette.grid, Offset(0f, y), Offset(size.width, y))
+            drawLine(colour, Offset(0f, y), Offset(size.width, y))
         }
     }
     for (value in xTicks(visible, size.width, density).values) {
         val x = pixelOf(value, visible, size.width)
-        drawLine(palette.grid, Offset(x, 0f), Offset(x, size.height))
+        drawLine(colour, Offset(x, 0f), Offset(x, size.height))
     }
 }
 
@@ -97,6 +99,7 @@ internal fun DrawScope.drawGrid(picture: PlotPicture, visible: Span, palette: Pa
 internal fun xTicks(visible: Span, width: Float, density: Float): Ticks =
     Ticks.of(visible.from, visible.to, (width / (DP_PER_X_TICK * density)).toInt().coerceAtLeast(1))
 
+private const val GRID_OPACITY = 0.08f
 private const val TEXTS = 64
 private const val MARGIN = 6
 private const val MOST_LETTERS = 40

@@ -25,11 +25,11 @@ internal fun CursorOverlay(scene: GraphScene, id: Int, state: PlotState) {
         Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind {
             val visible = viewer.viewport.visible
             viewer.selection?.let { drawSelection(it, visible, palette) }
-            viewer.gesture?.let { drawGesture(it, id, visible, state.picture, palette) }
+            viewer.gesture?.let { drawGesture(it, id, visible, scene.pictureOf(state), palette) }
             val cursor = viewer.cursor ?: return@drawBehind
             if (cursor !in visible) return@drawBehind
             drawCursorLine(cursor, visible, palette)
-            state.picture?.let { drawSamples(it, cursor, visible, palette) }
+            scene.pictureOf(state)?.let { drawSamples(it, cursor, visible, palette) }
         },
     )
 }

@@ -28,5 +28,5 @@ internal fun pixelOf(x: Double, visible: Span, width: Float): Float = ((x - visi
 
 private fun enabledColour(isAutonomous: Boolean, palette: Palette): Color {
     val base = if (isAutonomous) palette.line(4) else palette.line(2)
-    return base.copy(alpha = if (palette.isDark) 0.13f else 0.10f)
+    return base.copy(alpha = if (palette.isDark) 0.10f else 0.07f)
 }

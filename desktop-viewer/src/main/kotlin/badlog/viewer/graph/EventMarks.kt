@@ -37,7 +37,8 @@ internal class EventTimeline(events: List<Event>) {
         var index = firstAtOrAfter(span.from)
         while (index < positions.size && positions[index] <= span.to && count < pixels.size) {
             val pixel = ((positions[index] - span.from) / span.width * width).toInt()
-            pixels[count++] = pixel
+            // What was skipped to may be this pixel again, by rounding.
+            if (count == 0 || pixels[count - 1] != pixel) pixels[count++] = pixel
             index = maxOf(index + 1, firstAtOrAfter(span.from + (pixel + 1) * span.width / width))
         }
         return pixels.copyOf(count)

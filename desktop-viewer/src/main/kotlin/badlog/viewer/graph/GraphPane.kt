@@ -9,20 +9,19 @@ import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Modifier
 import badlog.viewer.app.Viewer
-import badlog.viewer.graph.plot.Plots
 import badlog.viewer.playback.PlaybackRunning
 import badlog.viewer.theme.LocalPalette
 
 /** The graphs of the open recording, with overview and playback. */
 @Composable
-internal fun GraphPane(viewer: Viewer, modifier: Modifier = Modifier, plots: Plots = remember(viewer) { Plots() }) {
+internal fun GraphPane(viewer: Viewer, modifier: Modifier = Modifier) {
     PlaybackRunning(viewer)
     val open = viewer.open
     if (open == null) {
         NothingOpen(modifier)
         return
     }
-    val scene = remember(viewer, plots) { GraphScene(viewer, plots) }
+    val scene = remember(viewer) { GraphScene(viewer) }
     Column(modifier.background(LocalPalette.current.surface)) {
         GraphToolbar(scene)
         Overview(scene)

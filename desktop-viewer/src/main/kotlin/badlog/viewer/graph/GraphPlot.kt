@@ -19,6 +19,7 @@ import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.rememberTextMeasurer
+import badlog.viewer.graph.plot.PlotPicture
 import badlog.viewer.graph.plot.PlotRequest
 import badlog.viewer.graph.plot.PlotState
 import badlog.viewer.graph.plot.drawLanes
@@ -49,7 +50,7 @@ internal fun GraphPlot(scene: GraphScene, spec: GraphSpec, modifier: Modifier) {
                 .onSizeChanged { state.size = it }
                 .pointerHoverIcon(PointerIcon.Crosshair)
                 .semantics { contentDescription = "Plot ${spec.title}" }
-                .plotPointer(scene, spec.id) { y, height -> yAt(state, y, height) },
+                .plotPointer(scene, spec.id) { y, height -> yAt(scene.pictureOf(state), y, height) },
         ) {
             Figure(scene, state)
             CursorOverlay(scene, spec.id, state)
@@ -66,7 +67,7 @@ private fun Figure(scene: GraphScene, state: PlotState) {
         Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind {
             val visible = scene.viewer.viewport.visible
             drawEnabled(scene.viewer.open?.enabled.orEmpty(), visible, palette)
-            val picture = state.picture ?: return@drawBehind
+            val picture = scene.pictureOf(state) ?: return@drawBehind
             drawGrid(picture, visible, palette)
             drawLines(picture, visible, palette)
             drawLanes(picture, visible, palette, letters)
@@ -76,8 +77,8 @@ private fun Figure(scene: GraphScene, state: PlotState) {
 }
 
 /** The value on the left axis at [y] pixels from the top of a plot; NaN where there is no axis. */
-private fun yAt(state: PlotState, y: Float, height: Float): Double {
-    val picture = state.picture ?: return Double.NaN
+private fun yAt(picture: PlotPicture?, y: Float, height: Float): Double {
+    if (picture == null) return Double.NaN
     val plotHeight = picture.plotHeight / picture.request.height * height
     return picture.axes.firstOrNull()?.valueAt(y.coerceIn(0f, plotHeight), plotHeight) ?: Double.NaN
 }

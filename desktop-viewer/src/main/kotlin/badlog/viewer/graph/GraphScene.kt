@@ -10,11 +10,14 @@ import badlog.analysis.Units
 import badlog.viewer.app.Viewer
 import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.compare.drawnRecordings
+import badlog.viewer.graph.plot.PlotPicture
+import badlog.viewer.graph.plot.PlotState
 import badlog.viewer.graph.plot.Plots
 import badlog.viewer.graph.plot.drawnLines
 
 /** What all graphs of a window share. */
-internal class GraphScene(val viewer: Viewer, val plots: Plots) {
+internal class GraphScene(val viewer: Viewer) {
+    val plots: Plots get() = viewer.plots
     val gestures = PlotGestures(viewer)
 
     /** What is drawn. */
@@ -30,6 +33,10 @@ internal class GraphScene(val viewer: Viewer, val plots: Plots) {
 
     /** The room at the right of all graphs: for the second axis, where any has one, and the scroll bar. */
     val rightGutter: Dp get() = if (hasRightAxis) 60.dp else 12.dp
+
+    /** What [state] has to draw; a picture of another file is as none. */
+    fun pictureOf(state: PlotState): PlotPicture? =
+        state.picture?.takeIf { it.request.recordings.firstOrNull()?.recording?.file == viewer.open?.file }
 
     private fun unitsOf(spec: GraphSpec) = drawnLines(spec, recordings)
         .filter { it.signal.states == null }

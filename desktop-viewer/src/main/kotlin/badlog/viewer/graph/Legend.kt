@@ -75,7 +75,7 @@ private fun LegendValue(scene: GraphScene, id: Int, line: DrawnLine) {
     val unit = remember(palette) { TextStyle(color = palette.muted, fontSize = 12.sp) }
     Spacer(
         Modifier.width(if (line.signal.states == null) 104.dp else 84.dp).height(17.dp).drawBehind {
-            val text = readingOf(scene.plots.state(id).picture, line, scene.viewer.cursor)
+            val text = readingOf(scene.pictureOf(scene.plots.state(id)), line, scene.viewer.cursor)
             val layout = letters.measure(
                 text.ifEmpty { unitText(line) },
                 if (text.isEmpty()) unit else style,

@@ -77,7 +77,7 @@ private fun DrawScope.drawWhole(scene: GraphScene, state: PlotState, palette: Pa
     val full = scene.viewer.viewport.full
     drawRect(palette.page)
     drawEnabled(scene.viewer.open?.enabled.orEmpty(), full, palette)
-    state.picture?.let { drawLines(it, full, palette) }
+    scene.pictureOf(state)?.let { drawLines(it, full, palette) }
     drawEventMarks(scene.events, full, palette, hasLines = false)
 }
 

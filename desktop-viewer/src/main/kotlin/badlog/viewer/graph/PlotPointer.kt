@@ -48,7 +48,7 @@ private class PlotPointer(
         val change = event.changes.first()
         when (event.type) {
             PointerEventType.Press -> press(event, change)
-            PointerEventType.Move -> move(change)
+            PointerEventType.Move, PointerEventType.Enter -> move(change)
             PointerEventType.Release -> release(change)
             PointerEventType.Scroll -> scroll(event, change)
             else -> Unit

@@ -5,6 +5,7 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.unit.IntSize
 import badlog.plot.Span
+import badlog.viewer.compare.DrawnRecording
 
 /** What a graph on the screen has: its size, and its latest picture. */
 internal class PlotState {
@@ -37,6 +38,8 @@ internal class Plots {
         onScreen.retainAll(ids)
     }
 
-    /** Whether every graph in sight has the picture for [visible]; false when none is in sight. */
-    fun areReady(visible: Span): Boolean = onScreen.isNotEmpty() && onScreen.all { state(it).picture?.request?.visible == visible }
+    /** Whether every graph in sight has the picture of [recordings] for [visible]; false when none is in sight. */
+    fun areReady(recordings: List<DrawnRecording>, visible: Span): Boolean = onScreen.isNotEmpty() && onScreen.all { id ->
+        state(id).picture?.request?.let { it.visible == visible && it.recordings == recordings } == true
+    }
 }
