@@ -3,6 +3,7 @@ package badlog.viewer
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.rememberCoroutineScope
+import androidx.compose.runtime.withFrameNanos
 import androidx.compose.ui.graphics.painter.BitmapPainter
 import androidx.compose.ui.graphics.toComposeImageBitmap
 import androidx.compose.ui.window.Window
@@ -13,6 +14,7 @@ import badlog.viewer.app.ViewerScreen
 import badlog.viewer.app.openFirst
 import badlog.viewer.app.placeOf
 import badlog.viewer.app.windowStateOf
+import badlog.viewer.graph.warmUpGraphs
 import badlog.viewer.settings.SettingsFile
 import badlog.viewer.settings.UserFolders
 import badlog.viewer.settings.keepSettings
@@ -47,6 +49,10 @@ fun main(args: Array<String>) {
             icon = icon,
         ) {
             ViewerScreen(viewer)
+            LaunchedEffect(viewer) {
+                withFrameNanos { }
+                warmUpGraphs(viewer.folders)
+            }
         }
         LaunchedEffect(viewer) {
             openFirst(viewer, start)

@@ -2,9 +2,11 @@ package badlog.viewer.benchmark
 
 import badlog.viewer.app.ViewerScreen
 import badlog.viewer.compare.drawnRecordings
+import badlog.viewer.graph.warmUpGraphs
 import badlog.viewer.recording.RecordingLoading
 import java.nio.file.Files
 import java.nio.file.Path
+import kotlinx.coroutines.launch
 
 /**
  * How long it takes from asking for a bag to the picture of its first graphs.
@@ -19,6 +21,9 @@ internal fun main(args: Array<String>) {
     val file = Path.of(args[0])
     OffScreenWindow { viewer -> ViewerScreen(viewer) }.use { window ->
         window.measure { true }
+        // As the window itself does once it is there.
+        val warmUp = window.viewer.scope.launch { warmUpGraphs(window.viewer.folders) }
+        window.measure { warmUp.isCompleted }
         val millis = window.measure({ RecordingLoading(window.viewer).open(file) }) {
             window.viewer.open != null && window.viewer.plots.areReady(window.viewer.drawnRecordings(), window.viewer.viewport.visible)
         }
