@@ -12,6 +12,8 @@ import badlog.viewer.recording.OpenRecording
 import badlog.viewer.recording.RecordingLoading
 import badlog.viewer.settings.Settings
 import badlog.viewer.settings.UserFolders
+import badlog.viewer.takeaway.FileChoice
+import badlog.viewer.takeaway.SystemFileChoice
 import badlog.viewer.view.Viewport
 import kotlinx.coroutines.CoroutineScope
 
@@ -21,8 +23,14 @@ import kotlinx.coroutines.CoroutineScope
  *
  * @param scope lives as long as the window, on its thread.
  * @property folders where the user's own files are.
+ * @property files asks for files and folders.
  */
-internal class Viewer(val scope: CoroutineScope, val folders: UserFolders, settings: Settings = Settings()) {
+internal class Viewer(
+    val scope: CoroutineScope,
+    val folders: UserFolders,
+    settings: Settings = Settings(),
+    val files: FileChoice = SystemFileChoice,
+) {
     /** What the person has chosen. */
     var settings by mutableStateOf(settings)
 
