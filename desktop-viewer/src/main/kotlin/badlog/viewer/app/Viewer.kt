@@ -6,6 +6,7 @@ import androidx.compose.runtime.setValue
 import badlog.plot.Span
 import badlog.viewer.compare.Comparison
 import badlog.viewer.graph.GraphList
+import badlog.viewer.layout.LayoutKeeping
 import badlog.viewer.library.LibraryState
 import badlog.viewer.playback.Playback
 import badlog.viewer.recording.OpenRecording
@@ -66,6 +67,9 @@ internal class Viewer(
 
     /** What a person is waiting for. */
     val tasks = LongTasks(scope, notices)
+
+    /** Remembers how the window is arranged. */
+    val layouts = LayoutKeeping(this)
 
     /** Opens recordings. */
     val loading = RecordingLoading(this)

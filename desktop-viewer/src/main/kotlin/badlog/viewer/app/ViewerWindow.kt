@@ -34,6 +34,7 @@ internal fun ApplicationScope.ViewerWindow(
     val icon = remember { windowIcon() }
     Window(
         onCloseRequest = {
+            viewer.layouts.keepNow()
             viewer.settings = viewer.settings.copy(window = placeOf(place, viewer.settings.window))
             try {
                 settingsFile.write(viewer.settings)
@@ -49,6 +50,7 @@ internal fun ApplicationScope.ViewerWindow(
         ViewerScreen(viewer)
         content(viewer)
     }
+    LaunchedEffect(viewer) { viewer.layouts.keep() }
     LaunchedEffect(viewer) {
         openFirst(viewer, start(viewer))
         keepSettings(viewer, settingsFile)
