@@ -6,6 +6,9 @@ import androidx.compose.runtime.setValue
 import badlog.plot.Span
 import badlog.viewer.compare.Comparison
 import badlog.viewer.graph.GraphList
+import badlog.viewer.graph.PlotGesture
+import badlog.viewer.graph.plot.Plots
+import badlog.viewer.layout.LayoutKeeping
 import badlog.viewer.library.LibraryFolder
 import badlog.viewer.library.LibraryState
 import badlog.viewer.playback.Playback
@@ -13,6 +16,8 @@ import badlog.viewer.recording.OpenRecording
 import badlog.viewer.recording.RecordingLoading
 import badlog.viewer.settings.Settings
 import badlog.viewer.settings.UserFolders
+import badlog.viewer.takeaway.FileChoice
+import badlog.viewer.takeaway.SystemFileChoice
 import badlog.viewer.view.Viewport
 import kotlinx.coroutines.CoroutineScope
 
@@ -22,8 +27,14 @@ import kotlinx.coroutines.CoroutineScope
  *
  * @param scope lives as long as the window, on its thread.
  * @property folders where the user's own files are.
+ * @property files asks for files and folders.
  */
-internal class Viewer(val scope: CoroutineScope, val folders: UserFolders, settings: Settings = Settings()) {
+internal class Viewer(
+    val scope: CoroutineScope,
+    val folders: UserFolders,
+    settings: Settings = Settings(),
+    val files: FileChoice = SystemFileChoice,
+) {
     /** What the person has chosen. */
     var settings by mutableStateOf(settings)
 
@@ -42,6 +53,12 @@ internal class Viewer(val scope: CoroutineScope, val folders: UserFolders, setti
     /** Where on x the cursor stands, the same in all graphs; null for nowhere. */
     var cursor by mutableStateOf<Double?>(null)
 
+    /** Whether the cursor stays where it is rather than going with the pointer. */
+    var isCursorPinned by mutableStateOf(false)
+
+    /** What is being dragged over a graph now, or null. */
+    var gesture by mutableStateOf<PlotGesture?>(null)
+
     /** The part of x that a person has marked, or null. */
     var selection by mutableStateOf<Span?>(null)
 
@@ -54,11 +71,17 @@ internal class Viewer(val scope: CoroutineScope, val folders: UserFolders, setti
     /** Which parts of the window are open. */
     var panels by mutableStateOf(Panels())
 
+    /** The pictures of the graphs. */
+    val plots = Plots()
+
     /** What the window has to say. */
     val notices = Notices()
 
     /** What a person is waiting for. */
     val tasks = LongTasks(scope, notices)
+
+    /** Remembers how the window is arranged. */
+    val layouts = LayoutKeeping(this)
 
     /** Opens recordings. */
     val loading = RecordingLoading(this)

@@ -4,11 +4,13 @@ import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.rememberCoroutineScope
+import androidx.compose.runtime.withFrameNanos
 import androidx.compose.ui.graphics.painter.BitmapPainter
 import androidx.compose.ui.graphics.toComposeImageBitmap
 import androidx.compose.ui.window.ApplicationScope
 import androidx.compose.ui.window.FrameWindowScope
 import androidx.compose.ui.window.Window
+import badlog.viewer.graph.warmUpGraphs
 import badlog.viewer.settings.SettingsFile
 import badlog.viewer.settings.UserFolders
 import badlog.viewer.settings.keepSettings
@@ -34,6 +36,7 @@ internal fun ApplicationScope.ViewerWindow(
     val icon = remember { windowIcon() }
     Window(
         onCloseRequest = {
+            viewer.layouts.keepNow()
             viewer.settings = viewer.settings.copy(window = placeOf(place, viewer.settings.window))
             try {
                 settingsFile.write(viewer.settings)
@@ -48,7 +51,12 @@ internal fun ApplicationScope.ViewerWindow(
     ) {
         ViewerScreen(viewer)
         content(viewer)
+        LaunchedEffect(viewer) {
+            withFrameNanos { }
+            warmUpGraphs(viewer.folders)
+        }
     }
+    LaunchedEffect(viewer) { viewer.layouts.keep() }
     LaunchedEffect(viewer) {
         openFirst(viewer, start(viewer))
         keepSettings(viewer, settingsFile)

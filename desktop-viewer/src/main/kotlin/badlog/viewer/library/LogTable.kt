@@ -80,7 +80,6 @@ private fun Table(viewer: Viewer) {
     val list = rememberLazyListState()
     val sideways = rememberScrollState()
     val focus = remember { FocusRequester() }
-    val clicks = remember { DoubleClick() }
     StayAtTop(list, visible)
     KeepInSight(list, visible.indexOfFirst { it.file == viewer.library.selected })
     LaunchedEffect(Unit) { focus.requestFocus() }
@@ -104,11 +103,11 @@ private fun Table(viewer: Viewer) {
                         isSelected = viewer.library.selected == entry.file,
                         isTicked = entry.file in viewer.comparison.ticked,
                         onTick = { toggleCompared(viewer, entry.file) },
-                        onClick = {
+                        onSelect = {
                             focus.requestFocus()
                             viewer.library = viewer.library.copy(selected = entry.file)
-                            if (clicks.isSecondOn(entry.file)) openFromTable(viewer, entry)
                         },
+                        onOpen = { openFromTable(viewer, entry) },
                     )
                 }
             }

@@ -2,6 +2,7 @@ package badlog.viewer.library
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.clickable
+import androidx.compose.foundation.gestures.detectTapGestures
 import androidx.compose.foundation.hoverable
 import androidx.compose.foundation.interaction.MutableInteractionSource
 import androidx.compose.foundation.interaction.collectIsHoveredAsState
@@ -18,12 +19,15 @@ import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.remember
+import androidx.compose.runtime.rememberUpdatedState
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.focusProperties
 import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.onClick
 import androidx.compose.ui.semantics.selected
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
@@ -96,9 +100,12 @@ internal fun TableRow(
     isSelected: Boolean,
     isTicked: Boolean,
     onTick: () -> Unit,
-    onClick: () -> Unit,
+    onSelect: () -> Unit,
+    onOpen: () -> Unit,
 ) {
     val palette = LocalPalette.current
+    val select by rememberUpdatedState(onSelect)
+    val open by rememberUpdatedState(onOpen)
     val interactions = remember { MutableInteractionSource() }
     val isHovered by interactions.collectIsHoveredAsState()
     Row(
@@ -107,11 +114,14 @@ internal fun TableRow(
             .height(28.dp)
             .background(rowColour(palette, isOpen = false, isSelected = isSelected, isHovered = isHovered))
             .hoverable(interactions)
-            .clickable(onClick = onClick)
-            .focusProperties { canFocus = false }
+            .pointerInput(Unit) { detectTapGestures(onPress = { select() }, onDoubleTap = { open() }) }
             .semantics {
                 contentDescription = "Log ${entry.fileName}"
                 selected = isSelected
+                onClick("Open") {
+                    open()
+                    true
+                }
             },
         verticalAlignment = Alignment.CenterVertically,
     ) {

@@ -6,12 +6,15 @@ import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.assertCountEquals
 import androidx.compose.ui.test.assertIsFocused
 import androidx.compose.ui.test.assertIsSelected
+import androidx.compose.ui.test.click
+import androidx.compose.ui.test.doubleClick
 import androidx.compose.ui.test.hasText
 import androidx.compose.ui.test.onAllNodesWithText
 import androidx.compose.ui.test.onNodeWithContentDescription
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performKeyInput
+import androidx.compose.ui.test.performMouseInput
 import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
@@ -116,11 +119,12 @@ class LibraryScreenSpec : FunSpec({
         }
     }
 
-    test("a second click on a row of the table opens it") {
+    test("a click on a row of the table selects it, a double click opens it") {
         onFolder(sampleFolder(), MainView.LOGS) { viewer ->
-            onNodeWithContentDescription("Log practice.bag").performClick()
+            onNodeWithContentDescription("Log practice.bag").performMouseInput { click() }
+            viewer.library.selected?.fileName.toString() shouldBe "practice.bag"
             viewer.panels.main shouldBe MainView.LOGS
-            onNodeWithContentDescription("Log practice.bag").performClick()
+            onNodeWithContentDescription("Log practice.bag").performMouseInput { doubleClick() }
             viewer.panels.main shouldBe MainView.GRAPHS
         }
     }
