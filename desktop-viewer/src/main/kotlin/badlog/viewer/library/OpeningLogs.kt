@@ -10,7 +10,7 @@ internal fun Viewer.openRecording(file: Path) = loading.open(file)
 /** Shows [entry], or says why it cannot be shown. */
 internal fun Viewer.openLog(entry: LogEntry) {
     library = library.copy(selected = entry.file)
-    if (entry.trouble == null) openRecording(entry.file) else notices.complain(entry.trouble)
+    if (entry.trouble == null) openRecording(entry.file) else notices.complain("${entry.fileName}: ${entry.trouble}")
 }
 
 /** Shows the log [steps] further down the list than the one that is selected. */
