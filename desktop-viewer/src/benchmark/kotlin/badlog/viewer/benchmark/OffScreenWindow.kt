@@ -19,16 +19,22 @@ internal class OffScreenWindow(content: @Composable (Viewer) -> Unit) : AutoClos
     val viewer = Viewer(CoroutineScope(SupervisorJob() + thread), UserFolders(home, home))
     private val scene = ImageComposeScene(WIDTH, HEIGHT, Density(1f), thread) { content(viewer) }
 
-    /** Draws frames until [isDone] and nothing is left to draw; gives the milliseconds this takes from [change] on. */
+    /**
+     * Draws frames until [isDone] and nothing is left to draw; gives the milliseconds this takes from [change] on. The first
+     * frame comes at once, the last as soon as it can, and those between no more often than a display of 120 Hz shows them.
+     */
     fun measure(change: () -> Unit = {}, isDone: () -> Boolean): Double {
         val start = System.nanoTime()
         change()
         Snapshot.sendApplyNotifications()
+        var drawn = Long.MIN_VALUE / 2
         while (true) {
             thread.runPending()
-            if (scene.hasInvalidations()) {
-                scene.render(System.nanoTime()).close()
-            } else if (isDone()) {
+            val isDue = System.nanoTime() - drawn >= DISPLAY_NANOS || isDone()
+            if (scene.hasInvalidations() && isDue) {
+                drawn = System.nanoTime()
+                scene.render(drawn).close()
+            } else if (!scene.hasInvalidations() && isDone()) {
                 break
             } else {
                 thread.await()
@@ -51,5 +57,6 @@ internal class OffScreenWindow(content: @Composable (Viewer) -> Unit) : AutoClos
     private companion object {
         const val WIDTH = 1600
         const val HEIGHT = 900
+        const val DISPLAY_NANOS = 1_000_000_000L / 120
     }
 }

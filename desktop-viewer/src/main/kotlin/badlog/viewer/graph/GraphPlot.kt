@@ -32,6 +32,7 @@ internal fun GraphPlot(scene: GraphScene, spec: GraphSpec, modifier: Modifier) {
     val state = scene.plots.state(spec.id)
     val latest by rememberUpdatedState(spec)
     val density = LocalDensity.current.density
+    val palette = LocalPalette.current
     DisposableEffect(spec.id) {
         scene.plots.show(spec.id, true)
         onDispose { scene.plots.show(spec.id, false) }
@@ -39,7 +40,7 @@ internal fun GraphPlot(scene: GraphScene, spec: GraphSpec, modifier: Modifier) {
     PictureKeeping(state, scene.plots.curves) {
         val size = state.size
         if (size.width <= 0 || size.height <= 0) null
-        else PlotRequest(latest, scene.recordings, scene.viewer.viewport.visible, size.width, size.height, density)
+        else PlotRequest(latest, scene.recordings, scene.viewer.viewport.visible, size.width, size.height, palette, density)
     }
     Box(modifier) {
         YAxes(scene, state, Modifier.fillMaxSize())
@@ -69,7 +70,7 @@ private fun Figure(scene: GraphScene, state: PlotState) {
             drawEnabled(scene.viewer.open?.enabled.orEmpty(), visible, palette)
             val picture = scene.pictureOf(state) ?: return@drawBehind
             drawGrid(picture, visible, palette)
-            drawLines(picture, visible, palette)
+            drawLines(picture, visible)
             drawLanes(picture, visible, palette, letters)
             drawEventMarks(scene.events, visible, palette)
         },

@@ -47,7 +47,7 @@ internal fun Overview(scene: GraphScene) {
     PictureKeeping(state, scene.plots.curves) {
         val size = state.size
         if (spec == null || size.width <= 0 || size.height <= 0) null
-        else PlotRequest(spec, scene.recordings.take(1), viewer.viewport.full, size.width, size.height, density)
+        else PlotRequest(spec, scene.recordings.take(1), viewer.viewport.full, size.width, size.height, palette, density)
     }
     Box(Modifier.fillMaxWidth().height(HEIGHT.dp).background(palette.surface)) {
         Box(
@@ -77,7 +77,7 @@ private fun DrawScope.drawWhole(scene: GraphScene, state: PlotState, palette: Pa
     val full = scene.viewer.viewport.full
     drawRect(palette.page)
     drawEnabled(scene.viewer.open?.enabled.orEmpty(), full, palette)
-    scene.pictureOf(state)?.let { drawLines(it, full, palette) }
+    scene.pictureOf(state)?.let { drawLines(it, full) }
     drawEventMarks(scene.events, full, palette, hasLines = false)
 }
 

@@ -23,7 +23,10 @@ internal fun PictureKeeping(state: PlotState, curves: CurveCache, request: () ->
     LaunchedEffect(state, curves) {
         snapshotFlow { latest() }.conflate().collect { wanted ->
             if (wanted != null && wanted != state.picture?.request) {
+                val before = state.picture
                 state.picture = withContext(Dispatchers.Default) { makePicture(wanted, curves) }
+                // Sixty images a second would fill the memory long before anything else collects them.
+                before?.image?.close()
             }
         }
     }

@@ -19,11 +19,13 @@ internal fun makePicture(request: PlotRequest, curves: CurveCache): PlotPicture 
     val points = numbers.map { pointsOf(it, request, curves) }
     val units = numbers.map { unitOf(it) }.distinct()
     val axes = axesOf(request, units, plotHeight) { unit -> points.filterIndexed { i, _ -> unitOf(numbers[i]) == unit } }
+    val lines = numbers.mapIndexed { i, line -> linePicture(line, units.indexOf(unitOf(line)), axes, points[i], plotHeight) }
     return PlotPicture(
         request = request,
         axes = axes,
-        lines = numbers.mapIndexed { i, line -> linePicture(line, units.indexOf(unitOf(line)), axes, points[i], plotHeight) },
+        lines = lines,
         lanes = states.map { lanePicture(it, request, curves) },
+        image = rasterOf(request, axes, lines, plotHeight),
         plotHeight = plotHeight,
     )
 }

@@ -1,6 +1,7 @@
 package badlog.viewer.graph.plot
 
 import badlog.plot.Span
+import org.jetbrains.skia.Image
 
 /**
  * A graph ready to be drawn: only pixels, nothing to be found out any more.
@@ -9,6 +10,7 @@ import badlog.plot.Span
  * @property axes the scales of y: the one at the left, the one at the right, and those of further units, which no axis shows.
  * @property lines the lines of numbers.
  * @property lanes the lanes of states, below the lines.
+ * @property image the lines as they are to be seen; null without any.
  * @property plotHeight how much of the height the lines have, in pixels; the lanes have the rest.
  */
 internal class PlotPicture(
@@ -16,6 +18,7 @@ internal class PlotPicture(
     val axes: List<YAxis>,
     val lines: List<LinePicture>,
     val lanes: List<LanePicture>,
+    val image: Image?,
     val plotHeight: Float,
 )
 

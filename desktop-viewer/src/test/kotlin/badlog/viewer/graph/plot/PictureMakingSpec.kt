@@ -8,6 +8,7 @@ import badlog.viewer.graph.bagOf
 import badlog.viewer.graph.readingOf
 import badlog.viewer.graph.recordingOf
 import badlog.viewer.recording.OpenRecording
+import badlog.viewer.theme.Palette
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.floats.plusOrMinus
@@ -18,7 +19,7 @@ import io.kotest.matchers.shouldBe
 class PictureMakingSpec : FunSpec({
     fun picture(recordings: List<DrawnRecording>, names: List<String>, visible: Span, yRange: Span? = null): PlotPicture {
         val spec = GraphSpec(1, "Graph", names.map(::LineSpec), yRange = yRange)
-        return makePicture(PlotRequest(spec, recordings, visible, width = 100, height = 50, density = 1f), CurveCache())
+        return makePicture(PlotRequest(spec, recordings, visible, width = 100, height = 50, Palette.LIGHT, density = 1f), CurveCache())
     }
     fun picture(recording: OpenRecording, visible: Span = recording.span, yRange: Span? = null) =
         picture(listOf(DrawnRecording(recording)), listOf("A/Voltage"), visible, yRange)
