@@ -12,6 +12,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
+import badlog.viewer.inspector.InspectorTabs
 import badlog.viewer.settings.Theme
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
@@ -39,6 +40,7 @@ internal fun TopBar(viewer: Viewer) {
             maxLines = 1,
             overflow = TextOverflow.Ellipsis,
         )
+        InspectorTabs(viewer)
         ToolButton("Theme: ${viewer.settings.theme.name.lowercase()}", Icons.Sun) {
             val themes = Theme.entries
             val next = themes[(viewer.settings.theme.ordinal + 1) % themes.size]

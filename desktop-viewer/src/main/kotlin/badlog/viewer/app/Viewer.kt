@@ -1,16 +1,22 @@
 package badlog.viewer.app
 
+import androidx.compose.runtime.derivedStateOf
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import badlog.plot.Span
 import badlog.viewer.compare.Comparison
+import badlog.viewer.compare.ComparisonLoading
+import badlog.viewer.compare.StatisticsChoice
 import badlog.viewer.graph.GraphList
+import badlog.viewer.inspector.EventFilter
+import badlog.viewer.inspector.MatchingEvents
 import badlog.viewer.library.LibraryState
 import badlog.viewer.playback.Playback
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.settings.Settings
 import badlog.viewer.settings.UserFolders
+import badlog.viewer.topic.TopicList
 import badlog.viewer.view.Viewport
 import kotlinx.coroutines.CoroutineScope
 
@@ -49,6 +55,18 @@ internal class Viewer(val scope: CoroutineScope, val folders: UserFolders, setti
     /** What is laid over the open recording. */
     var comparison by mutableStateOf(Comparison())
 
+    /** Which topics and statistics the table across recordings has. */
+    var statisticsChoice by mutableStateOf(StatisticsChoice())
+
+    /** How the list of topics is searched and folded, and which are chosen there. */
+    var topicList by mutableStateOf(TopicList())
+
+    /** Which events are listed and marked. */
+    var eventFilter by mutableStateOf(EventFilter())
+
+    /** The events of the open recording that [eventFilter] lets through. */
+    val matchingEvents: MatchingEvents by derivedStateOf { open?.events?.matching(eventFilter) ?: MatchingEvents.NONE }
+
     /** Which parts of the window are open. */
     var panels by mutableStateOf(Panels())
 
@@ -57,4 +75,7 @@ internal class Viewer(val scope: CoroutineScope, val folders: UserFolders, setti
 
     /** What a person is waiting for. */
     val tasks = LongTasks(scope, notices)
+
+    /** Reads what is compared. */
+    val comparisonLoading = ComparisonLoading(this)
 }

@@ -13,6 +13,7 @@ import androidx.compose.material3.VerticalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
+import badlog.viewer.compare.CompareBar
 import badlog.viewer.compare.StatisticsTable
 import badlog.viewer.graph.GraphPane
 import badlog.viewer.inspector.InspectorPane
@@ -74,7 +75,10 @@ private fun NarrowBody(viewer: Viewer) {
 private fun MainPart(viewer: Viewer, modifier: Modifier) {
     Box(modifier) {
         when (viewer.panels.main) {
-            MainView.GRAPHS -> GraphPane(viewer, Modifier.fillMaxSize())
+            MainView.GRAPHS -> Column(Modifier.fillMaxSize()) {
+                CompareBar(viewer)
+                GraphPane(viewer, Modifier.weight(1f).fillMaxWidth())
+            }
             MainView.LOGS -> LogTable(viewer, Modifier.fillMaxSize())
             MainView.STATISTICS -> StatisticsTable(viewer, Modifier.fillMaxSize())
         }

@@ -1,0 +1,4 @@
+package badlog.viewer.compare
+
+/** What the table of statistics shows; completed below. */
+internal class StatisticsChoice
