@@ -42,6 +42,17 @@ public class Series(public val x: DoubleArray, public val y: DoubleArray) {
         return low
     }
 
+    /** The index of the first sample after [position]; [size] when there is none. Needs an ordered series. */
+    internal fun firstAfter(position: Double): Int {
+        var low = 0
+        var high = size
+        while (low < high) {
+            val middle = (low + high) ushr 1
+            if (x[middle] <= position) low = middle + 1 else high = middle
+        }
+        return low
+    }
+
     /** The index of the sample nearest to [position], the earlier one of two equally near; -1 without samples. */
     public fun nearest(position: Double): Int {
         if (size == 0) return -1

@@ -32,19 +32,26 @@ public data class SeriesStatistics(
     public val integral: Double,
 )
 
-/** The statistics of the samples whose x lies from [from] to [to], both included. */
+/**
+ * The statistics of the samples whose x lies from [from] to [to], both included. In a series that is ordered it looks at
+ * those alone; it allocates one array for them.
+ */
 public fun Series.statistics(
     from: Double = Double.NEGATIVE_INFINITY,
     to: Double = Double.POSITIVE_INFINITY,
 ): SeriesStatistics {
-    val values = DoubleArray(size)
+    val begin = if (isOrdered) firstAtOrAfter(from) else 0
+    val end = if (isOrdered) firstAfter(to) else size
+    val values = DoubleArray(maxOf(0, end - begin))
     var count = 0
     var gaps = 0
+    var min = Double.NaN
+    var max = Double.NaN
     val area = TrapezoidSum()
     // Welford's recurrence (1962): mean and squares in one pass, without the cancellation of sums of squares.
     var mean = 0.0
     var squares = 0.0
-    for (i in 0 until size) {
+    for (i in begin until end) {
         if (x[i] !in from..to) {
             area.interrupt()
             continue
@@ -55,6 +62,8 @@ public fun Series.statistics(
             gaps++
             continue
         }
+        min = if (count == 0) value else minOf(min, value)
+        max = if (count == 0) value else maxOf(max, value)
         values[count++] = value
         val distance = value - mean
         mean += distance / count
@@ -62,27 +71,19 @@ public fun Series.statistics(
     }
     val first = if (count > 0) values[0] else Double.NaN
     val last = if (count > 0) values[count - 1] else Double.NaN
-    values.sort(0, count)
+    val percentiles = Percentiles(values, count)
     return SeriesStatistics(
         count = count,
         gaps = gaps,
-        min = if (count > 0) values[0] else Double.NaN,
-        max = if (count > 0) values[count - 1] else Double.NaN,
+        min = min,
+        max = max,
         mean = if (count > 0) mean else Double.NaN,
         standardDeviation = if (count > 1) sqrt(squares / (count - 1)) else Double.NaN,
-        percentile5 = percentile(values, count, 0.05),
-        median = percentile(values, count, 0.5),
-        percentile95 = percentile(values, count, 0.95),
+        percentile5 = percentiles.low,
+        median = percentiles.median,
+        percentile95 = percentiles.high,
         first = first,
         last = last,
         integral = if (count > 0) area.value else Double.NaN,
     )
-}
-
-private fun percentile(sorted: DoubleArray, count: Int, share: Double): Double {
-    if (count == 0) return Double.NaN
-    val place = share * (count - 1)
-    val below = place.toInt()
-    val above = minOf(below + 1, count - 1)
-    return sorted[below] + (sorted[above] - sorted[below]) * (place - below)
 }

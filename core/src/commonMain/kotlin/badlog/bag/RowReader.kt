@@ -24,6 +24,9 @@ internal class RowReader(
     private val repair = RowRepair(pending, cells, cellReader, columns, decoder, problems, endsInNewline)
     private val passedBefore = pending.passed
 
+    // For so many rows the columns have been made as large as need be.
+    private var roomyRows = SAMPLE_ROWS
+
     /** How many rows have been read. */
     var rowCount = 0
         private set
@@ -49,13 +52,21 @@ internal class RowReader(
     }
 
     private fun addRow(text: ByteArray) {
+        if (rowCount == roomyRows) makeRoom()
         cells.commit(columns, rowCount, text, pending.line)
         rowCount++
-        if (rowCount == SAMPLE_ROWS && expectedBytes > 0) {
-            val bytesPerRow = maxOf(1, (pending.passed - passedBefore) / SAMPLE_ROWS)
-            val rows = expectedBytes / bytesPerRow
-            for (column in columns) column.expect(minOf(rows + rows / 64, MOST_EXPECTED_ROWS).toInt())
-        }
+    }
+
+    /**
+     * Makes room for the rows that the file is likely to have. The first rows of a log are seldom like the others, so the
+     * guess is only trusted to some multiple of the rows it was made from, and made again when they are reached.
+     */
+    private fun makeRoom() {
+        val passed = pending.passed - passedBefore
+        if (passed >= expectedBytes) return
+        val likely = (rowCount * (expectedBytes.toDouble() / passed) * SPARE).toLong() + 1
+        roomyRows = minOf(likely, rowCount * MOST_GROWTH, Int.MAX_VALUE.toLong()).toInt()
+        for (column in columns) column.expect(roomyRows)
     }
 
     private fun giveUp(): Int {
@@ -81,8 +92,11 @@ internal class RowReader(
         const val LONGEST_SCAN = 1 shl 20
         const val LONGEST_ROW = 1 shl 24
 
-        /** So many rows are looked at to guess how many there will be. */
+        /** So many rows are looked at for the first guess of how many there will be. */
         const val SAMPLE_ROWS = 64
-        const val MOST_EXPECTED_ROWS = 1L shl 24
+        const val MOST_GROWTH = 16L
+
+        /** The rows to come may be a little shorter than those before. */
+        const val SPARE = 1 + 1.0 / 64
     }
 }

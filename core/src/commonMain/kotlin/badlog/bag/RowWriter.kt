@@ -32,14 +32,24 @@ public class RowWriter {
 
     /**
      * Writes the two header lines. The topics' order is that of the cells of every row. A newline in a topic's name, which
-     * would break the line of titles, becomes a space.
+     * would break the line of titles, becomes a space, and a NUL U+FFFD.
      */
     public fun header(header: BagHeader): RowWriter {
-        val topics = header.topics.map { it.copy(name = it.name.replace('\n', ' ').replace('\r', ' ')) }
-        encode(headerText(header.copy(topics = topics)), quotesDoubled = false)
+        val topics = header.topics.map { it.copy(name = titleOf(it.name)) }
+        return line(headerText(header.copy(topics = topics))).titles(topics.map { it.name })
+    }
+
+    /** Writes a line as it is; [text] has no line end. */
+    internal fun line(text: String): RowWriter {
+        encode(text, quotesDoubled = false)
         put(LF)
         rowStart = size
-        for (topic in topics) text(topic.name)
+        return this
+    }
+
+    /** Writes the line of titles. */
+    internal fun titles(names: List<String>): RowWriter {
+        for (name in names) text(titleOf(name))
         return endRow()
     }
 
@@ -62,6 +72,17 @@ public class RowWriter {
         return this
     }
 
+    /**
+     * Writes a cell with a number in as many digits as it takes to read the very same double again: `0.02`, `12.346`,
+     * `-7`, `1e-7`; infinities and NaN as [number] writes them.
+     */
+    public fun exact(value: Double): RowWriter {
+        beginCell()
+        reserve(ExactFormat.MAX_LENGTH)
+        size = ExactFormat.write(value, bytes, size)
+        return this
+    }
+
     /** Writes a cell with a whole number, all of its digits. */
     public fun integer(value: Long): RowWriter {
         beginCell()
@@ -78,14 +99,18 @@ public class RowWriter {
      * is read as one.
      */
     public fun text(value: String): RowWriter {
+        if (needsQuotes(value)) return quoted(value)
         beginCell()
-        if (!needsQuotes(value)) {
-            encode(value, quotesDoubled = false)
-        } else {
-            put(QUOTE)
-            encode(value, quotesDoubled = true)
-            put(QUOTE)
-        }
+        encode(value, quotesDoubled = false)
+        return this
+    }
+
+    /** Writes a cell with a text in quotes, whether it needs them or not. */
+    internal fun quoted(value: String): RowWriter {
+        beginCell()
+        put(QUOTE)
+        encode(value, quotesDoubled = true)
+        put(QUOTE)
         return this
     }
 
@@ -120,7 +145,7 @@ public class RowWriter {
 
     private fun needsQuotes(text: String): Boolean {
         if (text.isEmpty()) return false
-        if (text.first() == ' ' || text.last() == ' ') return true
+        if (text.first().isWhitespace() || text.last().isWhitespace()) return true
         for (char in text) if (char == ',' || char == '"' || char == '\n' || char == '\r') return true
         return false
     }
@@ -171,7 +196,11 @@ public class RowWriter {
         if (size + more > bytes.size) bytes = bytes.copyOf(maxOf(bytes.size * 2, size + more))
     }
 
-    private companion object {
-        const val REPLACEMENT = 0xFFFD
+    internal companion object {
+        private const val REPLACEMENT = 0xFFFD
+
+        /** The title of a topic named [name]: the same but for what a line of titles cannot hold. */
+        fun titleOf(name: String): String =
+            name.replace('\n', ' ').replace('\r', ' ').replace(NUL.toChar(), REPLACEMENT.toChar())
     }
 }

@@ -14,7 +14,7 @@ import io.kotest.property.checkAll
 import kotlin.random.Random
 
 /** The pieces that bags, and broken bags, are made of: far more telling than random bytes alone. */
-private val FRAGMENTS = listOf(
+internal val FRAGMENTS = listOf(
     "1", "-2.5", "1e5", "12.346", "abc", "\"", "\"\"", ",", ",", ",", "\n", "\n", "\r", "\r\n", "\u0000", "\u0000\u0000",
     "true", "NaN", "null", "\"1,5\"", "\"a,b\"", " ", "Ω", "{", "}", "[",
 )

@@ -5,7 +5,10 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb
 import io.kotest.property.arbitrary.double
+import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.list
+import io.kotest.property.arbitrary.long
+import io.kotest.property.arbitrary.map
 import io.kotest.property.arbitrary.string
 import io.kotest.property.checkAll
 
@@ -53,6 +56,40 @@ class RowWriterSpec : FunSpec({
             .microseconds(-1.0e19).microseconds(Double.NaN).endRow()
             .written() shouldBe "100.020000,0.300000,0.000000,-2.500000,1.000000,0.000000,1772000000.123500," +
             "1772000000000000.000000,-1.0000e+19,NaN\n"
+    }
+
+    test("exact numbers are written as a person would") {
+        val numbers = listOf(
+            0.0 to "0", -0.0 to "-0", 1.0 to "1", -7.0 to "-7", 0.02 to "0.02", 100.02 to "100.02", 12.346 to "12.346",
+            1e5 to "100000", 1.0e15 to "1000000000000000", 9007199254740991.0 to "9007199254740991", 1e22 to "1e22",
+            1.2346e30 to "1.2346e30", 1e-4 to "0.0001", 1.2346e-5 to "1.2346e-5", 1e-7 to "1e-7", -1.5e-300 to "-1.5e-300",
+            0.1 + 0.2 to "0.30000000000000004", 12345678.123456789 to "12345678.12345679", 1.0 / 3 to "0.3333333333333333",
+            1.7976931348623157e308 to "1.7976931348623157e308", 123456789012.34567 to "123456789012.34567",
+            Double.NaN to "NaN", Double.POSITIVE_INFINITY to "Infinity", Double.NEGATIVE_INFINITY to "-Infinity",
+        )
+        for ((number, text) in numbers) RowWriter().exact(number).endRow().written() shouldBe "$text\n"
+    }
+
+    test("any exact number is read again to the last bit") {
+        val shapes = listOf(
+            Arb.long().map { Double.fromBits(it) },
+            Arb.double(-1e6, 1e6),
+            Arb.int().map { it / 1e6 },
+            Arb.long().map { it.toDouble() },
+        )
+        for (shape in shapes) {
+            checkAll(2000, shape) { number ->
+                val recording = parse(RowWriter().text("a").text("b").endRow().exact(number).integer(1).endRow().written())
+                val read = recording.topics[0].samples.firstOrNull() ?: Double.NaN
+                read.toBits() shouldBe number.toBits()
+            }
+        }
+    }
+
+    test("a title's blanks of any sort at its ends are its own") {
+        for (name in listOf(" a", "a ", "\ta", "a\u00A0")) {
+            parse(RowWriter().header(BagHeader(listOf(BagTopic(name), BagTopic("b")))).written()).topics[0].name shouldBe name
+        }
     }
 
     test("whole numbers keep all their digits, and truth values are words") {

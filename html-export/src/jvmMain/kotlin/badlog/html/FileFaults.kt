@@ -1,5 +1,7 @@
 package badlog.html
 
+import badlog.file.UnreadableFileException
+import badlog.file.requireRegularFile
 import java.io.FilterInputStream
 import java.io.IOException
 import java.io.InputStream
@@ -7,7 +9,6 @@ import java.nio.channels.ClosedByInterruptException
 import java.nio.file.AccessDeniedException
 import java.nio.file.FileAlreadyExistsException
 import java.nio.file.Files
-import java.nio.file.NoSuchFileException
 import java.nio.file.Path
 
 /** A stream of [file] whose failures say that it is this file that cannot be read. */
@@ -16,18 +17,12 @@ internal class ReadGuard(private val file: Path, stream: InputStream) : FilterIn
 }
 
 /** Runs [work], which reads [file]; its failures become [ExportException.Unreadable]. */
-internal fun <T> reading(file: Path, work: () -> T): T = try {
+internal fun <T> reading(file: Path, work: () -> T): T = refusing { badlog.file.reading(file, work) }
+
+private fun <T> refusing(work: () -> T): T = try {
     work()
-} catch (_: ClosedByInterruptException) {
-    Thread.interrupted()
-    throw InterruptedException()
-} catch (e: IOException) {
-    val message = when (e) {
-        is NoSuchFileException -> "There is no file $file; look for a typing error in its name."
-        is AccessDeniedException -> "$file cannot be read: you have no permission to; copy it, or ask its owner."
-        else -> "$file cannot be read (${e.message}); try to copy it to this computer's disk first."
-    }
-    throw ExportException.Unreadable(file, message, e)
+} catch (e: UnreadableFileException) {
+    throw ExportException.Unreadable(e.file, e.message, e.cause)
 }
 
 /** Runs [work], which writes [page]; its failures become [ExportException.Unwritable]. */
@@ -49,13 +44,7 @@ internal fun <T> writing(page: Path, work: () -> T): T = try {
 }
 
 /** Looks before any work whether [file] is there and is a file. */
-internal fun checkReadable(file: Path) {
-    if (Files.isDirectory(file)) throw ExportException.Unreadable(file, "$file is a folder, where a file is expected.")
-    reading(file) { file.toRealPath() }
-    if (!Files.isRegularFile(file)) {
-        throw ExportException.Unreadable(file, "$file is no ordinary file; copy what it holds into a file first.")
-    }
-}
+internal fun checkReadable(file: Path) = refusing { requireRegularFile(file) }
 
 /** Looks before any work whether [page] may be written while [files] are read. */
 internal fun checkWritable(page: Path, files: List<Path>) {

@@ -3,6 +3,7 @@ package badlog.html
 import badlog.analysis.matchTitle
 import badlog.bag.BagParser
 import badlog.bag.FileSignature
+import badlog.file.GzipReader
 import badlog.recording.ProblemKind
 
 /**

@@ -1,5 +1,6 @@
 package badlog.html
 
+import badlog.file.GzipReader
 import java.io.InputStream
 import java.util.concurrent.Future
 

@@ -1,11 +1,9 @@
 package badlog.html
 
 import badlog.bag.BagParser
-import badlog.recording.Problem
+import badlog.file.withGzipCut
 import badlog.recording.ProblemKind
-import badlog.recording.Recording
 import java.io.ByteArrayInputStream
-import java.io.IOException
 import java.io.InputStream
 import java.io.SequenceInputStream
 import java.nio.file.Files
@@ -73,7 +71,8 @@ class HtmlExporter(
                 attachments.forEach { attach(it, writer, threads) }
                 embedded
             }
-            val recording = withCut(parser.finish(), embedded)
+            val parsed = parser.finish()
+            val recording = if (embedded.isCut) parsed.withGzipCut(embedded.inflatedBytes) else parsed
             recording.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }?.let { problem ->
                 throw ExportException.NotARecording(input, "$input: ${problem.message}")
             }
@@ -87,21 +86,5 @@ class HtmlExporter(
         reading(file) { Files.newInputStream(file) }.use { stream ->
             writer.attachment(file.fileName.toString()) { RawEmbedding(threads, it).embed(ReadGuard(file, stream)) }
         }
-    }
-
-    private fun withCut(recording: Recording, file: EmbeddedFile): Recording {
-        if (!file.isCut) return recording
-        val problem = Problem(
-            ProblemKind.GZIP_CUT,
-            "The compressed file is cut off or damaged; the ${file.inflatedBytes} bytes before that were read.",
-        )
-        return Recording(
-            recording.format,
-            recording.headerLine,
-            recording.values,
-            recording.topics,
-            recording.rowCount,
-            listOf(problem) + recording.problems,
-        )
     }
 }

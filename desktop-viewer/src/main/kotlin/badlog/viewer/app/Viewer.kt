@@ -14,6 +14,7 @@ import badlog.viewer.inspector.MatchingEvents
 import badlog.viewer.library.LibraryState
 import badlog.viewer.playback.Playback
 import badlog.viewer.recording.OpenRecording
+import badlog.viewer.recording.RecordingLoading
 import badlog.viewer.settings.Settings
 import badlog.viewer.settings.UserFolders
 import badlog.viewer.topic.TopicList
@@ -78,4 +79,13 @@ internal class Viewer(val scope: CoroutineScope, val folders: UserFolders, setti
 
     /** Reads what is compared. */
     val comparisonLoading = ComparisonLoading(this)
+
+    /** Opens recordings. */
+    val loading = RecordingLoading(this)
+
+    /** Who hears the keys. */
+    val keyboard = Keyboard()
+
+    /** What they do. */
+    val commands: List<Command> = allCommands(this)
 }

@@ -11,6 +11,7 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.width
 import androidx.compose.material3.VerticalDivider
 import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import badlog.viewer.compare.CompareBar
@@ -27,12 +28,19 @@ import badlog.viewer.topic.TopicPane
 @Composable
 internal fun ViewerScreen(viewer: Viewer) {
     ViewerTheme(viewer.settings.theme) {
-        Column(Modifier.fillMaxSize().background(LocalPalette.current.page)) {
-            TopBar(viewer)
-            BoxWithConstraints(Modifier.weight(1f).fillMaxWidth()) {
-                if (maxWidth < NARROW) NarrowBody(viewer) else WideBody(viewer)
+        viewer.keyboard.Watch {
+            Column(Modifier.fillMaxSize().background(LocalPalette.current.page)) {
+                TopBar(viewer)
+                BoxWithConstraints(Modifier.weight(1f).fillMaxWidth()) {
+                    if (maxWidth < NARROW) NarrowBody(viewer) else WideBody(viewer)
+                    if (viewer.panels.help) {
+                        HelpSheet(viewer.commands, PANEL_GESTURES, Modifier.align(Alignment.TopCenter)) {
+                            viewer.panels = viewer.panels.copy(help = false)
+                        }
+                    }
+                }
+                StatusBar(viewer)
             }
-            StatusBar(viewer)
         }
     }
 }

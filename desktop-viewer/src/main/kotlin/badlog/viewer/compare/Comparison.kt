@@ -20,11 +20,15 @@ internal data class Comparison(
     val handOffsets: Map<Path, Double> = emptyMap(),
 ) {
     /** Adds [file] at the end, where it is not there yet. */
-    fun with(file: Path): Comparison = if (file in ticked) this else copy(ticked = ticked + file)
+    fun with(file: Path): Comparison = if (file in ticked) this else copy(ticked = ticked.plusElement(file))
 
     /** Takes [file] out, and lets go of what was read of it. */
-    fun without(file: Path): Comparison =
-        copy(ticked = ticked - file, loaded = loaded - file, handOffsets = handOffsets - file)
+    fun without(file: Path): Comparison = copy(
+        // Not by minus: a path is also the collection of its parts.
+        ticked = ticked.filter { it != file },
+        loaded = loaded.filterKeys { it != file },
+        handOffsets = handOffsets.filterKeys { it != file },
+    )
 
     /** Keeps [recording], where its file is still ticked. */
     fun withLoaded(recording: OpenRecording): Comparison =

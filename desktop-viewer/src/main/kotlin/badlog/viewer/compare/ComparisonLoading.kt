@@ -1,12 +1,10 @@
 package badlog.viewer.compare
 
 import badlog.analysis.LogView
-import badlog.bag.BagParser
+import badlog.file.readRecording
 import badlog.viewer.app.Viewer
 import badlog.viewer.recording.OpenRecording
 import java.io.IOException
-import java.nio.file.Files
-import java.nio.file.NoSuchFileException
 import java.nio.file.Path
 import kotlinx.coroutines.Job
 
@@ -39,7 +37,7 @@ internal class ComparisonLoading(private val viewer: Viewer) {
     }
 
     private fun load(file: Path) {
-        val job = viewer.tasks.run("Reading ${file.fileName} to compare", { read(file) }) {
+        val job = viewer.tasks.run("Reading ${file.fileName} to compare", { progress -> read(file, progress) }) {
             viewer.comparison = viewer.comparison.withLoaded(it)
         }
         jobs[file] = job
@@ -51,20 +49,10 @@ internal class ComparisonLoading(private val viewer: Viewer) {
         }
     }
 
-    private fun read(file: Path): OpenRecording {
-        val view = LogView.of(recordingIn(file))
-        if (!view.recording.isReadable) throw IOException("${file.fileName} is no log that can be read; it is not compared.")
+    private fun read(file: Path, progress: (Float) -> Unit): OpenRecording {
+        val recording = readRecording(file) { done, total -> if (total > 0) progress(done.toFloat() / total) }
+        if (!recording.isReadable) throw IOException("${file.fileName} is no log that can be read; it is not compared.")
         // Asked for by every frame once it is drawn.
-        return OpenRecording(file, view).also { it.enabled }
-    }
-
-    private fun recordingIn(file: Path) = try {
-        val parser = BagParser(Files.size(file))
-        parser.accept(Files.readAllBytes(file))
-        parser.finish()
-    } catch (_: NoSuchFileException) {
-        throw IOException("${file.fileName} is not there any more; it is not compared.")
-    } catch (e: IOException) {
-        throw IOException("${file.fileName} cannot be read, so it is not compared (${e.message}).", e)
+        return OpenRecording(file, LogView.of(recording)).also { it.enabled }
     }
 }

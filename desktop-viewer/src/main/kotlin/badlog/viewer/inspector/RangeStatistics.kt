@@ -4,6 +4,7 @@ import badlog.analysis.SeriesStatistics
 import badlog.analysis.Units
 import badlog.analysis.statistics
 import badlog.plot.Span
+import badlog.recording.Topic
 import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.topic.exactText
 import badlog.viewer.topic.figureText
@@ -36,9 +37,8 @@ internal fun rangeStatistics(drawn: List<DrawnRecording>, names: List<String>, s
             if (signal.series.size == 0) return@mapNotNull null
             val statistics = signal.series.statistics(span.from - offset, span.to - offset)
             val areaUnit = Units.ofIntegral(signal.unit, recording.view.xAxis.unit)
-            // Of truth values the mean is the share that is true.
-            val states = signal.states.takeIf { it != TRUTH }
-            val figures = if (states != null) figuresOf(statistics, states) else figuresOf(statistics, signal.unit, areaUnit)
+            val states = signal.states.orEmpty()
+            val figures = if (signal.hasFigures) figuresOf(statistics, signal.unit, areaUnit) else figuresOf(statistics, states)
             SignalStatistics(name, signal.unit, if (drawn.size > 1) recording.label else "", figures)
         }
     }
@@ -58,14 +58,14 @@ private fun figuresOf(statistics: SeriesStatistics, unit: String, areaUnit: Stri
     Figure("first", exactText(statistics.first), unit),
     Figure("last", exactText(statistics.last), unit),
     Figure("change", figureText(statistics.last - statistics.first), unit),
-    Figure("samples", statistics.count.toString() + if (statistics.gaps > 0) " + ${countText(statistics.gaps, "gap")}" else "", "ul"),
+    Figure("samples", statistics.count.toString() + if (statistics.gaps > 0) " + ${countText(statistics.gaps, "gap")}" else "", Topic.UNITLESS),
 )
 
 // What the numbers of states add up to means nothing.
 private fun figuresOf(statistics: SeriesStatistics, states: List<String>) = listOf(
-    Figure("first", stateText(statistics.first, states), "ul"),
-    Figure("last", stateText(statistics.last, states), "ul"),
-    Figure("samples", statistics.count.toString(), "ul"),
+    Figure("first", stateText(statistics.first, states), Topic.UNITLESS),
+    Figure("last", stateText(statistics.last, states), Topic.UNITLESS),
+    Figure("samples", statistics.count.toString(), Topic.UNITLESS),
 )
 
 private fun stateText(value: Double, states: List<String>) = if (value.isNaN()) "–" else states.getOrElse(value.toInt()) { "–" }
@@ -82,5 +82,3 @@ internal fun RangeStatistics.toTsv(): String {
         line.joinToString("\t") { cell -> cell.replace('\t', ' ').replace('\n', ' ').replace('\r', ' ') }
     }
 }
-
-private val TRUTH = listOf("false", "true")

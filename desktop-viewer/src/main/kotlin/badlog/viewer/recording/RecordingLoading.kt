@@ -1,28 +1,35 @@
 package badlog.viewer.recording
 
 import badlog.analysis.LogView
-import badlog.bag.BagParser
+import badlog.file.readRecording
 import badlog.viewer.app.Viewer
 import badlog.viewer.graph.standardGraphs
 import badlog.viewer.view.Viewport
-import java.nio.file.Files
 import java.nio.file.Path
 import kotlinx.coroutines.Job
+import kotlinx.coroutines.launch
 
-/** Opens recordings in a window; a file that is asked for while another is being read takes its place. */
+/** Opens recordings in a window and keeps the open one as its file is. A file asked for takes the place of the one before. */
 internal class RecordingLoading(private val viewer: Viewer) {
     private var job: Job? = null
+    private val following = RecordingFollowing(viewer) { shown, isGrowing -> read(shown.file, isGrowing) {} }
 
-    /** Reads [file] and shows it. */
+    /** Reads [file] and shows it; what is shown now stays until then, and when [file] cannot be read. */
     fun open(file: Path) {
+        val path = file.toAbsolutePath().normalize()
+        val stamp = FileStamp.of(path) ?: FileStamp(0, 0)
         job?.cancel()
-        job = viewer.tasks.run("Opening ${file.fileName}", { read(file) }, ::show)
+        job = viewer.tasks.run("Opening ${path.fileName}", { progress -> read(path, false, progress) }) { recording ->
+            show(recording)
+            job = viewer.scope.launch { following.follow(recording, stamp) }
+        }
     }
 
-    private fun read(file: Path): OpenRecording {
-        val parser = BagParser(Files.size(file))
-        parser.accept(Files.readAllBytes(file))
-        return OpenRecording(file.toAbsolutePath().normalize(), LogView.of(parser.finish()))
+    private fun read(file: Path, isGrowing: Boolean, progress: (Float) -> Unit): OpenRecording {
+        val recording = readRecording(file, untilLastLineEnd = isGrowing) { done, total ->
+            if (total > 0) progress(done.toFloat() / total)
+        }
+        return OpenRecording(file, LogView.of(recording))
     }
 
     private fun show(recording: OpenRecording) {

@@ -38,10 +38,12 @@ private class TopicFolder(val path: String, val title: String) {
 
     fun list(rows: MutableList<TopicRow>, depth: Int, folded: Set<String>) {
         signals.mapTo(rows) { SignalRow(depth, it) }
-        for (folder in folders.values.sortedWith(compareBy(String.CASE_INSENSITIVE_ORDER) { it.title })) {
+        for (folder in folders.values.sortedWith(BY_TITLE)) {
             val isOpen = folder.path !in folded
             rows += FolderRow(depth, folder.path, folder.title, folder.count, isOpen)
             if (isOpen) folder.list(rows, depth + 1, folded)
         }
     }
 }
+
+private val BY_TITLE = compareBy(String.CASE_INSENSITIVE_ORDER, TopicFolder::title).thenBy { it.title }

@@ -1,4 +1,4 @@
-package badlog.html
+package badlog.file
 
 /** Finds the end of a gzip member's header (RFC 1952), byte by byte. */
 internal class GzipHeader {

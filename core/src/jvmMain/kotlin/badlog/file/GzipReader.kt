@@ -1,4 +1,4 @@
-package badlog.html
+package badlog.file
 
 import java.util.zip.DataFormatException
 import java.util.zip.Inflater
@@ -8,9 +8,12 @@ import java.util.zip.Inflater
  * lack its trailer or be cut anywhere, may be several gzip members in a row, and may end in NULs or other remains.
  * Check sums are not looked at: a wrong one would not bring anything back.
  *
- * @param sink gets what was inflated: `[0, size)` of the array, which is used again after the call.
+ * Nothing in the bytes makes it throw. Not safe for use by several threads.
+ *
+ * @param sink gets what was inflated: `[0, size)` of the array, which is used again after the call. What it throws,
+ *   [accept] throws.
  */
-internal class GzipReader(private val sink: (bytes: ByteArray, size: Int) -> Unit) : AutoCloseable {
+public class GzipReader(private val sink: (bytes: ByteArray, size: Int) -> Unit) : AutoCloseable {
     private enum class Stage { HEADER, BODY, TRAILER, OVER }
 
     private val inflater = Inflater(true)
@@ -25,18 +28,18 @@ internal class GzipReader(private val sink: (bytes: ByteArray, size: Int) -> Uni
     private var tail = 0
 
     /** How many bytes have been inflated so far. */
-    var inflatedBytes = 0L
+    public var inflatedBytes: Long = 0L
         private set
 
     /**
      * After the last piece: whether something is missing, because the stream broke off or cannot be inflated further.
      * A stream that its writer flushed but never closed, as the original badlog leaves it, lacks nothing.
      */
-    val isCut: Boolean
+    public val isCut: Boolean
         get() = isDamaged || !sawBody || stage == Stage.BODY && tail != FLUSH_MARK
 
     /** Reads the bytes from [from] until [until] of [bytes], which follow those of the calls before. */
-    fun accept(bytes: ByteArray, from: Int, until: Int) {
+    public fun accept(bytes: ByteArray, from: Int, until: Int) {
         var at = from
         while (at < until) {
             at = when (stage) {
@@ -105,8 +108,8 @@ internal class GzipReader(private val sink: (bytes: ByteArray, size: Int) -> Uni
         return from + size
     }
 
-    /** Frees the memory outside the heap. */
-    override fun close() = inflater.end()
+    /** Frees the memory outside the heap; after it, only the properties may be asked. */
+    override fun close(): Unit = inflater.end()
 
     private companion object {
         const val TRAILER = 8

@@ -1,0 +1,95 @@
+package badlog.bag
+
+import badlog.recording.Recording
+import badlog.recording.RecordingFormat
+
+/**
+ * Writes a recording, or some of its rows, as a file that reads as the same topics, values and samples again: every number
+ * to the last bit, each cell as what it was.
+ *
+ * What a file cannot say is lost. CSV has neither units, attributes nor values. A newline in a topic's name becomes a space,
+ * and a CSV title keeps no control characters but tabs. Where a topic has both empty cells and cells with `NaN`, all of them come out
+ * as the same. A text whose lines look like rows is taken for rows, see `docs/bag-format.md`.
+ *
+ * @param recording what to write; read with its samples.
+ * @param format how; what was read from a bag can be written as CSV and the other way round.
+ */
+public class RecordingWriter(
+    private val recording: Recording,
+    private val format: RecordingFormat = recording.format,
+) {
+    /**
+     * Writes the header and the rows from [fromRow] until [untilRow].
+     *
+     * @param progress hears after each piece how many of these rows are written, and how many they are. What it throws
+     *   stops the writing and is passed on.
+     * @param sink gets the file in pieces of about 64 KiB, each `[0, size)` of the array, which is used again after the
+     *   call. What it throws stops the writing and is passed on.
+     * @throws IllegalArgumentException when there are no such rows, or the recording was read without its samples.
+     */
+    public fun write(
+        fromRow: Int = 0,
+        untilRow: Int = recording.rowCount,
+        progress: (doneRows: Int, totalRows: Int) -> Unit = { _, _ -> },
+        sink: (bytes: ByteArray, size: Int) -> Unit,
+    ) {
+        require(fromRow in 0..untilRow && untilRow <= recording.rowCount) {
+            "There are no rows from $fromRow until $untilRow in a recording of ${recording.rowCount}."
+        }
+        requireSamples()
+        val out = RowWriter()
+        header(out)
+        val cells = recording.topics.map(::TopicCells)
+        val total = untilRow - fromRow
+        for (row in fromRow until untilRow) {
+            for (cell in cells) cell.write(row, out)
+            out.endRow()
+            if (out.size >= PIECE) {
+                sink(out.bytes, out.size)
+                out.clear()
+                progress(row + 1 - fromRow, total)
+            }
+        }
+        if (out.size > 0) sink(out.bytes, out.size)
+        progress(total, total)
+    }
+
+    private fun header(out: RowWriter) {
+        val names = recording.topics.map { it.name }
+        when (format) {
+            RecordingFormat.BAG -> {
+                out.line(headerLineOf(recording))
+                if (names.isNotEmpty()) out.titles(names)
+            }
+            RecordingFormat.CSV -> if (names.isNotEmpty()) csvTitles(names, out)
+        }
+    }
+
+    /** What comes first in a file decides what it is taken for, so that title stands in quotes. */
+    private fun csvTitles(names: List<String>, out: RowWriter) {
+        val isAlone = names.size == 1
+        names.forEachIndexed { index, name ->
+            val title = name.map { if (it < ' ' && it != '\t' || isAlone && it in SEPARATORS) ' ' else it }.joinToString("")
+            if (index == 0 && MISLEADING.any(title::startsWith)) out.quoted(title) else out.text(title)
+        }
+        out.endRow()
+    }
+
+    private fun requireSamples() {
+        for (topic in recording.topics) {
+            val counts = topic.counts
+            val isMissing = topic.samples.isEmpty() && counts.texts + counts.empty < counts.total
+            require(!isMissing && topic.texts.size == counts.texts) { "The samples of “${topic.name}” were not kept." }
+        }
+    }
+
+    private companion object {
+        const val PIECE = 1 shl 16
+
+        /** A file of one column with one of these in its title is taken for a table that is separated so. */
+        const val SEPARATORS = ";\t"
+
+        /** The beginnings of files that are something else: JSON, a WPILOG, a byte order mark. */
+        val MISLEADING = listOf("{", "WPILOG", "\uFEFF")
+    }
+}

@@ -1,0 +1,7 @@
+package badlog.viewer.app
+
+/** Opens what [start] names, when the window begins. */
+internal fun openFirst(viewer: Viewer, start: StartPlace) {
+    start.complaint?.let { viewer.notices.complain(it) }
+    start.file?.let { viewer.loading.open(it) }
+}

@@ -1,0 +1,25 @@
+package badlog.viewer.app
+
+import androidx.compose.ui.input.key.Key
+import badlog.viewer.inspector.title
+
+/** All that the keyboard does, in the order of the help sheet. */
+internal fun allCommands(viewer: Viewer): List<Command> = windowCommands(viewer)
+
+/** What the keyboard does with the window's parts. */
+internal fun windowCommands(viewer: Viewer): List<Command> = listOf(
+    Command(GROUP, "Keys and gestures", listOf(KeyPress(Key.F1, "F1"), QUESTION_MARK)) {
+        viewer.panels = viewer.panels.copy(help = !viewer.panels.help)
+    },
+    Command(GROUP, "Close the sheet, or let go of the selection", listOf(KeyPress(Key.Escape, "Esc"))) {
+        if (viewer.panels.help) viewer.panels = viewer.panels.copy(help = false) else viewer.selection = null
+    },
+) + InspectorTab.entries.mapIndexed { index, tab ->
+    Command(GROUP, "${tab.title}: open or close", listOf(KeyPress(DIGITS[index], "${index + 1}", ctrl = true))) {
+        viewer.panels = viewer.panels.toggled(tab)
+    }
+}
+
+private const val GROUP = "Window"
+private val QUESTION_MARK = KeyPress(Key.Slash, "/", shift = true)
+private val DIGITS = listOf(Key.One, Key.Two, Key.Three, Key.Four)

@@ -1,0 +1,25 @@
+package badlog.viewer.settings
+
+import androidx.compose.runtime.snapshotFlow
+import badlog.viewer.app.Viewer
+import java.io.IOException
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.FlowPreview
+import kotlinx.coroutines.flow.collectLatest
+import kotlinx.coroutines.flow.drop
+import kotlinx.coroutines.flow.debounce
+import kotlinx.coroutines.withContext
+
+/** Writes the settings of [viewer] into [file] a moment after each change, until cancelled. */
+@OptIn(FlowPreview::class)
+internal suspend fun keepSettings(viewer: Viewer, file: SettingsFile) {
+    snapshotFlow { viewer.settings }.drop(1).debounce(QUIET_MILLIS).collectLatest { settings ->
+        try {
+            withContext(Dispatchers.IO) { file.write(settings) }
+        } catch (e: IOException) {
+            viewer.notices.complain("Your settings cannot be kept (${e.message}); make room on the disk of your home folder.")
+        }
+    }
+}
+
+private const val QUIET_MILLIS = 400L
