@@ -8,7 +8,7 @@ internal fun allCommands(viewer: Viewer): List<Command> = windowCommands(viewer)
 
 /** What the keyboard does with the window's parts. */
 internal fun windowCommands(viewer: Viewer): List<Command> = listOf(
-    Command(GROUP, "Keys and gestures", listOf(KeyPress(Key.F1, "F1"), QUESTION_MARK)) {
+    Command(GROUP, "Open or close this sheet", listOf(KeyPress(Key.F1, "F1"), QUESTION_MARK)) {
         viewer.panels = viewer.panels.copy(help = !viewer.panels.help)
     },
     Command(GROUP, "Close the sheet, or let go of the selection", listOf(KeyPress(Key.Escape, "Esc"))) {
@@ -21,5 +21,5 @@ internal fun windowCommands(viewer: Viewer): List<Command> = listOf(
 }
 
 private const val GROUP = "Window"
-private val QUESTION_MARK = KeyPress(Key.Slash, "/", shift = true)
+private val QUESTION_MARK = KeyPress(Key.Slash, "?", shift = true)
 private val DIGITS = listOf(Key.One, Key.Two, Key.Three, Key.Four)

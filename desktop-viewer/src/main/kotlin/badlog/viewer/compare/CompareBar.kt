@@ -44,7 +44,11 @@ internal fun CompareBar(viewer: Viewer) {
             ToolButton("Compare with none", Icons.Close, text = "Clear") { viewer.comparisonLoading.clear() }
         }
         FlowRow(
-            Modifier.fillMaxWidth().heightIn(max = 140.dp).verticalScroll(rememberScrollState()).padding(start = 8.dp, end = 8.dp, bottom = 6.dp),
+            Modifier
+                .fillMaxWidth()
+                .heightIn(max = 140.dp)
+                .verticalScroll(rememberScrollState())
+                .padding(start = 8.dp, end = 8.dp, bottom = 6.dp),
             Arrangement.spacedBy(6.dp),
             Arrangement.spacedBy(4.dp),
         ) {

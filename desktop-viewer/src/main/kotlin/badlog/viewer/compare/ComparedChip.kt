@@ -7,7 +7,6 @@ import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
-import androidx.compose.foundation.layout.widthIn
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
@@ -35,8 +34,13 @@ internal fun ComparedChip(viewer: Viewer, open: OpenRecording, drawn: DrawnRecor
         Alignment.CenterVertically,
     ) {
         Box(Modifier.size(10.dp).background(color, RoundedCornerShape(2.dp)))
-        Tip(recording.file.fileName.toString(), Modifier.padding(start = 6.dp, end = 6.dp)) {
-            Text(recording.label, Modifier.widthIn(max = 220.dp).padding(vertical = 5.dp), maxLines = 1, overflow = TextOverflow.Ellipsis)
+        Tip("${recording.label} (${recording.file.fileName})", Modifier.weight(1f, fill = false).padding(start = 6.dp, end = 6.dp)) {
+            Text(
+                shortLabel(recording.label, letters = 28),
+                Modifier.padding(vertical = 5.dp),
+                maxLines = 1,
+                overflow = TextOverflow.Ellipsis,
+            )
         }
         if (isOpen) {
             Text("open", Modifier.padding(end = 8.dp), color = palette.muted)

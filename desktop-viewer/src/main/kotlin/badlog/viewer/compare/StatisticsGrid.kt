@@ -1,5 +1,6 @@
 package badlog.viewer.compare
 
+import badlog.analysis.Units
 import badlog.recording.Topic
 import badlog.viewer.topic.exactText
 import badlog.viewer.topic.figureText
@@ -22,13 +23,18 @@ internal class StatisticsGrid(rows: List<StatisticsRow>, choice: StatisticsChoic
     }
 
     /** The unit of all of [column]; null where recordings differ. */
-    fun unitOf(column: FigureColumn): String? = figures.getValue(column).units.let { if (it.size > 1) null else it.firstOrNull() ?: Topic.UNITLESS }
+    fun unitOf(column: FigureColumn): String? {
+        val units = figures.getValue(column).units
+        return if (units.size > 1) null else units.firstOrNull() ?: Topic.UNITLESS
+    }
 
     /** Whether the figure of [row] is the smallest of [column], and not all are the same. */
-    fun isLowest(column: FigureColumn, row: StatisticsRow): Boolean = figures.getValue(column).run { min < max && column.of(row) == min }
+    fun isLowest(column: FigureColumn, row: StatisticsRow): Boolean =
+        figures.getValue(column).run { min < max && column.of(row) == min }
 
     /** Whether it is the largest. */
-    fun isHighest(column: FigureColumn, row: StatisticsRow): Boolean = figures.getValue(column).run { min < max && column.of(row) == max }
+    fun isHighest(column: FigureColumn, row: StatisticsRow): Boolean =
+        figures.getValue(column).run { min < max && column.of(row) == max }
 
     /** What stands in [column] of [row]; the unit only where that of the column is not one. */
     fun textOf(column: StatisticsColumn, row: StatisticsRow): String = when (column) {
@@ -37,12 +43,17 @@ internal class StatisticsGrid(rows: List<StatisticsRow>, choice: StatisticsChoic
         is FigureColumn -> withUnit(figureText(column.of(row)), if (unitOf(column) == null) column.unitIn(row) else Topic.UNITLESS)
     }
 
-    /** The table as CSV (RFC 4180): exact figures, an empty cell for none, and for a column of several units one of them beside it. */
+    /** The table as CSV (RFC 4180): exact figures, an empty cell for none; beside a column of several units one that says them. */
     fun toCsv(): String {
         val head = ArrayList(listOf("Recording", "Date", "File"))
         for ((column, facts) in figures) {
             val name = "${column.topic} ${column.statistic.title}"
-            head += if (facts.units.size > 1) listOf(name, "$name unit") else listOf(withParentheses(name, facts.units.firstOrNull() ?: Topic.UNITLESS))
+            val unit = facts.units.firstOrNull() ?: Topic.UNITLESS
+            head += when {
+                facts.units.size > 1 -> listOf(name, "$name unit")
+                Units.isNone(unit) -> listOf(name)
+                else -> listOf("$name ($unit)")
+            }
         }
         val lines = rows.map { row ->
             listOf(row.label, row.date, row.path.toString()) + figures.flatMap { (column, facts) ->
@@ -59,8 +70,6 @@ internal class StatisticsGrid(rows: List<StatisticsRow>, choice: StatisticsChoic
 /** [text] as a cell of CSV: in quotes where it must be. */
 internal fun csvCell(text: String): String =
     if (text.any { it in ",\"\r\n" }) "\"" + text.replace("\"", "\"\"") + "\"" else text
-
-private fun withParentheses(name: String, unit: String) = if (withUnit("", unit).isEmpty()) name else "$name ($unit)"
 
 private fun sorted(rows: List<StatisticsRow>, choice: StatisticsChoice): List<StatisticsRow> = when (val column = choice.sort) {
     null -> rows

@@ -36,13 +36,14 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import badlog.analysis.Units
+import badlog.recording.PathName
 import badlog.recording.Topic
 import badlog.viewer.app.MainView
 import badlog.viewer.app.Viewer
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Tip
-import badlog.viewer.topic.withUnit
 
 /** The table itself. A click on a heading sorts by it, a double click on a row opens its recording. */
 @Composable
@@ -80,10 +81,10 @@ private fun Heading(viewer: Viewer, grid: StatisticsGrid, column: StatisticsColu
             Alignment.Bottom,
         ) {
             Column(Modifier.weight(1f)) {
-                if (column is FigureColumn) HeadingText(column.topic, isFigure = true, isSecond = true)
+                if (column is FigureColumn) HeadingText(PathName.baseNameOf(column.topic), isFigure = true, isSecond = true)
                 val unit = (column as? FigureColumn)?.let { grid.unitOf(it) } ?: Topic.UNITLESS
                 val title = (column as? FigureColumn)?.statistic?.title ?: name
-                HeadingText(withUnit(title, unit), isFigure = column is FigureColumn, isSecond = false)
+                HeadingText(if (Units.isNone(unit)) title else "$title ($unit)", isFigure = column is FigureColumn, isSecond = false)
             }
             if (choice.sort == column) {
                 Icon(if (choice.isDescending) Icons.Down else Icons.Up, contentDescription = null, Modifier.size(14.dp))
@@ -103,7 +104,7 @@ private fun HeadingText(text: String, isFigure: Boolean, isSecond: Boolean) {
         fontWeight = if (isSecond) null else FontWeight.SemiBold,
         textAlign = if (isFigure) TextAlign.End else TextAlign.Start,
         maxLines = 1,
-        overflow = if (isSecond) TextOverflow.StartEllipsis else TextOverflow.Ellipsis,
+        overflow = TextOverflow.Ellipsis,
     )
 }
 
@@ -127,7 +128,7 @@ private fun RecordingRow(viewer: Viewer, grid: StatisticsGrid, row: StatisticsRo
                 else -> Color.Transparent
             }
             Text(
-                grid.textOf(column, row),
+                grid.textOf(column, row).let { if (column == LabelColumn) shortLabel(it, letters = 30) else it },
                 Modifier.width(widthOf(column)).background(background).padding(horizontal = 10.dp, vertical = 5.dp),
                 fontWeight = if (isOpen && column == LabelColumn) FontWeight.SemiBold else null,
                 textAlign = if (column is FigureColumn) TextAlign.End else TextAlign.Start,
@@ -145,7 +146,7 @@ private fun nameOf(column: StatisticsColumn) = when (column) {
 }
 
 private fun widthOf(column: StatisticsColumn): Dp = when (column) {
-    LabelColumn -> 220.dp
+    LabelColumn -> 270.dp
     DateColumn -> 140.dp
     is FigureColumn -> 120.dp
 }

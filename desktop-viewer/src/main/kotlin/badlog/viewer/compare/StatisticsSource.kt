@@ -1,6 +1,7 @@
 package badlog.viewer.compare
 
 import badlog.analysis.statistics
+import badlog.recording.PathName
 import badlog.viewer.app.Viewer
 import badlog.viewer.recording.OpenRecording
 import java.io.IOException
@@ -11,7 +12,7 @@ import java.time.format.DateTimeFormatter
 /**
  * What the table of statistics is made from.
  *
- * @property topics the names of all topics that can be asked for, sorted.
+ * @property topics the names of all topics that can be asked for, by folder.
  * @property rowsOf finds the figures of some of them in every recording; takes its time, so not for the window's thread.
  */
 internal class StatisticsSource(val topics: List<String>, val rowsOf: (topics: List<String>) -> List<StatisticsRow>)
@@ -20,7 +21,7 @@ internal class StatisticsSource(val topics: List<String>, val rowsOf: (topics: L
 internal fun statisticsSource(viewer: Viewer): StatisticsSource {
     val recordings = viewer.drawnRecordings().map { it.recording }
     val topics = recordings.flatMap { recording -> recording.signals.filter { it.hasFigures }.map { it.name } }
-    return StatisticsSource(topics.distinct().sortedWith(String.CASE_INSENSITIVE_ORDER)) { asked ->
+    return StatisticsSource(topics.distinct().sortedBy { PathName.folderOf(it).lowercase() }) { asked ->
         recordings.map { statisticsRow(it, asked) }
     }
 }

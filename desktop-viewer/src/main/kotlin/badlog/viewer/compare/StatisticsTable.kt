@@ -1,14 +1,17 @@
 package badlog.viewer.compare
 
 import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxHeight
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
+import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.Text
 import androidx.compose.material3.VerticalDivider
@@ -18,7 +21,9 @@ import androidx.compose.runtime.produceState
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
 import badlog.viewer.app.MainView
 import badlog.viewer.app.Viewer
 import badlog.viewer.theme.Icons
@@ -43,17 +48,38 @@ internal fun StatisticsTable(viewer: Viewer, modifier: Modifier = Modifier, choo
         value = withContext(Dispatchers.Default) { source.rowsOf(choice.topics) }
     }
     val grid = remember(rows, choice) { StatisticsGrid(rows, choice) }
-    Row(modifier.background(LocalPalette.current.surface)) {
-        StatisticsTopics(viewer, source.topics, Modifier.width(240.dp).fillMaxHeight())
-        VerticalDivider()
-        Column(Modifier.weight(1f)) {
-            Head(viewer, grid, chooseFile)
-            HorizontalDivider()
-            when {
-                source.topics.isEmpty() -> TableHint("Open a log, and tick others to compare it with.")
-                choice.topics.isEmpty() -> TableHint("Choose topics at the left; each gets a column for each statistic.")
-                else -> StatisticsRows(viewer, grid, Modifier.fillMaxSize())
+    BoxWithConstraints(modifier.background(LocalPalette.current.surface)) {
+        if (maxWidth < NARROW) {
+            Column(Modifier.fillMaxSize()) {
+                StatisticsTopics(viewer, source.topics, Modifier.fillMaxWidth().height(170.dp))
+                HorizontalDivider()
+                Table(viewer, source, grid, chooseFile, Modifier.weight(1f).fillMaxWidth())
             }
+        } else {
+            Row(Modifier.fillMaxSize()) {
+                StatisticsTopics(viewer, source.topics, Modifier.width(240.dp).fillMaxHeight())
+                VerticalDivider()
+                Table(viewer, source, grid, chooseFile, Modifier.weight(1f).fillMaxHeight())
+            }
+        }
+    }
+}
+
+@Composable
+private fun Table(
+    viewer: Viewer,
+    source: StatisticsSource,
+    grid: StatisticsGrid,
+    chooseFile: (String) -> Path?,
+    modifier: Modifier,
+) {
+    Column(modifier) {
+        Head(viewer, grid, chooseFile)
+        HorizontalDivider()
+        when {
+            source.topics.isEmpty() -> TableHint("Open a log, and tick others to compare it with.")
+            viewer.statisticsChoice.topics.isEmpty() -> TableHint("Choose topics; each gets a column for each statistic.")
+            else -> StatisticsRows(viewer, grid, Modifier.fillMaxSize())
         }
     }
 }
@@ -61,14 +87,14 @@ internal fun StatisticsTable(viewer: Viewer, modifier: Modifier = Modifier, choo
 @Composable
 private fun Head(viewer: Viewer, grid: StatisticsGrid, chooseFile: (String) -> Path?) {
     val choice = viewer.statisticsChoice
-    Row(Modifier.fillMaxWidth().padding(start = 8.dp, end = 4.dp, top = 4.dp, bottom = 4.dp), verticalAlignment = Alignment.CenterVertically) {
-        FlowRow(Modifier.weight(1f)) {
-            for (statistic in Statistic.entries) {
-                ToolButton("Column ${statistic.title}", text = statistic.title, isOn = statistic in choice.statistics) {
-                    viewer.statisticsChoice = viewer.statisticsChoice.toggled(statistic)
-                }
+    FlowRow(Modifier.fillMaxWidth().padding(horizontal = 8.dp, vertical = 4.dp), itemVerticalAlignment = Alignment.CenterVertically) {
+        for (statistic in Statistic.entries) {
+            ToolButton("Column ${statistic.title}", text = statistic.title, isOn = statistic in choice.statistics) {
+                viewer.statisticsChoice = viewer.statisticsChoice.toggled(statistic)
             }
         }
+        Legend("smallest", LocalPalette.current.warningSoft)
+        Legend("largest", LocalPalette.current.accentSoft)
         ToolButton("Save the table as CSV", Icons.Share, text = "CSV", isEnabled = choice.topics.isNotEmpty()) {
             chooseFile("statistics.csv")?.let { saveCsv(viewer, grid, it) }
         }
@@ -76,7 +102,20 @@ private fun Head(viewer: Viewer, grid: StatisticsGrid, chooseFile: (String) -> P
     }
 }
 
+/** Says what [color] means behind a figure. */
+@Composable
+private fun Legend(text: String, color: Color) {
+    Text(
+        text,
+        Modifier.padding(horizontal = 6.dp).background(color, RoundedCornerShape(4.dp)).padding(horizontal = 6.dp, vertical = 1.dp),
+        color = LocalPalette.current.muted,
+        fontSize = 12.sp,
+    )
+}
+
 @Composable
 private fun TableHint(text: String) {
     Text(text, Modifier.padding(16.dp), color = LocalPalette.current.muted)
 }
+
+private val NARROW = 640.dp

@@ -81,6 +81,6 @@ private fun TopicChoice(topic: String, isChosen: Boolean, onClick: () -> Unit) {
         Box(Modifier.size(14.dp)) {
             if (isChosen) Icon(Icons.Check, contentDescription = null, Modifier.size(14.dp), palette.accent)
         }
-        Tip(topic, Modifier.weight(1f)) { Text(topic, maxLines = 1, overflow = TextOverflow.StartEllipsis) }
+        Tip(topic, Modifier.weight(1f)) { Text(topic, maxLines = 1, overflow = TextOverflow.Ellipsis) }
     }
 }

@@ -23,7 +23,7 @@ internal fun problemSummary(problems: List<Problem>): String {
     return when {
         unreadable != null -> unreadable.message
         losses.size == 1 -> "Something of this file is lost: ${losses.single().message}"
-        losses.isNotEmpty() -> "Something of this file is lost: ${losses.first().message} Below are ${losses.size - 1} more."
+        losses.isNotEmpty() -> "Something of this file is lost, in ${losses.size} places: ${losses.first().message}"
         doubts == 1 -> "Nothing of this file is lost, but one thing in it is doubtful."
         doubts > 1 -> "Nothing of this file is lost, but $doubts things in it are doubtful."
         else -> "Nothing of this file is lost."

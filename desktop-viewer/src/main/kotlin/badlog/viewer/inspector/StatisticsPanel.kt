@@ -1,6 +1,8 @@
 package badlog.viewer.inspector
 
 import androidx.compose.foundation.VerticalScrollbar
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
@@ -8,10 +10,12 @@ import androidx.compose.foundation.layout.fillMaxHeight
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.lazy.LazyColumn
 import androidx.compose.foundation.lazy.items
 import androidx.compose.foundation.lazy.rememberLazyListState
 import androidx.compose.foundation.rememberScrollbarAdapter
+import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
@@ -26,6 +30,7 @@ import androidx.compose.ui.unit.sp
 import badlog.plot.Span
 import badlog.viewer.app.Viewer
 import badlog.viewer.compare.DrawnRecording
+import badlog.viewer.compare.colorOf
 import badlog.viewer.compare.drawnRecordings
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.theme.Icons
@@ -86,7 +91,10 @@ private fun SignalFigures(signal: SignalStatistics) {
     Column(Modifier.fillMaxWidth().padding(start = 12.dp, end = 14.dp, top = 10.dp)) {
         Text(signal.signal, fontWeight = FontWeight.SemiBold, maxLines = 1, overflow = TextOverflow.Ellipsis)
         if (signal.recording.isNotEmpty()) {
-            Text(signal.recording, color = palette.muted, fontSize = 12.sp, maxLines = 1, overflow = TextOverflow.Ellipsis)
+            Row(horizontalArrangement = Arrangement.spacedBy(6.dp), verticalAlignment = Alignment.CenterVertically) {
+                Box(Modifier.size(8.dp).background(palette.colorOf(signal.place), RoundedCornerShape(2.dp)))
+                Text(signal.recording, color = palette.muted, fontSize = 12.sp, maxLines = 1, overflow = TextOverflow.Ellipsis)
+            }
         }
         for (pair in signal.figures.chunked(2)) {
             Row(Modifier.fillMaxWidth()) {
@@ -99,8 +107,8 @@ private fun SignalFigures(signal: SignalStatistics) {
 
 @Composable
 private fun FigureCell(figure: Figure, modifier: Modifier) {
-    Row(modifier.padding(end = 8.dp)) {
-        Text(figure.name, Modifier.weight(0.4f), color = LocalPalette.current.muted, fontSize = 12.sp, maxLines = 1)
-        Text(withUnit(figure.text, figure.unit), Modifier.weight(0.6f), fontSize = 12.sp, maxLines = 1, overflow = TextOverflow.Ellipsis)
+    Row(modifier.padding(end = 4.dp)) {
+        Text(figure.name, Modifier.weight(0.36f), color = LocalPalette.current.muted, fontSize = 12.sp, maxLines = 1)
+        Text(withUnit(figure.text, figure.unit), Modifier.weight(0.64f), fontSize = 12.sp, maxLines = 1, overflow = TextOverflow.Ellipsis)
     }
 }

@@ -38,7 +38,7 @@ internal fun ChosenTopics(viewer: Viewer) {
             ToolButton("A graph of each of these", text = "One each") {
                 draw { names -> viewer.graphs = names.fold(viewer.graphs) { list, name -> list.withGraph(listOf(name)) } }
             }
-            ToolButton("Add these to the last graph", text = "To the last") {
+            ToolButton("Add these to the last graph", text = "To last") {
                 draw { viewer.graphs = viewer.graphs.withLinesInLast(it) }
             }
         }

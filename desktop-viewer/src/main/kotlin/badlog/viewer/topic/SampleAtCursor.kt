@@ -26,6 +26,9 @@ internal fun valueText(signal: Signal, series: Series, position: Double?): Strin
     val index = series.lastAtOrBefore(position)
     if (index < 0) return "–"
     val value = series.y[index]
-    val states = signal.states ?: return if (value.isNaN()) "–" else withUnit(exactText(value), signal.unit)
+    val states = signal.states ?: return if (value.isNaN()) "–" else withUnit(sampleText(signal, value), signal.unit)
     return if (value.isNaN()) "–" else states.getOrNull(value.toInt()) ?: exactText(value)
 }
+
+/** [value] as [signal] has it: exactly as it was logged, but without the digits that a calculation makes up. */
+internal fun sampleText(signal: Signal, value: Double): String = if (signal.isDerived) figureText(value) else exactText(value)

@@ -1,8 +1,8 @@
 package badlog.viewer.topic
 
-import androidx.compose.foundation.background
 import androidx.compose.foundation.ContextMenuArea
 import androidx.compose.foundation.ContextMenuItem
+import androidx.compose.foundation.background
 import androidx.compose.foundation.clickable
 import androidx.compose.foundation.hoverable
 import androidx.compose.foundation.interaction.MutableInteractionSource
@@ -15,14 +15,20 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
 import androidx.compose.ui.Alignment
+import androidx.compose.ui.ExperimentalComposeUiApi
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.input.pointer.PointerEventPass
+import androidx.compose.ui.input.pointer.PointerEventType
+import androidx.compose.ui.input.pointer.PointerKeyboardModifiers
 import androidx.compose.ui.input.pointer.isCtrlPressed
 import androidx.compose.ui.input.pointer.isMetaPressed
 import androidx.compose.ui.input.pointer.isShiftPressed
-import androidx.compose.ui.platform.LocalWindowInfo
+import androidx.compose.ui.input.pointer.onPointerEvent
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.selected
 import androidx.compose.ui.semantics.semantics
@@ -42,12 +48,13 @@ import badlog.viewer.theme.ToolButton
  *
  * @param place of its line in the first graph that draws it, null when none does.
  */
+@OptIn(ExperimentalComposeUiApi::class)
 @Composable
 internal fun SignalLine(viewer: Viewer, open: OpenRecording, row: SignalRow, rows: List<TopicRow>, place: Int?) {
     val palette = LocalPalette.current
     val signal = row.signal
     val isChosen = signal.name in viewer.topicList.chosen
-    val keys = LocalWindowInfo.current
+    var held by remember { mutableStateOf(PointerKeyboardModifiers()) }
     val interactions = remember { MutableInteractionSource() }
     val isHovered by interactions.collectIsHoveredAsState()
     ContextMenuArea({ menuOf(viewer, row) }) {
@@ -58,11 +65,11 @@ internal fun SignalLine(viewer: Viewer, open: OpenRecording, row: SignalRow, row
                 .background(if (isChosen) palette.accentSoft else if (isHovered) palette.raised else Color.Transparent)
                 .hoverable(interactions)
                 .draggedAsSignals { namesToTake(viewer.topicList, signal.name) }
+                .onPointerEvent(PointerEventType.Press, PointerEventPass.Initial) { held = it.keyboardModifiers }
                 .clickable {
-                    val modifiers = keys.keyboardModifiers
                     when {
-                        modifiers.isShiftPressed -> viewer.topicList = viewer.topicList.chosenTo(signal.name, rows)
-                        modifiers.isCtrlPressed || modifiers.isMetaPressed -> viewer.topicList = viewer.topicList.toggled(signal.name)
+                        held.isShiftPressed -> viewer.topicList = viewer.topicList.chosenTo(signal.name, rows)
+                        held.isCtrlPressed || held.isMetaPressed -> viewer.topicList = viewer.topicList.toggled(signal.name)
                         else -> toggleDrawn(viewer, signal)
                     }
                 }

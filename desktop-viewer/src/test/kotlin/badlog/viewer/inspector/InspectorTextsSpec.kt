@@ -21,7 +21,7 @@ class InspectorTextsSpec : FunSpec({
         problemSummary(listOf(note)) shouldBe "Nothing of this file is lost."
         problemSummary(listOf(note, warning)) shouldContain "one thing in it is doubtful"
         problemSummary(listOf(cut)) shouldBe "Something of this file is lost: A row is cut."
-        problemSummary(listOf(cut, cut.copy(line = 13))) shouldContain "1 more"
+        problemSummary(listOf(cut, cut.copy(line = 13))) shouldContain "in 2 places"
     }
 
     test("problems come worst first, with where and how often") {
