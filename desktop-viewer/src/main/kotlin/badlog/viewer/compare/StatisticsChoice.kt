@@ -9,12 +9,14 @@ import badlog.recording.Topic
  * @property statistics the figures of each topic.
  * @property sort what the rows are sorted by; null for their own order.
  * @property isDescending whether the largest comes first.
+ * @property isOverAll whether every log of the folder has a row; else the open one and those ticked.
  */
 internal data class StatisticsChoice(
     val topics: List<String> = emptyList(),
     val statistics: Set<Statistic> = setOf(Statistic.MIN, Statistic.MEAN, Statistic.MAX),
     val sort: StatisticsColumn? = null,
     val isDescending: Boolean = false,
+    val isOverAll: Boolean = true,
 ) {
     /** Its columns, from left to right. */
     val columns: List<StatisticsColumn>

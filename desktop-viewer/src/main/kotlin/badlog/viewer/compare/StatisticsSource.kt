@@ -2,7 +2,6 @@ package badlog.viewer.compare
 
 import badlog.analysis.statistics
 import badlog.recording.PathName
-import badlog.viewer.app.Viewer
 import badlog.viewer.recording.OpenRecording
 import java.io.IOException
 import java.nio.file.Files
@@ -17,21 +16,28 @@ import java.time.format.DateTimeFormatter
  */
 internal class StatisticsSource(val topics: List<String>, val rowsOf: (topics: List<String>) -> List<StatisticsRow>)
 
-/** What the table is made from: the open recording and those ticked, or all that are known. To be used on the window's thread. */
-internal fun statisticsSource(viewer: Viewer): StatisticsSource {
-    val recordings = viewer.drawnRecordings().map { it.recording }
-    val topics = recordings.flatMap { recording -> recording.signals.filter { it.hasFigures }.map { it.name } }
-    return StatisticsSource(topics.distinct().sortedBy { PathName.folderOf(it).lowercase() }) { asked ->
-        recordings.map { statisticsRow(it, asked) }
+/**
+ * What the table is made from: the recordings that are [drawn], of which every signal has figures, and the logs that are [known],
+ * with those figures that they came with. A log that is both is there once.
+ */
+internal fun statisticsSource(drawn: List<OpenRecording>, known: List<StatisticsRow>): StatisticsSource {
+    val knownByFile = known.associateBy { it.path }
+    val drawnFiles = drawn.mapTo(HashSet()) { it.file }
+    val others = known.filter { it.path !in drawnFiles }
+    val topics = LinkedHashSet<String>()
+    for (recording in drawn) recording.signals.filter { it.hasFigures }.mapTo(topics) { it.name }
+    for (row in others) topics += row.statistics.keys
+    return StatisticsSource(topics.sortedBy { PathName.folderOf(it).lowercase() }) { asked ->
+        drawn.map { statisticsRow(it, asked, knownByFile[it.file]?.date ?: dateOf(it)) } + others
     }
 }
 
-/** The figures of [topics] in [recording], those that it has. */
-internal fun statisticsRow(recording: OpenRecording, topics: List<String>): StatisticsRow {
+/** The figures of [topics] in [recording], those that it has; [date] is when it was recorded. */
+internal fun statisticsRow(recording: OpenRecording, topics: List<String>, date: String): StatisticsRow {
     val signals = topics.mapNotNull { recording.signal(it) }.filter { it.hasFigures }
     return StatisticsRow(
         label = recording.label,
-        date = dateOf(recording),
+        date = date,
         path = recording.file,
         statistics = signals.associate { it.name to it.series.statistics() },
         units = signals.associate { it.name to it.unit },
@@ -39,6 +45,7 @@ internal fun statisticsRow(recording: OpenRecording, topics: List<String>): Stat
     )
 }
 
+/** When the file of [recording] was written last; empty when it is not there any more. */
 private fun dateOf(recording: OpenRecording): String = try {
     DATE.format(Files.getLastModifiedTime(recording.file).toInstant().atZone(ZoneId.systemDefault()))
 } catch (_: IOException) {

@@ -40,10 +40,11 @@ import kotlinx.coroutines.withContext
  */
 @Composable
 internal fun StatisticsTable(viewer: Viewer, modifier: Modifier = Modifier, chooseFile: (String) -> Path? = ::chooseFileToSave) {
-    val open = viewer.open
-    val comparison = viewer.comparison
-    val source = remember(open, comparison.ticked, comparison.loaded) { statisticsSource(viewer) }
     val choice = viewer.statisticsChoice
+    val drawn = viewer.drawnRecordings().map { it.recording }
+    val source = remember(drawn, viewer.library, choice.isOverAll) {
+        statisticsSource(drawn, if (choice.isOverAll) logsOfFolder(viewer) else emptyList())
+    }
     val rows by produceState(emptyList<StatisticsRow>(), source, choice.topics) {
         value = withContext(Dispatchers.Default) { source.rowsOf(choice.topics) }
     }
@@ -88,6 +89,12 @@ private fun Table(
 private fun Head(viewer: Viewer, grid: StatisticsGrid, chooseFile: (String) -> Path?) {
     val choice = viewer.statisticsChoice
     FlowRow(Modifier.fillMaxWidth().padding(horizontal = 8.dp, vertical = 4.dp), itemVerticalAlignment = Alignment.CenterVertically) {
+        ToolButton("The open log and those that are ticked", text = "Ticked", isOn = !choice.isOverAll) {
+            viewer.statisticsChoice = viewer.statisticsChoice.copy(isOverAll = false)
+        }
+        ToolButton("Every log of the folder", text = "All", isOn = choice.isOverAll, modifier = Modifier.padding(end = 16.dp)) {
+            viewer.statisticsChoice = viewer.statisticsChoice.copy(isOverAll = true)
+        }
         for (statistic in Statistic.entries) {
             ToolButton("Column ${statistic.title}", text = statistic.title, isOn = statistic in choice.statistics) {
                 viewer.statisticsChoice = viewer.statisticsChoice.toggled(statistic)

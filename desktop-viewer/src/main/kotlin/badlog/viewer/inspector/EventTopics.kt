@@ -16,16 +16,16 @@ import badlog.viewer.theme.ToolButton
 /** Chooses the topics whose events are listed. */
 @Composable
 internal fun EventTopics(viewer: Viewer, logs: List<EventLog>) {
-    val filter = viewer.eventFilter
+    val chosen = viewer.eventFilter.topicsOf(logs)
     FlowRow(Modifier.padding(horizontal = 8.dp).heightIn(max = 120.dp).verticalScroll(rememberScrollState())) {
-        ToolButton("Events of all topics", text = "All", isOn = filter.topics.isEmpty()) {
+        ToolButton("Events of all topics", text = "All", isOn = chosen.isEmpty()) {
             viewer.eventFilter = viewer.eventFilter.copy(topics = emptySet())
         }
         for (log in logs.take(MOST)) {
             ToolButton(
                 "Events of ${log.name}",
                 text = log.title.take(LONGEST),
-                isOn = log.name in filter.topics,
+                isOn = log.name in chosen,
                 modifier = Modifier.widthIn(max = 180.dp),
             ) { viewer.eventFilter = viewer.eventFilter.toggled(log.name) }
         }

@@ -52,7 +52,7 @@ internal fun EventsPanel(viewer: Viewer, open: OpenRecording, modifier: Modifier
         SearchField(filter.text, "Search events", Modifier.fillMaxWidth().padding(8.dp)) {
             viewer.eventFilter = viewer.eventFilter.copy(text = it)
         }
-        if (open.eventLogs.size > 1 || filter.topics.isNotEmpty()) EventTopics(viewer, open.eventLogs)
+        if (open.eventLogs.size > 1) EventTopics(viewer, open.eventLogs)
         Text(
             if (filter.isOff) countText(all.size, "event") else "${found.size} of ${countText(all.size, "event")}",
             Modifier.padding(horizontal = 12.dp, vertical = 2.dp),

@@ -11,11 +11,14 @@ internal class RecordingEvents(private val logs: List<EventLog>) {
     fun matching(filter: EventFilter): MatchingEvents {
         if (filter.isOff) return all
         val words = wordsOf(filter.text)
+        val topics = filter.topicsOf(logs)
         // Each different text is looked at once, however often it was logged.
         val fits = logs.map { log ->
-            val isWanted = filter.topics.isEmpty() || log.name in filter.topics
+            val isWanted = topics.isEmpty() || log.name in topics
             val texts = log.topic.texts.dictionary
-            BooleanArray(texts.size) { isWanted && words.all { word -> texts[it].contains(word, true) || log.name.contains(word, true) } }
+            BooleanArray(texts.size) {
+                isWanted && words.all { word -> texts[it].contains(word, true) || log.name.contains(word, true) }
+            }
         }
         return all.filtered { fits[all.logOf[it]][logs[all.logOf[it]].topic.texts.ids[all.cellOf(it)]] }
     }

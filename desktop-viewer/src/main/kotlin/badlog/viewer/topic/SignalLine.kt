@@ -32,6 +32,7 @@ import androidx.compose.ui.input.pointer.onPointerEvent
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.selected
 import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.AnnotatedString
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
@@ -64,7 +65,7 @@ internal fun SignalLine(viewer: Viewer, open: OpenRecording, row: SignalRow, row
                 .height(26.dp)
                 .background(if (isChosen) palette.accentSoft else if (isHovered) palette.raised else Color.Transparent)
                 .hoverable(interactions)
-                .draggedAsSignals { namesToTake(viewer.topicList, signal.name) }
+                .draggedAsSignals(palette.accent) { namesToTake(viewer.topicList, signal.name) }
                 .onPointerEvent(PointerEventType.Press, PointerEventPass.Initial) { held = it.keyboardModifiers }
                 .clickable {
                     when {
@@ -82,14 +83,12 @@ internal fun SignalLine(viewer: Viewer, open: OpenRecording, row: SignalRow, row
             verticalAlignment = Alignment.CenterVertically,
         ) {
             KindMark(signal, open.isEvents(signal), place)
-            Tip(signal.name, Modifier.weight(1f)) {
-                Text(
-                    withMatches(signal.title, viewer.topicList.query, palette),
-                    Modifier.fillMaxWidth(),
-                    fontWeight = if (place != null) FontWeight.Medium else null,
-                    maxLines = 1,
-                    overflow = TextOverflow.Ellipsis,
-                )
+            val title = withMatches(signal.title, viewer.topicList.query, palette)
+            // A tip costs as much as the rest of the row, so only the one under the pointer has it.
+            if (isHovered) {
+                Tip(signal.name, Modifier.weight(1f)) { Title(title, isDrawn = place != null, Modifier.fillMaxWidth()) }
+            } else {
+                Title(title, isDrawn = place != null, Modifier.weight(1f))
             }
             if (isHovered && !open.isEvents(signal)) {
                 ToolButton("Add ${signal.name} to the last graph", Icons.Add) {
@@ -100,6 +99,11 @@ internal fun SignalLine(viewer: Viewer, open: OpenRecording, row: SignalRow, row
             }
         }
     }
+}
+
+@Composable
+private fun Title(text: AnnotatedString, isDrawn: Boolean, modifier: Modifier) {
+    Text(text, modifier, fontWeight = if (isDrawn) FontWeight.Medium else null, maxLines = 1, overflow = TextOverflow.Ellipsis)
 }
 
 /** What a drag that begins at [name] takes along. */

@@ -6,11 +6,15 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.draganddrop.DragAndDropTransferAction
 import androidx.compose.ui.draganddrop.DragAndDropTransferData
 import androidx.compose.ui.draganddrop.DragAndDropTransferable
+import androidx.compose.ui.graphics.Color
 import java.awt.datatransfer.StringSelection
 
 /** Lets what it modifies be dragged as the signals that [names] gives when the drag begins: plain text, a name in each line. */
 @OptIn(ExperimentalComposeUiApi::class)
-internal fun Modifier.draggedAsSignals(names: () -> List<String>): Modifier = dragAndDropSource {
+internal fun Modifier.draggedAsSignals(color: Color, names: () -> List<String>): Modifier = dragAndDropSource(
+    // Plain: a picture of the row would be recorded for every row.
+    drawDragDecoration = { drawRoundRect(color, alpha = 0.4f) },
+) {
     DragAndDropTransferData(
         transferable = DragAndDropTransferable(StringSelection(names().joinToString("\n"))),
         supportedActions = listOf(DragAndDropTransferAction.Copy),

@@ -13,7 +13,7 @@ import java.nio.file.Path
 class StatisticsGridSpec : FunSpec({
     fun row(label: String, vararg samples: Double, topic: String = "A", unit: String = "V"): StatisticsRow {
         val bag = bagOf(listOf("Time|xaxis", topic), samples.mapIndexed { index, value -> "$index,$value" })
-        val row = statisticsRow(recordingOf(bag, "$label.bag"), listOf(topic))
+        val row = statisticsRow(recordingOf(bag, "$label.bag"), listOf(topic), "")
         return StatisticsRow(label, "2026-03-0${samples.size}", Path.of("$label.bag"), row.statistics, row.units.mapValues { unit })
     }
 
@@ -61,5 +61,16 @@ class StatisticsGridSpec : FunSpec({
             val read = if (cell.startsWith('"')) cell.drop(1).dropLast(1).replace("\"\"", "\"") else cell
             read shouldBe text
         }
+    }
+
+    test("a log that is drawn and in the folder has one row, with the folder's date and all its signals") {
+        val open = recordingOf(bagOf(listOf("Time|xaxis", "A|delta", "Mode"), listOf("0,1,on", "1,4,on")), "open.bag")
+        val inFolder = StatisticsRow("open", "2026-03-14 10:41", open.file, rows[0].statistics, rows[0].units)
+        val source = statisticsSource(listOf(open), listOf(inFolder, rows[2], row("d", 7.0, topic = "Z")))
+        source.topics shouldContainExactly listOf("A", "A Delta", "Z")
+        val made = source.rowsOf(listOf("A", "A Delta"))
+        made.map { it.label } shouldContainExactly listOf("open.bag", "none", "d")
+        made[0].date shouldBe "2026-03-14 10:41"
+        made[0].statistics.keys shouldBe setOf("A", "A Delta")
     }
 })

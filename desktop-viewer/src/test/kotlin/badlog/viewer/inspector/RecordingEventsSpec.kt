@@ -27,6 +27,7 @@ class RecordingEventsSpec : FunSpec({
         open.events.matching(EventFilter("START")).texts() shouldContainExactly listOf("3.0 Started")
         open.events.matching(EventFilter("arm jam")).texts() shouldContainExactly listOf("3.0 jammed")
         open.events.matching(EventFilter(topics = setOf("Drive/Log"))).texts() shouldContainExactly listOf("1.0 stopped", "3.0 Started")
+        open.events.matching(EventFilter(topics = setOf("Of another robot"))).size shouldBe 5
         open.events.matching(EventFilter("nowhere")).size shouldBe 0
         open.events.matching(EventFilter(" ")) shouldBe open.events.all
     }
