@@ -13,7 +13,8 @@ import badlog.recording.Topic
  * Besides the recording's own columns it holds one piece of the file, never the file. Compressed files are to be inflated
  * before. Not safe for use by several threads.
  *
- * @param expectedBytes how long the file will be, if known: spares columns from growing. 0 when it is not known.
+ * @param expectedBytes how long the file will be, if known: spares columns from growing beyond what its rows need. 0 when it
+ *   is not known.
  * @param keepSamples false to find only topics, counts and problems, in memory that does not grow with the file.
  */
 public class BagParser(

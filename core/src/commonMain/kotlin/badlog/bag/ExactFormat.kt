@@ -25,33 +25,33 @@ internal object ExactFormat {
         var next = at
         if (value < 0 || 1 / value < 0) into[next++] = MINUS.toByte()
         val magnitude = abs(value)
-        val decimals = fewestDecimals(magnitude)
-        if (decimals >= 0) return writeDecimals(magnitude, decimals, into, next)
+        val end = writeFewDecimals(magnitude, into, next)
+        if (end >= 0) return end
         for (char in platformText(magnitude)) into[next++] = char.code.toByte()
         return next
     }
 
-    /** How many decimals are enough for [magnitude], or -1 where they are not few. */
-    private fun fewestDecimals(magnitude: Double): Int {
+    /** Writes [magnitude] with as many decimals as it needs; returns -1 where these are not few. */
+    private fun writeFewDecimals(magnitude: Double, into: ByteArray, at: Int): Int {
         if (magnitude < LEAST_PLAIN && magnitude != 0.0) return -1
         for (decimals in 0..MOST_DECIMALS) {
             val power = EXACT_POWERS_OF_TEN[decimals]
             val scaled = magnitude * power
             if (scaled >= WHOLE_LIMIT) return -1
+            val digits = floor(scaled + 0.5)
             // A quotient of two exact numbers is the double nearest to it, which is what a reader arrives at.
-            if (floor(scaled + 0.5) / power == magnitude) return decimals
+            if (digits / power == magnitude) return writeDecimals(digits.toLong(), decimals, into, at)
         }
         return -1
     }
 
-    private fun writeDecimals(magnitude: Double, decimals: Int, into: ByteArray, at: Int): Int {
-        val power = EXACT_POWERS_OF_TEN[decimals]
-        val digits = floor(magnitude * power + 0.5).toLong()
-        val whole = digits / power.toLong()
+    private fun writeDecimals(digits: Long, decimals: Int, into: ByteArray, at: Int): Int {
+        if (decimals == 0) return IntegerFormat.write(digits, into, at)
+        val power = EXACT_POWERS_OF_TEN[decimals].toLong()
+        val whole = digits / power
         val point = IntegerFormat.write(whole, into, at)
-        if (decimals == 0) return point
         into[point] = DOT.toByte()
-        var fraction = (digits - whole * power.toLong()).toInt()
+        var fraction = (digits - whole * power).toInt()
         for (i in point + decimals downTo point + 1) {
             into[i] = (ZERO + fraction % 10).toByte()
             fraction /= 10

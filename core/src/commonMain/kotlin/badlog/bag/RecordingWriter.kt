@@ -69,7 +69,8 @@ public class RecordingWriter(
     private fun csvTitles(names: List<String>, out: RowWriter) {
         val isAlone = names.size == 1
         names.forEachIndexed { index, name ->
-            val title = name.map { if (it < ' ' && it != '\t' || isAlone && it in SEPARATORS) ' ' else it }.joinToString("")
+            val isLost = { char: Char -> char < ' ' && char != '\t' || isAlone && char in SEPARATORS }
+            val title = name.map { if (isLost(it)) ' ' else it }.joinToString("")
             if (index == 0 && MISLEADING.any(title::startsWith)) out.quoted(title) else out.text(title)
         }
         out.endRow()

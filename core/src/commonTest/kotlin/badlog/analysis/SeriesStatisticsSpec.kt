@@ -111,7 +111,8 @@ class SeriesStatisticsSpec : FunSpec({
 
     test("any series has the very figures that sorting all its samples gives, ordered or not") {
         val positions = Arb.list(Arb.element(List(12) { it * 0.5 }), 0..80)
-        val ends = Arb.element(List(14) { it * 0.5 - 0.25 } + listOf(-1e300, Double.NEGATIVE_INFINITY, 1e300, 2.0, Double.NaN))
+        val farEnds = listOf(-1e300, 1e300, Double.NEGATIVE_INFINITY, Double.NaN)
+        val ends = Arb.element(List(14) { it * 0.5 - 0.25 } + 2.0 + farEnds)
         checkAll(1000, positions, Arb.list(VALUES, 80..80), ends, ends) { x, y, from, to ->
             for (places in listOf(x, x.sorted())) {
                 val series = Series(places.toDoubleArray(), y.take(x.size).toDoubleArray())

@@ -58,6 +58,15 @@ class BagParserSpec : FunSpec({
         }
     }
 
+    test("neither short first rows nor a wrong expected size make room for far more rows than have come") {
+        val columns = 2000
+        val text = List(columns) { "c$it" }.joinToString(",") + "\n" + ("0,".repeat(columns - 1) + "0\n").repeat(100)
+        // Room for all the rows that this size promises would be a terabyte.
+        val parser = BagParser(expectedBytes = 1L shl 40)
+        parser.accept(text.encodeToByteArray())
+        parser.finish().rowCount shouldBe 100
+    }
+
     test("repeated texts are kept once") {
         val recording = parse("t,state\n" + (0 until 1000).joinToString("") { "$it,state ${it % 3}\n" })
         recording.topics[1].texts.dictionary shouldBe listOf("state 0", "state 1", "state 2")

@@ -116,7 +116,8 @@ class RecordingWriterSpec : FunSpec({
 
     test("a column of one odd title is no other kind of table") {
         for (name in listOf("a;b", "a\tb", "a\u0007b")) {
-            val bag = parse(RowWriter().header(BagHeader(listOf(BagTopic(name)))).exact(1.0).endRow().run { bytes.copyOf(size) })
+            val header = BagHeader(listOf(BagTopic(name)))
+            val bag = parse(RowWriter().header(header).exact(1.0).endRow().run { bytes.copyOf(size) })
             val csv = parse(write(bag, RecordingFormat.CSV))
             csv.topics.map { it.name } shouldBe listOf("a b")
         }
@@ -132,9 +133,11 @@ class RecordingWriterSpec : FunSpec({
         val recording = parse("a,b\n" + "1,2\n".repeat(50_000))
         val told = ArrayList<Int>()
         var size = 0
-        RecordingWriter(recording).write(0, 40_000, { done, total -> told += done.also { total shouldBe 40_000 } }) { _, count ->
-            size += count
+        val progress = { done: Int, total: Int ->
+            total shouldBe 40_000
+            told += done
         }
+        RecordingWriter(recording).write(0, 40_000, progress) { _, count -> size += count }
         told.last() shouldBe 40_000
         told shouldBe told.sorted()
         size shouldBe "a,b\n".length + 4 * 40_000

@@ -11,8 +11,8 @@ import java.nio.file.Path
  * in it becomes a problem of the recording. Besides the recording, it holds less than 3 MB whatever the file's size.
  *
  * @param keepSamples false to find only topics, counts and problems, in memory that does not grow with the file.
- * @param untilLastLineEnd true to leave out what stands after the file's last line end: the half of a row that is in a
- *   file still being written, and no problem. Without effect on a compressed file.
+ * @param untilLastLineEnd true to leave out what stands after the file's last line end, or all where there is none: the
+ *   half of a row in a file that is still being written, and no problem. Without effect on a compressed file.
  * @param progress hears, on the calling thread and about once a megabyte, how many bytes of the file are read and how many
  *   it had at the beginning. What it throws stops the reading and is passed on.
  * @throws UnreadableFileException when the file is missing, is no regular file, or cannot be read.

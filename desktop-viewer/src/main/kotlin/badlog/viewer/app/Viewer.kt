@@ -9,6 +9,8 @@ import badlog.viewer.compare.Comparison
 import badlog.viewer.compare.ComparisonLoading
 import badlog.viewer.compare.StatisticsChoice
 import badlog.viewer.graph.GraphList
+import badlog.viewer.graph.PlotGesture
+import badlog.viewer.graph.plot.Plots
 import badlog.viewer.inspector.EventFilter
 import badlog.viewer.inspector.MatchingEvents
 import badlog.viewer.library.LibraryState
@@ -47,6 +49,12 @@ internal class Viewer(val scope: CoroutineScope, val folders: UserFolders, setti
     /** Where on x the cursor stands, the same in all graphs; null for nowhere. */
     var cursor by mutableStateOf<Double?>(null)
 
+    /** Whether the cursor stays where it is rather than going with the pointer. */
+    var isCursorPinned by mutableStateOf(false)
+
+    /** What is being dragged over a graph now, or null. */
+    var gesture by mutableStateOf<PlotGesture?>(null)
+
     /** The part of x that a person has marked, or null. */
     var selection by mutableStateOf<Span?>(null)
 
@@ -70,6 +78,9 @@ internal class Viewer(val scope: CoroutineScope, val folders: UserFolders, setti
 
     /** Which parts of the window are open. */
     var panels by mutableStateOf(Panels())
+
+    /** The pictures of the graphs. */
+    val plots = Plots()
 
     /** What the window has to say. */
     val notices = Notices()

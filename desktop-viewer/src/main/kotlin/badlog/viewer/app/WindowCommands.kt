@@ -1,10 +1,12 @@
 package badlog.viewer.app
 
 import androidx.compose.ui.input.key.Key
+import badlog.viewer.graph.graphCommands
 import badlog.viewer.inspector.title
+import badlog.viewer.playback.playbackCommands
 
 /** All that the keyboard does, in the order of the help sheet. */
-internal fun allCommands(viewer: Viewer): List<Command> = windowCommands(viewer)
+internal fun allCommands(viewer: Viewer): List<Command> = graphCommands(viewer) + playbackCommands(viewer) + windowCommands(viewer)
 
 /** What the keyboard does with the window's parts. */
 internal fun windowCommands(viewer: Viewer): List<Command> = listOf(

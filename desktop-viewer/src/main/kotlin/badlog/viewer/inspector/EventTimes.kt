@@ -1,11 +1,9 @@
 package badlog.viewer.inspector
 
+import badlog.viewer.graph.text.decimalsFor
+import badlog.viewer.graph.text.fixedText
+import badlog.viewer.graph.text.minutesText
 import badlog.viewer.recording.OpenRecording
-import java.util.Locale
-import kotlin.math.abs
-import kotlin.math.ceil
-import kotlin.math.floor
-import kotlin.math.log10
 
 /** Writes the times of a recording's events: as they were logged, and in minutes since the robot was enabled. */
 internal class EventTimes(recording: OpenRecording) {
@@ -19,21 +17,11 @@ internal class EventTimes(recording: OpenRecording) {
     }
 
     /** [x] as it was logged, all with as many decimals; `–` for none. */
-    fun logged(x: Double): String = if (x.isFinite()) "%.${decimals}f".format(Locale.ROOT, x) else "–"
+    fun logged(x: Double): String = fixedText(x, decimals)
 
-    /** `1:32` for 92 s after the robot was first enabled, negative before; null where nothing tells. */
+    /** `1:32.0` for 92 s after the robot was first enabled, negative before; null where nothing tells. */
     fun sinceEnabled(x: Double): String? {
         if (enabledFrom == null || perSecond == null || !x.isFinite()) return null
-        val seconds = floor((x - enabledFrom) / perSecond)
-        if (abs(seconds) >= LONGEST) return null
-        val whole = abs(seconds).toLong()
-        return "${if (seconds < 0) "-" else ""}${whole / 60}:${(whole % 60).toString().padStart(2, '0')}"
-    }
-
-    private companion object {
-        const val LONGEST = 1e9
-
-        /** How many decimals tell events apart on an axis of which [width] is there. */
-        fun decimalsFor(width: Double): Int = ceil(4 - log10(width)).toInt().coerceIn(0, 9)
+        return minutesText((x - enabledFrom) / perSecond)
     }
 }

@@ -1,5 +1,6 @@
 package badlog.viewer.inspector
 
+import badlog.analysis.Event
 import badlog.analysis.EventLog
 import badlog.analysis.Series
 
@@ -23,6 +24,9 @@ internal class MatchingEvents(
     val placedCount: Int = x.size - x.count { it.isNaN() }
 
     private val places = Series(x.copyOf(placedCount), DoubleArray(placedCount))
+
+    /** Event [index], made anew. */
+    fun eventAt(index: Int): Event = logs[logOf[index]].events[cells[index]]
 
     /** The text of event [index]. */
     fun textOf(index: Int): String = logs[logOf[index]].topic.texts[cells[index]]

@@ -31,6 +31,9 @@ internal class OpenRecording(val file: Path, val view: LogView) {
     /** All of the x axis that has samples; wider than that where there is a single x. */
     val span: Span = fullSpan(view.xAxis.positions)
 
+    /** Where on x there are rows, ascending: the places the cursor steps to. */
+    val positions: DoubleArray by lazy { ascending(view.xAxis.positions) }
+
     /** What a person would call it: the match, or else the name of the file. */
     val label: String get() = view.title ?: file.fileName.toString()
 
@@ -46,6 +49,11 @@ private fun signalsOf(view: LogView): List<Signal> {
         .filter { graph -> graph.series.all { it.isDerived } }
         .map { Signal(it.name, isDerived = true, it.series.single()) }
     return logged + derived
+}
+
+private fun ascending(positions: DoubleArray): DoubleArray {
+    val isAscending = positions.indices.all { positions[it].isFinite() && (it == 0 || positions[it] >= positions[it - 1]) }
+    return if (isAscending) positions else positions.filter { it.isFinite() }.toDoubleArray().apply { sort() }
 }
 
 private fun fullSpan(positions: DoubleArray): Span {

@@ -29,7 +29,8 @@ internal class RecordingLoading(private val viewer: Viewer) {
         val recording = readRecording(file, untilLastLineEnd = isGrowing) { done, total ->
             if (total > 0) progress(done.toFloat() / total)
         }
-        return OpenRecording(file, LogView.of(recording))
+        // When it was enabled is drawn in the first frame; the window's thread must not have to look for it.
+        return OpenRecording(file, LogView.of(recording)).also { it.enabled }
     }
 
     private fun show(recording: OpenRecording) {
@@ -37,6 +38,8 @@ internal class RecordingLoading(private val viewer: Viewer) {
         viewer.graphs = standardGraphs(recording.view)
         viewer.viewport = Viewport(recording.span)
         viewer.cursor = null
+        viewer.isCursorPinned = false
+        viewer.gesture = null
         viewer.selection = null
     }
 }

@@ -47,7 +47,7 @@ import badlog.viewer.theme.ToolButton
  * A signal of the list of topics. A click draws it, with Ctrl or Shift it chooses; a drag takes it to a graph, with all that are
  * chosen where it is one of them.
  *
- * @param place of its line in the first graph that draws it, null when none does.
+ * @param place of the colour of its line in the first graph that draws it, null when none does.
  */
 @OptIn(ExperimentalComposeUiApi::class)
 @Composable

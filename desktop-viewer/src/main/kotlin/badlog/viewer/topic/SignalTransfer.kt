@@ -7,16 +7,16 @@ import androidx.compose.ui.draganddrop.DragAndDropTransferAction
 import androidx.compose.ui.draganddrop.DragAndDropTransferData
 import androidx.compose.ui.draganddrop.DragAndDropTransferable
 import androidx.compose.ui.graphics.Color
-import java.awt.datatransfer.StringSelection
+import badlog.viewer.graph.signalTransfer
 
-/** Lets what it modifies be dragged as the signals that [names] gives when the drag begins: plain text, a name in each line. */
+/** Lets what it modifies be dragged as the signals that [names] gives when the drag begins. */
 @OptIn(ExperimentalComposeUiApi::class)
 internal fun Modifier.draggedAsSignals(color: Color, names: () -> List<String>): Modifier = dragAndDropSource(
     // Plain: a picture of the row would be recorded for every row.
     drawDragDecoration = { drawRoundRect(color, alpha = 0.4f) },
 ) {
     DragAndDropTransferData(
-        transferable = DragAndDropTransferable(StringSelection(names().joinToString("\n"))),
+        transferable = DragAndDropTransferable(signalTransfer(names())),
         supportedActions = listOf(DragAndDropTransferAction.Copy),
     )
 }

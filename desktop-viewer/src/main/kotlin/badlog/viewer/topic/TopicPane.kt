@@ -21,6 +21,7 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import badlog.viewer.app.Viewer
+import badlog.viewer.compare.drawnRecordings
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.SearchField
@@ -63,7 +64,9 @@ private fun Rows(viewer: Viewer, open: OpenRecording, modifier: Modifier) {
         return
     }
     val graphs = viewer.graphs
-    val places = remember(graphs) { graphs.placesOfLines() }
+    // As graphs colour their lines: of several recordings each line has a colour for each.
+    val recordings = viewer.drawnRecordings().size
+    val places = remember(graphs, recordings) { graphs.placesOfLines().mapValues { it.value * recordings } }
     val state = rememberLazyListState()
     Box(modifier.fillMaxSize()) {
         LazyColumn(Modifier.fillMaxSize(), state) {

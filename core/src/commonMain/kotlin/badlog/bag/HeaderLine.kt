@@ -15,7 +15,8 @@ internal fun headerLineOf(recording: Recording): String {
     }
     val values = recording.values.map { value -> own.values.find { it.value == value } ?: BagValue(value) }
     val header = BagHeader(topics, values, own.unknown)
-    return if (line != null && header == own && isOneLine(line) && topics.all { isText(it.name) }) line else headerText(header)
+    val isTrue = header == own && topics.all { isText(it.name) }
+    return if (line != null && isTrue && isOneLine(line)) line else headerText(header)
 }
 
 private fun isOneLine(line: String) = line.startsWith('{') && line.none { isLineEnd(it.code) }
