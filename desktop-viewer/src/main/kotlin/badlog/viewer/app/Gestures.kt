@@ -1,7 +1,14 @@
 package badlog.viewer.app
 
-/** What the pointer does in the list of topics and in the panels. */
-internal val PANEL_GESTURES = listOf(
+/** What the pointer does. */
+internal val GESTURES = listOf(
+    GestureHelp("On the graphs", "Move, click", "Moves the cursor, and pins it."),
+    GestureHelp("On the graphs", "Wheel", "Zooms in and out of x; with Shift it moves along."),
+    GestureHelp("On the graphs", "Drag", "Zooms in to what it goes over."),
+    GestureHelp("On the graphs", "Shift+drag", "Zooms in on y, of this graph."),
+    GestureHelp("On the graphs", "Ctrl+drag", "Selects a part, as a drag with the right button does."),
+    GestureHelp("On the graphs", "Alt+drag", "Moves along, as the middle button and a drag of the axis do."),
+    GestureHelp("On the graphs", "Double click", "Shows everything again."),
     GestureHelp("Topics", "Click", "Draws the topic in a graph of its own, or takes that away."),
     GestureHelp("Topics", "Ctrl+click, Shift+click", "Chooses one more, or all up to it."),
     GestureHelp("Topics", "Drag", "Takes the topic, or all chosen ones, to a graph."),

@@ -51,7 +51,7 @@ internal fun HelpSheet(commands: List<Command>, gestures: List<GestureHelp>, mod
             Arrangement.spacedBy(4.dp),
         ) {
             for ((group, members) in commands.groupBy { it.group }) {
-                HelpGroup(group, members.map { command -> command.keys.joinToString("  ") { it.text } to command.meaning })
+                HelpGroup(group, members.map { command -> keysText(command) to command.meaning })
             }
             for ((group, members) in gestures.groupBy { it.group }) {
                 HelpGroup(group, members.map { it.gesture to it.meaning })
@@ -59,6 +59,10 @@ internal fun HelpSheet(commands: List<Command>, gestures: List<GestureHelp>, mod
         }
     }
 }
+
+// Which of these need Shift depends on the keyboard.
+private fun keysText(command: Command) =
+    command.keys.map { if (it.label in "+=<>?") it.label else it.text }.distinct().joinToString("  ")
 
 @Composable
 private fun HelpGroup(title: String, lines: List<Pair<String, String>>) {

@@ -34,7 +34,7 @@ internal fun ViewerScreen(viewer: Viewer) {
                 BoxWithConstraints(Modifier.weight(1f).fillMaxWidth()) {
                     if (maxWidth < NARROW) NarrowBody(viewer) else WideBody(viewer)
                     if (viewer.panels.help) {
-                        HelpSheet(viewer.commands, PANEL_GESTURES, Modifier.align(Alignment.TopCenter)) {
+                        HelpSheet(viewer.commands, GESTURES, Modifier.align(Alignment.TopCenter)) {
                             viewer.panels = viewer.panels.copy(help = false)
                         }
                     }

@@ -1,6 +1,7 @@
 package badlog.viewer.app
 
 import androidx.compose.ui.input.key.Key
+import badlog.viewer.graph.giveUpGesture
 import badlog.viewer.graph.graphCommands
 import badlog.viewer.inspector.title
 import badlog.viewer.playback.playbackCommands
@@ -13,8 +14,8 @@ internal fun windowCommands(viewer: Viewer): List<Command> = listOf(
     Command(GROUP, "Open or close this sheet", listOf(KeyPress(Key.F1, "F1"), QUESTION_MARK)) {
         viewer.panels = viewer.panels.copy(help = !viewer.panels.help)
     },
-    Command(GROUP, "Close the sheet, or let go of the selection", listOf(KeyPress(Key.Escape, "Esc"))) {
-        if (viewer.panels.help) viewer.panels = viewer.panels.copy(help = false) else viewer.selection = null
+    Command(GROUP, "Close this sheet, or give up a drag, the selection, the cursor", listOf(KeyPress(Key.Escape, "Esc"))) {
+        if (viewer.panels.help) viewer.panels = viewer.panels.copy(help = false) else giveUpGesture(viewer)
     },
 ) + InspectorTab.entries.mapIndexed { index, tab ->
     Command(GROUP, "${tab.title}: open or close", listOf(KeyPress(DIGITS[index], "${index + 1}", ctrl = true))) {

@@ -11,6 +11,7 @@ import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.lazy.LazyColumn
 import androidx.compose.foundation.lazy.items
 import androidx.compose.foundation.lazy.rememberLazyListState
@@ -108,7 +109,7 @@ private fun SignalFigures(signal: SignalStatistics) {
 @Composable
 private fun FigureCell(figure: Figure, modifier: Modifier) {
     Row(modifier.padding(end = 4.dp)) {
-        Text(figure.name, Modifier.weight(0.36f), color = LocalPalette.current.muted, fontSize = 12.sp, maxLines = 1)
-        Text(withUnit(figure.text, figure.unit), Modifier.weight(0.64f), fontSize = 12.sp, maxLines = 1, overflow = TextOverflow.Ellipsis)
+        Text(figure.name, Modifier.width(54.dp), color = LocalPalette.current.muted, fontSize = 12.sp, maxLines = 1)
+        Text(withUnit(figure.text, figure.unit), Modifier.weight(1f), fontSize = 12.sp, maxLines = 1, overflow = TextOverflow.Ellipsis)
     }
 }

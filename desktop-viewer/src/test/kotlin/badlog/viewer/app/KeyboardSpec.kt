@@ -75,7 +75,7 @@ class KeyboardSpec : FunSpec({
             setContent { ViewerScreen(viewer) }
             viewer.commands.first { command -> command.keys.any { it.text == "F1" } }.action()
             for (command in viewer.commands) onNodeWithText(command.meaning).assertExists()
-            for (gesture in PANEL_GESTURES) onNodeWithText(gesture.meaning).assertExists()
+            for (gesture in GESTURES) onNodeWithText(gesture.meaning).assertExists()
             onNodeWithContentDescription("Close the sheet").performClick()
             runOnIdle { viewer.panels.help shouldBe false }
         }
