@@ -36,6 +36,7 @@ internal fun ApplicationScope.ViewerWindow(
     val icon = remember { windowIcon() }
     Window(
         onCloseRequest = {
+            viewer.layouts.keepNow()
             viewer.settings = viewer.settings.copy(window = placeOf(place, viewer.settings.window))
             try {
                 settingsFile.write(viewer.settings)
@@ -56,6 +57,7 @@ internal fun ApplicationScope.ViewerWindow(
             warmUpGraphs(viewer.folders)
         }
     }
+    LaunchedEffect(viewer) { viewer.layouts.keep() }
     LaunchedEffect(viewer) {
         openFirst(viewer, start(viewer))
         keepSettings(viewer, settingsFile)

@@ -4,10 +4,13 @@ import androidx.compose.ui.input.key.Key
 import badlog.viewer.graph.giveUpGesture
 import badlog.viewer.graph.graphCommands
 import badlog.viewer.inspector.title
+import badlog.viewer.layout.layoutCommands
 import badlog.viewer.playback.playbackCommands
+import badlog.viewer.takeaway.takeAwayCommands
 
 /** All that the keyboard does, in the order of the help sheet. */
-internal fun allCommands(viewer: Viewer): List<Command> = graphCommands(viewer) + playbackCommands(viewer) + windowCommands(viewer)
+internal fun allCommands(viewer: Viewer): List<Command> =
+    graphCommands(viewer) + playbackCommands(viewer) + takeAwayCommands(viewer) + layoutCommands(viewer) + windowCommands(viewer)
 
 /** What the keyboard does with the window's parts. */
 internal fun windowCommands(viewer: Viewer): List<Command> = listOf(

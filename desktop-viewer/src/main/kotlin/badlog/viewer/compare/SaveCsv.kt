@@ -1,19 +1,9 @@
 package badlog.viewer.compare
 
 import badlog.viewer.app.Viewer
-import java.awt.FileDialog
-import java.awt.Frame
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
-
-/** Asks a person where to save a file that is called [name] unless they say otherwise; null when they give it up. */
-internal fun chooseFileToSave(name: String): Path? {
-    val dialog = FileDialog(null as Frame?, "Save", FileDialog.SAVE)
-    dialog.file = name
-    dialog.isVisible = true
-    return dialog.file?.let { Path.of(dialog.directory.orEmpty(), it) }
-}
 
 /** Saves [grid] as CSV into [file]. */
 internal fun saveCsv(viewer: Viewer, grid: StatisticsGrid, file: Path) {

@@ -39,7 +39,11 @@ import kotlinx.coroutines.withContext
  * @param chooseFile asks where to save what is called so; null when the person gives it up.
  */
 @Composable
-internal fun StatisticsTable(viewer: Viewer, modifier: Modifier = Modifier, chooseFile: (String) -> Path? = ::chooseFileToSave) {
+internal fun StatisticsTable(
+    viewer: Viewer,
+    modifier: Modifier = Modifier,
+    chooseFile: (String) -> Path? = { viewer.files.toWrite("Save the table", viewer.library.folder, it) },
+) {
     val choice = viewer.statisticsChoice
     val drawn = viewer.drawnRecordings().map { it.recording }
     val source = remember(drawn, viewer.library, choice.isOverAll) {
