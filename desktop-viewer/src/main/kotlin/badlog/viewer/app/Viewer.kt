@@ -1,13 +1,18 @@
 package badlog.viewer.app
 
+import androidx.compose.runtime.derivedStateOf
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import badlog.plot.Span
 import badlog.viewer.compare.Comparison
+import badlog.viewer.compare.ComparisonLoading
+import badlog.viewer.compare.StatisticsChoice
 import badlog.viewer.graph.GraphList
 import badlog.viewer.graph.PlotGesture
 import badlog.viewer.graph.plot.Plots
+import badlog.viewer.inspector.EventFilter
+import badlog.viewer.inspector.MatchingEvents
 import badlog.viewer.layout.LayoutKeeping
 import badlog.viewer.library.LibraryFolder
 import badlog.viewer.library.LibraryState
@@ -18,6 +23,7 @@ import badlog.viewer.settings.Settings
 import badlog.viewer.settings.UserFolders
 import badlog.viewer.takeaway.FileChoice
 import badlog.viewer.takeaway.SystemFileChoice
+import badlog.viewer.topic.TopicList
 import badlog.viewer.view.Viewport
 import kotlinx.coroutines.CoroutineScope
 
@@ -68,6 +74,18 @@ internal class Viewer(
     /** What is laid over the open recording. */
     var comparison by mutableStateOf(Comparison())
 
+    /** Which topics and statistics the table across recordings has. */
+    var statisticsChoice by mutableStateOf(StatisticsChoice())
+
+    /** How the list of topics is searched and folded, and which are chosen there. */
+    var topicList by mutableStateOf(TopicList())
+
+    /** Which events are listed and marked. */
+    var eventFilter by mutableStateOf(EventFilter())
+
+    /** The events of the open recording that [eventFilter] lets through. */
+    val matchingEvents: MatchingEvents by derivedStateOf { open?.events?.matching(eventFilter) ?: MatchingEvents.NONE }
+
     /** Which parts of the window are open. */
     var panels by mutableStateOf(Panels())
 
@@ -80,6 +98,9 @@ internal class Viewer(
     /** What a person is waiting for. */
     val tasks = LongTasks(scope, notices)
 
+    /** Reads what is compared. */
+    val comparisonLoading = ComparisonLoading(this)
+
     /** Remembers how the window is arranged. */
     val layouts = LayoutKeeping(this)
 
@@ -88,4 +109,10 @@ internal class Viewer(
 
     /** Keeps [library] as its folder is. */
     val libraryFolder = LibraryFolder(this)
+
+    /** Who hears the keys. */
+    val keyboard = Keyboard()
+
+    /** What they do. */
+    val commands: List<Command> = allCommands(this)
 }

@@ -48,6 +48,7 @@ internal fun ApplicationScope.ViewerWindow(
         state = place,
         title = viewer.open?.label?.let { "$it – badlog" } ?: "badlog",
         icon = icon,
+        onKeyEvent = { viewer.keyboard.dispatch(it, viewer.commands) },
     ) {
         ViewerScreen(viewer)
         content(viewer)

@@ -2,5 +2,12 @@ package badlog.viewer.compare
 
 import badlog.viewer.app.Viewer
 
-/** What graphs draw, the open recording first. */
-internal fun Viewer.drawnRecordings(): List<DrawnRecording> = listOfNotNull(open?.let(::DrawnRecording))
+/**
+ * The recordings that every graph draws: the open one, then those ticked that were read, in the order of their ticks. One that is
+ * both is there once. The place in this list is the place of a recording's colour, see [colorOf].
+ */
+internal fun Viewer.drawnRecordings(): List<DrawnRecording> {
+    val open = open ?: return emptyList()
+    val others = comparison.ticked.filter { it != open.file }.mapNotNull { comparison.loaded[it] }
+    return listOf(DrawnRecording(open)) + others.map { DrawnRecording(it, comparison.offsetOf(it, open)) }
+}

@@ -9,8 +9,8 @@ import badlog.viewer.app.Viewer
 import badlog.viewer.theme.Palette
 import kotlin.math.abs
 
-/** The events that graphs and overview mark, of all logs. */
-internal fun visibleEvents(viewer: Viewer): List<Event> = viewer.open?.eventLogs.orEmpty().flatMap { it.events }
+/** The events that graphs and overview mark: those that are listed. */
+internal fun visibleEvents(viewer: Viewer): List<Event> = viewer.matchingEvents.run { List(placedCount) { eventAt(it) } }
 
 /** Those of some events that have a place on the x axis, in its order. */
 internal class EventTimeline(events: List<Event>) {

@@ -19,8 +19,7 @@ internal fun chooseFile(viewer: Viewer) {
     dialog.directory = viewer.library.folder?.toString()
     dialog.isVisible = true
     val file = dialog.files.firstOrNull()?.toPath() ?: return
-    if (viewer.library.folder == null) file.parent?.let { viewer.libraryFolder.open(it, showsNewest = false) }
-    viewer.openRecording(file)
+    viewer.openNamed(listOf(file))
 }
 
 /** The system's own dialog chooses folders on macOS alone. */

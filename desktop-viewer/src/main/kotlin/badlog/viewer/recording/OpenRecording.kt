@@ -5,6 +5,7 @@ import badlog.analysis.EventLog
 import badlog.analysis.LogView
 import badlog.analysis.enabledSpans
 import badlog.plot.Span
+import badlog.viewer.inspector.RecordingEvents
 import java.nio.file.Path
 
 /**
@@ -20,6 +21,9 @@ internal class OpenRecording(val file: Path, val view: LogView) {
 
     /** The events of all topics of texts. */
     val eventLogs: List<EventLog> = view.folders.flatMap { it.eventLogs }
+
+    /** All events of those, in the order of x; the first call sorts them. */
+    val events: RecordingEvents by lazy { RecordingEvents(eventLogs) }
 
     /** When the robot was enabled; empty when nothing tells. */
     val enabled: List<EnabledSpan> by lazy { view.enabledSpans() }

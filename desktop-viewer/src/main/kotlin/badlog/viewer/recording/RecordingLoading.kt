@@ -2,6 +2,7 @@ package badlog.viewer.recording
 
 import badlog.analysis.LogView
 import badlog.file.readRecording
+import badlog.viewer.app.FrontPart
 import badlog.viewer.app.Viewer
 import badlog.viewer.view.Viewport
 import java.nio.file.Path
@@ -40,5 +41,6 @@ internal class RecordingLoading(private val viewer: Viewer) {
         viewer.isCursorPinned = false
         viewer.gesture = null
         viewer.selection = null
+        viewer.panels = viewer.panels.copy(front = FrontPart.GRAPHS)
     }
 }

@@ -41,6 +41,12 @@ internal object Icons {
     val Hide = icon("M1.5 8 C4 4 12 4 14.5 8 C12 12 4 12 1.5 8 M3 13.5 L13 2.5")
     val Reset = icon("M3 8 A5 5 0 1 0 5 4 M5 1.5 V4.5 H8")
 
+    val Wave = icon("M1.5 9.5 L4.5 4.5 L8 11 L11 6 L14.5 9.5")
+    val Lanes = icon("M1.5 5.5 H6.5 V10.5 H11 V5.5 H14.5")
+    val Flag = icon("M4 14 V2.5 H12.5 L10 5.5 L12.5 8.5 H4")
+    val Sigma = icon("M12.5 4.5 V3 H4 L8.5 8 L4 13 H12.5 V11.5")
+    val Info = icon("M8 2 A6 6 0 1 0 8 14 A6 6 0 1 0 8 2 M8 7.5 V11 M8 5 V5.1")
+
     private fun icon(path: String, width: Float = 1.4f): ImageVector =
         ImageVector.Builder(defaultWidth = 16.dp, defaultHeight = 16.dp, viewportWidth = 16f, viewportHeight = 16f)
             .addPath(
