@@ -48,6 +48,7 @@ internal fun ApplicationScope.ViewerWindow(
         state = place,
         title = viewer.open?.label?.let { "$it – badlog" } ?: "badlog",
         icon = icon,
+        onPreviewKeyEvent = { viewer.keyboard.dispatchFirst(it, viewer.commands) },
         onKeyEvent = { viewer.keyboard.dispatch(it, viewer.commands) },
     ) {
         ViewerScreen(viewer)

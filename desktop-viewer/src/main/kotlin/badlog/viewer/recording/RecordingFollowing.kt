@@ -50,6 +50,9 @@ internal class RecordingFollowing(
     } catch (_: IOException) {
         // The next look at the file tells whether it is gone.
         null
+    } catch (_: OutOfMemoryError) {
+        viewer.notices.complain("${shown.file.fileName} has grown larger than the memory there is; what was read of it stays here.")
+        null
     }
 
     private companion object {

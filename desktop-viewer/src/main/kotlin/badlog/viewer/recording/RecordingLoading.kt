@@ -5,6 +5,7 @@ import badlog.file.readRecording
 import badlog.viewer.app.FrontPart
 import badlog.viewer.app.Viewer
 import badlog.viewer.view.Viewport
+import java.io.IOException
 import java.nio.file.Path
 import kotlinx.coroutines.Job
 import kotlinx.coroutines.launch
@@ -19,10 +20,17 @@ internal class RecordingLoading(private val viewer: Viewer) {
         val path = file.toAbsolutePath().normalize()
         val stamp = FileStamp.of(path) ?: FileStamp(0, 0)
         job?.cancel()
-        job = viewer.tasks.run("Opening ${path.fileName}", { progress -> read(path, false, progress) }) { recording ->
+        job = viewer.tasks.run("Opening ${path.fileName}", { progress -> readable(path, progress) }) { recording ->
             show(recording)
             job = viewer.scope.launch { following.follow(recording, stamp) }
         }
+    }
+
+    private fun readable(file: Path, progress: (Float) -> Unit): OpenRecording {
+        val opened = read(file, false, progress)
+        val recording = opened.view.recording
+        if (!recording.isReadable) throw IOException("${file.fileName}: ${recording.problems.last().message}")
+        return opened
     }
 
     private fun read(file: Path, isGrowing: Boolean, progress: (Float) -> Unit): OpenRecording {
@@ -42,5 +50,6 @@ internal class RecordingLoading(private val viewer: Viewer) {
         viewer.gesture = null
         viewer.selection = null
         viewer.panels = viewer.panels.copy(front = FrontPart.GRAPHS)
+        viewer.library = viewer.library.copy(selected = recording.file)
     }
 }
