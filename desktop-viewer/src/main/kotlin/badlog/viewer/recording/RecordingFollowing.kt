@@ -38,7 +38,12 @@ internal class RecordingFollowing(
             known = now
             isSettled = !hasChanged
             val began = TimeSource.Monotonic.markNow()
-            shown = readAgain(shown, isGrowing = hasChanged) ?: continue
+            shown = try {
+                readAgain(shown, isGrowing = hasChanged) ?: continue
+            } catch (_: OutOfMemoryError) {
+                viewer.notices.complain("${shown.file.fileName} has grown larger than the memory there is; what was read of it stays here.")
+                return
+            }
             viewer.open = shown
             viewer.viewport = viewer.viewport.grown(shown.span)
             delay(restAfter(began.elapsedNow()))
@@ -49,9 +54,6 @@ internal class RecordingFollowing(
         runInterruptible(Dispatchers.IO) { read(shown, isGrowing) }
     } catch (_: IOException) {
         // The next look at the file tells whether it is gone.
-        null
-    } catch (_: OutOfMemoryError) {
-        viewer.notices.complain("${shown.file.fileName} has grown larger than the memory there is; what was read of it stays here.")
         null
     }
 

@@ -45,9 +45,10 @@ internal class RealWindow(home: Path, opened: Path, width: Int = 1400, height: I
     @Volatile private var state: Viewer? = null
 
     init {
-        // As if the window had been there the last time.
-        val settings = SettingsFile(home.resolve("settings.json"))
-        if (!Files.exists(home.resolve("settings.json"))) settings.write(Settings(window = WindowPlace(20, 20, width, height, false)))
+        // As if the window had been in the corner the last time: elsewhere, without a window manager, Java may mistake its place.
+        val settings = home.resolve("settings.json")
+        if (!Files.exists(settings)) SettingsFile(settings).write(Settings(window = WindowPlace(0, 0, width, height, false)))
+        robot.mouseMove(FAR, FAR)
     }
 
     private val application = thread(name = "viewer under test") {
@@ -158,8 +159,9 @@ internal class RealWindow(home: Path, opened: Path, width: Int = 1400, height: I
         for (other in held) robot.keyRelease(other)
     }
 
-    /** Types the small letters, digits and signs of [text], as they are on an American keyboard. */
+    /** Types the small letters, digits and signs of [text], as they are on an American keyboard, once a field takes them. */
     fun type(text: String) {
+        awaitState("a field to type into") { it.keyboard.isTyping }
         for (letter in text) press(KeyEvent.getExtendedKeyCodeForChar(letter.code))
     }
 
@@ -220,6 +222,9 @@ internal class RealWindow(home: Path, opened: Path, width: Int = 1400, height: I
     private companion object {
         const val WAIT_MILLIS = 20_000L
         const val POLL_MILLIS = 20L
+
+        /** Beyond any window. */
+        const val FAR = 5000
 
         /** What has not moved for so long can be clicked. */
         const val REST_MILLIS = 150L
