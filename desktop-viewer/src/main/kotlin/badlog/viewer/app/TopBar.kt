@@ -12,7 +12,9 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
+import badlog.viewer.layout.LayoutMenu
 import badlog.viewer.settings.Theme
+import badlog.viewer.takeaway.TakeAwayMenu
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
@@ -39,6 +41,8 @@ internal fun TopBar(viewer: Viewer) {
             maxLines = 1,
             overflow = TextOverflow.Ellipsis,
         )
+        LayoutMenu(viewer)
+        TakeAwayMenu(viewer)
         ToolButton("Theme: ${viewer.settings.theme.name.lowercase()}", Icons.Sun) {
             val themes = Theme.entries
             val next = themes[(viewer.settings.theme.ordinal + 1) % themes.size]

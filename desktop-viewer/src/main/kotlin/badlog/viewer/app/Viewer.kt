@@ -8,12 +8,15 @@ import badlog.viewer.compare.Comparison
 import badlog.viewer.graph.GraphList
 import badlog.viewer.graph.PlotGesture
 import badlog.viewer.graph.plot.Plots
+import badlog.viewer.layout.LayoutKeeping
 import badlog.viewer.library.LibraryState
 import badlog.viewer.playback.Playback
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.recording.RecordingLoading
 import badlog.viewer.settings.Settings
 import badlog.viewer.settings.UserFolders
+import badlog.viewer.takeaway.FileChoice
+import badlog.viewer.takeaway.SystemFileChoice
 import badlog.viewer.view.Viewport
 import kotlinx.coroutines.CoroutineScope
 
@@ -23,8 +26,14 @@ import kotlinx.coroutines.CoroutineScope
  *
  * @param scope lives as long as the window, on its thread.
  * @property folders where the user's own files are.
+ * @property files asks for files and folders.
  */
-internal class Viewer(val scope: CoroutineScope, val folders: UserFolders, settings: Settings = Settings()) {
+internal class Viewer(
+    val scope: CoroutineScope,
+    val folders: UserFolders,
+    settings: Settings = Settings(),
+    val files: FileChoice = SystemFileChoice,
+) {
     /** What the person has chosen. */
     var settings by mutableStateOf(settings)
 
@@ -69,6 +78,9 @@ internal class Viewer(val scope: CoroutineScope, val folders: UserFolders, setti
 
     /** What a person is waiting for. */
     val tasks = LongTasks(scope, notices)
+
+    /** Remembers how the window is arranged. */
+    val layouts = LayoutKeeping(this)
 
     /** Opens recordings. */
     val loading = RecordingLoading(this)

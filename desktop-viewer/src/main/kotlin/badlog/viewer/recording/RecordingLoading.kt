@@ -3,7 +3,6 @@ package badlog.viewer.recording
 import badlog.analysis.LogView
 import badlog.file.readRecording
 import badlog.viewer.app.Viewer
-import badlog.viewer.graph.standardGraphs
 import badlog.viewer.view.Viewport
 import java.nio.file.Path
 import kotlinx.coroutines.Job
@@ -35,7 +34,7 @@ internal class RecordingLoading(private val viewer: Viewer) {
 
     private fun show(recording: OpenRecording) {
         viewer.open = recording
-        viewer.graphs = standardGraphs(recording.view)
+        viewer.graphs = viewer.layouts.graphsOf(recording)
         viewer.viewport = Viewport(recording.span)
         viewer.cursor = null
         viewer.isCursorPinned = false
