@@ -9,6 +9,7 @@ import badlog.viewer.graph.GraphList
 import badlog.viewer.graph.PlotGesture
 import badlog.viewer.graph.plot.Plots
 import badlog.viewer.layout.LayoutKeeping
+import badlog.viewer.library.LibraryFolder
 import badlog.viewer.library.LibraryState
 import badlog.viewer.playback.Playback
 import badlog.viewer.recording.OpenRecording
@@ -84,4 +85,7 @@ internal class Viewer(
 
     /** Opens recordings. */
     val loading = RecordingLoading(this)
+
+    /** Keeps [library] as its folder is. */
+    val libraryFolder = LibraryFolder(this)
 }

@@ -37,6 +37,8 @@ internal object Icons {
     val Check = icon("M3 8.5 L6.5 12 L13 4.5")
     val Warning = icon("M8 2.5 L14 13 H2 Z M8 6.5 V9.5 M8 11.3 V11.4")
     val Copy = icon("M5.5 5.5 H13 V13.5 H5.5 Z M3 10.5 V2.5 H10.5")
+    val Sort = icon("M2.5 4 H11 M2.5 8 H8 M2.5 12 H5 M11.5 7 V12.5 M9.5 10.5 L11.5 12.5 L13.5 10.5")
+    val Hide = icon("M1.5 8 C4 4 12 4 14.5 8 C12 12 4 12 1.5 8 M3 13.5 L13 2.5")
     val Reset = icon("M3 8 A5 5 0 1 0 5 4 M5 1.5 V4.5 H8")
 
     private fun icon(path: String, width: Float = 1.4f): ImageVector =
