@@ -16,6 +16,7 @@ import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.Text
 import androidx.compose.material3.VerticalDivider
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.produceState
 import androidx.compose.runtime.remember
@@ -44,6 +45,13 @@ internal fun StatisticsTable(
     modifier: Modifier = Modifier,
     chooseFile: (String) -> Path? = { viewer.files.toWrite("Save the table", viewer.library.folder, it) },
 ) {
+    LaunchedEffect(Unit) {
+        // An empty table would tell nobody what it is for.
+        val battery = viewer.library.entries.firstNotNullOfOrNull { it.batteryTopic }
+        if (battery != null && viewer.statisticsChoice.topics.isEmpty()) {
+            viewer.statisticsChoice = viewer.statisticsChoice.toggled(battery)
+        }
+    }
     val choice = viewer.statisticsChoice
     val drawn = viewer.drawnRecordings().map { it.recording }
     val source = remember(drawn, viewer.library, choice.isOverAll) {
