@@ -1,10 +1,11 @@
 package badlog.viewer.compare
 
 import badlog.viewer.app.Viewer
+import badlog.viewer.library.index.LogEntry
 
-/** Every log of the folder, with the figures of all its topics that are known without reading it again. */
+/** Every log of the folder, the newest first, with the figures of all its topics that are known without reading it again. */
 internal fun logsOfFolder(viewer: Viewer): List<StatisticsRow> =
-    viewer.library.entries.filter { it.isReadable && it.topics.isNotEmpty() }.map { log ->
+    viewer.library.entries.filter { it.isReadable && it.topics.isNotEmpty() }.sortedWith(NEWEST_FIRST).map { log ->
         StatisticsRow(
             label = log.title,
             date = log.date.time.toString().replace('T', ' '),
@@ -14,3 +15,5 @@ internal fun logsOfFolder(viewer: Viewer): List<StatisticsRow> =
             xUnit = log.xUnit,
         )
     }
+
+private val NEWEST_FIRST = compareByDescending<LogEntry> { it.date.second }.thenBy { it.file }

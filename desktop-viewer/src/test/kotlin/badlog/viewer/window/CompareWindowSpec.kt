@@ -28,10 +28,11 @@ class CompareWindowSpec : FunSpec({
 
             window.press(KeyEvent.VK_S)
             window.awaitState("the statistics") { it.panels.main == MainView.STATISTICS }
+            window.awaitState("the battery") { it.statisticsChoice.topics == listOf("System/Battery Voltage") }
             window.click("Search topics for the table")
-            window.type("voltage")
-            window.click("Figures of System/Battery Voltage")
-            window.awaitState("a topic") { it.statisticsChoice.topics == listOf("System/Battery Voltage") }
+            window.type("total current")
+            window.click("Figures of PDP/Total Current")
+            window.awaitState("one more topic") { "PDP/Total Current" in it.statisticsChoice.topics }
             window.picture("statistics")
         }
     }

@@ -136,7 +136,11 @@ internal class RealWindow(home: Path, opened: Path, width: Int = 1400, height: I
                 (from.x + (to.centerX - from.x) * step / 20).roundToInt(),
                 (from.y + (to.centerY - from.y) * step / 20).roundToInt(),
             )
+            // A drag between programs is talked over with the screen; who lets go before that has begun drops nothing.
+            if (step == 5 || step == 20) robot.delay(HOLD_MILLIS)
         }
+        robot.mouseMove(to.centerX.roundToInt() + 1, to.centerY.roundToInt() + 1)
+        robot.delay(HOLD_MILLIS)
         robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK)
     }
 
@@ -222,6 +226,9 @@ internal class RealWindow(home: Path, opened: Path, width: Int = 1400, height: I
     private companion object {
         const val WAIT_MILLIS = 20_000L
         const val POLL_MILLIS = 20L
+
+        /** So long a person holds what is dragged, before and after it is carried. */
+        const val HOLD_MILLIS = 300
 
         /** Beyond any window. */
         const val FAR = 5000
