@@ -63,7 +63,7 @@ internal fun HelpSheet(commands: List<Command>, gestures: List<GestureHelp>, mod
                     }
                 }
             }
-            VerticalScrollbar(rememberScrollbarAdapter(scroll), Modifier.align(Alignment.CenterEnd).matchParentSize().wrapContentWidth(Alignment.End))
+            VerticalScrollbar(rememberScrollbarAdapter(scroll), Modifier.matchParentSize().wrapContentWidth(Alignment.End))
         }
     }
 }

@@ -41,7 +41,8 @@ internal class RecordingFollowing(
             shown = try {
                 readAgain(shown, isGrowing = hasChanged) ?: continue
             } catch (_: OutOfMemoryError) {
-                viewer.notices.complain("${shown.file.fileName} has grown larger than the memory there is; what was read of it stays here.")
+                val name = shown.file.fileName
+                viewer.notices.complain("$name has grown larger than the memory there is; what was read of it stays here.")
                 return
             }
             viewer.open = shown

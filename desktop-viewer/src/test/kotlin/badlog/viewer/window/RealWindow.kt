@@ -169,9 +169,6 @@ internal class RealWindow(home: Path, opened: Path, width: Int = 1400, height: I
         for (letter in text) press(KeyEvent.getExtendedKeyCodeForChar(letter.code))
     }
 
-    /** Makes the window so large, in pixels. */
-    fun resize(width: Int, height: Int) = SwingUtilities.invokeAndWait { window.setSize(width, height) }
-
     /** Waits until every graph in sight is drawn. */
     fun awaitGraphs() = awaitState("the graphs") { it.plots.areReady(it.drawnRecordings(), it.viewport.visible) }
 
