@@ -46,9 +46,11 @@ internal fun StatisticsTable(
 ) {
     val choice = viewer.statisticsChoice
     val drawn = viewer.drawnRecordings().map { it.recording }
-    val source = remember(drawn, viewer.library, choice.isOverAll) {
-        statisticsSource(drawn, if (choice.isOverAll) logsOfFolder(viewer) else emptyList())
+    val logs = viewer.library.entries
+    val found by produceState<StatisticsSource?>(null, drawn, logs, choice.isOverAll) {
+        value = withContext(Dispatchers.Default) { statisticsSource(drawn, rowsOf(logs), choice.isOverAll) }
     }
+    val source = found ?: return
     val rows by produceState(emptyList<StatisticsRow>(), source, choice.topics) {
         value = withContext(Dispatchers.Default) { source.rowsOf(choice.topics) }
     }

@@ -12,13 +12,8 @@ import kotlinx.coroutines.runInterruptible
 /**
  * Keeps the open recording as its file is: a robot's simulation may be writing it. While it grows, a row that is half
  * written is left for later.
- *
- * @param read reads the file: up to its last line end, or all of it.
  */
-internal class RecordingFollowing(
-    private val viewer: Viewer,
-    private val read: (OpenRecording, isGrowing: Boolean) -> OpenRecording,
-) {
+internal class RecordingFollowing(private val viewer: Viewer) {
     /** Follows [opened], which was read when its file was as [stamp], until cancelled. */
     suspend fun follow(opened: OpenRecording, stamp: FileStamp) {
         var shown = opened
@@ -40,13 +35,14 @@ internal class RecordingFollowing(
             val began = TimeSource.Monotonic.markNow()
             shown = readAgain(shown, isGrowing = hasChanged) ?: continue
             viewer.open = shown
+            viewer.comparisonLoading.share(shown)
             viewer.viewport = viewer.viewport.grown(shown.span)
             delay(restAfter(began.elapsedNow()))
         }
     }
 
     private suspend fun readAgain(shown: OpenRecording, isGrowing: Boolean): OpenRecording? = try {
-        runInterruptible(Dispatchers.IO) { read(shown, isGrowing) }
+        runInterruptible(Dispatchers.IO) { OpenRecording.read(shown.file, isGrowing) }
     } catch (_: IOException) {
         // The next look at the file tells whether it is gone.
         null
