@@ -8,6 +8,8 @@ import badlog.plot.Span
 import badlog.viewer.compare.Comparison
 import badlog.viewer.compare.ComparisonLoading
 import badlog.viewer.compare.StatisticsChoice
+import badlog.viewer.files.FileChoice
+import badlog.viewer.files.SystemFileChoice
 import badlog.viewer.graph.GraphList
 import badlog.viewer.graph.PlotGesture
 import badlog.viewer.graph.plot.Plots
@@ -21,8 +23,6 @@ import badlog.viewer.recording.OpenRecording
 import badlog.viewer.recording.RecordingLoading
 import badlog.viewer.settings.Settings
 import badlog.viewer.settings.UserFolders
-import badlog.viewer.takeaway.FileChoice
-import badlog.viewer.takeaway.SystemFileChoice
 import badlog.viewer.topic.TopicList
 import badlog.viewer.view.Viewport
 import kotlinx.coroutines.CoroutineScope

@@ -2,9 +2,9 @@ package badlog.viewer.compare
 
 import badlog.analysis.Units
 import badlog.recording.Topic
-import badlog.viewer.topic.exactText
-import badlog.viewer.topic.figureText
-import badlog.viewer.topic.withUnit
+import badlog.viewer.text.exactText
+import badlog.viewer.text.figureText
+import badlog.viewer.text.withUnit
 
 /**
  * The table of statistics, ready to be shown or exported.

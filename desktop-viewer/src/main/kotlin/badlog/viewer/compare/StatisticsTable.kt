@@ -26,6 +26,7 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.viewer.app.MainView
 import badlog.viewer.app.Viewer
+import badlog.viewer.files.askToWrite
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
@@ -36,13 +37,13 @@ import kotlinx.coroutines.withContext
 /**
  * A statistic of topics across recordings.
  *
- * @param chooseFile asks where to save what is called so; null when the person gives it up.
+ * @param chooseFile asks where to save the table; null when the person gives it up.
  */
 @Composable
 internal fun StatisticsTable(
     viewer: Viewer,
     modifier: Modifier = Modifier,
-    chooseFile: (String) -> Path? = { viewer.files.toWrite("Save the table", viewer.library.folder, it) },
+    chooseFile: () -> Path? = { askToWrite(viewer, "Save the table", viewer.library.folder, "statistics", ".csv") },
 ) {
     val choice = viewer.statisticsChoice
     val drawn = viewer.drawnRecordings().map { it.recording }
@@ -77,7 +78,7 @@ private fun Table(
     viewer: Viewer,
     source: StatisticsSource,
     grid: StatisticsGrid,
-    chooseFile: (String) -> Path?,
+    chooseFile: () -> Path?,
     modifier: Modifier,
 ) {
     Column(modifier) {
@@ -92,7 +93,7 @@ private fun Table(
 }
 
 @Composable
-private fun Head(viewer: Viewer, grid: StatisticsGrid, chooseFile: (String) -> Path?) {
+private fun Head(viewer: Viewer, grid: StatisticsGrid, chooseFile: () -> Path?) {
     val choice = viewer.statisticsChoice
     FlowRow(Modifier.fillMaxWidth().padding(horizontal = 8.dp, vertical = 4.dp), itemVerticalAlignment = Alignment.CenterVertically) {
         ToolButton("The open log and those that are ticked", text = "Ticked", isOn = !choice.isOverAll) {
@@ -109,7 +110,7 @@ private fun Head(viewer: Viewer, grid: StatisticsGrid, chooseFile: (String) -> P
         Legend("smallest", LocalPalette.current.warningSoft)
         Legend("largest", LocalPalette.current.accentSoft)
         ToolButton("Save the table as CSV", Icons.Share, text = "CSV", isEnabled = choice.topics.isNotEmpty()) {
-            chooseFile("statistics.csv")?.let { saveCsv(viewer, grid, it) }
+            chooseFile()?.let { saveCsv(viewer, grid, it) }
         }
         ToolButton("Back to the graphs", Icons.Close) { viewer.panels = viewer.panels.copy(main = MainView.GRAPHS) }
     }

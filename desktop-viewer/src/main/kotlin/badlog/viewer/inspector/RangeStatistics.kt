@@ -7,9 +7,9 @@ import badlog.plot.Span
 import badlog.recording.Topic
 import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.recording.Signal
-import badlog.viewer.topic.exactText
-import badlog.viewer.topic.figureText
-import badlog.viewer.topic.sampleText
+import badlog.viewer.recording.sampleText
+import badlog.viewer.text.exactText
+import badlog.viewer.text.figureText
 
 /**
  * What every drawn signal does over a part of x.

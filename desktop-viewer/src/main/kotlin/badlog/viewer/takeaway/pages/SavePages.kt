@@ -1,9 +1,9 @@
 package badlog.viewer.takeaway.pages
 
 import badlog.viewer.app.Viewer
-import badlog.viewer.takeaway.askToWrite
+import badlog.viewer.files.askToWrite
+import badlog.viewer.files.sayNoLog
 import badlog.viewer.takeaway.openAction
-import badlog.viewer.takeaway.sayNoLog
 import java.io.IOException
 import java.io.UncheckedIOException
 import java.nio.file.FileVisitOption
