@@ -1,18 +1,17 @@
 package badlog.viewer.library.index
 
 import badlog.viewer.files.writeWhole
+import badlog.viewer.settings.keyOf
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
-import java.security.MessageDigest
-import java.util.HexFormat
 
 /**
  * Keeps what is known of the logs of [folder], so that they need not be read again: in one file of [cache], which may be
  * deleted at any time. What is damaged, or of another version, is as nothing.
  */
 internal class IndexCache(cache: Path, folder: Path) {
-    private val file = cache.resolve("logs-${nameOf(folder)}.index")
+    private val file = cache.resolve("logs-${keyOf(folder)}.index")
 
     /** What was kept. */
     fun load(): List<LogEntry> = try {
@@ -31,12 +30,5 @@ internal class IndexCache(cache: Path, folder: Path) {
     fun save(entries: Collection<LogEntry>) {
         val bytes = IndexFormat.encode(entries)
         writeWhole(file) { it.write(bytes) }
-    }
-
-    private companion object {
-        fun nameOf(folder: Path): String {
-            val digest = MessageDigest.getInstance("SHA-256").digest(folder.toString().encodeToByteArray())
-            return HexFormat.of().formatHex(digest, 0, 12)
-        }
     }
 }

@@ -8,6 +8,7 @@ import badlog.recording.PathName
 import badlog.recording.Recording
 import badlog.recording.Severity
 import badlog.recording.Topic
+import badlog.viewer.recording.batteryAmong
 import badlog.viewer.recording.finiteSpan
 import java.io.IOException
 import java.util.concurrent.CancellationException
@@ -53,7 +54,7 @@ private fun summaryOf(file: LogFile, view: LogView): LogEntry {
     val match = MatchFacts.of(recording.values, file.name)
     val time = view.xAxis.topic ?: timeTopic(recording)
     val duration = time?.let { finiteSpan(it.samples)?.width }
-    val battery = batteryTopic(topics)
+    val battery = batteryAmong(topics.filter { it.statistics.count > 0 }, { it.name }, { it.unit })
     val trouble = if (recording.isReadable) null else recording.problems.last().message
     return LogEntry(
         source = file,
