@@ -1,6 +1,7 @@
 package badlog.viewer.compare
 
 import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.FlowRow
@@ -16,6 +17,7 @@ import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.Text
 import androidx.compose.material3.VerticalDivider
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.produceState
 import androidx.compose.runtime.remember
@@ -45,13 +47,20 @@ internal fun StatisticsTable(
     modifier: Modifier = Modifier,
     chooseFile: () -> Path? = { askToWrite(viewer, "Save the table", viewer.library.folder, "statistics", ".csv") },
 ) {
+    LaunchedEffect(Unit) {
+        // An empty table would tell nobody what it is for.
+        val battery = viewer.library.entries.firstNotNullOfOrNull { it.batteryTopic }
+        if (battery != null && viewer.statisticsChoice.topics.isEmpty()) {
+            viewer.statisticsChoice = viewer.statisticsChoice.toggled(battery)
+        }
+    }
     val choice = viewer.statisticsChoice
     val drawn = viewer.drawnRecordings().map { it.recording }
     val logs = viewer.library.entries
     val found by produceState<StatisticsSource?>(null, drawn, logs, choice.isOverAll) {
         value = withContext(Dispatchers.Default) { statisticsSource(drawn, rowsOf(logs), choice.isOverAll) }
     }
-    val source = found ?: return
+    val source = found ?: return Box(modifier.background(LocalPalette.current.surface))
     val rows by produceState(emptyList<StatisticsRow>(), source, choice.topics) {
         value = withContext(Dispatchers.Default) { source.rowsOf(choice.topics) }
     }

@@ -7,6 +7,9 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.derivedStateOf
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
@@ -33,12 +36,15 @@ internal fun GraphToolbar(scene: GraphScene) {
 
 @Composable
 private fun ViewButtons(viewer: Viewer) {
+    // The view changes at the speed of the wheel, what the buttons show of it hardly ever.
+    val isZoomed by remember(viewer) { derivedStateOf { viewer.viewport.isZoomed } }
+    val hasHistory by remember(viewer) { derivedStateOf { viewer.viewport.history.isNotEmpty() } }
     Row(verticalAlignment = Alignment.CenterVertically) {
-        ToolButton("Show everything (0)", text = "All", isEnabled = viewer.viewport.isZoomed) { viewer.viewport = viewer.viewport.reset() }
-        ToolButton("Back to what was seen before (Backspace)", Icons.Back, isEnabled = viewer.viewport.history.isNotEmpty()) {
+        ToolButton("Show everything (0)", text = "All", isEnabled = isZoomed) { viewer.viewport = viewer.viewport.reset() }
+        ToolButton("Back to what was seen before (Backspace)", Icons.Back, isEnabled = hasHistory) {
             viewer.viewport = viewer.viewport.back()
         }
-        ToolButton("Zoom out (-)", Icons.Remove, isEnabled = viewer.viewport.isZoomed) { zoomBy(viewer, STEP) }
+        ToolButton("Zoom out (-)", Icons.Remove, isEnabled = isZoomed) { zoomBy(viewer, STEP) }
         ToolButton("Zoom in (+)", Icons.Add) { zoomBy(viewer, 1 / STEP) }
         if (viewer.open?.enabled.orEmpty().isNotEmpty()) {
             ToolButton("Zoom to the time the robot was enabled (E)", text = "Enabled") { zoomToEnabled(viewer) }

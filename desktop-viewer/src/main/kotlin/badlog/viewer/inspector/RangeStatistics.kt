@@ -41,13 +41,13 @@ internal class Figure(val name: String, val text: String, val unit: String)
 /** The statistics of [names] over [span] in each of [drawn]; calculates them all, so not for the window's thread. */
 internal fun rangeStatistics(drawn: List<DrawnRecording>, names: List<String>, span: Span, isSelection: Boolean): RangeStatistics {
     val signals = names.flatMap { name ->
-        drawn.mapIndexedNotNull { place, (recording, offset) ->
+        drawn.mapIndexedNotNull { place, (recording, offset, recordingName) ->
             val signal = recording.signal(name) ?: return@mapIndexedNotNull null
             if (signal.series.size == 0) return@mapIndexedNotNull null
             val statistics = signal.series.statistics(span.from - offset, span.to - offset)
             val states = signal.states.orEmpty()
             val figures = if (signal.hasFigures) figuresOf(signal, statistics, recording.view.xAxis.unit) else figuresOf(statistics, states)
-            SignalStatistics(name, signal.unit, if (drawn.size > 1) recording.label else "", place, figures)
+            SignalStatistics(name, signal.unit, if (drawn.size > 1) recordingName else "", place, figures)
         }
     }
     val xUnit = drawn.firstOrNull()?.recording?.view?.xAxis?.unit.orEmpty()

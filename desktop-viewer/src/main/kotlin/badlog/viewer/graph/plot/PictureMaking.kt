@@ -13,7 +13,10 @@ internal const val LANE_HEIGHT = 22
 
 /** Finds out all that is to be drawn for [request]. Takes a while: not for the window's thread. */
 internal fun makePicture(request: PlotRequest, curves: CurveCache): PlotPicture {
-    val (states, numbers) = drawnLines(request.spec, request.recordings).take(MOST_LINES).partition { it.signal.states != null }
+    val (states, numbers) = drawnLines(request.spec, request.recordings)
+        .filter { line -> visibleOf(line, request).width.let { it > 0 && it.isFinite() } }
+        .take(MOST_LINES)
+        .partition { it.signal.states != null }
     val lanesHeight = lanesHeight(request, states.size, hasLines = numbers.isNotEmpty())
     val plotHeight = request.height - lanesHeight
     val points = numbers.map { pointsOf(it, request, curves) }

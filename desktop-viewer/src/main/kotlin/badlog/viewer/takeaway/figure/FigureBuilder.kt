@@ -20,7 +20,7 @@ import badlog.viewer.theme.Palette
  * @param width how many pixels wide the figure will be.
  */
 internal class FigureBuilder(private val recordings: List<DrawnRecording>, private val x: Span, private val width: Int) {
-    private val names = distinctNames()
+    private val names = recordings.map { it.name }
     private val frameLetters = width / FRAME_LETTER
 
     /** One line of one recording. */
@@ -118,13 +118,6 @@ internal class FigureBuilder(private val recordings: List<DrawnRecording>, priva
 
     private fun isNamed(graph: GraphSpec, signal: Signal) =
         graph.title == signal.name || PathName.baseNameOf(graph.title) == signal.title
-
-    // Matches of one name, as two recordings of it, are told apart by their files.
-    private fun distinctNames(): List<String> {
-        val labels = recordings.map { it.recording.label }
-        val isDistinct = labels.toSet().size == labels.size
-        return if (isDistinct) labels else recordings.map { "${it.recording.label} (${it.recording.file.fileName})" }
-    }
 
     private companion object {
         /** So many points make about one megabyte of SVG. */

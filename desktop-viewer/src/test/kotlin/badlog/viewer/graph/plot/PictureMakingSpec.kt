@@ -113,6 +113,10 @@ class PictureMakingSpec : FunSpec({
         picture(recordingOf(bagOf(5) { if (it == 2) Double.POSITIVE_INFINITY else Double.NaN })).lines.single().points shouldHaveSize 0
     }
 
+    test("an x as wide as numbers go is not drawn, and breaks nothing") {
+        picture(recordingOf(bagOf(5) { 1.0 }), Span(-1e308, 1e308)).lines shouldHaveSize 0
+    }
+
     test("x that goes backwards is drawn in the order of the file, in parts") {
         val text = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"A/Voltage","unit":"V","attrs":[]}],"values":[]}""" +
             "\nTime,A/Voltage\n0,1\n1,2\n2,3\n0,4\n1,5\n"
