@@ -91,8 +91,8 @@ class LibraryFolderSpec : FunSpec({
         for (number in 1..2) folder.put("$number.bag", bag(values = matchValues(number)))
         FolderLayouts(home.resolve("layouts")).write(folder, Layout(Layout.VERSION, compared = LayoutComparison(listOf("1.bag"))))
         val viewer = newViewer(home)
-        viewer.scope.launch { viewer.layouts.keep() }
         watching(folder, viewer) {
+            withContext(Dispatchers.Main) { viewer.scope.launch { viewer.layouts.keep() } }
             eventually(longest) { viewer.open.shouldNotBeNull().file shouldBe folder.resolve("2.bag") }
             eventually(longest) { viewer.comparison.loaded.keys shouldBe setOf(folder.resolve("1.bag")) }
             folder.put("3.bag", bag(values = matchValues(3)))
