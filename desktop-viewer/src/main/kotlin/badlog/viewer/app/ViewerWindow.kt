@@ -77,6 +77,7 @@ private fun ApplicationScope.OpenWindow(
         state = place,
         title = viewer.open?.label?.let { "$it – badlog" } ?: "badlog",
         icon = icon,
+        onPreviewKeyEvent = { viewer.keyboard.dispatchFirst(it, viewer.commands) },
         onKeyEvent = { viewer.keyboard.dispatch(it, viewer.commands) },
     ) {
         ViewerScreen(viewer)

@@ -40,7 +40,7 @@ internal fun GraphColumn(scene: GraphScene) {
         val heights = graphHeights(lanes, maxHeight.value.toInt(), settings.graphHeight, settings.fitsGraphs)
         LazyColumn(Modifier.fillMaxSize(), scroll) {
             itemsIndexed(graphs, key = { _, graph -> graph.id }) { index, graph ->
-                GraphCard(scene, graph, heights.getOrElse(index) { settings.graphHeight })
+                GraphCard(scene, graph, heights.getOrElse(index) { HEIGHTS.first })
             }
             if (scene.isReceiving) item { NewGraphPlace() }
         }

@@ -12,8 +12,13 @@ import kotlinx.coroutines.runInterruptible
 /**
  * Keeps the open recording as its file is: a robot's simulation may be writing it. While it grows, a row that is half
  * written is left for later.
+ *
+ * @param read reads the file: up to its last line end, or all of it.
  */
-internal class RecordingFollowing(private val viewer: Viewer) {
+internal class RecordingFollowing(
+    private val viewer: Viewer,
+    private val read: (OpenRecording, isGrowing: Boolean) -> OpenRecording = { shown, isGrowing -> OpenRecording.read(shown.file, isGrowing) },
+) {
     /** Follows [opened], which was read when its file was as [stamp], until cancelled. */
     suspend fun follow(opened: OpenRecording, stamp: FileStamp) {
         var shown = opened
@@ -33,7 +38,12 @@ internal class RecordingFollowing(private val viewer: Viewer) {
             known = now
             isSettled = !hasChanged
             val began = TimeSource.Monotonic.markNow()
-            shown = readAgain(shown, isGrowing = hasChanged) ?: continue
+            shown = try {
+                readAgain(shown, isGrowing = hasChanged) ?: continue
+            } catch (_: OutOfMemoryError) {
+                viewer.notices.complain("${shown.file.fileName} has grown larger than the memory there is; what was read of it stays here.")
+                return
+            }
             viewer.open = shown
             viewer.comparisonLoading.share(shown)
             viewer.viewport = viewer.viewport.grown(shown.span)
@@ -42,7 +52,7 @@ internal class RecordingFollowing(private val viewer: Viewer) {
     }
 
     private suspend fun readAgain(shown: OpenRecording, isGrowing: Boolean): OpenRecording? = try {
-        runInterruptible(Dispatchers.IO) { OpenRecording.read(shown.file, isGrowing) }
+        runInterruptible(Dispatchers.IO) { read(shown, isGrowing) }
     } catch (_: IOException) {
         // The next look at the file tells whether it is gone.
         null

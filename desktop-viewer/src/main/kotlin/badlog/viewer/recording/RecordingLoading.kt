@@ -47,5 +47,6 @@ internal class RecordingLoading(private val viewer: Viewer) {
         viewer.gesture = null
         viewer.selection = null
         viewer.panels = viewer.panels.copy(front = FrontPart.GRAPHS)
+        viewer.library = viewer.library.copy(selected = recording.file)
     }
 }
