@@ -5,9 +5,11 @@ import java.io.IOException
 import java.util.concurrent.atomic.AtomicReference
 import kotlinx.coroutines.CancellationException
 import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.CoroutineStart
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.Job
 import kotlinx.coroutines.delay
+import kotlinx.coroutines.job
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.runInterruptible
 
@@ -32,7 +34,9 @@ internal class LongTasks(private val scope: CoroutineScope, private val notices:
     fun <T> run(title: String, work: (progress: (Float) -> Unit) -> T, done: (T) -> Unit): Job {
         val id = ++lastId
         val share = AtomicReference<Float?>(null)
-        val job = scope.launch {
+        // At once, or a task that is given up before it has begun would never be taken off the list.
+        return scope.launch(start = CoroutineStart.UNDISPATCHED) {
+            mutable += LongTask(id, title, null, coroutineContext.job::cancel)
             val shown = launch {
                 while (true) {
                     delay(PROGRESS_MILLIS)
@@ -56,8 +60,6 @@ internal class LongTasks(private val scope: CoroutineScope, private val notices:
                 mutable.removeAll { it.id == id }
             }
         }
-        if (job.isActive) mutable += LongTask(id, title, null) { job.cancel() }
-        return job
     }
 
     private companion object {

@@ -24,8 +24,8 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
+import badlog.viewer.text.exactText
 import badlog.viewer.theme.LocalPalette
-import badlog.viewer.topic.exactText
 import java.math.BigDecimal
 import java.math.RoundingMode
 

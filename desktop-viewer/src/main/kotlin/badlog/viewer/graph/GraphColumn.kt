@@ -31,7 +31,8 @@ import badlog.viewer.theme.LocalPalette
 internal fun GraphColumn(scene: GraphScene) {
     val viewer = scene.viewer
     val graphs = viewer.graphs.graphs
-    SideEffect { scene.plots.keep(graphs.mapTo(HashSet()) { it.id } + OVERVIEW) }
+    val recordings = scene.recordings
+    SideEffect { scene.plots.keep(graphs.mapTo(HashSet()) { it.id } + OVERVIEW, recordings) }
     BoxWithConstraints(Modifier.fillMaxSize().changesHeights(scene)) {
         val scroll = rememberLazyListState()
         val lanes = remember(graphs, scene.recordings) { graphs.map { lanesOf(it, scene) } }

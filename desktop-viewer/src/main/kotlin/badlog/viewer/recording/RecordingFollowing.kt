@@ -17,7 +17,7 @@ import kotlinx.coroutines.runInterruptible
  */
 internal class RecordingFollowing(
     private val viewer: Viewer,
-    private val read: (OpenRecording, isGrowing: Boolean) -> OpenRecording,
+    private val read: (OpenRecording, isGrowing: Boolean) -> OpenRecording = { shown, isGrowing -> OpenRecording.read(shown.file, isGrowing) },
 ) {
     /** Follows [opened], which was read when its file was as [stamp], until cancelled. */
     suspend fun follow(opened: OpenRecording, stamp: FileStamp) {
@@ -46,6 +46,7 @@ internal class RecordingFollowing(
                 return
             }
             viewer.open = shown
+            viewer.comparisonLoading.share(shown)
             viewer.viewport = viewer.viewport.grown(shown.span)
             delay(restAfter(began.elapsedNow()))
         }
