@@ -5,14 +5,15 @@ import androidx.compose.ui.unit.Density
 import badlog.analysis.LogView
 import badlog.bag.BagParser
 import badlog.viewer.app.Viewer
+import badlog.viewer.app.ViewerScreen
 import badlog.viewer.recording.OpenRecording
-import badlog.viewer.settings.Theme
 import badlog.viewer.settings.UserFolders
-import badlog.viewer.theme.ViewerTheme
 import badlog.viewer.view.Viewport
 import java.nio.file.Path
+import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.coroutineScope
 import kotlinx.coroutines.delay
+import kotlinx.coroutines.withContext
 
 /**
  * Draws a few small graphs that nobody sees. The first graphs of a program take half a second longer than the next, because their
@@ -20,15 +21,20 @@ import kotlinx.coroutines.delay
  * on with other things in between.
  */
 internal suspend fun warmUpGraphs(folders: UserFolders): Unit = coroutineScope {
-    val parser = BagParser()
-    parser.accept(SMALL_BAG.encodeToByteArray())
-    val recording = OpenRecording(Path.of("warm-up.bag"), LogView.of(parser.finish()))
+    val recording = withContext(Dispatchers.Default) {
+        val parser = BagParser()
+        parser.accept(BAG_HEADER.encodeToByteArray())
+        // So many rows that Java takes the trouble to translate the parser for this processor.
+        val rows = BAG_ROWS.encodeToByteArray()
+        repeat(REPEATS) { parser.accept(rows) }
+        OpenRecording(Path.of("warm-up.bag"), LogView.of(parser.finish()))
+    }
     val viewer = Viewer(this, folders)
     viewer.open = recording
     viewer.graphs = standardGraphs(recording.view)
     viewer.viewport = Viewport(recording.span)
     val scene = ImageComposeScene(WIDTH, HEIGHT, Density(1f), coroutineContext) {
-        ViewerTheme(Theme.LIGHT) { GraphPane(viewer) }
+        ViewerScreen(viewer)
     }
     try {
         repeat(FRAMES) { frame ->
@@ -42,16 +48,30 @@ internal suspend fun warmUpGraphs(folders: UserFolders): Unit = coroutineScope {
     }
 }
 
-private const val WIDTH = 640
+private const val WIDTH = 1000
 private const val HEIGHT = 480
 private const val FRAMES = 10
 private const val FRAME_MILLIS = 10L
 
+private const val REPEATS = 60
+
 /** A little of everything: numbers, states, events, and a robot that is enabled. */
-private val SMALL_BAG = buildString {
-    append("""{"topics":[{"name":"Time","unit":"s","attrs":["xaxis","hide"]},{"name":"A/Number","unit":"V","attrs":["differentiate"]},""")
-    append("""{"name":"A/State","unit":"ul","attrs":[]},{"name":"Enabled","unit":"ul","attrs":[]},{"name":"Events","unit":"ul","attrs":[]}],""")
-    append(""""values":[]}""")
-    append("\nTime,A/Number,A/State,Enabled,Events\n")
-    repeat(3000) { append("${it / 100.0},${it % 7},${if (it % 500 < 200) "LOW" else "HIGH"},${it > 100},${if (it % 900 == 7) "said" else ""}\n") }
+private val BAG_HEADER = buildString {
+    append("""{"topics":[{"name":"Time","unit":"s","attrs":["hide"]},{"name":"A/Number","unit":"V","attrs":["differentiate"]},""")
+    append("""{"name":"A/State","unit":"ul","attrs":[]},{"name":"Enabled","unit":"ul","attrs":[]},{"name":"Events","unit":"ul","attrs":[]}""")
+    repeat(NUMBERS) { append(""",{"name":"B/$it","unit":"m","attrs":["hide"]}""") }
+    append("""],"values":[]}""")
+    append("\nTime,A/Number,A/State,Enabled,Events")
+    repeat(NUMBERS) { append(",B/$it") }
+    append('\n')
 }
+
+private val BAG_ROWS = buildString {
+    repeat(1000) { row ->
+        append("${row / 100.0},${row % 7},${if (row % 500 < 200) "LOW" else "HIGH"},${row > 100},${if (row % 900 == 7) "said" else ""}")
+        repeat(NUMBERS) { append(",${row * 0.37 - it}") }
+        append('\n')
+    }
+}
+
+private const val NUMBERS = 16
