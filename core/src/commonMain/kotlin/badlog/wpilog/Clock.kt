@@ -2,7 +2,7 @@ package badlog.wpilog
 
 /** The growing times of one or several columns, in s. */
 internal class Clock(private val keepsSamples: Boolean) {
-    private var seconds = DoubleArray(0)
+    private val growing = GrowingDoubles()
     private var isOrdered = true
     private var last = Double.NEGATIVE_INFINITY
 
@@ -15,7 +15,8 @@ internal class Clock(private val keepsSamples: Boolean) {
         private set
 
     /** The times, ascending; after [finish]. */
-    val times: DoubleArray get() = seconds
+    var times = DoubleArray(0)
+        private set
 
     /** For each of [times] the sample that it belongs to, or null when they stand in their order; after [finish]. */
     var order: IntArray? = null
@@ -25,17 +26,14 @@ internal class Clock(private val keepsSamples: Boolean) {
     fun add(time: Double) {
         if (time < last) isOrdered = false
         last = time
-        if (keepsSamples) {
-            if (size == seconds.size) seconds = seconds.copyOf(maxOf(4, size + size / 2))
-            seconds[size] = time
-        }
+        if (keepsSamples) growing.add(time)
         size++
     }
 
     /** A clock that has had the same times so far, and goes its own way from now on. */
     fun copy(): Clock {
         val copy = Clock(keepsSamples)
-        copy.seconds = if (keepsSamples) seconds.copyOf(size) else seconds
+        copy.growing.addAll(growing)
         copy.isOrdered = isOrdered
         copy.last = last
         copy.size = size
@@ -46,10 +44,10 @@ internal class Clock(private val keepsSamples: Boolean) {
     fun finish(span: ClosedFloatingPointRange<Double>) {
         if (isFinished || !keepsSamples) return
         isFinished = true
-        val all = seconds
-        val kept = if ((0 until size).all { all[it] in span }) size else (0 until size).count { all[it] in span }
+        val all = growing.take()
+        val kept = all.count { it in span }
         if (isOrdered && kept == size) {
-            seconds = if (all.size == size) all else all.copyOf(size)
+            times = all
             return
         }
         val indices = IntArray(kept)
@@ -58,7 +56,7 @@ internal class Clock(private val keepsSamples: Boolean) {
         for (i in 1 until kept) if (all[indices[i]] < all[indices[i - 1]]) disorder++
         val sorted = if (disorder == 0) indices else sortedStably(indices, all)
         order = sorted
-        seconds = DoubleArray(kept) { all[sorted[it]] }
+        times = DoubleArray(kept) { all[sorted[it]] }
     }
 }
 

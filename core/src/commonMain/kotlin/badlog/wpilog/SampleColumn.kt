@@ -17,7 +17,7 @@ internal class SampleColumn(
     private val keepsSamples: Boolean,
     private val decoder: TextDecoder,
 ) {
-    private var numbers = DoubleArray(0)
+    private val numbers = GrowingDoubles()
     private var texts: TextPool? = null
     private var textRows = IntArray(0)
     private var textIds = IntArray(0)
@@ -81,10 +81,7 @@ internal class SampleColumn(
 
     // A column of texts needs no room for the numbers it has not.
     private fun add(number: Double) {
-        if (keepsSamples && textCount == 0) {
-            if (size == numbers.size) numbers = numbers.copyOf(maxOf(4, size + size / 2))
-            numbers[size] = number
-        }
+        if (keepsSamples && textCount == 0) numbers.add(number)
         size++
     }
 
@@ -94,9 +91,8 @@ internal class SampleColumn(
         val isNumeric = size - textCount - gapCount > 0
         val samples = when {
             !keepsSamples || !isNumeric -> DoubleArray(0)
-            order != null -> DoubleArray(order.size) { numbers[order[it]] }
-            numbers.size == size -> numbers
-            else -> numbers.copyOf(size)
+            order == null -> numbers.take()
+            else -> numbers.take().let { all -> DoubleArray(order.size) { all[order[it]] } }
         }
         val column = when {
             textCount == 0 || !keepsSamples -> TextColumn.EMPTY
@@ -104,7 +100,6 @@ internal class SampleColumn(
             else -> TextColumn(textRows.copyOf(textCount), textIds.copyOf(textCount), texts?.dictionary.orEmpty())
         }
         val counts = counts(if (order == null) size else order.size, samples, column)
-        numbers = samples
         return Topic(name, unit, attributes, samples, column, counts, clock.times, type, metadata)
     }
 

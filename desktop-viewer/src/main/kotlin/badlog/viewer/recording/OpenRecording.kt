@@ -25,7 +25,7 @@ internal class OpenRecording(val file: Path, val view: LogView) {
     val enabled: List<EnabledSpan> by lazy { view.enabledSpans() }
 
     /** All of the x axis that has samples; wider than that where there is a single x. */
-    val span: Span = fullSpan(view.xAxis.positions)
+    val span: Span = fullSpan(view.xAxis.range)
 
     /** What a person would call it: the match, or else the name of the file. */
     val label: String get() = view.title ?: file.fileName.toString()
@@ -44,17 +44,8 @@ private fun signalsOf(view: LogView): List<Signal> {
     return logged + derived
 }
 
-private fun fullSpan(positions: DoubleArray): Span {
-    var from = Double.POSITIVE_INFINITY
-    var to = Double.NEGATIVE_INFINITY
-    for (x in positions) {
-        if (!x.isFinite()) continue
-        if (x < from) from = x
-        if (x > to) to = x
-    }
-    return when {
-        from < to -> Span(from, to)
-        from == to -> Span(from - 0.5, to + 0.5)
-        else -> Span(0.0, 1.0)
-    }
+private fun fullSpan(range: ClosedFloatingPointRange<Double>?): Span = when {
+    range == null -> Span(0.0, 1.0)
+    range.start < range.endInclusive -> Span(range.start, range.endInclusive)
+    else -> Span(range.start - 0.5, range.start + 0.5)
 }
