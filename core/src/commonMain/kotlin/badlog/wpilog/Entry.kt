@@ -35,7 +35,7 @@ internal class Entry(val name: String, val type: String, val decoder: PayloadDec
             return when {
                 own.isNotEmpty() -> own
                 name == MESSAGES -> listOf("log")
-                name == SYSTEM_TIME || SCHEMA_FOLDER in name -> listOf("hide")
+                name == SYSTEM_TIME || SCHEMA_FOLDER in name || metadata == VALUE_METADATA -> listOf("hide")
                 else -> own
             }
         }

@@ -118,7 +118,7 @@ internal class EntryBook(private val source: ColumnSource, private val problems:
     private fun start(id: Int, name: String, type: String, metadata: String) {
         val entry = byName.getOrPut(name to type) {
             Entry(name, type, decoderFor(name, type)).also { entry ->
-                facts.watch(entry)
+                facts.watch(entry, metadata)
                 if (type == SCHEMA && STRUCT_SCHEMA in name) entry.listener = schemaListener(name)
             }
         }

@@ -9,12 +9,17 @@ internal class RunFacts {
     private var matchType: String? = null
     private var matchNumber: Long? = null
     private var wallOffset: Double? = null
+    private val own = LinkedHashMap<String, String>()
 
-    /** Hears what [entry] says, where that concerns the run. */
-    fun watch(entry: Entry) {
+    /** Hears what [entry], begun with [metadata], says, where that concerns the run. */
+    fun watch(entry: Entry, metadata: String) {
         if (entry.name == Entry.SYSTEM_TIME && entry.type == "int64") {
             // The later the better: a robot's clock is set when the driver station connects.
             entry.listener = longListener { micros, number -> wallOffset = number.toDouble() - micros }
+            return
+        }
+        if (metadata == VALUE_METADATA && entry.type == "string") {
+            entry.listener = EntryListener { _, bytes, from, until -> own[entry.name] = bytes.decodeToString(from, until) }
             return
         }
         if (SOURCES.none { it in entry.name }) return
@@ -35,10 +40,14 @@ internal class RunFacts {
 
     /** What was heard, in a recording that begins at [firstMicros]. */
     fun values(firstMicros: Double): List<Value> = buildList {
-        event?.let { add(Value("Event Name", it)) }
-        matchType?.let { add(Value("Match Type", it)) }
-        matchNumber?.let { add(Value("Match Number", it.toString())) }
-        wallOffset?.let { wallTimeText(it + firstMicros) }?.let { add(Value("Start Time", it)) }
+        for ((name, text) in own) add(Value(name, text))
+        fun offer(name: String, text: String?) {
+            if (text != null && name !in own) add(Value(name, text))
+        }
+        offer("Event Name", event)
+        offer("Match Type", matchType)
+        offer("Match Number", matchNumber?.toString())
+        offer("Start Time", wallOffset?.let { wallTimeText(it + firstMicros) })
     }
 
     private fun longListener(hear: (micros: Double, number: Long) -> Unit) = EntryListener { micros, bytes, from, until ->

@@ -55,7 +55,7 @@ public class WpilogParser(private val keepSamples: Boolean = true) {
     }
 
     private fun extraHeader() =
-        if (book.extraHeader.isBlank()) emptyList() else listOf(Value("Extra Header", book.extraHeader))
+        if (book.extraHeader.isBlank() || book.extraHeader == OWN_HEADER) emptyList() else listOf(Value("Extra Header", book.extraHeader))
 
     private fun reportEnd() {
         val end = splitter.readableEnd
@@ -91,5 +91,10 @@ public class WpilogParser(private val keepSamples: Boolean = true) {
                 count = book.wildCount + far,
             )
         }
+    }
+
+    internal companion object {
+        /** The text that badlog's own writer leaves in the header, which says nothing to anyone. */
+        const val OWN_HEADER = "{\"writer\":\"badlog\"}"
     }
 }
