@@ -65,7 +65,7 @@ internal class GraphCard(val graph: Graph, private val scene: Scene) {
         val figure = if (graph.showsStates) {
             LaneFigure(graph, scene.palette, isShown, scene.range.full.to)
         } else {
-            LineFigure(graph, scene.palette, isShown)
+            LineFigure(graph, scene.palette, isShown, scene.range.full.to)
         }
         host.textContent = ""
         host.style.height = "${figure.height}px"

@@ -55,11 +55,9 @@ internal class Legend(
 
     private fun valueAt(series: GraphSeries, x: Double): String {
         val data = series.data
-        // What is logged when it changes is what it was last.
-        val changes = series.topic.times != null && !series.isDerived && data.isOrdered
-        val nearest = if (changes) data.firstAfter(x) - 1 else data.nearest(x)
-        if (nearest < 0) return "–"
-        val sample = data.y[nearest]
+        val index = series.indexAt(x)
+        if (index < 0) return "–"
+        val sample = data.y[index]
         val states = series.states
         return if (states == null || sample.isNaN()) numberText(sample) else states.getOrElse(sample.toInt()) { "?" }
     }
