@@ -51,11 +51,24 @@ public fun periodicTimes(recording: Recording, period: Double): DoubleArray {
     return DoubleArray(steps.toInt() + 1) { range.start + it * period }
 }
 
+/** The times at which [topic], one of [recording]'s, has a sample: each once, ascending. */
+public fun timesOf(recording: Recording, topic: Topic): DoubleArray {
+    val positions = positionsOf(topic, LogView.of(recording).xAxis).filter { it.isFinite() }.toDoubleArray()
+    positions.sort()
+    var size = 0
+    for (position in positions) if (size == 0 || position > positions[size - 1]) positions[size++] = position
+    return positions.copyOf(size)
+}
+
 private fun held(topic: Topic, xAxis: XAxis, times: DoubleArray): Topic {
     val positions = positionsOf(topic, xAxis)
     val isOrdered = Series(positions, positions).isOrdered
     // Of a clock that was set, the samples that lie before the ones already met are found by none of the times.
-    val order = if (isOrdered) null else positions.indices.filter { positions[it].isFinite() }.sortedBy { positions[it] }.toIntArray()
+    val order = if (isOrdered) {
+        null
+    } else {
+        positions.indices.filter { positions[it].isFinite() }.sortedBy { positions[it] }.toIntArray()
+    }
     val holder = Holder(topic, times.size)
     var next = 0
     val count = order?.size ?: topic.size

@@ -12,7 +12,13 @@ internal class EntryWriter(
     private val times: RecordTimes,
     private val changesOnly: Boolean,
 ) {
-    private enum class Payload(val type: String) { BOOLEAN("boolean"), INT64("int64"), FLOAT("float"), DOUBLE("double"), STRING("string") }
+    private enum class Payload(val type: String) {
+        BOOLEAN("boolean"),
+        INT64("int64"),
+        FLOAT("float"),
+        DOUBLE("double"),
+        STRING("string"),
+    }
 
     private val payload = payloadOf(topic)
     private val positions = times.positionsOf(topic)

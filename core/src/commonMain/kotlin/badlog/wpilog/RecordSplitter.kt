@@ -52,7 +52,7 @@ internal class RecordSplitter(private val sink: RecordSink) {
 
     /** Whether a header may have begun that is not whole. */
     val isInHeader: Boolean
-        get() = !sawHeader && readableEnd < 0 && (0 until minOf(heldSize, MAGIC.length)).all { held[it].toInt() == MAGIC[it].code }
+        get() = !sawHeader && readableEnd < 0 && MAGIC.indices.all { it >= heldSize || held[it].toInt() == MAGIC[it].code }
 
     fun accept(bytes: ByteArray, from: Int, until: Int) {
         total += until - from

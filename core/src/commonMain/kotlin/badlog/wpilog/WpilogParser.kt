@@ -30,7 +30,8 @@ public class WpilogParser(private val keepSamples: Boolean = true) {
 
     /** Says that the file has ended, and returns what was read. To be called once, last. */
     public fun finish(): Recording {
-        val refusal = book.refusal ?: "This is no WPILOG file.".takeIf { !splitter.isPastHeader && !splitter.isInHeader }
+        val isOther = !splitter.isPastHeader && !splitter.isInHeader
+        val refusal = book.refusal ?: if (isOther) "This is no WPILOG file." else null
         if (refusal != null) {
             problems.add(ProblemKind.NOT_A_RECORDING, refusal)
             return Recording(RecordingFormat.WPILOG, null, emptyList(), emptyList(), 0, problems.toList())
@@ -39,7 +40,7 @@ public class WpilogParser(private val keepSamples: Boolean = true) {
         book.finish(splitter.recordsInNonsense)
         val bulk = book.spread.bulk()
         reportLostRecords(bulk)
-        val span = if (bulk == null) 0.0..0.0 else bulk.from / EntryBook.MICROS..(bulk.until - 1) / EntryBook.MICROS
+        val span = (bulk?.from ?: 0.0) / EntryBook.MICROS..((bulk?.until ?: 1.0) - 1) / EntryBook.MICROS
         val topics = WpilogTopics(span, problems).of(book.entries)
         if (topics.all { it.size == 0 }) {
             problems.add(ProblemKind.NO_ROWS, "There is not one sample; the robot may have been switched off too early.")

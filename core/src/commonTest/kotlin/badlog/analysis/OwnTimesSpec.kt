@@ -81,7 +81,8 @@ class OwnTimesSpec : FunSpec({
     test("the control word tells where nothing else of the driver station does") {
         val view = TestLog().start(4, "/Shooter/enabled", "boolean").start(1, "NT:/FMSInfo/FMSControlData", "int64")
             .record(4, 0, byteArrayOf(1))
-            .record(1, 0, longs(32)).record(1, 1_000_000, longs(35)).record(1, 2_000_000, longs(33)).record(1, 3_000_000, longs(32))
+            .record(1, 0, longs(32)).record(1, 1_000_000, longs(35))
+            .record(1, 2_000_000, longs(33)).record(1, 3_000_000, longs(32))
             .view()
         view.enabledSpans() shouldBe listOf(EnabledSpan(Span(1.0, 2.0), true), EnabledSpan(Span(2.0, 3.0), false))
     }

@@ -49,7 +49,7 @@ class ResamplingSpec : FunSpec({
     }
 
     test("a bag is resampled by its x axis, which the new one replaces") {
-        val header = "{\"topics\":[{\"name\":\"Time\",\"unit\":\"s\",\"attrs\":[\"xaxis\"]},{\"name\":\"b\",\"unit\":\"V\"}],\"values\":[]}\n"
+        val header = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"b","unit":"V"}],"values":[]}""" + "\n"
         val bag = parse(header + "Time,b\n0,1\n1,2\n0.5,3\n2,4\n")
         val result = resampled(bag, doubleArrayOf(0.0, 0.6, 1.0, 5.0))
         result.topics.map { it.name } shouldBe listOf("Time (2)", "b")
@@ -64,5 +64,13 @@ class ResamplingSpec : FunSpec({
         shouldThrow<IllegalArgumentException> { periodicTimes(log, 0.0) }
         shouldThrow<IllegalArgumentException> { periodicTimes(log, 1e-12) }
         shouldThrow<IllegalArgumentException> { resampled(log, doubleArrayOf(1.0, 1.0)) }
+    }
+
+    test("the times of a topic are each there once, in their order") {
+        val log = TestLog().start(1, "a", "double")
+        for (time in listOf(5L, 3, 5, 4, 3)) log.double(1, time * 1_000_000, 1.0)
+        val recording = parseLog(log.bytes)
+        timesOf(recording, recording.topics[0]).toList() shouldBe listOf(3.0, 4.0, 5.0)
+        resampled(recording, timesOf(recording, recording.topics[0])).rowCount shouldBe 3
     }
 })

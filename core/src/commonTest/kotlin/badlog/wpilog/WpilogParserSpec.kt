@@ -105,7 +105,8 @@ class WpilogParserSpec : FunSpec({
     }
 
     test("what is not decoded is there by its size, JSON by its text") {
-        val recording = TestLog().start(1, "p", "proto:Pose").start(2, "r", "raw").start(3, "j", "json").start(4, "s", "struct:No")
+        val recording = TestLog().start(1, "p", "proto:Pose").start(2, "r", "raw")
+            .start(3, "j", "json").start(4, "s", "struct:No")
             .record(1, 1, ByteArray(5)).record(2, 1, ByteArray(0)).string(3, 1, "{\"a\":1}").record(4, 1, ByteArray(24)).read()
         recording.topic("p").run {
             unit shouldBe "B"
@@ -117,7 +118,8 @@ class WpilogParserSpec : FunSpec({
     }
 
     test("metadata gives units, the last one counts, and badlog's own attributes come back") {
-        val recording = TestLog().start(1, "a", "double", "{\"unit\":\"V\"}").start(2, "b", "double", "{\"properties\":{\"unit\":\"A\"}}")
+        val recording = TestLog().start(1, "a", "double", "{\"unit\":\"V\"}")
+            .start(2, "b", "double", "{\"properties\":{\"unit\":\"A\"}}")
             .start(3, "c", "double", "not JSON").metadata(3, "{\"unit\":\"m\",\"attrs\":[\"zero\"]}").read()
         recording.topics.map { it.unit } shouldBe listOf("V", "A", "m")
         recording.topic("c").attributes shouldBe listOf("zero")
@@ -136,7 +138,8 @@ class WpilogParserSpec : FunSpec({
     }
 
     test("large numbers of entries are numbers, too") {
-        val recording = TestLog().start(-2, "a", "double").double(-2, 1, 1.0).start(5_000_000, "b", "double").double(5_000_000, 1, 2.0)
+        val recording = TestLog().start(-2, "a", "double").double(-2, 1, 1.0)
+            .start(5_000_000, "b", "double").double(5_000_000, 1, 2.0)
             .finish(-2).double(-2, 2, 3.0).read()
         recording.topics.map { it.samples.toList() } shouldBe listOf(listOf(1.0), listOf(2.0))
     }
@@ -235,5 +238,24 @@ class WpilogParserSpec : FunSpec({
         counted.topics.map { it.name to it.counts } shouldBe kept.topics.map { it.name to it.counts }
         counted.topics.all { it.samples.isEmpty() && it.texts.size == 0 && it.times?.size == 0 } shouldBe true
         counted.problems.map { it.kind }.toSet() + ProblemKind.TIMES_SORTED shouldBe kept.problems.map { it.kind }.toSet()
+    }
+
+    test("a number takes 16 bytes at most, whatever it comes in") {
+        val log = TestLog().start(1, "a", "double").start(2, "v", "double[]").start(3, "b", "boolean")
+        for (i in 1L..5000L) {
+            log.double(1, i, 1.0).record(2, i, doubles(*DoubleArray((i % 7).toInt()))).record(3, i, byteArrayOf(1))
+        }
+        val topics = log.read().topics
+        val arrays = topics.map { it.samples } + topics.mapNotNull { it.times }
+        val kept = arrays.filterIndexed { i, array -> arrays.indexOfFirst { it === array } == i }.sumOf { it.size * 8 }
+        (kept <= 16 * topics.sumOf { it.size }) shouldBe true
+    }
+
+    test("a number of topics that nobody can want does not fill the memory") {
+        val log = TestLog()
+        for (id in 1..300) log.start(id, "$id", "boolean[]").record(id, 1, ByteArray(256))
+        val recording = log.read()
+        recording.topics.count { it.size > 0 } shouldBe 65_536
+        recording.count(ProblemKind.TOO_MANY_TOPICS) shouldBe 300 - 256
     }
 })

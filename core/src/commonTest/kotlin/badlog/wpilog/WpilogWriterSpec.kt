@@ -57,12 +57,14 @@ class WpilogWriterSpec : FunSpec({
     }
 
     test("a log comes back as itself") {
-        val log = TestLog().start(1, "/a", "double", "{\"source\":\"NT\",\"unit\":\"V\"}").start(2, "b", "boolean").start(3, "s", "string")
+        val log = TestLog().start(1, "/a", "double", "{\"source\":\"NT\",\"unit\":\"V\"}")
+            .start(2, "b", "boolean").start(3, "s", "string")
             .start(4, "i", "int64").start(5, "f", "float").start(6, "j", "json").start(7, "none", "boolean")
         val random = Random(1014)
         for (i in 0L until 500) {
             val time = i * 1000 + random.nextLong(900)
-            log.double(1, time, if (i == 7L) Double.NaN else random.nextDouble()).record(2, time, byteArrayOf((i % 3 / 2).toByte()))
+            log.double(1, time, if (i == 7L) Double.NaN else random.nextDouble())
+                .record(2, time, byteArrayOf((i % 3 / 2).toByte()))
                 .string(3, time, "state ${i % 5}").record(4, time, longs(random.nextLong(-1000, 1L shl 52)))
                 .record(5, time, floats(random.nextFloat())).string(6, time, "{\"i\":${i / 100}}")
         }

@@ -15,7 +15,7 @@ import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
 /** Logs of a season's robot. They are not part of the project, so the test runs where they are. */
-private val LOGS = File("../../shared/data").listFiles { file -> file.name.endsWith(".wpilog") }.orEmpty().sorted()
+internal val REAL_LOGS: List<File> = File("../../shared/data").listFiles { file -> file.name.endsWith(".wpilog") }.orEmpty().sorted()
 
 /** What a slow and simple reader finds: for each name the sizes of its payloads, without those whose time cannot be. */
 private class SimpleReading(bytes: ByteArray) {
@@ -54,9 +54,11 @@ private val WIDTHS = mapOf("boolean[]" to 1, "float[]" to 4, "int64[]" to 8, "do
 
 class RealLogsSpec : FunSpec({
     test("real logs open with every record accounted for").config(
-        enabledOrReasonIf = { if (LOGS.isNotEmpty()) Enabled.enabled else Enabled.disabled("the logs are not on this machine") },
+        enabledOrReasonIf = {
+            if (REAL_LOGS.isNotEmpty()) Enabled.enabled else Enabled.disabled("the logs are not on this machine")
+        },
     ) {
-        for (file in LOGS) {
+        for (file in REAL_LOGS) {
             val bytes = file.readBytes()
             val simple = SimpleReading(bytes)
             val parser = WpilogParser()
@@ -66,8 +68,9 @@ class RealLogsSpec : FunSpec({
             recording.problems.filter { it.kind == ProblemKind.WILD_TIMES }.sumOf { it.count } shouldBe simple.wild
             for ((name, sizes) in simple.payloads) {
                 val type = simple.types.getValue(name)
-                val topics = recording.topics.filter { it.name == name || it.name.startsWith("$name[") || it.name.startsWith("$name/") }
-                    .filter { it.type == type }
+                val topics = recording.topics.filter { topic ->
+                    topic.type == type && (topic.name == name || topic.name.startsWith("$name[") || topic.name.startsWith("$name/"))
+                }
                 val width = WIDTHS[type]
                 when {
                     width != null -> topics.sumOf { it.size - it.counts.empty } shouldBe sizes.sumOf { it / width }

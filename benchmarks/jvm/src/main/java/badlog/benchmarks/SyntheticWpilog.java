@@ -51,7 +51,8 @@ final class SyntheticWpilog {
         buffer.put("WPILOG".getBytes(StandardCharsets.US_ASCII)).putShort((short) 0x0100).putInt(0);
         flush();
         for (int i = 1; i <= NUMBERS; i++) {
-            start(i, "/Bank " + i / 10 + "/Signal " + i, i % 8 == 0 ? "float" : i % 8 == 1 ? "int64" : "double", "{\"unit\":\"V\"}");
+            String type = i % 8 == 0 ? "float" : i % 8 == 1 ? "int64" : "double";
+            start(i, "/Bank " + i / 10 + "/Signal " + i, type, "{\"unit\":\"V\"}");
         }
         start(POSE, "/Drive/Pose", "struct:Pose2d", "");
         start(AXES, "DS:joystick0/axes", "float[]", "");
