@@ -9,8 +9,9 @@ import badlog.recording.Topic
  *
  * @property name as it stands in the file.
  * @property type as it stands in the file.
+ * @property isValue whether it is no topic, but a value that badlog has written.
  */
-internal class Entry(val name: String, val type: String, val decoder: PayloadDecoder) {
+internal class Entry(val name: String, val type: String, val isValue: Boolean, val decoder: PayloadDecoder) {
     /** What the file said of it last. */
     var metadata = ""
 
@@ -35,7 +36,7 @@ internal class Entry(val name: String, val type: String, val decoder: PayloadDec
             return when {
                 own.isNotEmpty() -> own
                 name == MESSAGES -> listOf("log")
-                name == SYSTEM_TIME || SCHEMA_FOLDER in name || metadata == VALUE_METADATA -> listOf("hide")
+                name == SYSTEM_TIME || SCHEMA_FOLDER in name -> listOf("hide")
                 else -> own
             }
         }

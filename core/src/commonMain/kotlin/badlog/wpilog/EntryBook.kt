@@ -8,7 +8,7 @@ import badlog.recording.ProblemList
 internal class EntryBook(private val source: ColumnSource, private val problems: ProblemList) : RecordSink {
     private val decoder = TextDecoder()
     private val schemas = StructSchemas()
-    private val byName = LinkedHashMap<Pair<String, String>, Entry>()
+    private val byName = LinkedHashMap<Triple<String, String, Boolean>, Entry>()
     private val byLargeId = HashMap<Int, Entry>()
     private var byId = arrayOfNulls<Entry>(64)
 
@@ -116,9 +116,11 @@ internal class EntryBook(private val source: ColumnSource, private val problems:
     }
 
     private fun start(id: Int, name: String, type: String, metadata: String) {
-        val entry = byName.getOrPut(name to type) {
-            Entry(name, type, decoderFor(name, type)).also { entry ->
-                facts.watch(entry, metadata)
+        // A topic may be called like a value.
+        val isValue = metadata == VALUE_METADATA && type == "string"
+        val entry = byName.getOrPut(Triple(name, type, isValue)) {
+            Entry(name, type, isValue, decoderFor(name, type)).also { entry ->
+                facts.watch(entry)
                 if (type == SCHEMA && STRUCT_SCHEMA in name) entry.listener = schemaListener(name)
             }
         }

@@ -11,14 +11,14 @@ internal class RunFacts {
     private var wallOffset: Double? = null
     private val own = LinkedHashMap<String, String>()
 
-    /** Hears what [entry], begun with [metadata], says, where that concerns the run. */
-    fun watch(entry: Entry, metadata: String) {
+    /** Hears what [entry] says, where that concerns the run. */
+    fun watch(entry: Entry) {
         if (entry.name == Entry.SYSTEM_TIME && entry.type == "int64") {
             // The later the better: a robot's clock is set when the driver station connects.
             entry.listener = longListener { micros, number -> wallOffset = number.toDouble() - micros }
             return
         }
-        if (metadata == VALUE_METADATA && entry.type == "string") {
+        if (entry.isValue) {
             entry.listener = EntryListener { _, bytes, from, until -> own[entry.name] = bytes.decodeToString(from, until) }
             return
         }

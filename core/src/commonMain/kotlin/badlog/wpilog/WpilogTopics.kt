@@ -15,7 +15,7 @@ internal class WpilogTopics(
     private val topics = ArrayList<Topic>()
 
     fun of(entries: Collection<Entry>): List<Topic> {
-        for (entry in entries) add(entry)
+        for (entry in entries) if (!entry.isValue) add(entry)
         return topics
     }
 

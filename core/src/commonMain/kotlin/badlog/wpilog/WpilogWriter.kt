@@ -41,9 +41,7 @@ public class WpilogWriter(
             out.start(id, value.name, "string", VALUE_METADATA)
             out.string(id++, firstTime, value.text.encodeToByteArray())
         }
-        // A value that was read from a WPILOG is there as a topic, too.
-        val entries = recording.topics.filter { it.metadata != VALUE_METADATA }
-            .map { EntryWriter(id++, it, times, changesOnly).apply { start(out) } }
+        val entries = recording.topics.map { EntryWriter(id++, it, times, changesOnly).apply { start(out) } }
         val total = recording.sampleCount
         var done = 0L
         val queue = EntryQueue(entries)
