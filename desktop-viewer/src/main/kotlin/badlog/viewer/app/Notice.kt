@@ -5,5 +5,9 @@ package badlog.viewer.app
  *
  * @property id tells it from the others.
  * @property isError whether something did not work.
+ * @property action what can be done about it at once, or null.
  */
-internal data class Notice(val id: Int, val text: String, val isError: Boolean)
+internal data class Notice(val id: Int, val text: String, val isError: Boolean, val action: NoticeAction? = null)
+
+/** What a notice offers to do, as its button says it. */
+internal class NoticeAction(val label: String, val run: () -> Unit)

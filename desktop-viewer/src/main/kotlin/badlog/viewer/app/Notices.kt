@@ -10,21 +10,21 @@ internal class Notices {
     /** Them. */
     val all: List<Notice> get() = mutable
 
-    /** Says that something went well. */
-    fun say(text: String) = add(text, isError = false)
+    /** Says that something went well, and offers [action]. */
+    fun say(text: String, action: NoticeAction? = null) = add(text, isError = false, action)
 
     /** Says that something did not work: what, where, and what to do next, in one sentence. */
-    fun complain(text: String) = add(text, isError = true)
+    fun complain(text: String) = add(text, isError = true, action = null)
 
     /** Takes notice [id] away. */
     fun dismiss(id: Int) {
         mutable.removeAll { it.id == id }
     }
 
-    private fun add(text: String, isError: Boolean) {
+    private fun add(text: String, isError: Boolean, action: NoticeAction?) {
         mutable.removeAll { it.text == text }
         while (mutable.size >= MOST) mutable.removeAt(0)
-        mutable += Notice(++lastId, text, isError)
+        mutable += Notice(++lastId, text, isError, action)
     }
 
     private companion object {

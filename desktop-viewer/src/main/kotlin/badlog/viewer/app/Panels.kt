@@ -7,6 +7,7 @@ package badlog.viewer.app
  * @property topics whether the topics stand beside it.
  * @property inspector which panel stands at the right, or null for none.
  * @property main what fills the middle.
+ * @property front which part is seen where the window is too narrow for more than one.
  * @property help whether the help sheet lies above everything.
  */
 internal data class Panels(
@@ -14,14 +15,21 @@ internal data class Panels(
     val topics: Boolean = true,
     val inspector: InspectorTab? = null,
     val main: MainView = MainView.GRAPHS,
+    val front: FrontPart = FrontPart.GRAPHS,
     val help: Boolean = false,
 ) {
+    /** Fills the middle with [view], or with the graphs again when that is what fills it. */
+    fun toggled(view: MainView): Panels = copy(main = if (main == view) MainView.GRAPHS else view)
+
     /** Opens [tab] at the right, or closes it when it is open. */
     fun toggled(tab: InspectorTab): Panels = copy(inspector = if (inspector == tab) null else tab)
 }
 
 /** What the panel at the right shows. */
 internal enum class InspectorTab { EVENTS, VALUES, PROBLEMS, STATISTICS }
+
+/** The parts of the window, of which a narrow one shows one at a time. */
+internal enum class FrontPart { LOGS, TOPICS, GRAPHS, DETAILS }
 
 /** What fills the middle of the window. */
 internal enum class MainView {

@@ -37,7 +37,7 @@ private fun NoticeLine(notice: Notice, onDismiss: () -> Unit) {
     val palette = LocalPalette.current
     if (!notice.isError) {
         LaunchedEffect(notice.id) {
-            delay(SAID_MILLIS)
+            delay(if (notice.action == null) SAID_MILLIS else OFFERED_MILLIS)
             onDismiss()
         }
     }
@@ -53,6 +53,7 @@ private fun NoticeLine(notice: Notice, onDismiss: () -> Unit) {
             Modifier.weight(1f).padding(vertical = 4.dp).semantics { liveRegion = LiveRegionMode.Polite },
             color = if (notice.isError) palette.error else palette.text,
         )
+        notice.action?.let { ToolButton(it.label, text = it.label, onClick = it.run) }
         ToolButton("Dismiss", Icons.Close, onClick = onDismiss)
     }
 }
@@ -76,3 +77,4 @@ private fun TaskLine(task: LongTask) {
 }
 
 private const val SAID_MILLIS = 6000L
+private const val OFFERED_MILLIS = 30_000L

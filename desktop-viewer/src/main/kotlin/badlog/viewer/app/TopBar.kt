@@ -12,26 +12,24 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
+import badlog.viewer.inspector.InspectorTabs
+import badlog.viewer.layout.LayoutMenu
 import badlog.viewer.settings.Theme
+import badlog.viewer.takeaway.TakeAwayMenu
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
 
 /** What stands along the window's top: which parts are open, what is shown, and what can be done with it. */
 @Composable
-internal fun TopBar(viewer: Viewer) {
+internal fun TopBar(viewer: Viewer, isNarrow: Boolean = false) {
     val panels = viewer.panels
     Row(
         Modifier.fillMaxWidth().background(LocalPalette.current.surface).padding(horizontal = 8.dp, vertical = 4.dp),
         horizontalArrangement = Arrangement.spacedBy(4.dp),
         verticalAlignment = Alignment.CenterVertically,
     ) {
-        ToolButton("Logs: the list at the left", Icons.List, isOn = panels.library) {
-            viewer.panels = panels.copy(library = !panels.library)
-        }
-        ToolButton("Topics", Icons.Tree, isOn = panels.topics) {
-            viewer.panels = panels.copy(topics = !panels.topics)
-        }
+        if (!isNarrow) PanelButtons(viewer)
         Text(
             viewer.open?.label ?: "badlog",
             Modifier.weight(1f).padding(horizontal = 8.dp),
@@ -39,6 +37,12 @@ internal fun TopBar(viewer: Viewer) {
             maxLines = 1,
             overflow = TextOverflow.Ellipsis,
         )
+        if (!isNarrow) InspectorTabs(viewer)
+        ToolButton("Statistics across logs", Icons.Compare, isOn = panels.main == MainView.STATISTICS) {
+            viewer.panels = panels.toggled(MainView.STATISTICS)
+        }
+        LayoutMenu(viewer)
+        TakeAwayMenu(viewer)
         ToolButton("Theme: ${viewer.settings.theme.name.lowercase()}", Icons.Sun) {
             val themes = Theme.entries
             val next = themes[(viewer.settings.theme.ordinal + 1) % themes.size]
@@ -47,5 +51,16 @@ internal fun TopBar(viewer: Viewer) {
         ToolButton("Keys and gestures", Icons.Help, isOn = panels.help) {
             viewer.panels = panels.copy(help = !panels.help)
         }
+    }
+}
+
+@Composable
+private fun PanelButtons(viewer: Viewer) {
+    val panels = viewer.panels
+    ToolButton("Logs: the list at the left", Icons.List, isOn = panels.library) {
+        viewer.panels = panels.copy(library = !panels.library)
+    }
+    ToolButton("Topics", Icons.Tree, isOn = panels.topics) {
+        viewer.panels = panels.copy(topics = !panels.topics)
     }
 }

@@ -1,17 +1,29 @@
 package badlog.viewer.app
 
+import androidx.compose.runtime.derivedStateOf
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import badlog.plot.Span
 import badlog.viewer.compare.Comparison
+import badlog.viewer.compare.ComparisonLoading
+import badlog.viewer.compare.StatisticsChoice
 import badlog.viewer.graph.GraphList
+import badlog.viewer.graph.PlotGesture
+import badlog.viewer.graph.plot.Plots
+import badlog.viewer.inspector.EventFilter
+import badlog.viewer.inspector.MatchingEvents
+import badlog.viewer.layout.LayoutKeeping
+import badlog.viewer.library.LibraryFolder
 import badlog.viewer.library.LibraryState
 import badlog.viewer.playback.Playback
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.recording.RecordingLoading
 import badlog.viewer.settings.Settings
 import badlog.viewer.settings.UserFolders
+import badlog.viewer.takeaway.FileChoice
+import badlog.viewer.takeaway.SystemFileChoice
+import badlog.viewer.topic.TopicList
 import badlog.viewer.view.Viewport
 import kotlinx.coroutines.CoroutineScope
 
@@ -21,8 +33,14 @@ import kotlinx.coroutines.CoroutineScope
  *
  * @param scope lives as long as the window, on its thread.
  * @property folders where the user's own files are.
+ * @property files asks for files and folders.
  */
-internal class Viewer(val scope: CoroutineScope, val folders: UserFolders, settings: Settings = Settings()) {
+internal class Viewer(
+    val scope: CoroutineScope,
+    val folders: UserFolders,
+    settings: Settings = Settings(),
+    val files: FileChoice = SystemFileChoice,
+) {
     /** What the person has chosen. */
     var settings by mutableStateOf(settings)
 
@@ -41,6 +59,12 @@ internal class Viewer(val scope: CoroutineScope, val folders: UserFolders, setti
     /** Where on x the cursor stands, the same in all graphs; null for nowhere. */
     var cursor by mutableStateOf<Double?>(null)
 
+    /** Whether the cursor stays where it is rather than going with the pointer. */
+    var isCursorPinned by mutableStateOf(false)
+
+    /** What is being dragged over a graph now, or null. */
+    var gesture by mutableStateOf<PlotGesture?>(null)
+
     /** The part of x that a person has marked, or null. */
     var selection by mutableStateOf<Span?>(null)
 
@@ -50,8 +74,23 @@ internal class Viewer(val scope: CoroutineScope, val folders: UserFolders, setti
     /** What is laid over the open recording. */
     var comparison by mutableStateOf(Comparison())
 
+    /** Which topics and statistics the table across recordings has. */
+    var statisticsChoice by mutableStateOf(StatisticsChoice())
+
+    /** How the list of topics is searched and folded, and which are chosen there. */
+    var topicList by mutableStateOf(TopicList())
+
+    /** Which events are listed and marked. */
+    var eventFilter by mutableStateOf(EventFilter())
+
+    /** The events of the open recording that [eventFilter] lets through. */
+    val matchingEvents: MatchingEvents by derivedStateOf { open?.events?.matching(eventFilter) ?: MatchingEvents.NONE }
+
     /** Which parts of the window are open. */
     var panels by mutableStateOf(Panels())
+
+    /** The pictures of the graphs. */
+    val plots = Plots()
 
     /** What the window has to say. */
     val notices = Notices()
@@ -59,6 +98,21 @@ internal class Viewer(val scope: CoroutineScope, val folders: UserFolders, setti
     /** What a person is waiting for. */
     val tasks = LongTasks(scope, notices)
 
+    /** Reads what is compared. */
+    val comparisonLoading = ComparisonLoading(this)
+
+    /** Remembers how the window is arranged. */
+    val layouts = LayoutKeeping(this)
+
     /** Opens recordings. */
     val loading = RecordingLoading(this)
+
+    /** Keeps [library] as its folder is. */
+    val libraryFolder = LibraryFolder(this)
+
+    /** Who hears the keys. */
+    val keyboard = Keyboard()
+
+    /** What they do. */
+    val commands: List<Command> = allCommands(this)
 }

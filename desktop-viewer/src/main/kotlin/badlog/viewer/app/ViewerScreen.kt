@@ -11,13 +11,16 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.width
 import androidx.compose.material3.VerticalDivider
 import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
+import badlog.viewer.compare.CompareBar
 import badlog.viewer.compare.StatisticsTable
 import badlog.viewer.graph.GraphPane
 import badlog.viewer.inspector.InspectorPane
 import badlog.viewer.library.LibraryPane
 import badlog.viewer.library.LogTable
+import badlog.viewer.library.openNamed
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ViewerTheme
 import badlog.viewer.topic.TopicPane
@@ -26,12 +29,23 @@ import badlog.viewer.topic.TopicPane
 @Composable
 internal fun ViewerScreen(viewer: Viewer) {
     ViewerTheme(viewer.settings.theme) {
-        Column(Modifier.fillMaxSize().background(LocalPalette.current.page)) {
-            TopBar(viewer)
-            BoxWithConstraints(Modifier.weight(1f).fillMaxWidth()) {
-                if (maxWidth < NARROW) NarrowBody(viewer) else WideBody(viewer)
+        viewer.keyboard.Watch {
+            BoxWithConstraints(Modifier.fillMaxSize().acceptsFiles { viewer.openNamed(it) }) {
+                val isNarrow = maxWidth < NARROW
+                Column(Modifier.fillMaxSize().background(LocalPalette.current.page)) {
+                    TopBar(viewer, isNarrow)
+                    Box(Modifier.weight(1f).fillMaxWidth()) {
+                        if (isNarrow) NarrowBody(viewer) else WideBody(viewer)
+                        if (viewer.panels.help) {
+                            HelpSheet(viewer.commands, GESTURES, Modifier.align(Alignment.TopCenter)) {
+                                viewer.panels = viewer.panels.copy(help = false)
+                            }
+                        }
+                    }
+                    StatusBar(viewer)
+                    if (isNarrow) FrontTabs(viewer)
+                }
             }
-            StatusBar(viewer)
         }
     }
 }
@@ -61,12 +75,12 @@ private fun WideBody(viewer: Viewer) {
 private fun NarrowBody(viewer: Viewer) {
     val panels = viewer.panels
     val all = Modifier.fillMaxSize()
-    when {
-        panels.main != MainView.GRAPHS -> MainPart(viewer, all)
-        panels.library -> LibraryPane(viewer, all)
-        panels.topics -> TopicPane(viewer, all)
-        panels.inspector != null -> InspectorPane(viewer, all)
-        else -> MainPart(viewer, all)
+    if (panels.main != MainView.GRAPHS) return MainPart(viewer, all)
+    when (panels.front) {
+        FrontPart.LOGS -> LibraryPane(viewer, all)
+        FrontPart.TOPICS -> TopicPane(viewer, all)
+        FrontPart.GRAPHS -> MainPart(viewer, all)
+        FrontPart.DETAILS -> InspectorPane(viewer, all)
     }
 }
 
@@ -74,7 +88,10 @@ private fun NarrowBody(viewer: Viewer) {
 private fun MainPart(viewer: Viewer, modifier: Modifier) {
     Box(modifier) {
         when (viewer.panels.main) {
-            MainView.GRAPHS -> GraphPane(viewer, Modifier.fillMaxSize())
+            MainView.GRAPHS -> Column(Modifier.fillMaxSize()) {
+                CompareBar(viewer)
+                GraphPane(viewer, Modifier.weight(1f).fillMaxWidth())
+            }
             MainView.LOGS -> LogTable(viewer, Modifier.fillMaxSize())
             MainView.STATISTICS -> StatisticsTable(viewer, Modifier.fillMaxSize())
         }

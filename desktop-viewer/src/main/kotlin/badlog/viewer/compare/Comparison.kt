@@ -1,10 +1,65 @@
 package badlog.viewer.compare
 
+import badlog.viewer.recording.OpenRecording
 import java.nio.file.Path
 
 /**
- * Which recordings are laid over the open one.
+ * Which recordings are laid over the open one, and how. Never changes; each transition gives a new one. Files are absolute and
+ * normalized.
  *
  * @property ticked the files of those, in the order in which they were ticked.
+ * @property loaded those of [ticked] that were read.
+ * @property alignment which moment of each stands at one place.
+ * @property handOffsets by how much a person has moved each, in units of x; it is moved against the others, so only differences
+ *   count, and a file that is not in it has 0.
  */
-internal data class Comparison(val ticked: List<Path> = emptyList())
+internal data class Comparison(
+    val ticked: List<Path> = emptyList(),
+    val loaded: Map<Path, OpenRecording> = emptyMap(),
+    val alignment: Alignment = Alignment.START,
+    val handOffsets: Map<Path, Double> = emptyMap(),
+) {
+    /** Adds [file] at the end, where it is not there yet. */
+    fun with(file: Path): Comparison = if (file in ticked) this else copy(ticked = ticked.plusElement(file))
+
+    /** Takes [file] out, and lets go of what was read of it. */
+    fun without(file: Path): Comparison = copy(
+        // Not by minus: a path is also the collection of its parts.
+        ticked = ticked.filter { it != file },
+        loaded = loaded.filterKeys { it != file },
+        handOffsets = handOffsets.filterKeys { it != file },
+    )
+
+    /** Keeps [recording], where its file is still ticked. */
+    fun withLoaded(recording: OpenRecording): Comparison =
+        if (recording.file in ticked) copy(loaded = loaded + (recording.file to recording)) else this
+
+    /** Takes all out; the alignment stays for the next. */
+    fun cleared(): Comparison = Comparison(alignment = alignment)
+
+    /** By how much the x of [recording] is moved, so that it stands where [open] has the same moment; always finite. */
+    fun offsetOf(recording: OpenRecording, open: OpenRecording): Double {
+        if (recording.file == open.file) return 0.0
+        val offset = when (alignment) {
+            Alignment.BY_HAND -> handOffset(recording.file) - handOffset(open.file)
+            else -> alignment.momentIn(open) - alignment.momentIn(recording)
+        }
+        return if (offset.isFinite()) offset else 0.0
+    }
+
+    /** Aligns by [chosen]; by hand, each stays where it stands now. */
+    fun alignedBy(chosen: Alignment, open: OpenRecording?): Comparison {
+        if (chosen != Alignment.BY_HAND || alignment == Alignment.BY_HAND || open == null) return copy(alignment = chosen)
+        val offsets = loaded.values.associate { it.file to offsetOf(it, open) } + (open.file to 0.0)
+        return copy(alignment = chosen, handOffsets = offsets)
+    }
+
+    /** Moves [file] to [offset] against [open], from now on by hand. An offset that is no number changes nothing. */
+    fun movedTo(file: Path, offset: Double, open: OpenRecording): Comparison {
+        if (!offset.isFinite() || file == open.file) return this
+        val byHand = alignedBy(Alignment.BY_HAND, open)
+        return byHand.copy(handOffsets = byHand.handOffsets + (file to byHand.handOffset(open.file) + offset))
+    }
+
+    private fun handOffset(file: Path) = handOffsets[file] ?: 0.0
+}

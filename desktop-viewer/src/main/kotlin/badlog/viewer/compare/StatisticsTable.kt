@@ -1,12 +1,140 @@
 package badlog.viewer.compare
 
-import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.BoxWithConstraints
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxHeight
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.height
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.width
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.HorizontalDivider
+import androidx.compose.material3.Text
+import androidx.compose.material3.VerticalDivider
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.produceState
+import androidx.compose.runtime.remember
+import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import badlog.viewer.app.MainView
 import badlog.viewer.app.Viewer
+import badlog.viewer.theme.Icons
+import badlog.viewer.theme.LocalPalette
+import badlog.viewer.theme.ToolButton
+import java.nio.file.Path
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.withContext
 
-/** A statistic of topics across recordings. */
+/**
+ * A statistic of topics across recordings.
+ *
+ * @param chooseFile asks where to save what is called so; null when the person gives it up.
+ */
 @Composable
-internal fun StatisticsTable(viewer: Viewer, modifier: Modifier = Modifier) {
-    Box(modifier)
+internal fun StatisticsTable(
+    viewer: Viewer,
+    modifier: Modifier = Modifier,
+    chooseFile: (String) -> Path? = { viewer.files.toWrite("Save the table", viewer.library.folder, it) },
+) {
+    LaunchedEffect(Unit) {
+        // An empty table would tell nobody what it is for.
+        val battery = viewer.library.entries.firstNotNullOfOrNull { it.batteryTopic }
+        if (battery != null && viewer.statisticsChoice.topics.isEmpty()) {
+            viewer.statisticsChoice = viewer.statisticsChoice.toggled(battery)
+        }
+    }
+    val choice = viewer.statisticsChoice
+    val drawn = viewer.drawnRecordings().map { it.recording }
+    val source = remember(drawn, viewer.library, choice.isOverAll) {
+        statisticsSource(drawn, if (choice.isOverAll) logsOfFolder(viewer) else emptyList())
+    }
+    val rows by produceState(emptyList<StatisticsRow>(), source, choice.topics) {
+        value = withContext(Dispatchers.Default) { source.rowsOf(choice.topics) }
+    }
+    val grid = remember(rows, choice) { StatisticsGrid(rows, choice) }
+    BoxWithConstraints(modifier.background(LocalPalette.current.surface)) {
+        if (maxWidth < NARROW) {
+            Column(Modifier.fillMaxSize()) {
+                StatisticsTopics(viewer, source.topics, Modifier.fillMaxWidth().height(170.dp))
+                HorizontalDivider()
+                Table(viewer, source, grid, chooseFile, Modifier.weight(1f).fillMaxWidth())
+            }
+        } else {
+            Row(Modifier.fillMaxSize()) {
+                StatisticsTopics(viewer, source.topics, Modifier.width(240.dp).fillMaxHeight())
+                VerticalDivider()
+                Table(viewer, source, grid, chooseFile, Modifier.weight(1f).fillMaxHeight())
+            }
+        }
+    }
 }
+
+@Composable
+private fun Table(
+    viewer: Viewer,
+    source: StatisticsSource,
+    grid: StatisticsGrid,
+    chooseFile: (String) -> Path?,
+    modifier: Modifier,
+) {
+    Column(modifier) {
+        Head(viewer, grid, chooseFile)
+        HorizontalDivider()
+        when {
+            source.topics.isEmpty() -> TableHint("Open a log, and tick others to compare it with.")
+            viewer.statisticsChoice.topics.isEmpty() -> TableHint("Choose topics; each gets a column for each statistic.")
+            else -> StatisticsRows(viewer, grid, Modifier.fillMaxSize())
+        }
+    }
+}
+
+@Composable
+private fun Head(viewer: Viewer, grid: StatisticsGrid, chooseFile: (String) -> Path?) {
+    val choice = viewer.statisticsChoice
+    FlowRow(Modifier.fillMaxWidth().padding(horizontal = 8.dp, vertical = 4.dp), itemVerticalAlignment = Alignment.CenterVertically) {
+        ToolButton("The open log and those that are ticked", text = "Ticked", isOn = !choice.isOverAll) {
+            viewer.statisticsChoice = viewer.statisticsChoice.copy(isOverAll = false)
+        }
+        ToolButton("Every log of the folder", text = "All", isOn = choice.isOverAll, modifier = Modifier.padding(end = 16.dp)) {
+            viewer.statisticsChoice = viewer.statisticsChoice.copy(isOverAll = true)
+        }
+        for (statistic in Statistic.entries) {
+            ToolButton("Column ${statistic.title}", text = statistic.title, isOn = statistic in choice.statistics) {
+                viewer.statisticsChoice = viewer.statisticsChoice.toggled(statistic)
+            }
+        }
+        Legend("smallest", LocalPalette.current.warningSoft)
+        Legend("largest", LocalPalette.current.accentSoft)
+        ToolButton("Save the table as CSV", Icons.Share, text = "CSV", isEnabled = choice.topics.isNotEmpty()) {
+            chooseFile("statistics.csv")?.let { saveCsv(viewer, grid, it) }
+        }
+        ToolButton("Back to the graphs", Icons.Close) { viewer.panels = viewer.panels.copy(main = MainView.GRAPHS) }
+    }
+}
+
+/** Says what [color] means behind a figure. */
+@Composable
+private fun Legend(text: String, color: Color) {
+    Text(
+        text,
+        Modifier.padding(horizontal = 6.dp).background(color, RoundedCornerShape(4.dp)).padding(horizontal = 6.dp, vertical = 1.dp),
+        color = LocalPalette.current.muted,
+        fontSize = 12.sp,
+    )
+}
+
+@Composable
+private fun TableHint(text: String) {
+    Text(text, Modifier.padding(16.dp), color = LocalPalette.current.muted)
+}
+
+private val NARROW = 640.dp

@@ -1,12 +1,39 @@
 package badlog.viewer.graph
 
+import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.remember
 import androidx.compose.ui.Modifier
 import badlog.viewer.app.Viewer
+import badlog.viewer.playback.PlaybackRunning
+import badlog.viewer.theme.LocalPalette
 
 /** The graphs of the open recording, with overview and playback. */
 @Composable
 internal fun GraphPane(viewer: Viewer, modifier: Modifier = Modifier) {
-    Box(modifier)
+    PlaybackRunning(viewer)
+    val open = viewer.open
+    if (open == null) {
+        NothingOpen(modifier)
+        return
+    }
+    val scene = remember(viewer) { GraphScene(viewer) }
+    Column(modifier.background(LocalPalette.current.surface)) {
+        GraphToolbar(scene)
+        Overview(scene)
+        Box(Modifier.weight(1f).fillMaxWidth().receivesSignals(scene) { names ->
+            viewer.graphs = viewer.graphs.withGraph(names)
+        }) {
+            when {
+                open.signals.isEmpty() -> NothingRecorded(open, Modifier.fillMaxSize())
+                viewer.graphs.graphs.isEmpty() -> NothingChosen(viewer, Modifier.fillMaxSize())
+                else -> GraphColumn(scene)
+            }
+        }
+        XAxisBar(scene)
+    }
 }

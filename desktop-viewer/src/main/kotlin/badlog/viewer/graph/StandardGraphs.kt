@@ -5,7 +5,7 @@ import badlog.analysis.LogView
 
 /**
  * The graphs that the attributes of a recording's topics ask for, in their order. States that follow one another in a folder
- * share a graph, in which each has a lane.
+ * share a graph, in which each has a lane, up to so many that it still fits a screen.
  */
 internal fun standardGraphs(view: LogView): GraphList {
     var id = 0
@@ -30,7 +30,8 @@ private fun runsOf(graphs: List<Graph>): List<List<Graph>> {
     val runs = ArrayList<MutableList<Graph>>()
     for (graph in graphs) {
         val last = runs.lastOrNull()
-        if (graph.showsStates && last != null && last.first().showsStates) last += graph else runs += mutableListOf(graph)
+        val continues = last != null && last.first().showsStates && last.size < MOST_LANES
+        if (graph.showsStates && continues) last += graph else runs += mutableListOf(graph)
     }
     return runs
 }
@@ -40,3 +41,5 @@ private fun nameOf(graph: Graph) =
 
 private fun linesOf(graph: Graph) =
     graph.series.map { line -> LineSpec(if (line.isDerived) graph.name else line.topic.name) }
+
+private const val MOST_LANES = 16

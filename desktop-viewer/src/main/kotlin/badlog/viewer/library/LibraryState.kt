@@ -1,10 +1,67 @@
 package badlog.viewer.library
 
+import badlog.viewer.library.index.LogEntry
 import java.nio.file.Path
 
 /**
- * The folder of logs as the window shows it.
+ * The folder of logs as the window shows it. Never changes; each transition gives a new one.
  *
  * @property folder it; null before one was opened.
+ * @property listing its logs, as they are sorted and filtered.
+ * @property reading how far reading them is; null while there is nothing to read.
+ * @property passedOver how many logs are not read because a person stopped that.
+ * @property hasLooked whether it is known what files there are.
+ * @property trouble why the folder or a part of it cannot be looked at, as a sentence; null when all is well.
+ * @property selected the file that the keyboard stands on.
+ * @property searchesAsked how often the keyboard asked for the search field.
  */
-internal data class LibraryState(val folder: Path? = null)
+internal data class LibraryState(
+    val folder: Path? = null,
+    val listing: Listing = Listing(),
+    val reading: ReadingProgress? = null,
+    val passedOver: Int = 0,
+    val hasLooked: Boolean = false,
+    val trouble: String? = null,
+    val selected: Path? = null,
+    val searchesAsked: Int = 0,
+) {
+    /** All that is known of the folder's files, in no order; also of those that are not listed. */
+    val entries: List<LogEntry> get() = listing.entries
+
+    /** The logs that are listed, in their order. */
+    val visible: List<LogEntry> get() = listing.visible
+
+    /** The log that began last, of those where something happened, or else of all that can be read; null without any. */
+    val newest: LogEntry?
+        get() = entries.filter { !it.isGrey }.maxWithOrNull(AGE) ?: entries.filter { it.isReadable }.maxWithOrNull(AGE)
+
+    /** Another [folder], of which nothing is known yet, listed as this one was. */
+    fun opening(folder: Path): LibraryState =
+        LibraryState(folder, listing.copy(entries = emptyList(), filter = "", folder = folder), searchesAsked = searchesAsked)
+
+    /** The same folder with [entries] known of it. */
+    fun knowing(entries: List<LogEntry>): LibraryState = copy(listing = listing.copy(entries = entries))
+
+    /** Lists only what has all words of [filter]. */
+    fun filtered(filter: String): LibraryState = copy(listing = listing.copy(filter = filter))
+
+    /** Sorts by [column]; the other way round when that is so already. */
+    fun sorted(column: LogColumn): LibraryState = copy(listing = listing.sorted(column))
+
+    /** Leaves out what is greyed, or not. */
+    fun hidingEmpty(hides: Boolean): LibraryState = copy(listing = listing.copy(hidesEmpty = hides))
+
+    /** The log that is [steps] further down the list than the selected one; the first or last where the list ends. */
+    fun stepped(steps: Int): LogEntry? {
+        if (visible.isEmpty()) return null
+        val at = visible.indexOfFirst { it.file == selected }
+        return visible[if (at < 0) (if (steps > 0) 0 else visible.lastIndex) else (at + steps).coerceIn(visible.indices)]
+    }
+
+    private companion object {
+        val AGE: Comparator<LogEntry> = compareBy({ it.date.second }, { it.source.modified })
+    }
+}
+
+/** [read] of [total] logs are read. */
+internal data class ReadingProgress(val read: Int, val total: Int)

@@ -5,6 +5,7 @@ import badlog.analysis.EventLog
 import badlog.analysis.LogView
 import badlog.analysis.enabledSpans
 import badlog.plot.Span
+import badlog.viewer.inspector.RecordingEvents
 import java.nio.file.Path
 
 /**
@@ -21,11 +22,17 @@ internal class OpenRecording(val file: Path, val view: LogView) {
     /** The events of all topics of texts. */
     val eventLogs: List<EventLog> = view.folders.flatMap { it.eventLogs }
 
+    /** All events of those, in the order of x; the first call sorts them. */
+    val events: RecordingEvents by lazy { RecordingEvents(eventLogs) }
+
     /** When the robot was enabled; empty when nothing tells. */
     val enabled: List<EnabledSpan> by lazy { view.enabledSpans() }
 
     /** All of the x axis that has samples; wider than that where there is a single x. */
     val span: Span = fullSpan(view.xAxis.range)
+
+    /** Where on x there are samples, ascending: the places the cursor steps to. */
+    val positions: DoubleArray by lazy { ascending(view.xAxis.clocks) }
 
     /** What a person would call it: the match, or else the name of the file. */
     val label: String get() = view.title ?: file.fileName.toString()
@@ -42,6 +49,23 @@ private fun signalsOf(view: LogView): List<Signal> {
         .filter { graph -> graph.series.all { it.isDerived } }
         .map { Signal(it.name, isDerived = true, it.series.single()) }
     return logged + derived
+}
+
+/** Every place in [clocks], ascending. Those of several clocks are there once each. */
+private fun ascending(clocks: List<DoubleArray>): DoubleArray {
+    if (clocks.size > 1) return merged(clocks)
+    val positions = clocks.single()
+    val isAscending = positions.indices.all { positions[it].isFinite() && (it == 0 || positions[it] >= positions[it - 1]) }
+    return if (isAscending) positions else positions.filter { it.isFinite() }.toDoubleArray().apply { sort() }
+}
+
+private fun merged(clocks: List<DoubleArray>): DoubleArray {
+    val all = DoubleArray(clocks.sumOf { it.size })
+    clocks.fold(0) { at, clock -> clock.copyInto(all, at).let { at + clock.size } }
+    all.sort()
+    var size = 0
+    for (place in all) if (size == 0 || place > all[size - 1]) all[size++] = place
+    return all.copyOf(size)
 }
 
 private fun fullSpan(range: ClosedFloatingPointRange<Double>?): Span = when {

@@ -2,8 +2,8 @@ package badlog.viewer.recording
 
 import badlog.analysis.LogView
 import badlog.file.readRecording
+import badlog.viewer.app.FrontPart
 import badlog.viewer.app.Viewer
-import badlog.viewer.graph.standardGraphs
 import badlog.viewer.view.Viewport
 import java.nio.file.Path
 import kotlinx.coroutines.Job
@@ -29,14 +29,18 @@ internal class RecordingLoading(private val viewer: Viewer) {
         val recording = readRecording(file, untilLastLineEnd = isGrowing) { done, total ->
             if (total > 0) progress(done.toFloat() / total)
         }
-        return OpenRecording(file, LogView.of(recording))
+        // When it was enabled is drawn in the first frame; the window's thread must not have to look for it.
+        return OpenRecording(file, LogView.of(recording)).also { it.enabled }
     }
 
     private fun show(recording: OpenRecording) {
         viewer.open = recording
-        viewer.graphs = standardGraphs(recording.view)
+        viewer.graphs = viewer.layouts.graphsOf(recording)
         viewer.viewport = Viewport(recording.span)
         viewer.cursor = null
+        viewer.isCursorPinned = false
+        viewer.gesture = null
         viewer.selection = null
+        viewer.panels = viewer.panels.copy(front = FrontPart.GRAPHS)
     }
 }

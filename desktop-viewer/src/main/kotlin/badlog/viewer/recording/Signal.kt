@@ -4,6 +4,7 @@ import badlog.analysis.GraphSeries
 import badlog.analysis.Series
 import badlog.recording.PathName
 import badlog.recording.Topic
+import badlog.recording.TopicKind
 
 /**
  * What can be drawn as one line: a topic, or what an attribute derives from one. The same name means the same signal in
@@ -21,6 +22,9 @@ internal class Signal(val name: String, val isDerived: Boolean, private val line
 
     /** What each number means, where the numbers stand for states, else null. */
     val states: List<String>? get() = line.states
+
+    /** Whether its samples are numbers, or truth values, that can be calculated with; else they stand for states, or are none. */
+    val hasFigures: Boolean get() = topic.samples.isNotEmpty() && topic.kind != TopicKind.STATE && topic.kind != TopicKind.EVENT
 
     /** The folder it belongs to; empty for the root folder. */
     val folder: String get() = PathName.folderOf(name)

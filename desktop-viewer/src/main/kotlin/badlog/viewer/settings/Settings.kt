@@ -9,6 +9,7 @@ import kotlinx.serialization.Serializable
  * @property recentFolders the folders opened last, the latest first.
  * @property previewTopic the topic of which the list of logs draws a small line; null for the battery's voltage.
  * @property graphHeight how high a graph is, in dp.
+ * @property fitsGraphs whether graphs share the window's height instead where they are few enough.
  * @property window where the window was; null before the first time.
  */
 @Serializable
@@ -17,6 +18,7 @@ internal data class Settings(
     val recentFolders: List<String> = emptyList(),
     val previewTopic: String? = null,
     val graphHeight: Int = 150,
+    val fitsGraphs: Boolean = true,
     val window: WindowPlace? = null,
 ) {
     /** Remembers that [folder] was opened. */

@@ -30,10 +30,22 @@ internal object Icons {
     val Right = icon("M6 4 L10 8 L6 12")
     val More = icon("M8 3.5 V3.6 M8 8 V8.1 M8 12.5 V12.6", width = 2f)
     val Add = icon("M8 3 V13 M3 8 H13")
+    val Remove = icon("M3 8 H13")
+    val Back = icon("M6.5 3.5 L2.5 7.5 L6.5 11.5 M2.5 7.5 H10 A3 3 0 0 1 10 13.5 H7")
+    val Grow = icon("M2.5 2.5 H13.5 M2.5 13.5 H13.5 M8 4.5 V11.5 M6 6.5 L8 4.5 L10 6.5 M6 9.5 L8 11.5 L10 9.5")
+    val Shrink = icon("M2.5 6.5 H13.5 M2.5 9.5 H13.5 M8 1.5 V4.5 M6.5 3 L8 4.5 L9.5 3 M8 14.5 V11.5 M6.5 13 L8 11.5 L9.5 13")
     val Check = icon("M3 8.5 L6.5 12 L13 4.5")
     val Warning = icon("M8 2.5 L14 13 H2 Z M8 6.5 V9.5 M8 11.3 V11.4")
     val Copy = icon("M5.5 5.5 H13 V13.5 H5.5 Z M3 10.5 V2.5 H10.5")
+    val Sort = icon("M2.5 4 H11 M2.5 8 H8 M2.5 12 H5 M11.5 7 V12.5 M9.5 10.5 L11.5 12.5 L13.5 10.5")
+    val Hide = icon("M1.5 8 C4 4 12 4 14.5 8 C12 12 4 12 1.5 8 M3 13.5 L13 2.5")
     val Reset = icon("M3 8 A5 5 0 1 0 5 4 M5 1.5 V4.5 H8")
+
+    val Wave = icon("M1.5 9.5 L4.5 4.5 L8 11 L11 6 L14.5 9.5")
+    val Lanes = icon("M1.5 5.5 H6.5 V10.5 H11 V5.5 H14.5")
+    val Flag = icon("M4 14 V2.5 H12.5 L10 5.5 L12.5 8.5 H4")
+    val Sigma = icon("M12.5 4.5 V3 H4 L8.5 8 L4 13 H12.5 V11.5")
+    val Info = icon("M8 2 A6 6 0 1 0 8 14 A6 6 0 1 0 8 2 M8 7.5 V11 M8 5 V5.1")
 
     private fun icon(path: String, width: Float = 1.4f): ImageVector =
         ImageVector.Builder(defaultWidth = 16.dp, defaultHeight = 16.dp, viewportWidth = 16f, viewportHeight = 16f)

@@ -30,6 +30,7 @@ import androidx.compose.ui.unit.dp
  *
  * @param description what it does: its tip, and what screen readers and tests know it by.
  * @param text what stands on it, or null for the icon alone.
+ * @param color of what stands on it while it is neither on nor disabled.
  * @param isOn whether it stands for something that is on.
  */
 @Composable
@@ -39,6 +40,7 @@ internal fun ToolButton(
     text: String? = null,
     isOn: Boolean = false,
     isEnabled: Boolean = true,
+    color: Color = LocalPalette.current.text,
     modifier: Modifier = Modifier,
     onClick: () -> Unit,
 ) {
@@ -48,7 +50,7 @@ internal fun ToolButton(
     val tint = when {
         !isEnabled -> palette.muted.copy(alpha = 0.5f)
         isOn -> palette.accent
-        else -> palette.text
+        else -> color
     }
     val background = when {
         isOn -> palette.accentSoft

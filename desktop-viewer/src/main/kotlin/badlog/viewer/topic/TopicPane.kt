@@ -1,12 +1,84 @@
 package badlog.viewer.topic
 
+import androidx.compose.foundation.VerticalScrollbar
+import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.fillMaxHeight
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.lazy.LazyColumn
+import androidx.compose.foundation.lazy.items
+import androidx.compose.foundation.lazy.rememberLazyListState
+import androidx.compose.foundation.rememberScrollbarAdapter
+import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.produceState
+import androidx.compose.runtime.remember
+import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.unit.dp
 import badlog.viewer.app.Viewer
+import badlog.viewer.compare.drawnRecordings
+import badlog.viewer.recording.OpenRecording
+import badlog.viewer.theme.LocalPalette
+import badlog.viewer.theme.SearchField
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.withContext
 
 /** The topics of the open recording by folder. */
 @Composable
 internal fun TopicPane(viewer: Viewer, modifier: Modifier = Modifier) {
-    Box(modifier)
+    Column(modifier.background(LocalPalette.current.surface)) {
+        val list = viewer.topicList
+        SearchField(list.query, "Search topics", Modifier.fillMaxWidth().padding(8.dp)) {
+            viewer.topicList = viewer.topicList.copy(query = it)
+        }
+        val open = viewer.open
+        when {
+            open == null -> Hint("Open a log to see its topics.")
+            open.signals.isEmpty() -> Hint("This log has no topics with samples.")
+            else -> Rows(viewer, open, Modifier.weight(1f))
+        }
+        if (list.chosen.isNotEmpty()) ChosenTopics(viewer)
+    }
+}
+
+@Composable
+private fun Hint(text: String) {
+    Text(text, Modifier.padding(horizontal = 12.dp, vertical = 8.dp), color = LocalPalette.current.muted)
+}
+
+@Composable
+private fun Rows(viewer: Viewer, open: OpenRecording, modifier: Modifier) {
+    val query = viewer.topicList.query
+    val folded = viewer.topicList.folded
+    val rows by produceState<List<TopicRow>?>(null, open, query, folded) {
+        value = withContext(Dispatchers.Default) { topicRows(open.signals, query, folded) }
+    }
+    val listed = rows ?: return
+    if (listed.isEmpty()) {
+        Hint("No topic is called “$query”.")
+        return
+    }
+    val graphs = viewer.graphs
+    // As graphs colour their lines: of several recordings each line has a colour for each.
+    val recordings = viewer.drawnRecordings().size
+    val places = remember(graphs, recordings) { graphs.placesOfLines().mapValues { it.value * recordings } }
+    val state = rememberLazyListState()
+    Box(modifier.fillMaxSize()) {
+        LazyColumn(Modifier.fillMaxSize(), state) {
+            items(listed, key = { it.key }, contentType = { it is FolderRow }) { row ->
+                when (row) {
+                    is FolderRow -> FolderLine(row, query) {
+                        viewer.topicList = viewer.topicList.toggledFolder(row.path)
+                    }
+                    is SignalRow -> SignalLine(viewer, open, row, listed, places[row.signal.name])
+                }
+            }
+        }
+        VerticalScrollbar(rememberScrollbarAdapter(state), Modifier.align(Alignment.CenterEnd).fillMaxHeight())
+    }
 }

@@ -3,9 +3,11 @@ package badlog.page.graph
 import badlog.analysis.Graph
 import badlog.analysis.PixelColumns
 import badlog.page.view.Palette
+import badlog.plot.LaneBlock
 import badlog.plot.Span
 import badlog.plot.StateRuns
 import badlog.plot.YLimits
+import badlog.plot.laneBlocks
 import kotlin.math.ceil
 import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D

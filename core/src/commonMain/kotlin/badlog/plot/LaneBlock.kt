@@ -1,13 +1,18 @@
-package badlog.page.graph
+package badlog.plot
 
-import badlog.plot.Span
-import badlog.plot.StateRuns
 import kotlin.math.ceil
 import kotlin.math.floor
 
-/** A part of a lane in one state, in pixels from the frame's left edge. */
-internal data class LaneBlock(val left: Double, val right: Double, val state: Int) {
-    val width: Double get() = right - left
+/**
+ * A part of a lane in one state, in pixels from the frame's left edge.
+ *
+ * @property left where it begins.
+ * @property right where it ends.
+ * @property state which state it is.
+ */
+public data class LaneBlock(public val left: Double, public val right: Double, public val state: Int) {
+    /** How wide it is. */
+    public val width: Double get() = right - left
 }
 
 /**
@@ -15,7 +20,7 @@ internal data class LaneBlock(val left: Double, val right: Double, val state: In
  * one that lasts shorter than [shortest] pixels gets that many, over the longer ones beside it; where several do, the
  * one in which the recording is the least of its time is seen.
  */
-internal fun laneBlocks(runs: StateRuns, span: Span, width: Double, shortest: Int): List<LaneBlock> {
+public fun laneBlocks(runs: StateRuns, span: Span, width: Double, shortest: Int): List<LaneBlock> {
     val blocks = ArrayList<LaneBlock>()
     val slivers = Slivers(runs, ceil(width).toInt(), shortest)
     fun pixelOf(x: Double) = (x - span.from) / span.width * width

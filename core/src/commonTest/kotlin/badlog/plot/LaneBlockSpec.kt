@@ -1,8 +1,6 @@
-package badlog.page.graph
+package badlog.plot
 
 import badlog.analysis.Series
-import badlog.plot.Span
-import badlog.plot.StateRuns
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 

@@ -1,0 +1,78 @@
+package badlog.viewer.app
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.border
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.width
+import androidx.compose.foundation.layout.widthIn
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.foundation.verticalScroll
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.shadow
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import badlog.viewer.theme.Icons
+import badlog.viewer.theme.LocalPalette
+import badlog.viewer.theme.ToolButton
+
+/** What the keyboard and the pointer do; lies above the window, which goes on behind it. */
+@Composable
+internal fun HelpSheet(commands: List<Command>, gestures: List<GestureHelp>, modifier: Modifier = Modifier, onClose: () -> Unit) {
+    val palette = LocalPalette.current
+    val shape = RoundedCornerShape(8.dp)
+    Column(
+        modifier
+            .padding(16.dp)
+            .widthIn(max = 820.dp)
+            .shadow(12.dp, shape)
+            .background(palette.surface, shape)
+            .border(1.dp, palette.border, shape)
+            .semantics { contentDescription = "Keys and gestures sheet" },
+    ) {
+        Row(Modifier.fillMaxWidth().padding(start = 20.dp, end = 8.dp, top = 8.dp), verticalAlignment = Alignment.CenterVertically) {
+            Text("Keys and gestures", Modifier.weight(1f), fontSize = 16.sp, fontWeight = FontWeight.SemiBold)
+            ToolButton("Close the sheet", Icons.Close, onClick = onClose)
+        }
+        FlowRow(
+            Modifier.verticalScroll(rememberScrollState()).padding(start = 20.dp, end = 20.dp, bottom = 16.dp),
+            Arrangement.spacedBy(28.dp),
+            Arrangement.spacedBy(4.dp),
+        ) {
+            for ((group, members) in commands.groupBy { it.group }) {
+                HelpGroup(group, members.map { command -> keysText(command) to command.meaning })
+            }
+            for ((group, members) in gestures.groupBy { it.group }) {
+                HelpGroup(group, members.map { it.gesture to it.meaning })
+            }
+        }
+    }
+}
+
+// Which of these need Shift depends on the keyboard.
+private fun keysText(command: Command) =
+    command.keys.map { if (it.label in "+=<>?") it.label else it.text }.distinct().joinToString("  ")
+
+@Composable
+private fun HelpGroup(title: String, lines: List<Pair<String, String>>) {
+    Column(Modifier.width(360.dp).padding(top = 10.dp)) {
+        Text(title, Modifier.padding(bottom = 4.dp), fontWeight = FontWeight.SemiBold)
+        for ((press, meaning) in lines) {
+            Row(Modifier.fillMaxWidth().padding(vertical = 2.dp), Arrangement.spacedBy(10.dp)) {
+                Text(press, Modifier.width(130.dp), LocalPalette.current.accent)
+                Text(meaning, Modifier.weight(1f))
+            }
+        }
+    }
+}

@@ -1,0 +1,55 @@
+package badlog.viewer.compare
+
+import badlog.analysis.statistics
+import badlog.recording.PathName
+import badlog.viewer.recording.OpenRecording
+import java.io.IOException
+import java.nio.file.Files
+import java.time.ZoneId
+import java.time.format.DateTimeFormatter
+
+/**
+ * What the table of statistics is made from.
+ *
+ * @property topics the names of all topics that can be asked for, by folder.
+ * @property rowsOf finds the figures of some of them in every recording; takes its time, so not for the window's thread.
+ */
+internal class StatisticsSource(val topics: List<String>, val rowsOf: (topics: List<String>) -> List<StatisticsRow>)
+
+/**
+ * What the table is made from: the recordings that are [drawn], of which every signal has figures, and the logs that are [known],
+ * with those figures that they came with. A log that is both is there once.
+ */
+internal fun statisticsSource(drawn: List<OpenRecording>, known: List<StatisticsRow>): StatisticsSource {
+    val knownByFile = known.associateBy { it.path }
+    val drawnFiles = drawn.mapTo(HashSet()) { it.file }
+    val others = known.filter { it.path !in drawnFiles }
+    val topics = LinkedHashSet<String>()
+    for (recording in drawn) recording.signals.filter { it.hasFigures }.mapTo(topics) { it.name }
+    for (row in others) topics += row.statistics.keys
+    return StatisticsSource(topics.sortedBy { PathName.folderOf(it).lowercase() }) { asked ->
+        drawn.map { statisticsRow(it, asked, knownByFile[it.file]?.date ?: dateOf(it)) } + others
+    }
+}
+
+/** The figures of [topics] in [recording], those that it has; [date] is when it was recorded. */
+internal fun statisticsRow(recording: OpenRecording, topics: List<String>, date: String): StatisticsRow {
+    val signals = topics.mapNotNull { recording.signal(it) }.filter { it.hasFigures }
+    return StatisticsRow(
+        label = recording.label,
+        date = date,
+        path = recording.file,
+        statistics = signals.associate { it.name to it.series.statistics() },
+        units = signals.associate { it.name to it.unit },
+        xUnit = recording.view.xAxis.unit,
+    )
+}
+
+/** When the file of [recording] was written last; empty when it is not there any more. */
+private fun dateOf(recording: OpenRecording): String = try {
+    DATE.format(Files.getLastModifiedTime(recording.file).toInstant().atZone(ZoneId.systemDefault()))
+} catch (_: IOException) {
+    ""
+}
+
+private val DATE = DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm")

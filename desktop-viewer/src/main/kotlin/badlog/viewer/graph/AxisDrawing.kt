@@ -1,0 +1,107 @@
+package badlog.viewer.graph
+
+import androidx.compose.foundation.layout.Spacer
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.remember
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.drawBehind
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.graphics.drawscope.DrawScope
+import androidx.compose.ui.text.TextMeasurer
+import androidx.compose.ui.text.TextStyle
+import androidx.compose.ui.text.drawText
+import androidx.compose.ui.text.rememberTextMeasurer
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.Constraints
+import androidx.compose.ui.unit.sp
+import badlog.plot.Span
+import badlog.viewer.graph.plot.PlotPicture
+import badlog.viewer.graph.plot.PlotState
+import badlog.viewer.graph.plot.Ticks
+import badlog.viewer.graph.plot.YAxis
+import badlog.viewer.graph.plot.laneHeight
+import badlog.viewer.graph.plot.laneTop
+import badlog.viewer.theme.LocalPalette
+import badlog.viewer.theme.Palette
+
+/** What stands beside a plot: the numbers of its axes, with a colour where only one line belongs to it, and its lanes' names. */
+@Composable
+internal fun YAxes(scene: GraphScene, state: PlotState, modifier: Modifier) {
+    val palette = LocalPalette.current
+    val letters = rememberTextMeasurer(cacheSize = TEXTS)
+    val style = remember(palette) { TextStyle(color = palette.muted, fontSize = 11.sp) }
+    Spacer(
+        modifier.drawBehind {
+            val picture = scene.pictureOf(state) ?: return@drawBehind
+            val left = GraphScene.LEFT_GUTTER.toPx()
+            val right = size.width - scene.rightGutter.toPx()
+            val margin = MARGIN * density
+            picture.axes.getOrNull(0)?.let { axis ->
+                drawNumbers(axis, picture, letters, styleOf(picture, 0, style, palette)) { width -> left - margin - width }
+            }
+            picture.axes.getOrNull(1)?.let { axis ->
+                drawNumbers(axis, picture, letters, styleOf(picture, 1, style, palette)) { right + margin }
+            }
+            picture.lanes.forEachIndexed { index, lane ->
+                val name = lane.line.signal.title.take(MOST_LETTERS)
+                val text = letters.measure(
+                    name, style, TextOverflow.Ellipsis, softWrap = false, maxLines = 1,
+                    constraints = Constraints(maxWidth = (left - 2 * margin).toInt().coerceAtLeast(1)),
+                )
+                val top = picture.laneTop(index) + (picture.laneHeight - text.size.height) / 2
+                drawText(text, topLeft = Offset(left - margin - text.size.width, top))
+            }
+        },
+    )
+}
+
+/** Two axes are told apart by the colours of their lines. */
+private fun styleOf(picture: PlotPicture, axis: Int, style: TextStyle, palette: Palette): TextStyle {
+    val lines = picture.lines.filter { it.axis == axis }
+    return if (picture.axes.size > 1 && lines.size == 1) style.copy(color = palette.line(lines.single().line.colour)) else style
+}
+
+private fun DrawScope.drawNumbers(
+    axis: YAxis,
+    picture: PlotPicture,
+    letters: TextMeasurer,
+    style: TextStyle,
+    left: (width: Int) -> Float,
+) {
+    val last = axis.texts.lastIndex
+    axis.texts.forEachIndexed { index, number ->
+        // The unit stands once, at the top, where it is short enough.
+        val hasUnit = index == last && axis.unit.isNotEmpty() && number.length + axis.unit.length < MOST_WITH_UNIT
+        val text = letters.measure(if (hasUnit) "$number ${axis.unit}" else number, style)
+        val y = axis.pixelOf(axis.ticks.values[index], picture.plotHeight) - text.size.height / 2
+        // What would stand half outside moves in.
+        drawText(text, topLeft = Offset(left(text.size.width), y.coerceIn(0f, maxOf(0f, picture.plotHeight - text.size.height))))
+    }
+}
+
+/** The lines behind a plot, at the ticks of the left axis and those of x. */
+internal fun DrawScope.drawGrid(picture: PlotPicture, visible: Span, palette: Palette) {
+    // Of the text's colour, so that it shows on shaded ground as well.
+    val colour = palette.text.copy(alpha = GRID_OPACITY)
+    picture.axes.firstOrNull()?.let { axis ->
+        for (value in axis.ticks.values) {
+            val y = axis.pixelOf(value, picture.plotHeight)
+            drawLine(colour, Offset(0f, y), Offset(size.width, y))
+        }
+    }
+    for (value in xTicks(visible, size.width, density).values) {
+        val x = pixelOf(value, visible, size.width)
+        drawLine(colour, Offset(x, 0f), Offset(x, size.height))
+    }
+}
+
+/** The ticks of x on [width] pixels. */
+internal fun xTicks(visible: Span, width: Float, density: Float): Ticks =
+    Ticks.of(visible.from, visible.to, (width / (DP_PER_X_TICK * density)).toInt().coerceAtLeast(1))
+
+private const val GRID_OPACITY = 0.08f
+private const val TEXTS = 64
+private const val MARGIN = 6
+private const val MOST_LETTERS = 40
+private const val MOST_WITH_UNIT = 9
+private const val DP_PER_X_TICK = 90

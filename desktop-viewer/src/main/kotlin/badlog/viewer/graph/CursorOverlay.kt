@@ -1,0 +1,85 @@
+package badlog.viewer.graph
+
+import androidx.compose.foundation.layout.Spacer
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clipToBounds
+import androidx.compose.ui.draw.drawBehind
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Size
+import androidx.compose.ui.graphics.drawscope.DrawScope
+import androidx.compose.ui.graphics.graphicsLayer
+import badlog.plot.Span
+import badlog.viewer.graph.plot.PlotPicture
+import badlog.viewer.graph.plot.PlotState
+import badlog.viewer.theme.LocalPalette
+import badlog.viewer.theme.Palette
+
+/** What moves with the pointer: the cursor with the samples it reads, the selection, and what is being dragged. */
+@Composable
+internal fun CursorOverlay(scene: GraphScene, id: Int, state: PlotState) {
+    val palette = LocalPalette.current
+    val viewer = scene.viewer
+    Spacer(
+        Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind {
+            val visible = viewer.viewport.visible
+            viewer.selection?.let { drawSelection(it, visible, palette) }
+            viewer.gesture?.let { drawGesture(it, id, visible, scene.pictureOf(state), palette) }
+            val cursor = viewer.cursor ?: return@drawBehind
+            if (cursor !in visible) return@drawBehind
+            drawCursorLine(cursor, visible, palette)
+            scene.pictureOf(state)?.let { drawSamples(it, cursor, visible, palette) }
+        },
+    )
+}
+
+/** Draws the cursor at [cursor] over the whole height. */
+internal fun DrawScope.drawCursorLine(cursor: Double, visible: Span, palette: Palette) {
+    val x = pixelOf(cursor, visible, size.width)
+    drawLine(palette.cursor.copy(alpha = CURSOR_OPACITY), Offset(x, 0f), Offset(x, size.height), strokeWidth = density)
+}
+
+/** Draws [selection] as a band with its edges. */
+internal fun DrawScope.drawSelection(selection: Span, visible: Span, palette: Palette) {
+    drawBand(selection, visible, palette.accent.copy(alpha = BAND_OPACITY))
+    for (edge in listOf(selection.from, selection.to)) {
+        if (edge !in visible) continue
+        val x = pixelOf(edge, visible, size.width)
+        drawLine(palette.accent, Offset(x, 0f), Offset(x, size.height), strokeWidth = density)
+    }
+}
+
+private fun DrawScope.drawGesture(gesture: PlotGesture, id: Int, visible: Span, picture: PlotPicture?, palette: Palette) {
+    when (gesture.kind) {
+        GestureKind.PAN -> Unit
+        GestureKind.ZOOM, GestureKind.SELECT -> drawSelection(gesture.xSpan, visible, palette)
+        GestureKind.ZOOM_Y -> {
+            val axis = picture?.axes?.firstOrNull() ?: return
+            if (gesture.graph != id) return
+            val top = axis.pixelOf(gesture.ySpan.to, picture.plotHeight)
+            val bottom = axis.pixelOf(gesture.ySpan.from, picture.plotHeight)
+            drawRect(palette.accent.copy(alpha = BAND_OPACITY), Offset(0f, top), Size(size.width, bottom - top))
+            for (y in listOf(top, bottom)) drawLine(palette.accent, Offset(0f, y), Offset(size.width, y), strokeWidth = density)
+        }
+    }
+}
+
+/** A dot on each line at the very sample that the legend reads. */
+private fun DrawScope.drawSamples(picture: PlotPicture, cursor: Double, visible: Span, palette: Palette) {
+    for (line in picture.lines) {
+        val index = line.series.nearest(cursor - line.line.offset)
+        if (index < 0) continue
+        val value = line.series.y[index]
+        val x = pixelOf(line.series.x[index] + line.line.offset, visible, size.width)
+        if (!value.isFinite() || x < 0 || x > size.width) continue
+        val y = picture.axes[line.axis].pixelOf(value, picture.plotHeight)
+        if (y < 0 || y > picture.plotHeight) continue
+        drawCircle(palette.surface, (DOT + 1) * density, Offset(x, y))
+        drawCircle(palette.line(line.line.colour), DOT * density, Offset(x, y))
+    }
+}
+
+private const val CURSOR_OPACITY = 0.75f
+private const val BAND_OPACITY = 0.16f
+private const val DOT = 3f

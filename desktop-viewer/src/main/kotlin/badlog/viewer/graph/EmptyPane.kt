@@ -1,0 +1,60 @@
+package badlog.viewer.graph
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.padding
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.text.style.TextAlign
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import badlog.viewer.app.Viewer
+import badlog.viewer.recording.OpenRecording
+import badlog.viewer.theme.Icons
+import badlog.viewer.theme.LocalPalette
+import badlog.viewer.theme.ToolButton
+
+/** What stands here before a recording is open. */
+@Composable
+internal fun NothingOpen(modifier: Modifier) {
+    Sentence("No log is open", "Choose a log at the left, or drop a file here.", modifier.fillMaxSize())
+}
+
+/** What stands here when a recording has nothing to draw. */
+@Composable
+internal fun NothingRecorded(open: OpenRecording, modifier: Modifier) {
+    Sentence("There is nothing to draw in this log", "${open.file.fileName} has no topic with a sample.", modifier)
+}
+
+/** What stands here when a person has taken every graph away. */
+@Composable
+internal fun NothingChosen(viewer: Viewer, modifier: Modifier) {
+    Sentence("No graphs", "Drag topics here, or begin with the graphs that the log asks for.", modifier) {
+        ToolButton("Show the standard graphs", Icons.Graph, text = "Show the standard graphs", isOn = true) {
+            viewer.open?.let { viewer.graphs = standardGraphs(it.view) }
+        }
+    }
+}
+
+@Composable
+private fun Sentence(title: String, text: String, modifier: Modifier, action: @Composable () -> Unit = {}) {
+    Column(
+        modifier.padding(24.dp),
+        verticalArrangement = Arrangement.spacedBy(8.dp, Alignment.CenterVertically),
+        horizontalAlignment = Alignment.CenterHorizontally,
+    ) {
+        Text(title, fontSize = 17.sp)
+        Text(
+            text,
+            color = LocalPalette.current.muted,
+            textAlign = TextAlign.Center,
+            maxLines = 4,
+            overflow = TextOverflow.Ellipsis,
+        )
+        action()
+    }
+}

@@ -1,0 +1,60 @@
+package badlog.viewer.graph
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.border
+import androidx.compose.foundation.layout.BoxWithConstraints
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.derivedStateOf
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.remember
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.layout.layout
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import badlog.viewer.theme.LocalPalette
+
+/** The text of the event that the cursor is near to, at its place along the top. */
+@Composable
+internal fun EventLabel(scene: GraphScene) {
+    val viewer = scene.viewer
+    val event by remember(scene) {
+        derivedStateOf {
+            val cursor = viewer.cursor
+            if (cursor == null) null else scene.events.nearest(cursor, viewer.viewport.visible.width * REACH)
+        }
+    }
+    val shown = event ?: return
+    val palette = LocalPalette.current
+    BoxWithConstraints(Modifier.fillMaxWidth().padding(start = GraphScene.LEFT_GUTTER, end = scene.rightGutter)) {
+        Text(
+            shown.text.take(MOST_LETTERS),
+            Modifier
+                .layout { measurable, constraints ->
+                    val label = measurable.measure(constraints.copy(minWidth = 0, maxWidth = constraints.maxWidth / 2))
+                    layout(constraints.maxWidth, label.height) {
+                        val x = pixelOf(shown.x, viewer.viewport.visible, constraints.maxWidth.toFloat())
+                        val beside = SIDE.dp.roundToPx()
+                        // At the other side where there is no room.
+                        val left = if (x + beside + label.width <= constraints.maxWidth) x + beside else x - beside - label.width
+                        label.place(left.toInt(), HEADER_HEIGHT.dp.roundToPx())
+                    }
+                }
+                .border(1.dp, palette.event, RoundedCornerShape(4.dp))
+                .background(palette.raised, RoundedCornerShape(4.dp))
+                .padding(horizontal = 6.dp, vertical = 2.dp),
+            fontSize = 12.sp,
+            maxLines = 3,
+            overflow = TextOverflow.Ellipsis,
+        )
+    }
+}
+
+/** Which part of the screen's width may lie between the cursor and the event it reads. */
+private const val REACH = 0.008
+private const val SIDE = 8
+private const val MOST_LETTERS = 400

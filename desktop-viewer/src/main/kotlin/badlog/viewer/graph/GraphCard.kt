@@ -1,0 +1,80 @@
+package badlog.viewer.graph
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.hoverable
+import androidx.compose.foundation.interaction.MutableInteractionSource
+import androidx.compose.foundation.interaction.collectIsHoveredAsState
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.height
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.HorizontalDivider
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.remember
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.dp
+import badlog.viewer.takeaway.copyGraphs
+import badlog.viewer.theme.Icons
+import badlog.viewer.theme.LocalPalette
+import badlog.viewer.theme.ToolButton
+
+/** One graph, [height] dp high: what it shows, and its plot. */
+@Composable
+internal fun GraphCard(scene: GraphScene, spec: GraphSpec, height: Int) {
+    val palette = LocalPalette.current
+    val interactions = remember { MutableInteractionSource() }
+    val isHovered by interactions.collectIsHoveredAsState()
+    Box(
+        Modifier
+            .fillMaxWidth()
+            .height(height.dp)
+            .background(palette.surface)
+            .hoverable(interactions)
+            .semantics { contentDescription = "Graph ${spec.title}" },
+    ) {
+        Column {
+            GraphHeader(
+                scene,
+                spec,
+                maxLines = if (height < ROOMY) 1 else MOST_HEADER_LINES,
+                Modifier.receivesSignals(scene) { names -> scene.viewer.graphs = scene.viewer.graphs.withGraph(names, before = spec.id) },
+            )
+            GraphPlot(
+                scene,
+                spec,
+                Modifier.weight(1f).fillMaxWidth().receivesSignals(scene) { names ->
+                    scene.viewer.graphs = names.fold(scene.viewer.graphs) { graphs, name -> graphs.withLine(spec.id, name) }
+                },
+            )
+            HorizontalDivider()
+        }
+        if (isHovered || spec.yRange != null) GraphButtons(scene, spec, isHovered, Modifier.align(Alignment.TopEnd))
+    }
+}
+
+@Composable
+private fun GraphButtons(scene: GraphScene, spec: GraphSpec, isHovered: Boolean, modifier: Modifier) {
+    val viewer = scene.viewer
+    val palette = LocalPalette.current
+    Row(modifier.padding(end = 12.dp).background(palette.surface.copy(alpha = 0.9f), RoundedCornerShape(5.dp))) {
+        if (spec.yRange != null) {
+            ToolButton("Show all of y", Icons.Reset, isOn = true) { viewer.graphs = viewer.graphs.withYRange(spec.id, null) }
+        }
+        if (isHovered) {
+            ToolButton("Copy a picture of this graph", Icons.Copy) { copyGraphs(viewer, listOf(spec)) }
+            ToolButton("Move up", Icons.Up) { viewer.graphs = viewer.graphs.moved(spec.id, -1) }
+            ToolButton("Move down", Icons.Down) { viewer.graphs = viewer.graphs.moved(spec.id, 1) }
+            ToolButton("Remove the graph", Icons.Close) { viewer.graphs = viewer.graphs.without(spec.id) }
+        }
+    }
+}
+
+private const val ROOMY = 110
+private const val MOST_HEADER_LINES = 3

@@ -1,0 +1,82 @@
+package badlog.viewer.graph
+
+import androidx.compose.foundation.VerticalScrollbar
+import androidx.compose.foundation.layout.BoxWithConstraints
+import androidx.compose.foundation.layout.fillMaxHeight
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.lazy.LazyColumn
+import androidx.compose.foundation.lazy.itemsIndexed
+import androidx.compose.foundation.lazy.rememberLazyListState
+import androidx.compose.foundation.rememberScrollbarAdapter
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.SideEffect
+import androidx.compose.runtime.remember
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.input.pointer.PointerEventPass
+import androidx.compose.ui.input.pointer.PointerEventType
+import androidx.compose.ui.input.pointer.isCtrlPressed
+import androidx.compose.ui.input.pointer.isMetaPressed
+import androidx.compose.ui.input.pointer.pointerInput
+import androidx.compose.ui.text.style.TextAlign
+import androidx.compose.ui.unit.dp
+import badlog.viewer.graph.plot.drawnLines
+import badlog.viewer.theme.LocalPalette
+
+/** The graphs from top to bottom. */
+@Composable
+internal fun GraphColumn(scene: GraphScene) {
+    val viewer = scene.viewer
+    val graphs = viewer.graphs.graphs
+    SideEffect { scene.plots.keep(graphs.mapTo(HashSet()) { it.id } + OVERVIEW) }
+    BoxWithConstraints(Modifier.fillMaxSize().changesHeights(scene)) {
+        val scroll = rememberLazyListState()
+        val lanes = remember(graphs, scene.recordings) { graphs.map { lanesOf(it, scene) } }
+        val settings = viewer.settings
+        val heights = graphHeights(lanes, maxHeight.value.toInt(), settings.graphHeight, settings.fitsGraphs)
+        LazyColumn(Modifier.fillMaxSize(), scroll) {
+            itemsIndexed(graphs, key = { _, graph -> graph.id }) { index, graph ->
+                GraphCard(scene, graph, heights.getOrElse(index) { settings.graphHeight })
+            }
+            if (scene.isReceiving) item { NewGraphPlace() }
+        }
+        VerticalScrollbar(rememberScrollbarAdapter(scroll), Modifier.align(Alignment.CenterEnd).fillMaxHeight())
+        EventLabel(scene)
+        SelectionChip(scene, maxWidth)
+    }
+}
+
+/** Says, while signals are dragged, that there is more room below the last graph. */
+@Composable
+private fun NewGraphPlace() {
+    Text(
+        "Drop here for a new graph; on a graph's title for one above it",
+        Modifier.fillMaxWidth().padding(24.dp),
+        color = LocalPalette.current.muted,
+        textAlign = TextAlign.Center,
+    )
+}
+
+private fun lanesOf(spec: GraphSpec, scene: GraphScene): Int {
+    val lines = drawnLines(spec, scene.recordings)
+    return if (lines.isNotEmpty() && lines.all { it.signal.states != null }) lines.size else 0
+}
+
+/** The wheel with Ctrl makes graphs higher or lower, wherever the pointer is. */
+private fun Modifier.changesHeights(scene: GraphScene) = pointerInput(scene) {
+    awaitPointerEventScope {
+        while (true) {
+            val event = awaitPointerEvent(PointerEventPass.Initial)
+            val isCtrl = event.keyboardModifiers.isCtrlPressed || event.keyboardModifiers.isMetaPressed
+            if (event.type != PointerEventType.Scroll || !isCtrl) continue
+            val notches = event.changes.sumOf { it.scrollDelta.y.toDouble() }
+            event.changes.forEach { it.consume() }
+            setGraphHeight(scene.viewer, scene.viewer.settings.graphHeight - (notches * DP_PER_NOTCH).toInt())
+        }
+    }
+}
+
+private const val DP_PER_NOTCH = 12

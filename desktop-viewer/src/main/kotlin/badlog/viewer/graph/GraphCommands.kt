@@ -1,0 +1,35 @@
+package badlog.viewer.graph
+
+import androidx.compose.ui.input.key.Key
+import badlog.viewer.app.Command
+import badlog.viewer.app.KeyPress
+import badlog.viewer.app.Viewer
+
+/** What the keyboard does with the graphs. */
+internal fun graphCommands(viewer: Viewer): List<Command> {
+    fun command(meaning: String, vararg keys: KeyPress, action: () -> Unit) = Command(GROUP, meaning, keys.toList(), action)
+    val pan = { share: Double -> viewer.viewport = viewer.viewport.remembered().shifted(viewer.viewport.visible.width * share) }
+    return listOf(
+        command("Cursor to the sample before", KeyPress(Key.DirectionLeft, "←")) { stepCursor(viewer, -1) },
+        command("Cursor to the next sample", KeyPress(Key.DirectionRight, "→")) { stepCursor(viewer, 1) },
+        command("Cursor ten samples back", KeyPress(Key.DirectionLeft, "←", shift = true)) { stepCursor(viewer, -STRIDE) },
+        command("Cursor ten samples on", KeyPress(Key.DirectionRight, "→", shift = true)) { stepCursor(viewer, STRIDE) },
+        command(
+            "Zoom in",
+            KeyPress(Key.Plus, "+"), KeyPress(Key.Plus, "+", shift = true), KeyPress(Key.Equals, "="),
+            KeyPress(Key.Equals, "=", shift = true), KeyPress(Key.NumPadAdd, "+"),
+        ) { zoomBy(viewer, 1 / ZOOM) },
+        command("Zoom out", KeyPress(Key.Minus, "-"), KeyPress(Key.NumPadSubtract, "-")) { zoomBy(viewer, ZOOM) },
+        command("Show everything", KeyPress(Key.Zero, "0"), KeyPress(Key.MoveHome, "Home")) { viewer.viewport = viewer.viewport.reset() },
+        command("Back to what was seen before", KeyPress(Key.Backspace, "Backspace")) { viewer.viewport = viewer.viewport.back() },
+        command("Zoom to the time enabled", KeyPress(Key.E, "E")) { zoomToEnabled(viewer) },
+        command("Zoom to the selection", KeyPress(Key.Z, "Z")) { zoomToSelection(viewer) },
+        command("Move to the left", KeyPress(Key.LeftBracket, "[")) { pan(-PAN) },
+        command("Move to the right", KeyPress(Key.RightBracket, "]")) { pan(PAN) },
+    )
+}
+
+private const val GROUP = "Graphs"
+private const val STRIDE = 10
+private const val ZOOM = 1.5
+private const val PAN = 0.25

@@ -1,0 +1,87 @@
+package badlog.viewer.graph
+
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Spacer
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.padding
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.DisposableEffect
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.rememberUpdatedState
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clipToBounds
+import androidx.compose.ui.draw.drawBehind
+import androidx.compose.ui.graphics.graphicsLayer
+import androidx.compose.ui.input.pointer.PointerIcon
+import androidx.compose.ui.input.pointer.pointerHoverIcon
+import androidx.compose.ui.layout.onSizeChanged
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.rememberTextMeasurer
+import badlog.viewer.graph.plot.PlotPicture
+import badlog.viewer.graph.plot.PlotRequest
+import badlog.viewer.graph.plot.PlotState
+import badlog.viewer.graph.plot.drawLanes
+import badlog.viewer.graph.plot.drawLines
+import badlog.viewer.theme.LocalPalette
+
+/** The plot of [spec] with its axes. */
+@Composable
+internal fun GraphPlot(scene: GraphScene, spec: GraphSpec, modifier: Modifier) {
+    val state = scene.plots.state(spec.id)
+    val latest by rememberUpdatedState(spec)
+    val density = LocalDensity.current.density
+    val palette = LocalPalette.current
+    DisposableEffect(spec.id) {
+        scene.plots.show(spec.id, true)
+        onDispose { scene.plots.show(spec.id, false) }
+    }
+    PictureKeeping(state, scene.plots.curves) {
+        val size = state.size
+        if (size.width <= 0 || size.height <= 0) null
+        else PlotRequest(latest, scene.recordings, scene.viewer.viewport.visible, size.width, size.height, palette, density)
+    }
+    Box(modifier) {
+        YAxes(scene, state, Modifier.fillMaxSize())
+        Box(
+            Modifier
+                .fillMaxSize()
+                .padding(start = GraphScene.LEFT_GUTTER, end = scene.rightGutter)
+                .onSizeChanged { state.size = it }
+                .pointerHoverIcon(PointerIcon.Crosshair)
+                .semantics { contentDescription = "Plot ${spec.title}" }
+                .plotPointer(scene, spec.id) { y, height -> yAt(scene.pictureOf(state), y, height) },
+        ) {
+            Figure(scene, state)
+            CursorOverlay(scene, spec.id, state)
+        }
+    }
+}
+
+/** Everything but what moves with the pointer; a layer of its own, so that it is not drawn again when only that moves. */
+@Composable
+private fun Figure(scene: GraphScene, state: PlotState) {
+    val palette = LocalPalette.current
+    val letters = rememberTextMeasurer(cacheSize = TEXTS)
+    Spacer(
+        Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind {
+            val visible = scene.viewer.viewport.visible
+            drawEnabled(scene.viewer.open?.enabled.orEmpty(), visible, palette)
+            val picture = scene.pictureOf(state) ?: return@drawBehind
+            drawGrid(picture, visible, palette)
+            drawLines(picture, visible)
+            drawLanes(picture, visible, palette, letters)
+            drawEventMarks(scene.events, visible, palette)
+        },
+    )
+}
+
+/** The value on the left axis at [y] pixels from the top of a plot; NaN where there is no axis. */
+private fun yAt(picture: PlotPicture?, y: Float, height: Float): Double {
+    if (picture == null) return Double.NaN
+    val plotHeight = picture.plotHeight / picture.request.height * height
+    return picture.axes.firstOrNull()?.valueAt(y.coerceIn(0f, plotHeight), plotHeight) ?: Double.NaN
+}
+
+private const val TEXTS = 64

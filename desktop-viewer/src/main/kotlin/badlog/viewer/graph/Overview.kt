@@ -1,0 +1,114 @@
+package badlog.viewer.graph
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Spacer
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.height
+import androidx.compose.foundation.layout.padding
+import androidx.compose.material3.HorizontalDivider
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.remember
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clipToBounds
+import androidx.compose.ui.draw.drawBehind
+import androidx.compose.ui.geometry.CornerRadius
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Size
+import androidx.compose.ui.graphics.drawscope.DrawScope
+import androidx.compose.ui.graphics.drawscope.Stroke
+import androidx.compose.ui.graphics.graphicsLayer
+import androidx.compose.ui.layout.onSizeChanged
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.dp
+import badlog.plot.Span
+import badlog.viewer.graph.plot.PlotRequest
+import badlog.viewer.graph.plot.PlotState
+import badlog.viewer.graph.plot.drawLines
+import badlog.viewer.recording.OpenRecording
+import badlog.viewer.theme.LocalPalette
+import badlog.viewer.theme.Palette
+
+/** The overview's place among the graphs, which count from 1. */
+internal const val OVERVIEW = 0
+
+/** The whole recording as a strip, with a small curve, the events, and the part that is visible as a window to be moved. */
+@Composable
+internal fun Overview(scene: GraphScene) {
+    val viewer = scene.viewer
+    val palette = LocalPalette.current
+    val state = scene.plots.state(OVERVIEW)
+    val density = LocalDensity.current.density
+    val spec = remember(viewer.open) { viewer.open?.let(::overviewSpec) }
+    PictureKeeping(state, scene.plots.curves) {
+        val size = state.size
+        if (spec == null || size.width <= 0 || size.height <= 0) null
+        else PlotRequest(spec, scene.recordings.take(1), viewer.viewport.full, size.width, size.height, palette, density)
+    }
+    Box(Modifier.fillMaxWidth().height(HEIGHT.dp).background(palette.surface)) {
+        Box(
+            Modifier
+                .fillMaxSize()
+                .padding(start = GraphScene.LEFT_GUTTER, end = scene.rightGutter, top = 2.dp, bottom = 3.dp)
+                .onSizeChanged { state.size = it }
+                .semantics { contentDescription = "Overview" }
+                .overviewPointer(viewer),
+        ) {
+            Spacer(Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind { drawWhole(scene, state, palette) })
+            Spacer(Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind { drawWindow(scene, palette) })
+        }
+        HorizontalDivider(Modifier.align(Alignment.BottomCenter))
+    }
+}
+
+/** The graph in the overview: the battery's voltage, in which a match is easily known again, or else the first line of numbers. */
+internal fun overviewSpec(open: OpenRecording): GraphSpec? {
+    val numbers = open.signals.filter { it.states == null && !it.isDerived }
+    val battery = numbers.firstOrNull { it.name.contains("battery", ignoreCase = true) && it.name.contains("volt", ignoreCase = true) }
+    val chosen = battery ?: numbers.firstOrNull() ?: return null
+    return GraphSpec(OVERVIEW, chosen.name, listOf(LineSpec(chosen.name)))
+}
+
+private fun DrawScope.drawWhole(scene: GraphScene, state: PlotState, palette: Palette) {
+    val full = scene.viewer.viewport.full
+    drawRect(palette.page)
+    drawEnabled(scene.viewer.open?.enabled.orEmpty(), full, palette)
+    scene.pictureOf(state)?.let { drawLines(it, full) }
+    drawEventMarks(scene.events, full, palette, hasLines = false)
+}
+
+private fun DrawScope.drawWindow(scene: GraphScene, palette: Palette) {
+    val viewer = scene.viewer
+    val full = viewer.viewport.full
+    viewer.selection?.let { drawSelection(it, full, palette) }
+    if (viewer.viewport.isZoomed) drawVisible(viewer.viewport.visible, full, palette)
+    viewer.cursor?.let { drawCursorLine(it, full, palette) }
+}
+
+private fun DrawScope.drawVisible(visible: Span, full: Span, palette: Palette) {
+    val middle = visible.from + visible.width / 2
+    val least = LEAST_WIDTH * density
+    val center = pixelOf(middle, full, size.width)
+    val half = maxOf(pixelOf(visible.to, full, size.width) - center, least / 2)
+    val left = center - half
+    val right = center + half
+    val shade = palette.page.copy(alpha = SHADE_OPACITY)
+    drawRect(shade, Offset.Zero, Size(left.coerceAtLeast(0f), size.height))
+    drawRect(shade, Offset(right, 0f), Size((size.width - right).coerceAtLeast(0f), size.height))
+    drawRoundRect(
+        palette.accent, Offset(left, 0.5f), Size(right - left, size.height - 1), CornerRadius(3 * density), Stroke(1.5f * density),
+    )
+    // Grips, where there is room for them between the edges.
+    if (right - left < 4 * least) return
+    for (edge in listOf(left, right)) {
+        drawLine(palette.accent, Offset(edge, size.height * 0.3f), Offset(edge, size.height * 0.7f), strokeWidth = 4 * density)
+    }
+}
+
+private const val HEIGHT = 48
+private const val LEAST_WIDTH = 5
+private const val SHADE_OPACITY = 0.65f

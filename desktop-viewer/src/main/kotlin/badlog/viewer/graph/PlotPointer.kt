@@ -1,0 +1,138 @@
+package badlog.viewer.graph
+
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.input.pointer.AwaitPointerEventScope
+import androidx.compose.ui.input.pointer.PointerEvent
+import androidx.compose.ui.input.pointer.PointerEventType
+import androidx.compose.ui.input.pointer.PointerInputChange
+import androidx.compose.ui.input.pointer.PointerType
+import androidx.compose.ui.input.pointer.isAltPressed
+import androidx.compose.ui.input.pointer.isCtrlPressed
+import androidx.compose.ui.input.pointer.isMetaPressed
+import androidx.compose.ui.input.pointer.isPrimaryPressed
+import androidx.compose.ui.input.pointer.isSecondaryPressed
+import androidx.compose.ui.input.pointer.isShiftPressed
+import androidx.compose.ui.input.pointer.isTertiaryPressed
+import androidx.compose.ui.input.pointer.pointerInput
+import kotlin.math.abs
+
+/**
+ * Lets the pointer zoom, pan, select, and place the cursor over graph [id], or over the axis for null, where a plain drag pans.
+ *
+ * @param yAt the value at so many pixels from the top of so many.
+ */
+internal fun Modifier.plotPointer(scene: GraphScene, id: Int?, yAt: (y: Float, height: Float) -> Double): Modifier =
+    pointerInput(scene, id) {
+        awaitPointerEventScope {
+            val pointer = PlotPointer(this, scene, id, yAt)
+            while (true) pointer.hear(awaitPointerEvent())
+        }
+    }
+
+/** Turns what happens to the pointer over one plot into [PlotGestures]. */
+private class PlotPointer(
+    private val scope: AwaitPointerEventScope,
+    private val scene: GraphScene,
+    private val id: Int?,
+    private val yAt: (y: Float, height: Float) -> Double,
+) {
+    private val gestures = scene.gestures
+    private var pressedAt: Offset? = null
+    private var kind = GestureKind.ZOOM
+    private var isDragging = false
+    private var clickedAt = Offset.Zero
+    private var clickedMillis = Long.MIN_VALUE / 2
+
+    fun hear(event: PointerEvent) {
+        val change = event.changes.first()
+        when (event.type) {
+            PointerEventType.Press -> press(event, change)
+            PointerEventType.Move, PointerEventType.Enter -> move(change)
+            PointerEventType.Release -> release(change)
+            PointerEventType.Scroll -> scroll(event, change)
+            else -> Unit
+        }
+    }
+
+    private fun press(event: PointerEvent, change: PointerInputChange) {
+        if (pressedAt != null || change.isConsumed) return
+        kind = kindOf(event, change)
+        pressedAt = change.position
+        isDragging = false
+        change.consume()
+    }
+
+    private fun kindOf(event: PointerEvent, change: PointerInputChange): GestureKind {
+        val keys = event.keyboardModifiers
+        return when {
+            event.buttons.isTertiaryPressed || keys.isAltPressed || change.type == PointerType.Touch -> GestureKind.PAN
+            event.buttons.isSecondaryPressed || keys.isCtrlPressed || keys.isMetaPressed -> GestureKind.SELECT
+            id == null -> GestureKind.PAN
+            event.buttons.isPrimaryPressed && keys.isShiftPressed -> GestureKind.ZOOM_Y
+            else -> GestureKind.ZOOM
+        }
+    }
+
+    private fun move(change: PointerInputChange) {
+        val start = pressedAt
+        val at = change.position
+        if (start == null) {
+            gestures.hover(xAt(at))
+            return
+        }
+        if (!isDragging && (at - start).getDistance() >= FEWEST * scope.density) {
+            isDragging = true
+            gestures.begin(kind, id, xAt(start), yAt(start))
+        }
+        if (isDragging) gestures.drag(xAt(at), yAt(at))
+        change.consume()
+    }
+
+    private fun release(change: PointerInputChange) {
+        if (pressedAt == null) return
+        pressedAt = null
+        if (isDragging) gestures.end() else if (kind != GestureKind.SELECT) click(change)
+        isDragging = false
+        change.consume()
+    }
+
+    private fun click(change: PointerInputChange) {
+        val at = change.position
+        val isSecond = change.uptimeMillis - clickedMillis < DOUBLE_CLICK_MILLIS &&
+            (at - clickedAt).getDistance() < DOUBLE_CLICK_REACH * scope.density
+        if (isSecond) {
+            clickedMillis = Long.MIN_VALUE / 2
+            gestures.doubleClick(id)
+        } else {
+            clickedMillis = change.uptimeMillis
+            clickedAt = at
+            gestures.click(xAt(at), REACH * scope.density / scope.size.width * scene.viewer.viewport.visible.width)
+        }
+    }
+
+    private fun scroll(event: PointerEvent, change: PointerInputChange) {
+        val delta = change.scrollDelta
+        if (change.isConsumed) return
+        when {
+            abs(delta.x) > abs(delta.y) -> gestures.pan(delta.x, change.uptimeMillis)
+            event.keyboardModifiers.isShiftPressed -> gestures.pan(delta.y, change.uptimeMillis)
+            else -> gestures.zoom(delta.y, xAt(change.position), change.uptimeMillis)
+        }
+        change.consume()
+    }
+
+    private fun xAt(at: Offset): Double {
+        val visible = scene.viewer.viewport.visible
+        return visible.from + at.x / scope.size.width * visible.width
+    }
+
+    private fun yAt(at: Offset): Double = yAt(at.y, scope.size.height.toFloat())
+
+    private companion object {
+        const val FEWEST = 4f
+        const val REACH = 5f
+        const val DOUBLE_CLICK_MILLIS = 350L
+        const val DOUBLE_CLICK_REACH = 8f
+    }
+}

@@ -1,0 +1,45 @@
+package badlog.viewer.graph.plot
+
+import badlog.plot.Span
+import badlog.plot.YLimits
+import badlog.viewer.graph.text.axisTexts
+
+/**
+ * The scales of y for [units], each so that the points [pointsOf] gives for it fill the graph. A person's choice of y is of the
+ * first unit; the others keep the same part of theirs, so that all lines move together.
+ */
+internal fun axesOf(
+    request: PlotRequest,
+    units: List<String>,
+    height: Float,
+    pointsOf: (String) -> List<CurvePoints>,
+): List<YAxis> {
+    val fitted = units.map { unit -> fit(pointsOf(unit), request.spec.includesZero) }
+    val first = fitted.firstOrNull() ?: return emptyList()
+    val chosen = request.spec.yRange?.takeIf { it.width > 0 && it.width.isFinite() }
+    return units.mapIndexed { index, unit ->
+        val whole = fitted[index]
+        val shown = when {
+            chosen == null -> whole
+            index == 0 -> chosen
+            else -> Span(
+                whole.from + (chosen.from - first.from) / first.width * whole.width,
+                whole.from + (chosen.to - first.from) / first.width * whole.width,
+            )
+        }
+        val most = (height / (DP_PER_TICK * request.density)).toInt().coerceIn(1, MOST_TICKS)
+        val ticks = Ticks.of(shown.from, shown.to, most)
+        YAxis(unit, whole, shown, ticks, if (ticks.values.isEmpty()) emptyList() else axisTexts(ticks.values, ticks.step, LETTERS))
+    }
+}
+
+private fun fit(points: List<CurvePoints>, includesZero: Boolean): Span {
+    val seen = points.filter { !it.min.isNaN() }
+    val limits = YLimits()
+    limits.fit(seen.minOfOrNull { it.min } ?: Double.NaN, seen.maxOfOrNull { it.max } ?: Double.NaN, includesZero)
+    return Span(limits.from, limits.to)
+}
+
+private const val DP_PER_TICK = 17f
+private const val MOST_TICKS = 12
+private const val LETTERS = 8

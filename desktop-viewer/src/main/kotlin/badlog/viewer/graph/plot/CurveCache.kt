@@ -1,0 +1,30 @@
+package badlog.viewer.graph.plot
+
+import badlog.plot.StateRuns
+import badlog.viewer.recording.OpenRecording
+import badlog.viewer.recording.Signal
+import java.util.WeakHashMap
+import java.util.concurrent.ConcurrentHashMap
+
+/**
+ * What is found out once for each signal and then serves every zoom. Goes with its recording. May be used by any thread; not by
+ * the window's, as the first use of a signal takes a while.
+ */
+internal class CurveCache {
+    private class OfRecording {
+        val curves = ConcurrentHashMap<String, SharedCurve>()
+        val runs = ConcurrentHashMap<String, StateRuns>()
+    }
+
+    private val byRecording = WeakHashMap<OpenRecording, OfRecording>()
+
+    /** The curve of [signal], one of [recording]'s. */
+    fun curve(recording: OpenRecording, signal: Signal): SharedCurve =
+        of(recording).curves.computeIfAbsent(signal.name) { SharedCurve(signal.series) }
+
+    /** The states of [signal], one of [recording]'s. */
+    fun runs(recording: OpenRecording, signal: Signal): StateRuns =
+        of(recording).runs.computeIfAbsent(signal.name) { StateRuns(signal.series, recording.span.to) }
+
+    private fun of(recording: OpenRecording) = synchronized(byRecording) { byRecording.getOrPut(recording, ::OfRecording) }
+}

@@ -1,0 +1,53 @@
+package badlog.viewer.graph.plot
+
+import badlog.plot.Curve
+import badlog.plot.Span
+
+/**
+ * The points of a curve, x in pixels already, y still as it was logged: the scale of y is known only when all lines of a graph are.
+ *
+ * @property x where each point stands, in pixels from the left.
+ * @property y its value; NaN where the line is broken.
+ * @property min the smallest value to be seen; NaN without one.
+ * @property max the largest.
+ */
+internal class CurvePoints(
+    val x: FloatArray,
+    val y: DoubleArray,
+    val min: Double,
+    val max: Double,
+    val isDense: Boolean,
+    val isSparse: Boolean,
+) {
+    /** x and y in pixels in turn, one array for each part between gaps; [yPixel] tells where a value stands. */
+    inline fun polylines(yPixel: (Double) -> Float): List<FloatArray> {
+        val parts = ArrayList<FloatArray>()
+        val buffer = FloatArray(2 * x.size)
+        var count = 0
+        for (i in 0..x.size) {
+            if (i < x.size && !y[i].isNaN()) {
+                buffer[count++] = x[i]
+                buffer[count++] = yPixel(y[i])
+            } else if (count > 0) {
+                parts += buffer.copyOf(count)
+                count = 0
+            }
+        }
+        return parts
+    }
+
+    companion object {
+        /** A copy of what [curve] has found for [visible], which [width] pixels show. */
+        fun of(curve: Curve, visible: Span, width: Int): CurvePoints {
+            val scale = width / visible.width
+            return CurvePoints(
+                x = FloatArray(curve.size) { ((curve.x[it] - visible.from) * scale).toFloat() },
+                y = curve.y.copyOf(curve.size),
+                min = curve.min,
+                max = curve.max,
+                isDense = curve.isDense,
+                isSparse = curve.isSparse,
+            )
+        }
+    }
+}

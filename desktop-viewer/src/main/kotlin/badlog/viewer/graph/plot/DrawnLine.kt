@@ -1,0 +1,41 @@
+package badlog.viewer.graph.plot
+
+import badlog.viewer.compare.DrawnRecording
+import badlog.viewer.graph.GraphSpec
+import badlog.viewer.recording.OpenRecording
+import badlog.viewer.recording.Signal
+
+/**
+ * One line on the screen: a signal of a recording.
+ *
+ * @property offset what is added to the recording's x to stand in the window's.
+ * @property colour which of the palette's colours it has, from 0.
+ * @property label what the legend calls it beside the signal's name, where that would not tell; else null.
+ */
+internal data class DrawnLine(
+    val signal: Signal,
+    val recording: OpenRecording,
+    val offset: Double,
+    val colour: Int,
+    val label: String? = null,
+)
+
+/**
+ * The lines of [spec] in every one of [recordings] that has them. Of one recording each line has a colour; of several the
+ * colour tells the recording in the first place, the same in all graphs, and further lines have colours of their own.
+ */
+internal fun drawnLines(spec: GraphSpec, recordings: List<DrawnRecording>): List<DrawnLine> {
+    val isCompared = recordings.size > 1
+    return spec.lines.flatMapIndexed { place, line ->
+        recordings.mapIndexedNotNull { index, drawn ->
+            val signal = drawn.recording.signal(line.signal) ?: return@mapIndexedNotNull null
+            DrawnLine(
+                signal = signal,
+                recording = drawn.recording,
+                offset = drawn.offset,
+                colour = place * recordings.size + index,
+                label = if (isCompared) drawn.name else null,
+            )
+        }
+    }
+}

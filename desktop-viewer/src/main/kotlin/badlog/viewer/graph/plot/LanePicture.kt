@@ -1,0 +1,16 @@
+package badlog.viewer.graph.plot
+
+import badlog.analysis.Series
+import badlog.plot.LaneBlock
+
+/**
+ * A lane of states in pixels.
+ *
+ * @property series its samples, for the state under the cursor.
+ * @property states what each number means.
+ * @property blocks what is drawn, from left to right, the short ones last.
+ */
+internal class LanePicture(val line: DrawnLine, val series: Series, val states: List<String>, val blocks: List<LaneBlock>) {
+    /** Whether state 0 is the quiet one: where a switch is pressed has to be seen at a glance. */
+    val isSwitch: Boolean get() = states.size == 2 && states[0] == "false"
+}

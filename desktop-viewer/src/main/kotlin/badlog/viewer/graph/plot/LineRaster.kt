@@ -1,0 +1,63 @@
+package badlog.viewer.graph.plot
+
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.graphics.toArgb
+import org.jetbrains.skia.Canvas
+import org.jetbrains.skia.Image
+import org.jetbrains.skia.Paint
+import org.jetbrains.skia.PaintMode
+import org.jetbrains.skia.PaintStrokeCap
+import org.jetbrains.skia.PathBuilder
+import org.jetbrains.skia.Surface
+
+/**
+ * An image of [lines], [height] pixels high; null without any. Long strokes are most of the work of a frame where there is no
+ * graphics card, so they are drawn here, on whatever thread makes the picture, and the window only lays the image down.
+ */
+internal fun rasterOf(request: PlotRequest, axes: List<YAxis>, lines: List<LinePicture>, height: Float): Image? {
+    val rows = height.toInt()
+    if (lines.isEmpty() || rows < 1) return null
+    return Surface.makeRasterN32Premul(request.width, rows).use { surface ->
+        for (line in lines) {
+            drawLine(surface.canvas, line, request, base = axes[line.axis].pixelOf(0.0, height).coerceIn(0f, height))
+        }
+        surface.makeImageSnapshot()
+    }
+}
+
+private fun drawLine(canvas: Canvas, line: LinePicture, request: PlotRequest, base: Float) {
+    val density = request.density
+    val colour = request.palette.line(line.line.colour)
+    if (request.spec.isFilled) fill(canvas, line, base, colour)
+    Paint().use { paint ->
+        paint.color = colour.toArgb()
+        paint.isAntiAlias = true
+        paint.mode = PaintMode.STROKE
+        // A hairline is many times as fast as any other stroke.
+        paint.strokeWidth = if (line.isDense) 0f else LINE_WIDTH * density
+        for (part in line.points) if (part.size > 2) canvas.drawPolygon(part, paint)
+        paint.strokeCap = PaintStrokeCap.ROUND
+        paint.strokeWidth = (if (line.hasDots) DOT_WIDTH else LINE_WIDTH) * density
+        // What stands alone between gaps has no line to be seen by.
+        for (part in line.points) if (line.hasDots || part.size == 2) canvas.drawPoints(part, paint)
+    }
+}
+
+private fun fill(canvas: Canvas, line: LinePicture, base: Float, colour: Color) {
+    Paint().use { paint ->
+        paint.color = colour.copy(alpha = FILL_OPACITY).toArgb()
+        for (part in line.points) {
+            val area = FloatArray(part.size + 4)
+            area[0] = part[0]
+            area[1] = base
+            part.copyInto(area, 2)
+            area[area.size - 2] = part[part.size - 2]
+            area[area.size - 1] = base
+            PathBuilder().use { builder -> builder.addPoly(area, true).detach().use { canvas.drawPath(it, paint) } }
+        }
+    }
+}
+
+private const val LINE_WIDTH = 1.5f
+private const val DOT_WIDTH = 5f
+private const val FILL_OPACITY = 0.19f

@@ -1,0 +1,27 @@
+package badlog.viewer.graph.plot
+
+import androidx.compose.ui.graphics.drawscope.DrawScope
+import androidx.compose.ui.graphics.drawscope.drawIntoCanvas
+import androidx.compose.ui.graphics.skiaCanvas
+import badlog.plot.Span
+import org.jetbrains.skia.Rect
+import org.jetbrains.skia.SamplingMode
+
+/**
+ * Draws the lines of [picture] where [visible] is seen now. A picture that was made for another part of x is stretched to its
+ * place: it stands in until the one that is asked for is there.
+ */
+internal fun DrawScope.drawLines(picture: PlotPicture, visible: Span) {
+    val image = picture.image ?: return
+    val made = picture.request.visible
+    val left = ((made.from - visible.from) / visible.width * size.width).toFloat()
+    val right = ((made.to - visible.from) / visible.width * size.width).toFloat()
+    // Of a picture of much more or much less there is nothing to be recognised.
+    if (right - left !in size.width / MOST_STRETCH..size.width * MOST_STRETCH) return
+    val whole = Rect.makeWH(image.width.toFloat(), image.height.toFloat())
+    drawIntoCanvas { canvas ->
+        canvas.skiaCanvas.drawImageRect(image, whole, Rect(left, 0f, right, image.height.toFloat()), SamplingMode.DEFAULT, null, true)
+    }
+}
+
+private const val MOST_STRETCH = 64

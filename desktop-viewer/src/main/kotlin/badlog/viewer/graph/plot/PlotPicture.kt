@@ -1,0 +1,48 @@
+package badlog.viewer.graph.plot
+
+import badlog.plot.Span
+import org.jetbrains.skia.Image
+
+/**
+ * A graph ready to be drawn: only pixels, nothing to be found out any more.
+ *
+ * @property request what it was made for.
+ * @property axes the scales of y: the one at the left, the one at the right, and those of further units, which no axis shows.
+ * @property lines the lines of numbers.
+ * @property lanes the lanes of states, below the lines.
+ * @property image the lines as they are to be seen; null without any.
+ * @property plotHeight how much of the height the lines have, in pixels; the lanes have the rest.
+ */
+internal class PlotPicture(
+    val request: PlotRequest,
+    val axes: List<YAxis>,
+    val lines: List<LinePicture>,
+    val lanes: List<LanePicture>,
+    val image: Image?,
+    val plotHeight: Float,
+)
+
+/**
+ * A scale of y.
+ *
+ * @property unit what is counted.
+ * @property fitted what the visible samples need.
+ * @property shown what is seen of it.
+ * @property ticks the places that are labelled.
+ * @property texts what stands there, one for each of the ticks.
+ */
+internal class YAxis(val unit: String, val fitted: Span, val shown: Span, val ticks: Ticks, val texts: List<String>) {
+    /** Where [value] stands on a plot [height] pixels high, from its top. */
+    fun pixelOf(value: Double, height: Float): Float {
+        val pixel = (shown.to - value) / shown.width * height
+        // Numbers far out of sight would be too large to draw with.
+        return pixel.coerceIn(-FARTHEST * height, FARTHEST * height).toFloat()
+    }
+
+    /** The value at [pixel] from the top of a plot [height] pixels high. */
+    fun valueAt(pixel: Float, height: Float): Double = shown.to - pixel / height * shown.width
+
+    private companion object {
+        const val FARTHEST = 50.0
+    }
+}

@@ -1,0 +1,45 @@
+package badlog.viewer.graph.plot
+
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.unit.IntSize
+import badlog.plot.Span
+import badlog.viewer.compare.DrawnRecording
+
+/** What a graph on the screen has: its size, and its latest picture. */
+internal class PlotState {
+    /** The room for lines and lanes, in physical pixels; zero before it is known. */
+    var size: IntSize by mutableStateOf(IntSize.Zero)
+
+    /** What is drawn; null before the first is there. */
+    var picture: PlotPicture? by mutableStateOf(null)
+}
+
+/** The pictures of all graphs of a window. To be used on the window's thread only. */
+internal class Plots {
+    private val states = HashMap<Int, PlotState>()
+    private val onScreen = HashSet<Int>()
+
+    /** What serves all pictures. */
+    val curves = CurveCache()
+
+    /** What graph [id] has; kept while it is out of sight, so that it is there at once when it comes back. */
+    fun state(id: Int): PlotState = states.getOrPut(id, ::PlotState)
+
+    /** Graph [id] comes into sight, or goes. */
+    fun show(id: Int, isOnScreen: Boolean) {
+        if (isOnScreen) onScreen += id else onScreen -= id
+    }
+
+    /** Forgets the graphs that are not among [ids]. */
+    fun keep(ids: Set<Int>) {
+        states.keys.retainAll(ids)
+        onScreen.retainAll(ids)
+    }
+
+    /** Whether every graph in sight has the picture of [recordings] for [visible]; false when none is in sight. */
+    fun areReady(recordings: List<DrawnRecording>, visible: Span): Boolean = onScreen.isNotEmpty() && onScreen.all { id ->
+        state(id).picture?.request?.let { it.visible == visible && it.recordings == recordings } == true
+    }
+}

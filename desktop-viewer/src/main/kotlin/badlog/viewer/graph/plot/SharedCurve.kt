@@ -1,0 +1,19 @@
+package badlog.viewer.graph.plot
+
+import badlog.analysis.PixelColumns
+import badlog.analysis.Series
+import badlog.plot.Curve
+
+/** The curve of a series, for whoever draws it: graphs are computed on several threads, a curve can be used by one at a time. */
+internal class SharedCurve(val series: Series) {
+    private val curve = Curve(series)
+    private var columns = PixelColumns(0)
+
+    /** Finds the points from [from] to [to] on [width] pixels, and gives what [read] makes of them. */
+    @Synchronized
+    fun <T> draw(from: Double, to: Double, width: Int, read: (Curve) -> T): T {
+        if (columns.count != width) columns = PixelColumns(width)
+        curve.draw(from, to, columns)
+        return read(curve)
+    }
+}

@@ -1,0 +1,98 @@
+package badlog.viewer.inspector
+
+import badlog.analysis.SeriesStatistics
+import badlog.analysis.Units
+import badlog.analysis.statistics
+import badlog.plot.Span
+import badlog.recording.Topic
+import badlog.viewer.compare.DrawnRecording
+import badlog.viewer.recording.Signal
+import badlog.viewer.topic.exactText
+import badlog.viewer.topic.figureText
+import badlog.viewer.topic.sampleText
+
+/**
+ * What every drawn signal does over a part of x.
+ *
+ * @property span that part, on the x of the open recording.
+ * @property xUnit the unit of x, `ul` for none.
+ * @property isSelection whether a person has marked it; else it is what is seen.
+ */
+internal class RangeStatistics(val span: Span, val xUnit: String, val isSelection: Boolean, val signals: List<SignalStatistics>)
+
+/**
+ * What one signal does.
+ *
+ * @property recording the label of its recording; empty while only one is drawn.
+ * @property place of that recording among those drawn, which is that of its colour.
+ * @property figures what is shown of it, in its order: a name, and a number or a state with its unit.
+ */
+internal class SignalStatistics(
+    val signal: String,
+    val unit: String,
+    val recording: String,
+    val place: Int,
+    val figures: List<Figure>,
+)
+
+/** A name and what stands beside it; [unit] is `ul` for none. */
+internal class Figure(val name: String, val text: String, val unit: String)
+
+/** The statistics of [names] over [span] in each of [drawn]; calculates them all, so not for the window's thread. */
+internal fun rangeStatistics(drawn: List<DrawnRecording>, names: List<String>, span: Span, isSelection: Boolean): RangeStatistics {
+    val signals = names.flatMap { name ->
+        drawn.mapIndexedNotNull { place, (recording, offset, recordingName) ->
+            val signal = recording.signal(name) ?: return@mapIndexedNotNull null
+            if (signal.series.size == 0) return@mapIndexedNotNull null
+            val statistics = signal.series.statistics(span.from - offset, span.to - offset)
+            val areaUnit = Units.ofIntegral(signal.unit, recording.view.xAxis.unit)
+            val states = signal.states.orEmpty()
+            val figures = if (signal.hasFigures) figuresOf(signal, statistics, areaUnit) else figuresOf(statistics, states)
+            SignalStatistics(name, signal.unit, if (drawn.size > 1) recordingName else "", place, figures)
+        }
+    }
+    val xUnit = drawn.firstOrNull()?.recording?.view?.xAxis?.unit.orEmpty()
+    return RangeStatistics(span, xUnit, isSelection, signals)
+}
+
+private fun figuresOf(signal: Signal, statistics: SeriesStatistics, areaUnit: String): List<Figure> {
+    val unit = signal.unit
+    val samples = statistics.count.toString() + if (statistics.gaps > 0) " + ${countText(statistics.gaps, "gap")}" else ""
+    if (statistics.count == 0) return listOf(Figure("samples", samples, Topic.UNITLESS))
+    return listOf(
+        Figure("min", sampleText(signal, statistics.min), unit),
+        Figure("max", sampleText(signal, statistics.max), unit),
+        Figure("mean", figureText(statistics.mean), unit),
+        Figure("median", figureText(statistics.median), unit),
+        Figure("5 %", figureText(statistics.percentile5), unit),
+        Figure("95 %", figureText(statistics.percentile95), unit),
+        Figure("std", figureText(statistics.standardDeviation), unit),
+        Figure("integral", figureText(statistics.integral), areaUnit),
+        Figure("first", sampleText(signal, statistics.first), unit),
+        Figure("last", sampleText(signal, statistics.last), unit),
+        Figure("change", figureText(statistics.last - statistics.first), unit),
+        Figure("samples", samples, Topic.UNITLESS),
+    )
+}
+
+// What the numbers of states add up to means nothing.
+private fun figuresOf(statistics: SeriesStatistics, states: List<String>) = listOf(
+    Figure("first", stateText(statistics.first, states), Topic.UNITLESS),
+    Figure("last", stateText(statistics.last, states), Topic.UNITLESS),
+    Figure("samples", statistics.count.toString(), Topic.UNITLESS),
+)
+
+private fun stateText(value: Double, states: List<String>) = if (value.isNaN()) "–" else states.getOrElse(value.toInt()) { "–" }
+
+/** The statistics as lines of tab-separated cells, as spreadsheets take them; the first line names the columns. */
+internal fun RangeStatistics.toTsv(): String {
+    val columns = signals.flatMap { signal -> signal.figures.map { it.name } }.distinct()
+    val head = listOf("signal", "unit", "recording", "from", "to") + columns
+    val lines = signals.map { signal ->
+        val cells = signal.figures.associate { it.name to it.text }
+        listOf(signal.signal, signal.unit, signal.recording, exactText(span.from), exactText(span.to)) + columns.map { cells[it].orEmpty() }
+    }
+    return (listOf(head) + lines).joinToString("\n", postfix = "\n") { line ->
+        line.joinToString("\t") { cell -> cell.replace('\t', ' ').replace('\n', ' ').replace('\r', ' ') }
+    }
+}

@@ -1,0 +1,115 @@
+package badlog.viewer.inspector
+
+import androidx.compose.foundation.VerticalScrollbar
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxHeight
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.layout.width
+import androidx.compose.foundation.lazy.LazyColumn
+import androidx.compose.foundation.lazy.items
+import androidx.compose.foundation.lazy.rememberLazyListState
+import androidx.compose.foundation.rememberScrollbarAdapter
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.produceState
+import androidx.compose.runtime.snapshotFlow
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import badlog.plot.Span
+import badlog.viewer.app.Viewer
+import badlog.viewer.compare.DrawnRecording
+import badlog.viewer.compare.colorOf
+import badlog.viewer.compare.drawnRecordings
+import badlog.viewer.recording.OpenRecording
+import badlog.viewer.theme.Icons
+import badlog.viewer.theme.LocalPalette
+import badlog.viewer.theme.ToolButton
+import badlog.viewer.topic.figureText
+import badlog.viewer.topic.withUnit
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.flow.conflate
+import kotlinx.coroutines.flow.map
+import kotlinx.coroutines.withContext
+
+/** The statistics of every drawn signal over the selection, or else over what is seen. */
+@Composable
+internal fun StatisticsPanel(viewer: Viewer, open: OpenRecording, modifier: Modifier) {
+    val statistics by produceState<RangeStatistics?>(null, open) {
+        // While the selection is dragged, only the latest that there was time for is calculated.
+        snapshotFlow { askedFor(viewer) }.conflate().map { asked ->
+            withContext(Dispatchers.Default) { rangeStatistics(asked.drawn, asked.names, asked.span, asked.isSelection) }
+        }.collect { value = it }
+    }
+    val known = statistics ?: return
+    val copy = rememberCopy()
+    val state = rememberLazyListState()
+    Column(modifier) {
+        Row(Modifier.fillMaxWidth().padding(start = 12.dp, end = 4.dp, top = 4.dp), verticalAlignment = Alignment.CenterVertically) {
+            Column(Modifier.weight(1f)) {
+                Text(if (known.isSelection) "Of the selection" else "Of what is seen", fontWeight = FontWeight.Medium)
+                Text(rangeText(known), color = LocalPalette.current.muted, fontSize = 12.sp)
+            }
+            ToolButton("Copy the statistics", Icons.Copy, text = "Copy") { copy(known.toTsv()) }
+        }
+        if (known.signals.isEmpty()) PanelHint("No signal is drawn. Click one in the list of topics.")
+        Box(Modifier.fillMaxSize()) {
+            LazyColumn(Modifier.fillMaxSize(), state) { items(known.signals) { SignalFigures(it) } }
+            VerticalScrollbar(rememberScrollbarAdapter(state), Modifier.align(Alignment.CenterEnd).fillMaxHeight())
+        }
+    }
+}
+
+private class Asked(val drawn: List<DrawnRecording>, val names: List<String>, val isSelection: Boolean, val span: Span)
+
+private fun askedFor(viewer: Viewer): Asked {
+    val selection = viewer.selection
+    val names = viewer.graphs.graphs.flatMap { graph -> graph.lines.map { it.signal } }.distinct()
+    return Asked(viewer.drawnRecordings(), names, selection != null, selection ?: viewer.viewport.visible)
+}
+
+private fun rangeText(statistics: RangeStatistics): String {
+    val (from, to) = statistics.span
+    val ends = "${figureText(from)} – ${withUnit(figureText(to), statistics.xUnit)}"
+    return "${withUnit(figureText(to - from), statistics.xUnit)}  ($ends)"
+}
+
+@Composable
+private fun SignalFigures(signal: SignalStatistics) {
+    val palette = LocalPalette.current
+    Column(Modifier.fillMaxWidth().padding(start = 12.dp, end = 14.dp, top = 10.dp)) {
+        Text(signal.signal, fontWeight = FontWeight.SemiBold, maxLines = 1, overflow = TextOverflow.Ellipsis)
+        if (signal.recording.isNotEmpty()) {
+            Row(horizontalArrangement = Arrangement.spacedBy(6.dp), verticalAlignment = Alignment.CenterVertically) {
+                Box(Modifier.size(8.dp).background(palette.colorOf(signal.place), RoundedCornerShape(2.dp)))
+                Text(signal.recording, color = palette.muted, fontSize = 12.sp, maxLines = 1, overflow = TextOverflow.Ellipsis)
+            }
+        }
+        for (pair in signal.figures.chunked(2)) {
+            Row(Modifier.fillMaxWidth()) {
+                for (figure in pair) FigureCell(figure, Modifier.weight(1f))
+                if (pair.size == 1) Box(Modifier.weight(1f))
+            }
+        }
+    }
+}
+
+@Composable
+private fun FigureCell(figure: Figure, modifier: Modifier) {
+    Row(modifier.padding(end = 4.dp)) {
+        Text(figure.name, Modifier.width(54.dp), color = LocalPalette.current.muted, fontSize = 12.sp, maxLines = 1)
+        Text(withUnit(figure.text, figure.unit), Modifier.weight(1f), fontSize = 12.sp, maxLines = 1, overflow = TextOverflow.Ellipsis)
+    }
+}

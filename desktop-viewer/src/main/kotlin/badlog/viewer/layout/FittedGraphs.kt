@@ -1,0 +1,61 @@
+package badlog.viewer.layout
+
+import badlog.plot.Span
+import badlog.viewer.graph.GraphList
+import badlog.viewer.graph.GraphSpec
+import badlog.viewer.graph.LineSpec
+import badlog.viewer.recording.OpenRecording
+
+/**
+ * The graphs of a layout as one recording can show them.
+ *
+ * @property graphs those that have at least one line there.
+ * @property missing the signals that the recording lacks, each once.
+ * @property dropped the titles of the graphs without any line there.
+ */
+internal class FittedGraphs(val graphs: GraphList, val missing: List<String>, val dropped: List<String>) {
+    /** What was left out, in a sentence for the person; null for nothing. */
+    val sentence: String?
+        get() {
+            if (missing.isEmpty()) return null
+            val names = missing.take(MOST_NAMES).joinToString { "“${it.take(LONGEST_NAME)}”" }
+            val more = if (missing.size > MOST_NAMES) " and ${missing.size - MOST_NAMES} more" else ""
+            val left = when (dropped.size) {
+                0 -> "left out"
+                1 -> "left out, and with them one graph"
+                else -> "left out, and with them ${dropped.size} graphs"
+            }
+            return "This log has no $names$more of the layout: $left."
+        }
+
+    private companion object {
+        const val MOST_NAMES = 3
+        const val LONGEST_NAME = 60
+    }
+}
+
+/** Fits [graphs] to [recording]. A graph of which nothing is known, as one without lines, is dropped. */
+internal fun fitted(graphs: List<LayoutGraph>, recording: OpenRecording): FittedGraphs {
+    val missing = LinkedHashSet<String>()
+    val dropped = ArrayList<String>()
+    val specs = graphs.mapIndexedNotNull { i, graph ->
+        val (known, unknown) = graph.lines.distinct().partition { recording.signal(it) != null }
+        missing += unknown
+        if (known.isEmpty()) dropped += graph.title
+        specOf(i + 1, graph, known).takeIf { known.isNotEmpty() }
+    }
+    return FittedGraphs(GraphList(specs), missing.toList(), dropped)
+}
+
+private fun specOf(id: Int, graph: LayoutGraph, signals: List<String>) = GraphSpec(
+    id = id,
+    title = graph.title,
+    lines = signals.map(::LineSpec),
+    isFilled = graph.filled,
+    includesZero = graph.zero,
+    yRange = graph.y?.let(::spanOf),
+)
+
+/** [span] as the window knows it; null where it is none. */
+internal fun spanOf(span: LayoutSpan): Span? =
+    if (span.from < span.to && span.from.isFinite() && span.to.isFinite()) Span(span.from, span.to) else null

@@ -1,0 +1,71 @@
+package badlog.viewer.layout
+
+import kotlinx.serialization.SerialName
+import kotlinx.serialization.Serializable
+
+/**
+ * How a person has arranged a window, by names only: fits every recording of a robot. Its JSON is what a layout file holds.
+ *
+ * @property version of the format, [VERSION] or newer; its key tells a layout from other JSON.
+ * @property graphs the graphs from top to bottom; null for those that the topics' attributes ask for.
+ * @property recording the file that was open, as [compared] names files; null for none.
+ * @property visible the part of x that was seen in it; null for all.
+ * @property selection the part of x that was marked in it, or null.
+ * @property compared what lies over the open recording.
+ * @property panels which parts of the window are open; null for as they are.
+ */
+@Serializable
+internal data class Layout(
+    @SerialName("badlog-layout") val version: Int,
+    val graphs: List<LayoutGraph>? = null,
+    val recording: String? = null,
+    val visible: LayoutSpan? = null,
+    val selection: LayoutSpan? = null,
+    val compared: LayoutComparison = LayoutComparison(),
+    val panels: LayoutPanels? = null,
+) {
+    companion object {
+        /** The format that this program writes. */
+        const val VERSION = 1
+
+        /** How the names of layout files end. */
+        const val ENDING = ".badlog-layout.json"
+    }
+}
+
+/** A graph of a [Layout]; means what a [badlog.viewer.graph.GraphSpec] means. */
+@Serializable
+internal data class LayoutGraph(
+    val title: String,
+    val lines: List<String>,
+    val filled: Boolean = false,
+    val zero: Boolean = false,
+    val y: LayoutSpan? = null,
+)
+
+/** A part of an axis. */
+@Serializable
+internal data class LayoutSpan(val from: Double, val to: Double)
+
+/**
+ * The recordings that a [Layout] lays over the open one.
+ *
+ * @property files their files, relative to the library's folder where they are in it, with `/` between the parts.
+ * @property alignment by what they are aligned, as the comparison calls it; empty for its default.
+ * @property offsets by how much each file was moved by hand, in units of x.
+ */
+@Serializable
+internal data class LayoutComparison(
+    val files: List<String> = emptyList(),
+    val alignment: String = "",
+    val offsets: Map<String, Double> = emptyMap(),
+)
+
+/** Which parts of the window a [Layout] opens; means what [badlog.viewer.app.Panels] means, by the names of its values. */
+@Serializable
+internal data class LayoutPanels(
+    val library: Boolean = true,
+    val topics: Boolean = true,
+    val inspector: String? = null,
+    val main: String? = null,
+)

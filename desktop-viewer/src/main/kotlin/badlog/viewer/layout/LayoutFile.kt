@@ -1,0 +1,51 @@
+package badlog.viewer.layout
+
+import badlog.viewer.takeaway.writeWhole
+import java.io.IOException
+import java.nio.charset.CharacterCodingException
+import java.nio.file.Files
+import java.nio.file.NoSuchFileException
+import java.nio.file.Path
+import kotlinx.serialization.SerializationException
+import kotlinx.serialization.json.Json
+
+/**
+ * Reads the layout in [file].
+ *
+ * @throws IOException with a sentence for the person, when it is missing, damaged, or no layout.
+ */
+internal fun readLayout(file: Path): Layout {
+    val name = file.fileName
+    val layout = try {
+        if (Files.size(file) > LARGEST) throw IOException("$name is too large to be a layout; choose a file that badlog has saved.")
+        JSON.decodeFromString<Layout>(Files.readString(file))
+    } catch (e: SerializationException) {
+        throw IOException("$name is no layout, or is damaged; choose a file that badlog has saved.", e)
+    } catch (e: IllegalArgumentException) {
+        throw IOException("$name is no layout, or is damaged; choose a file that badlog has saved.", e)
+    } catch (e: CharacterCodingException) {
+        throw IOException("$name is no layout: it is not even a text; choose a file that badlog has saved.", e)
+    } catch (e: NoSuchFileException) {
+        throw IOException("$file is not there any more; choose another layout.", e)
+    }
+    if (layout.version > Layout.VERSION) throw IOException("$name was saved by a newer badlog; update this one to open it.")
+    return layout
+}
+
+/**
+ * Writes [layout] to [file]; replaces an older one only by a whole one.
+ *
+ * @throws IOException with a sentence for the person, when it cannot be written.
+ */
+internal fun writeLayout(file: Path, layout: Layout) {
+    val text = JSON.encodeToString(Layout.serializer(), layout)
+    writeWhole(file) { it.write(text.encodeToByteArray()) }
+}
+
+private const val LARGEST = 16L shl 20
+
+private val JSON = Json {
+    ignoreUnknownKeys = true
+    prettyPrint = true
+    explicitNulls = false
+}

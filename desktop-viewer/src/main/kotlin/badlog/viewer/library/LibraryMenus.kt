@@ -1,0 +1,116 @@
+package badlog.viewer.library
+
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.layout.widthIn
+import androidx.compose.material3.DropdownMenu
+import androidx.compose.material3.HorizontalDivider
+import androidx.compose.material3.Icon
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.graphics.vector.ImageVector
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.dp
+import badlog.viewer.app.Viewer
+import badlog.viewer.theme.Icons
+import badlog.viewer.theme.LocalPalette
+import badlog.viewer.theme.Tip
+import badlog.viewer.theme.ToolButton
+import java.nio.file.Path
+
+/** The folder's name, and what else can be opened. */
+@Composable
+internal fun FolderMenu(viewer: Viewer, modifier: Modifier = Modifier) {
+    var isOpen by remember { mutableStateOf(false) }
+    val folder = viewer.library.folder
+    Box(modifier) {
+        Tip(folder?.toString() ?: "Open a folder of logs") {
+            Row(
+                Modifier
+                    .clickable(role = Role.Button) { isOpen = true }
+                    .semantics { contentDescription = "Folder" }
+                    .padding(4.dp),
+                horizontalArrangement = Arrangement.spacedBy(6.dp),
+                verticalAlignment = Alignment.CenterVertically,
+            ) {
+                val palette = LocalPalette.current
+                Icon(Icons.Folder, contentDescription = null, Modifier.size(16.dp), palette.muted)
+                Text(
+                    folder?.let(::nameOf) ?: "No folder",
+                    Modifier.weight(1f, fill = false),
+                    fontWeight = FontWeight.SemiBold,
+                    maxLines = 1,
+                    overflow = TextOverflow.Ellipsis,
+                )
+                Icon(Icons.Down, contentDescription = null, Modifier.size(12.dp), palette.muted)
+            }
+        }
+        DropdownMenu(isOpen, onDismissRequest = { isOpen = false }) {
+            MenuLine("Open folder…") {
+                isOpen = false
+                chooseFolder(viewer)
+            }
+            MenuLine("Open file…") {
+                isOpen = false
+                chooseFile(viewer)
+            }
+            val others = viewer.settings.recentFolders.filter { it != folder?.toString() }
+            if (others.isNotEmpty()) HorizontalDivider()
+            for (recent in others) {
+                MenuLine(recent) {
+                    isOpen = false
+                    viewer.libraryFolder.open(Path.of(recent))
+                }
+            }
+        }
+    }
+}
+
+/** By what the list is sorted. */
+@Composable
+internal fun SortMenu(viewer: Viewer) {
+    var isOpen by remember { mutableStateOf(false) }
+    val listing = viewer.library.listing
+    Box {
+        ToolButton("Sort logs", Icons.Sort) { isOpen = true }
+        DropdownMenu(isOpen, onDismissRequest = { isOpen = false }) {
+            for (column in LogColumn.entries) {
+                val mark = if (column != listing.column) null else if (listing.isDescending) Icons.Down else Icons.Up
+                MenuLine(column.title, mark) { viewer.library = viewer.library.sorted(column) }
+            }
+        }
+    }
+}
+
+/** A line of a menu, which [mark] marks as chosen. */
+@Composable
+internal fun MenuLine(text: String, mark: ImageVector? = null, onClick: () -> Unit) {
+    val palette = LocalPalette.current
+    Row(
+        Modifier
+            .widthIn(min = 180.dp, max = 420.dp)
+            .clickable(role = Role.Button, onClick = onClick)
+            .padding(horizontal = 12.dp, vertical = 6.dp),
+        horizontalArrangement = Arrangement.spacedBy(8.dp),
+        verticalAlignment = Alignment.CenterVertically,
+    ) {
+        Text(text, Modifier.weight(1f), maxLines = 1, overflow = TextOverflow.MiddleEllipsis)
+        if (mark != null) Icon(mark, contentDescription = "chosen", Modifier.size(14.dp), palette.accent)
+    }
+}
+
+private fun nameOf(folder: Path): String = folder.fileName?.toString() ?: folder.toString()

@@ -1,0 +1,126 @@
+package badlog.viewer.library
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.hoverable
+import androidx.compose.foundation.interaction.MutableInteractionSource
+import androidx.compose.foundation.interaction.collectIsHoveredAsState
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.height
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.width
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.remember
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.selected
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.AnnotatedString
+import androidx.compose.ui.text.SpanStyle
+import androidx.compose.ui.text.buildAnnotatedString
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.text.withStyle
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import badlog.viewer.library.index.LogEntry
+import badlog.viewer.theme.LocalPalette
+import badlog.viewer.theme.Palette
+import badlog.viewer.theme.Tip
+
+/** A log in the list: what match it is, when, how long and how it went, and a small line. */
+@Composable
+internal fun LogRow(
+    entry: LogEntry,
+    previews: Previews,
+    isOpen: Boolean,
+    isSelected: Boolean,
+    isTicked: Boolean,
+    onOpen: () -> Unit,
+    onTick: () -> Unit,
+) {
+    val palette = LocalPalette.current
+    val interactions = remember { MutableInteractionSource() }
+    val isHovered by interactions.collectIsHoveredAsState()
+    Row(
+        Modifier
+            .fillMaxWidth()
+            .background(rowColour(palette, isOpen, isSelected, isHovered))
+            .hoverable(interactions)
+            .clickable(onClickLabel = "Open", onClick = onOpen)
+            .semantics {
+                contentDescription = "Log ${entry.fileName}"
+                selected = isOpen
+            },
+    ) {
+        Box(Modifier.width(28.dp).padding(start = 2.dp, top = 3.dp)) {
+            if (entry.isReadable) TickBox("Compare ${entry.fileName}", isTicked, onTick)
+        }
+        Column(Modifier.weight(1f).padding(top = 6.dp, bottom = 6.dp, end = 12.dp)) {
+            Row(horizontalArrangement = Arrangement.spacedBy(6.dp), verticalAlignment = Alignment.CenterVertically) {
+                Text(rowTitle(entry, palette), Modifier.weight(1f), maxLines = 1, overflow = TextOverflow.Ellipsis)
+                AllianceMark(entry)
+                ProblemBadge(entry)
+            }
+            Tip("${entry.file}\n${dateText(entry.date)} ${entry.date.source.saying}") {
+                Text(
+                    rowFacts(entry, palette),
+                    color = palette.muted,
+                    fontSize = 12.sp,
+                    lineHeight = 16.sp,
+                    maxLines = 1,
+                    overflow = TextOverflow.Ellipsis,
+                )
+            }
+            RowPreview(entry, previews, palette)
+        }
+    }
+}
+
+@Composable
+private fun RowPreview(entry: LogEntry, previews: Previews, palette: Palette) {
+    val range = previews.range ?: return
+    val topic = remember(entry, previews) { previews.of(entry) } ?: return
+    val colour = if (entry.isGrey) palette.muted.copy(alpha = 0.5f) else palette.accent
+    PreviewCurve(topic, range, colour, Modifier.fillMaxWidth().padding(top = 3.dp).height(16.dp))
+}
+
+private fun rowTitle(entry: LogEntry, palette: Palette): AnnotatedString = buildAnnotatedString {
+    val colour = if (entry.isGrey) palette.muted else palette.text
+    val weight = if (entry.isGrey) FontWeight.Normal else FontWeight.SemiBold
+    withStyle(SpanStyle(colour, fontWeight = weight)) { append(entry.title) }
+    if (entry.match.match != null) entry.match.event?.let { withStyle(SpanStyle(palette.muted)) { append("  $it") } }
+}
+
+private fun rowFacts(entry: LogEntry, palette: Palette): AnnotatedString = buildAnnotatedString {
+    append(dateText(entry.date))
+    val saying = entry.content.saying
+    if (saying.isNotEmpty()) {
+        append(" · $saying")
+        return@buildAnnotatedString
+    }
+    durationText(entry)?.let { append(" · $it") }
+    batteryText(entry)?.let {
+        append(" · ")
+        withStyle(SpanStyle(batteryColour(entry, palette, palette.muted))) { append(it) }
+    }
+}
+
+/** Red where the robot came near a brownout, else [usual]. */
+internal fun batteryColour(entry: LogEntry, palette: Palette, usual: Color): Color =
+    if ((entry.batteryMinimum ?: Double.MAX_VALUE) < BROWNOUT_NEAR) palette.error else usual
+
+/** What lies behind a row. */
+internal fun rowColour(palette: Palette, isOpen: Boolean, isSelected: Boolean, isHovered: Boolean): Color = when {
+    isOpen || isSelected -> palette.accentSoft
+    isHovered -> palette.raised
+    else -> Color.Transparent
+}

@@ -1,0 +1,60 @@
+package badlog.viewer.library
+
+import badlog.viewer.library.index.LogDate
+import badlog.viewer.library.index.LogEntry
+import badlog.viewer.library.index.secondsOf
+import java.time.format.DateTimeFormatter
+import java.util.Locale
+import kotlin.math.roundToLong
+
+/** The window's language. */
+internal val ENGLISH: Locale = Locale.ENGLISH
+
+/** Below this many volts a roboRIO begins to cut outputs. */
+internal const val BROWNOUT_NEAR = 7.0
+
+private val DATE = DateTimeFormatter.ofPattern("d MMM yyyy, HH:mm", ENGLISH)
+
+/** `16 Mar 2024, 10:41`. */
+internal fun dateText(date: LogDate): String = DATE.format(date.time)
+
+/** `2:47`; null when it is not known. */
+internal fun durationText(entry: LogEntry): String? {
+    val duration = entry.duration ?: return null
+    val seconds = secondsOf(duration, entry.xUnit) ?: return "%.4g %s".format(ENGLISH, duration, entry.xUnit)
+    if (!(seconds < 1e9)) return null
+    if (seconds < 10) return "%.1f s".format(ENGLISH, seconds)
+    val whole = seconds.roundToLong()
+    val (hours, minutes) = whole / 3600 to whole / 60 % 60
+    return if (hours > 0) "%d:%02d:%02d".format(ENGLISH, hours, minutes, whole % 60)
+    else "%d:%02d".format(ENGLISH, minutes, whole % 60)
+}
+
+/** `1.8 MB`. */
+internal fun sizeText(bytes: Long): String = when {
+    bytes < 1000 -> "$bytes B"
+    bytes < 999_500 -> "%.0f kB".format(ENGLISH, bytes / 1e3)
+    bytes < 999_950_000 -> "%.1f MB".format(ENGLISH, bytes / 1e6)
+    else -> "%.1f GB".format(ENGLISH, bytes / 1e9)
+}
+
+/** `6.7 V`; null when no topic tells. Rounded down, so that it does not look better than it was. */
+internal fun batteryText(entry: LogEntry): String? =
+    entry.batteryMinimum?.let { "%.1f V".format(ENGLISH, kotlin.math.floor(it * 10 + 1e-6) / 10) }
+
+/** How many problems that matter there are; null when there are none. */
+internal fun problemText(entry: LogEntry): String? = when {
+    !entry.isReadable -> "unreadable"
+    else -> (entry.problems.errors + entry.problems.warnings).takeIf { it > 0 }?.toString()
+}
+
+/** The problems in words, for a tip. */
+internal fun problemSentence(entry: LogEntry): String = entry.trouble ?: with(entry.problems) {
+    listOfNotNull(
+        counted(errors, "kind of lost data", "kinds of lost data"),
+        counted(warnings, "doubt", "doubts"),
+        counted(notes, "note", "notes"),
+    ).joinToString(", ")
+}
+
+private fun counted(count: Int, one: String, many: String) = if (count == 0) null else "$count ${if (count == 1) one else many}"

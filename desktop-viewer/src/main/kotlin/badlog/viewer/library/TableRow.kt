@@ -1,0 +1,179 @@
+package badlog.viewer.library
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.gestures.detectTapGestures
+import androidx.compose.foundation.hoverable
+import androidx.compose.foundation.interaction.MutableInteractionSource
+import androidx.compose.foundation.interaction.collectIsHoveredAsState
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.height
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.layout.width
+import androidx.compose.material3.Icon
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.rememberUpdatedState
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.focusProperties
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.input.pointer.pointerInput
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.onClick
+import androidx.compose.ui.semantics.selected
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextAlign
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.Dp
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import badlog.viewer.app.Viewer
+import badlog.viewer.library.index.LogEntry
+import badlog.viewer.theme.Icons
+import badlog.viewer.theme.LocalPalette
+import badlog.viewer.theme.Palette
+import java.nio.file.Path
+
+/** How wide the box to tick is, in dp. */
+internal const val TICK_WIDTH = 34
+
+/** How wide the small line is, in dp. */
+internal const val PREVIEW_WIDTH = 152
+
+/** The columns' titles; a click sorts. The last column is wider by [spare]. */
+@Composable
+internal fun TableHead(viewer: Viewer, spare: Dp) {
+    val palette = LocalPalette.current
+    val listing = viewer.library.listing
+    Row(Modifier.fillMaxWidth().background(palette.raised).padding(start = TICK_WIDTH.dp)) {
+        for (column in LogColumn.entries) {
+            if (column == LogColumn.FILE) PreviewTitle(viewer)
+            Row(
+                Modifier
+                    .width(widthOf(column, spare))
+                    .clickable(role = Role.Button) { viewer.library = viewer.library.sorted(column) }
+                    .focusProperties { canFocus = false }
+                    .semantics { contentDescription = "Sort by ${column.title}" }
+                    .padding(horizontal = 8.dp, vertical = 6.dp),
+                horizontalArrangement = if (column.isNumber) Arrangement.End else Arrangement.Start,
+                verticalAlignment = Alignment.CenterVertically,
+            ) {
+                val isChosen = column == listing.column
+                val color = if (isChosen) palette.accent else palette.muted
+                Text(column.title, color = color, fontSize = 12.sp, fontWeight = FontWeight.SemiBold, maxLines = 1)
+                if (isChosen) Icon(if (listing.isDescending) Icons.Down else Icons.Up, null, Modifier.size(12.dp), color)
+            }
+        }
+    }
+}
+
+@Composable
+private fun PreviewTitle(viewer: Viewer) {
+    Text(
+        viewer.settings.previewTopic ?: "Battery voltage",
+        Modifier.width(PREVIEW_WIDTH.dp).padding(horizontal = 8.dp, vertical = 6.dp),
+        color = LocalPalette.current.muted,
+        fontSize = 12.sp,
+        fontWeight = FontWeight.SemiBold,
+        maxLines = 1,
+        overflow = TextOverflow.StartEllipsis,
+    )
+}
+
+/** A log in the table. */
+@Composable
+internal fun TableRow(
+    entry: LogEntry,
+    previews: Previews,
+    spare: Dp,
+    folder: Path?,
+    isOpen: Boolean,
+    isSelected: Boolean,
+    isTicked: Boolean,
+    onTick: () -> Unit,
+    onSelect: () -> Unit,
+    onOpen: () -> Unit,
+) {
+    val palette = LocalPalette.current
+    val select by rememberUpdatedState(onSelect)
+    val open by rememberUpdatedState(onOpen)
+    val interactions = remember { MutableInteractionSource() }
+    val isHovered by interactions.collectIsHoveredAsState()
+    Row(
+        Modifier
+            .fillMaxWidth()
+            .height(28.dp)
+            .background(rowColour(palette, isOpen = false, isSelected = isSelected, isHovered = isHovered))
+            .hoverable(interactions)
+            .pointerInput(Unit) { detectTapGestures(onPress = { select() }, onDoubleTap = { open() }) }
+            .semantics {
+                contentDescription = "Log ${entry.fileName}"
+                selected = isSelected
+                onClick("Open") {
+                    open()
+                    true
+                }
+            },
+        verticalAlignment = Alignment.CenterVertically,
+    ) {
+        Box(Modifier.width(TICK_WIDTH.dp).padding(start = 4.dp)) {
+            if (entry.isReadable) TickBox("Compare ${entry.fileName}", isTicked, onTick)
+        }
+        for (column in LogColumn.entries) {
+            if (column == LogColumn.FILE) RowPreview(entry, previews, palette)
+            val color = cellColour(entry, column, palette)
+            Text(
+                cellText(entry, column, folder),
+                Modifier.width(widthOf(column, spare)).padding(horizontal = 8.dp),
+                color = color,
+                fontWeight = if (isOpen) FontWeight.SemiBold else FontWeight.Normal,
+                textAlign = if (column.isNumber) TextAlign.End else TextAlign.Start,
+                maxLines = 1,
+                overflow = if (column == LogColumn.FILE) TextOverflow.MiddleEllipsis else TextOverflow.Ellipsis,
+            )
+        }
+    }
+}
+
+@Composable
+private fun RowPreview(entry: LogEntry, previews: Previews, palette: Palette) {
+    Box(
+        Modifier.width(PREVIEW_WIDTH.dp).height(28.dp).padding(horizontal = 8.dp, vertical = 4.dp),
+        contentAlignment = Alignment.CenterStart,
+    ) {
+        val range = previews.range
+        val topic = remember(entry, previews) { previews.of(entry) }
+        if (entry.isGrey) {
+            Text(entry.content.saying, color = palette.muted, fontSize = 12.sp, maxLines = 1, overflow = TextOverflow.Ellipsis)
+        } else if (range != null && topic != null) {
+            PreviewCurve(topic, range, palette.accent, Modifier.fillMaxWidth().height(20.dp))
+        }
+    }
+}
+
+private fun cellText(entry: LogEntry, column: LogColumn, folder: Path?): String = when {
+    column != LogColumn.FILE -> column.text(entry).orEmpty()
+    folder != null && entry.file.startsWith(folder) -> folder.relativize(entry.file).toString()
+    else -> entry.file.toString()
+}
+
+private fun cellColour(entry: LogEntry, column: LogColumn, palette: Palette): Color {
+    val usual = if (entry.isGrey) palette.muted else palette.text
+    return when {
+        column == LogColumn.BATTERY -> batteryColour(entry, palette, usual)
+        column != LogColumn.PROBLEMS -> usual
+        entry.problems.errors > 0 || !entry.isReadable -> palette.error
+        else -> palette.warning
+    }
+}
+
+private fun widthOf(column: LogColumn, spare: Dp): Dp = column.width.dp + if (column == LogColumn.FILE) spare else 0.dp

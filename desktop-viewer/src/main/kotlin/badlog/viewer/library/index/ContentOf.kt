@@ -1,0 +1,40 @@
+package badlog.viewer.library.index
+
+import badlog.recording.PathName
+import badlog.recording.Recording
+import badlog.recording.Topic
+
+/**
+ * Whether there is anything to see in [recording]. Only what surely is nothing counts as nothing: a change of a single number,
+ * or a single event, is something.
+ *
+ * @param time the topic that only tells where on x a row stands, or null.
+ * @param duration how much of x there is, or null.
+ */
+internal fun contentOf(
+    recording: Recording,
+    topics: List<TopicSummary>,
+    time: Topic?,
+    duration: Double?,
+    isMatch: Boolean,
+): Content = when {
+    recording.rowCount == 0 -> Content.NO_SAMPLES
+    topics.none { it.name != time?.name && changes(it) } && recording.topics.none(::tells) -> Content.NOTHING_CHANGES
+    duration != null && secondsOf(duration, time?.unit.orEmpty())?.let { it < 1 } == true -> Content.TOO_SHORT
+    !isMatch && topics.any(::isNeverEnabled) -> Content.NEVER_ENABLED
+    else -> Content.SOMETHING
+}
+
+private fun changes(topic: TopicSummary) = topic.statistics.count > 0 && topic.statistics.min != topic.statistics.max
+
+/** An event tells something, and so does a state that becomes another. */
+private fun tells(topic: Topic): Boolean {
+    val texts = topic.texts
+    return texts.size > 0 && (texts.size < topic.counts.total || texts.dictionary.size > 1)
+}
+
+private fun isNeverEnabled(topic: TopicSummary): Boolean =
+    PathName.baseNameOf(topic.name).replace('_', ' ').lowercase().substringAfterLast(':') in ENABLED &&
+        topic.statistics.count > 0 && topic.statistics.max == 0.0
+
+private val ENABLED = setOf("enabled", "robot enabled", "isenabled")

@@ -1,0 +1,48 @@
+package badlog.viewer.library.index
+
+import badlog.recording.Value
+import java.time.Instant
+import java.time.LocalDateTime
+import java.time.ZoneId
+import java.time.ZoneOffset
+
+/**
+ * When a recording began.
+ *
+ * @property second wall clock time of where it was made, as seconds since 1970 in a place without an offset.
+ * @property source what tells.
+ */
+internal data class LogDate(val second: Long, val source: DateSource) {
+    /** It, for people. */
+    val time: LocalDateTime get() = LocalDateTime.ofEpochSecond(second, 0, ZoneOffset.UTC)
+
+    companion object {
+        /** When the recording of [file], with [values], began. */
+        fun of(values: List<Value>, file: LogFile): LogDate {
+            val logged = values.meant("start time", "start date", "date", "date time", "timestamp", "start")?.let(::dateInText)
+            if (logged != null) return of(logged, DateSource.VALUES)
+            return ofFile(file)
+        }
+
+        /** What [file] alone tells. */
+        fun ofFile(file: LogFile): LogDate {
+            val named = dateInName(file.name)
+            if (named != null) return of(named.time, DateSource.FILE_NAME)
+            val written = LocalDateTime.ofInstant(Instant.ofEpochMilli(file.modified), ZoneId.systemDefault())
+            return of(written, DateSource.FILE_TIME)
+        }
+
+        private fun of(time: LocalDateTime, source: DateSource) = LogDate(time.toEpochSecond(ZoneOffset.UTC), source)
+    }
+}
+
+/**
+ * What tells the date of a log.
+ *
+ * @property saying the same, for people.
+ */
+internal enum class DateSource(val saying: String) {
+    VALUES("by the log’s values"),
+    FILE_NAME("by the file’s name"),
+    FILE_TIME("by the time at which the file was written"),
+}

@@ -1,0 +1,63 @@
+package badlog.viewer.library.index
+
+import badlog.recording.Severity
+import java.nio.file.Path
+
+/**
+ * What the library knows of a file without reading it again.
+ *
+ * @property source the file as it was when it was read.
+ * @property match what match it is of.
+ * @property date when it began.
+ * @property duration how much of x it covers; null when x is only the number of the row.
+ * @property xUnit the unit of [duration].
+ * @property rows how many rows it has.
+ * @property problems what is wrong in it.
+ * @property content whether there is anything to see.
+ * @property trouble why it cannot be read, as a sentence; null when it can.
+ * @property batteryMinimum the lowest voltage of the robot's battery, in volts; null when no topic tells.
+ * @property batteryTopic the name of that topic.
+ * @property topics its topics with numbers, in the order of the file.
+ */
+internal data class LogEntry(
+    val source: LogFile,
+    val match: MatchFacts = MatchFacts(),
+    val date: LogDate,
+    val duration: Double? = null,
+    val xUnit: String = "",
+    val rows: Int = 0,
+    val problems: ProblemCounts = ProblemCounts(),
+    val content: Content = Content.UNREADABLE,
+    val trouble: String? = null,
+    val batteryMinimum: Double? = null,
+    val batteryTopic: String? = null,
+    val topics: List<TopicSummary> = emptyList(),
+) {
+    /** The file; absolute. */
+    val file: Path get() = source.path
+
+    /** The file's name without its folders. */
+    val fileName: String get() = source.name
+
+    /** What a person calls it: the match, or else the name of the file. */
+    val title: String get() = match.match ?: fileName
+
+    /** Whether it can be opened. */
+    val isReadable: Boolean get() = trouble == null
+
+    /** Whether there is nothing to see in it. */
+    val isGrey: Boolean get() = content != Content.SOMETHING
+
+    /** The summary of the topic called [name], or null when the log has none. */
+    fun topic(name: String): TopicSummary? = topics.firstOrNull { it.name == name }
+}
+
+/** How many kinds of problems of each severity a recording has. */
+internal data class ProblemCounts(val errors: Int = 0, val warnings: Int = 0, val notes: Int = 0) {
+    /** Of [severity]. */
+    fun of(severity: Severity): Int = when (severity) {
+        Severity.ERROR -> errors
+        Severity.WARNING -> warnings
+        Severity.NOTE -> notes
+    }
+}

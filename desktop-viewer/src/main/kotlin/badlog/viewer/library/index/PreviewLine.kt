@@ -1,0 +1,63 @@
+package badlog.viewer.library.index
+
+import badlog.analysis.Series
+import kotlin.math.ceil
+import kotlin.math.floor
+
+/**
+ * The course of a series in [COLUMNS] columns of the same width in x, each with its smallest and its largest value.
+ *
+ * @property bytes two for each column, the smallest and the largest: as shares of 255 of the way from the series' minimum to
+ *   its maximum. The smallest is above the largest where the column has no value.
+ */
+internal class PreviewLine(val bytes: ByteArray) {
+    init {
+        require(bytes.size == BYTES) { "A preview has $BYTES bytes, not ${bytes.size}." }
+    }
+
+    /** Whether [column] has a value. */
+    fun has(column: Int): Boolean = low(column) <= high(column)
+
+    /** The smallest value of [column] as a share of the way from minimum to maximum. */
+    fun low(column: Int): Float = bytes[2 * column].toUByte().toInt() / 255f
+
+    /** The largest value likewise. */
+    fun high(column: Int): Float = bytes[2 * column + 1].toUByte().toInt() / 255f
+
+    override fun equals(other: Any?): Boolean = other is PreviewLine && bytes.contentEquals(other.bytes)
+
+    override fun hashCode(): Int = bytes.contentHashCode()
+
+    companion object {
+        /** How many columns there are. */
+        const val COLUMNS = 48
+
+        /** How many bytes that makes. */
+        const val BYTES = 2 * COLUMNS
+
+        /** The course of [series], whose finite values go from [min] to [max]; NaN when it has none. */
+        fun of(series: Series, min: Double, max: Double): PreviewLine {
+            val bytes = ByteArray(BYTES) { if (it % 2 == 0) -1 else 0 }
+            val x = series.x
+            val y = series.y
+            if (x.isEmpty() || min.isNaN()) return PreviewLine(bytes)
+            // Without an order in x, that of the rows says more.
+            val isOrdered = series.isOrdered
+            val from = if (isOrdered) x.first() else 0.0
+            val width = if (isOrdered) x.last() - from else x.size - 1.0
+            val perX = if (width > 0) COLUMNS / width else 0.0
+            val perY = if (max > min) 255 / (max - min) else 0.0
+            for (i in x.indices) {
+                val value = y[i]
+                if (!value.isFinite()) continue
+                val column = (((if (isOrdered) x[i] else i.toDouble()) - from) * perX).toInt().coerceIn(0, COLUMNS - 1)
+                val share = (value - min) * perY
+                val low = floor(share).toInt().coerceIn(0, 255)
+                val high = ceil(share).toInt().coerceIn(0, 255)
+                if (low < bytes[2 * column].toUByte().toInt()) bytes[2 * column] = low.toByte()
+                if (high > bytes[2 * column + 1].toUByte().toInt()) bytes[2 * column + 1] = high.toByte()
+            }
+            return PreviewLine(bytes)
+        }
+    }
+}

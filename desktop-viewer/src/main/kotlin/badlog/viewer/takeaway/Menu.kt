@@ -1,0 +1,112 @@
+package badlog.viewer.takeaway
+
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.width
+import androidx.compose.material3.DropdownMenu
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.graphics.vector.ImageVector
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.platform.LocalWindowInfo
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import badlog.viewer.theme.LocalPalette
+import badlog.viewer.theme.ToolButton
+
+/**
+ * One line of a [Menu].
+ *
+ * @property text what it does.
+ * @property hint more about it, in small letters; may be empty.
+ * @property whyNot why it cannot be done now, shown instead of [hint]; null when it can.
+ * @property keys what to press instead; may be empty.
+ * @property keepsMenu whether the menu stays open.
+ */
+internal class MenuEntry(
+    val text: String,
+    val hint: String = "",
+    val whyNot: String? = null,
+    val keys: String = "",
+    val keepsMenu: Boolean = false,
+    val action: () -> Unit,
+)
+
+/**
+ * A button that opens a list of [entries]; it bears [label] where the window has room for that. One of the entries may open
+ * [panel] in the list's place; the panel closes the menu by the function that it gets.
+ */
+@Composable
+internal fun Menu(
+    label: String,
+    description: String,
+    icon: ImageVector,
+    panel: @Composable (close: () -> Unit) -> Unit = {},
+    entries: (openPanel: () -> Unit) -> List<MenuEntry>,
+) {
+    var isOpen by remember { mutableStateOf(false) }
+    var showsPanel by remember { mutableStateOf(false) }
+    val close = {
+        isOpen = false
+        showsPanel = false
+    }
+    val isRoomy = LocalWindowInfo.current.containerSize.width >= with(LocalDensity.current) { ROOMY.toPx() }
+    Box {
+        ToolButton(description, icon, text = label.takeIf { isRoomy }, isOn = isOpen) { if (isOpen) close() else isOpen = true }
+        DropdownMenu(isOpen, onDismissRequest = close) {
+            Column(Modifier.width(MENU_WIDTH)) {
+                if (showsPanel) {
+                    panel(close)
+                } else {
+                    for (entry in entries { showsPanel = true }) {
+                        MenuLine(entry) {
+                            if (!entry.keepsMenu) close()
+                            entry.action()
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+@Composable
+private fun MenuLine(entry: MenuEntry, onClick: () -> Unit) {
+    val palette = LocalPalette.current
+    val isEnabled = entry.whyNot == null
+    Row(
+        Modifier
+            .clickable(enabled = isEnabled, role = Role.Button, onClick = onClick)
+            .semantics { contentDescription = entry.text }
+            .padding(horizontal = 14.dp, vertical = 6.dp),
+        horizontalArrangement = Arrangement.spacedBy(12.dp),
+        verticalAlignment = Alignment.CenterVertically,
+    ) {
+        Column(Modifier.weight(1f)) {
+            val tint = if (isEnabled) palette.text else palette.muted.copy(alpha = 0.6f)
+            Text(entry.text, color = tint, maxLines = 1, overflow = TextOverflow.Ellipsis)
+            val small = entry.whyNot ?: entry.hint
+            if (small.isNotEmpty()) {
+                Text(small, color = palette.muted, fontSize = 11.sp, maxLines = 2, overflow = TextOverflow.Ellipsis)
+            }
+        }
+        if (entry.keys.isNotEmpty()) Text(entry.keys, color = palette.muted, fontSize = 11.sp, maxLines = 1)
+    }
+}
+
+private val MENU_WIDTH = 320.dp
+private val ROOMY = 900.dp

@@ -1,0 +1,122 @@
+package badlog.viewer.topic
+
+import androidx.compose.foundation.ContextMenuArea
+import androidx.compose.foundation.ContextMenuItem
+import androidx.compose.foundation.background
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.hoverable
+import androidx.compose.foundation.interaction.MutableInteractionSource
+import androidx.compose.foundation.interaction.collectIsHoveredAsState
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.height
+import androidx.compose.foundation.layout.padding
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.ExperimentalComposeUiApi
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.input.pointer.PointerEventPass
+import androidx.compose.ui.input.pointer.PointerEventType
+import androidx.compose.ui.input.pointer.PointerKeyboardModifiers
+import androidx.compose.ui.input.pointer.isCtrlPressed
+import androidx.compose.ui.input.pointer.isMetaPressed
+import androidx.compose.ui.input.pointer.isShiftPressed
+import androidx.compose.ui.input.pointer.onPointerEvent
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.selected
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.AnnotatedString
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.dp
+import badlog.viewer.app.Viewer
+import badlog.viewer.recording.OpenRecording
+import badlog.viewer.theme.Icons
+import badlog.viewer.theme.LocalPalette
+import badlog.viewer.theme.Tip
+import badlog.viewer.theme.ToolButton
+
+/**
+ * A signal of the list of topics. A click draws it, with Ctrl or Shift it chooses; a drag takes it to a graph, with all that are
+ * chosen where it is one of them.
+ *
+ * @param place of the colour of its line in the first graph that draws it, null when none does.
+ */
+@OptIn(ExperimentalComposeUiApi::class)
+@Composable
+internal fun SignalLine(viewer: Viewer, open: OpenRecording, row: SignalRow, rows: List<TopicRow>, place: Int?) {
+    val palette = LocalPalette.current
+    val signal = row.signal
+    val isChosen = signal.name in viewer.topicList.chosen
+    var held by remember { mutableStateOf(PointerKeyboardModifiers()) }
+    val interactions = remember { MutableInteractionSource() }
+    val isHovered by interactions.collectIsHoveredAsState()
+    ContextMenuArea({ menuOf(viewer, row) }) {
+        Row(
+            Modifier
+                .fillMaxWidth()
+                .height(26.dp)
+                .background(if (isChosen) palette.accentSoft else if (isHovered) palette.raised else Color.Transparent)
+                .hoverable(interactions)
+                .draggedAsSignals(palette.accent) { namesToTake(viewer.topicList, signal.name) }
+                .onPointerEvent(PointerEventType.Press, PointerEventPass.Initial) { held = it.keyboardModifiers }
+                .clickable {
+                    when {
+                        held.isShiftPressed -> viewer.topicList = viewer.topicList.chosenTo(signal.name, rows)
+                        held.isCtrlPressed || held.isMetaPressed -> viewer.topicList = viewer.topicList.toggled(signal.name)
+                        else -> toggleDrawn(viewer, signal)
+                    }
+                }
+                .semantics {
+                    contentDescription = "Topic ${signal.name}"
+                    selected = isChosen
+                }
+                .padding(start = indentOf(row.depth), end = 12.dp),
+            horizontalArrangement = Arrangement.spacedBy(6.dp),
+            verticalAlignment = Alignment.CenterVertically,
+        ) {
+            KindMark(signal, open.isEvents(signal), place)
+            val title = withMatches(signal.title, viewer.topicList.query, palette)
+            // A tip costs as much as the rest of the row, so only the one under the pointer has it.
+            if (isHovered) {
+                Tip(signal.name, Modifier.weight(1f)) { Title(title, isDrawn = place != null, Modifier.fillMaxWidth()) }
+            } else {
+                Title(title, isDrawn = place != null, Modifier.weight(1f))
+            }
+            if (isHovered && !open.isEvents(signal)) {
+                ToolButton("Add ${signal.name} to the last graph", Icons.Add) {
+                    viewer.graphs = viewer.graphs.withLinesInLast(listOf(signal.name))
+                }
+            } else {
+                SignalValue(viewer, open, signal)
+            }
+        }
+    }
+}
+
+@Composable
+private fun Title(text: AnnotatedString, isDrawn: Boolean, modifier: Modifier) {
+    Text(text, modifier, fontWeight = if (isDrawn) FontWeight.Medium else null, maxLines = 1, overflow = TextOverflow.Ellipsis)
+}
+
+/** What a drag that begins at [name] takes along. */
+internal fun namesToTake(list: TopicList, name: String): List<String> = if (name in list.chosen) list.chosen else listOf(name)
+
+private fun menuOf(viewer: Viewer, row: SignalRow): List<ContextMenuItem> {
+    val names = namesToTake(viewer.topicList, row.signal.name)
+    val these = if (names.size > 1) "these ${names.size}" else "this"
+    return listOf(
+        ContextMenuItem("A graph of $these") { viewer.graphs = viewer.graphs.withGraph(names) },
+        ContextMenuItem("Add $these to the last graph") { viewer.graphs = viewer.graphs.withLinesInLast(names) },
+        ContextMenuItem(if (row.signal.name in viewer.topicList.chosen) "Choose no longer" else "Choose") {
+            viewer.topicList = viewer.topicList.toggled(row.signal.name)
+        },
+    )
+}

@@ -1,0 +1,49 @@
+package badlog.viewer.topic
+
+import badlog.viewer.inspector.wordsOf
+import badlog.viewer.recording.Signal
+
+/**
+ * The lines that the list of topics has for [signals]: in each folder its signals in their order, then its folders by name.
+ * Folders in [folded] are closed, unless there is a [query].
+ */
+internal fun topicRows(signals: List<Signal>, query: String, folded: Set<String>): List<TopicRow> {
+    val words = wordsOf(query)
+    val root = TopicFolder("", "")
+    for (signal in signals) {
+        if (words.all { signal.name.contains(it, ignoreCase = true) }) root.at(signal.folder).signals += signal
+    }
+    val rows = ArrayList<TopicRow>()
+    root.list(rows, depth = 0, folded = if (words.isEmpty()) folded else emptySet())
+    return rows
+}
+
+private class TopicFolder(val path: String, val title: String) {
+    val signals = ArrayList<Signal>()
+    private val folders = HashMap<String, TopicFolder>()
+
+    private val count: Int get() = signals.size + folders.values.sumOf { it.count }
+
+    fun at(path: String): TopicFolder {
+        var folder = this
+        for (part in path.split('/')) {
+            if (part.isEmpty()) continue
+            val parent = folder
+            folder = parent.folders.getOrPut(part) {
+                TopicFolder(if (parent.path.isEmpty()) part else "${parent.path}/$part", part)
+            }
+        }
+        return folder
+    }
+
+    fun list(rows: MutableList<TopicRow>, depth: Int, folded: Set<String>) {
+        signals.mapTo(rows) { SignalRow(depth, it) }
+        for (folder in folders.values.sortedWith(BY_TITLE)) {
+            val isOpen = folder.path !in folded
+            rows += FolderRow(depth, folder.path, folder.title, folder.count, isOpen)
+            if (isOpen) folder.list(rows, depth + 1, folded)
+        }
+    }
+}
+
+private val BY_TITLE = compareBy(String.CASE_INSENSITIVE_ORDER, TopicFolder::title).thenBy { it.title }

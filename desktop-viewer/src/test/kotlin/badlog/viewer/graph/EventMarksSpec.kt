@@ -1,0 +1,43 @@
+package badlog.viewer.graph
+
+import badlog.analysis.Event
+import badlog.plot.Span
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.ints.shouldBeLessThanOrEqual
+import io.kotest.matchers.shouldBe
+import java.awt.datatransfer.DataFlavor
+import java.awt.datatransfer.StringSelection
+import java.awt.datatransfer.Transferable
+
+class EventMarksSpec : FunSpec({
+    fun timeline(vararg places: Double) = EventTimeline(places.mapIndexed { row, x -> Event(x, row, "at $x") })
+
+    test("events stand in the order of x, and those without a place are left out") {
+        timeline(3.0, Double.NaN, 1.0).events.map { it.x } shouldBe listOf(1.0, 3.0)
+    }
+
+    test("the nearest event is read, if it is near enough") {
+        timeline(1.0, 2.0).nearest(1.4, 1.0)?.x shouldBe 1.0
+        timeline(1.0, 2.0).nearest(1.6, 1.0)?.x shouldBe 2.0
+        timeline(1.0, 2.0).nearest(5.0, 1.0) shouldBe null
+        timeline().nearest(5.0, 1.0) shouldBe null
+    }
+
+    test("many events cost no more marks than there are pixels") {
+        val many = EventTimeline(List(100_000) { Event(it / 1000.0, it, "") })
+        many.pixels(Span(0.0, 100.0), 50).size shouldBeLessThanOrEqual 51
+        many.pixels(Span(0.0, 100.0), 50).toList().distinct().size shouldBe many.pixels(Span(0.0, 100.0), 50).size
+        timeline(1.0, 2.0, 9.0).pixels(Span(0.0, 4.0), 100).toList() shouldBe listOf(25, 50)
+    }
+
+    test("signals are dragged as their names, one on a line, and files are none") {
+        signalNames(signalTransfer(listOf("A/B", "C, D"))) shouldBe listOf("A/B", "C, D")
+        signalNames(StringSelection("")) shouldBe emptyList()
+        val files = object : Transferable {
+            override fun getTransferDataFlavors() = arrayOf(DataFlavor.javaFileListFlavor)
+            override fun isDataFlavorSupported(flavor: DataFlavor) = flavor == DataFlavor.javaFileListFlavor
+            override fun getTransferData(flavor: DataFlavor): Any = emptyList<String>()
+        }
+        signalNames(files) shouldBe emptyList()
+    }
+})

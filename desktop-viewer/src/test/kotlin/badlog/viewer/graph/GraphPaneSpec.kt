@@ -1,0 +1,122 @@
+package badlog.viewer.graph
+
+import androidx.compose.ui.graphics.toPixelMap
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.captureToImage
+import androidx.compose.ui.test.hasContentDescription
+import androidx.compose.ui.test.onNodeWithContentDescription
+import androidx.compose.ui.test.onNodeWithText
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performMouseInput
+import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.plot.Span
+import badlog.viewer.theme.Palette
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.shouldBe
+import kotlin.math.abs
+
+@OptIn(ExperimentalTestApi::class)
+class GraphPaneSpec : FunSpec({
+    test("a single sample among a hundred thousand is to be seen") {
+        val viewer = viewerOf(recordingOf(bagOf(100_000) { if (it == 50_000) 100.0 else 1.0 }))
+        runDesktopComposeUiTest(900, 600) {
+            setContent { TestGraphs(viewer) }
+            waitForPictures(viewer)
+            val plot = onNodeWithContentDescription("Plot A/Voltage").captureToImage().toPixelMap()
+            val line = Palette.LIGHT.line(0)
+            val middle = plot.height / 2
+            val seen = (0 until plot.width).filter { x ->
+                val colour = plot[x, middle]
+                abs(colour.red - line.red) + abs(colour.green - line.green) + abs(colour.blue - line.blue) < 0.9f
+            }
+            seen.isNotEmpty() shouldBe true
+            seen.all { abs(it - plot.width / 2) <= 2 } shouldBe true
+        }
+    }
+
+    test("without a recording it says how to get one") {
+        runDesktopComposeUiTest(900, 600) {
+            setContent { TestGraphs(viewerOf(null)) }
+            onNodeWithText("Choose a log at the left, or drop a file here.").assertExists()
+        }
+    }
+
+    test("a recording without samples says so") {
+        runDesktopComposeUiTest(900, 600) {
+            setContent { TestGraphs(viewerOf(recordingOf(bagOf(0) { 0.0 }))) }
+            onNodeWithText("There is nothing to draw in this log").assertExists()
+        }
+    }
+
+    test("when all graphs were removed, the standard ones come back by a button") {
+        val viewer = viewerOf(recordingOf(bagOf(100) { 0.0 }))
+        runDesktopComposeUiTest(900, 600) {
+            setContent { TestGraphs(viewer) }
+            onNodeWithContentDescription("Graph A/Voltage").performMouseInput { moveTo(center) }
+            waitForIdle()
+            onNodeWithContentDescription("Remove the graph").performClick()
+            viewer.graphs.graphs.size shouldBe 0
+            onNodeWithContentDescription("Show the standard graphs").performClick()
+            viewer.graphs.graphs.size shouldBe 1
+        }
+    }
+
+    test("a name of 500 letters, a row alone, and a graph of signals that are not there break nothing") {
+        val name = "Folder ".repeat(40) + "/" + "n".repeat(300)
+        val text = """{"topics":[{"name":"$name","unit":"${"u".repeat(300)}","attrs":[]}],"values":[]}""" + "\n$name\n1\n"
+        val viewer = viewerOf(recordingOf(text))
+        viewer.graphs = viewer.graphs.withGraph(listOf("Not there"))
+        viewer.cursor = 0.0
+        viewer.selection = Span(-0.2, 0.2)
+        runDesktopComposeUiTest(360, 500) {
+            setContent { TestGraphs(viewer) }
+            waitForPictures(viewer)
+            onNodeWithText("not in this log").assertExists()
+        }
+    }
+
+    test("ten thousand topics of states make graphs of some lanes each") {
+        val names = (0 until 10_000).joinToString(",") { """{"name":"S$it","unit":"ul","attrs":[]}""" }
+        val row = (0 until 10_000).joinToString(",") { "A" }
+        val viewer = viewerOf(recordingOf("""{"topics":[$names],"values":[]}""" + "\n" + (0 until 10_000).joinToString(",") { "S$it" } + "\n$row\n$row\n"))
+        viewer.graphs.graphs.all { it.lines.size <= 16 } shouldBe true
+        runDesktopComposeUiTest(900, 600) {
+            setContent { TestGraphs(viewer) }
+            waitForPictures(viewer)
+        }
+    }
+
+    test("zooming to the time enabled is offered where a topic tells") {
+        val viewer = viewerOf(sample("qualification-42.bag"))
+        runDesktopComposeUiTest(900, 600) {
+            setContent { TestGraphs(viewer) }
+            onNode(hasContentDescription("Zoom to the time the robot was enabled (E)")).performClick()
+            viewer.viewport.visible.from shouldBe (2.018268 plusOrMinus 1e-9)
+        }
+    }
+
+    test("graphs share the height when they fit, and are as high as was chosen when they do not") {
+        graphHeights(listOf(0, 0, 0), room = 300, chosen = 150, fit = true) shouldBe listOf(100, 100, 100)
+        graphHeights(listOf(0, 0, 0), room = 170, chosen = 150, fit = true) shouldBe listOf(150, 150, 150)
+        graphHeights(listOf(0, 2, 0), room = 300, chosen = 150, fit = true).let { it[1] shouldBe 72; it[0] shouldBe 114 }
+        graphHeights(emptyList(), room = 300, chosen = 150, fit = true) shouldBe emptyList()
+    }
+
+    test("each key has a meaning of its own") {
+        val viewer = viewerOf(recordingOf(bagOf(101) { 0.0 }))
+        val commands = graphCommands(viewer)
+        commands.map { it.meaning }.distinct().size shouldBe commands.size
+        val right = commands.first { it.meaning == "Cursor to the next sample" }
+        viewer.cursor = 5.0
+        right.action()
+        viewer.cursor shouldBe 5.1
+        viewer.cursor = 5.17
+        right.action()
+        viewer.cursor shouldBe 5.2
+        commands.first { it.meaning == "Cursor ten samples back" }.action()
+        viewer.cursor shouldBe 4.2
+        commands.map { it.group } shouldContain "Graphs"
+    }
+})

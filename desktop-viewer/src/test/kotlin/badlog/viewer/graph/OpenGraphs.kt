@@ -1,0 +1,79 @@
+package badlog.viewer.graph
+
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.graphics.ImageBitmap
+import androidx.compose.ui.graphics.asSkiaBitmap
+import androidx.compose.ui.test.DesktopComposeUiTest
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.captureToImage
+import androidx.compose.ui.test.onRoot
+import badlog.analysis.LogView
+import badlog.bag.BagParser
+import badlog.viewer.app.Viewer
+import badlog.viewer.compare.drawnRecordings
+import badlog.viewer.recording.OpenRecording
+import badlog.viewer.settings.Theme
+import badlog.viewer.settings.UserFolders
+import badlog.viewer.theme.ViewerTheme
+import badlog.viewer.view.Viewport
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlinx.coroutines.MainScope
+import org.jetbrains.skia.EncodedImageFormat
+import org.jetbrains.skia.Image
+
+/** A viewer that shows [recording] with its standard graphs. */
+internal fun viewerOf(recording: OpenRecording?): Viewer {
+    val nowhere = Path.of("build", "nowhere")
+    return Viewer(MainScope(), UserFolders(nowhere, nowhere)).apply {
+        open = recording
+        if (recording != null) {
+            graphs = standardGraphs(recording.view)
+            viewport = Viewport(recording.span)
+        }
+    }
+}
+
+/** The recording of a bag's [text]. */
+internal fun recordingOf(text: String): OpenRecording = recordingOf(Path.of("test.bag"), text.encodeToByteArray())
+
+/** The recording of a file of the samples. */
+internal fun sample(name: String): OpenRecording = Path.of("..", "samples", name).let { recordingOf(it, Files.readAllBytes(it)) }
+
+private fun recordingOf(file: Path, bytes: ByteArray): OpenRecording {
+    val parser = BagParser()
+    parser.accept(bytes)
+    return OpenRecording(file.toAbsolutePath(), LogView.of(parser.finish()))
+}
+
+/** A bag of one topic over seconds: [value] at each of [count] samples, a tenth of a second apart. */
+internal fun bagOf(count: Int, unit: String = "V", value: (Int) -> Double): String = buildString {
+    append("""{"topics":[{"name":"Time","unit":"s","attrs":["xaxis","hide"]},{"name":"A/Voltage","unit":"$unit","attrs":[]}],"values":[]}""")
+    append("\nTime,A/Voltage\n")
+    repeat(count) { append("${it / 10.0},${value(it)}\n") }
+}
+
+/** The graphs of [viewer], in light colours. */
+@Composable
+internal fun TestGraphs(viewer: Viewer, theme: Theme = Theme.LIGHT) {
+    ViewerTheme(theme) { GraphPane(viewer, Modifier.fillMaxSize()) }
+}
+
+/** Waits until what is to be seen of [viewer] is drawn. */
+@OptIn(ExperimentalTestApi::class)
+internal fun DesktopComposeUiTest.waitForPictures(viewer: Viewer) {
+    waitUntil(timeoutMillis = 20_000) { viewer.plots.areReady(viewer.drawnRecordings(), viewer.viewport.visible) }
+    waitForIdle()
+}
+
+/** Keeps what is seen under the build folder, to be looked at. */
+@OptIn(ExperimentalTestApi::class)
+internal fun DesktopComposeUiTest.savePicture(name: String): ImageBitmap {
+    val picture = onRoot().captureToImage()
+    val folder = Files.createDirectories(Path.of("build", "pictures"))
+    val data = Image.makeFromBitmap(picture.asSkiaBitmap()).encodeToData(EncodedImageFormat.PNG)
+    Files.write(folder.resolve("$name.png"), checkNotNull(data).bytes)
+    return picture
+}

@@ -1,0 +1,125 @@
+package badlog.viewer.graph.plot
+
+import badlog.plot.Span
+import badlog.viewer.compare.DrawnRecording
+import badlog.viewer.graph.GraphSpec
+import badlog.viewer.graph.LineSpec
+import badlog.viewer.graph.bagOf
+import badlog.viewer.graph.readingOf
+import badlog.viewer.graph.recordingOf
+import badlog.viewer.recording.OpenRecording
+import badlog.viewer.theme.Palette
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldHaveSize
+import io.kotest.matchers.floats.plusOrMinus
+import io.kotest.matchers.floats.shouldBeLessThan
+import io.kotest.matchers.ints.shouldBeLessThan
+import io.kotest.matchers.shouldBe
+
+class PictureMakingSpec : FunSpec({
+    fun picture(recordings: List<DrawnRecording>, names: List<String>, visible: Span, yRange: Span? = null): PlotPicture {
+        val spec = GraphSpec(1, "Graph", names.map(::LineSpec), yRange = yRange)
+        return makePicture(PlotRequest(spec, recordings, visible, width = 100, height = 50, Palette.LIGHT, density = 1f), CurveCache())
+    }
+    fun picture(recording: OpenRecording, visible: Span = recording.span, yRange: Span? = null) =
+        picture(listOf(DrawnRecording(recording)), listOf("A/Voltage"), visible, yRange)
+
+    test("a line goes from edge to edge, its ends where its samples stand") {
+        val line = picture(recordingOf(bagOf(11) { it.toDouble() })).lines.single()
+        val points = line.points.single()
+        points.size shouldBe 22
+        points[0] shouldBe (0f plusOrMinus 1e-3f)
+        points[20] shouldBe (100f plusOrMinus 1e-3f)
+        (points[1] > points[21]) shouldBe true
+    }
+
+    test("a gap parts the line, and a sample alone between gaps stays") {
+        val recording = recordingOf(bagOf(11) { if (it == 3 || it == 5) Double.NaN else 1.0 })
+        val parts = picture(recording).lines.single().points
+        parts.map { it.size / 2 } shouldBe listOf(3, 1, 5)
+    }
+
+    test("a million samples cost a few points for each pixel, and a spike among them is there") {
+        val recording = recordingOf(bagOf(100_000) { if (it == 77_777) 500.0 else (it % 7).toDouble() })
+        val made = picture(recording)
+        val line = made.lines.single()
+        line.points.sumOf { it.size / 2 } shouldBeLessThan 500
+        line.isDense shouldBe true
+        line.points.single().filterIndexed { i, _ -> i % 2 == 1 }.min() shouldBe made.axes.single().pixelOf(500.0, 50f)
+    }
+
+    test("zoomed in, the line runs out of the frame at both sides, and y fits what is seen") {
+        val made = picture(recordingOf(bagOf(1001) { it.toDouble() }), Span(50.0, 50.4))
+        val points = made.lines.single().points.single()
+        points.first() shouldBeLessThan 0f
+        (points[points.size - 2] > 100f) shouldBe true
+        made.lines.single().hasDots shouldBe true
+        (made.axes.single().shown.from in 499.0..500.0) shouldBe true
+        (made.axes.single().shown.to in 504.0..505.0) shouldBe true
+    }
+
+    test("what a person has chosen of y is what is shown, and far values stay numbers that can be drawn") {
+        val made = picture(recordingOf(bagOf(11) { if (it == 5) 1e300 else 1.0 }), yRange = Span(0.0, 2.0))
+        made.axes.single().shown shouldBe Span(0.0, 2.0)
+        made.lines.single().points.single().all { it.isFinite() && it in -10_000f..10_000f } shouldBe true
+    }
+
+    test("the second unit has an axis of its own, and keeps its part of y when the first is zoomed") {
+        val text = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"A","unit":"V","attrs":[]},""" +
+            """{"name":"B","unit":"A","attrs":[]}],"values":[]}""" + "\nTime,A,B\n0,0,0\n1,10,1000\n2,10,1000\n"
+        val recordings = listOf(DrawnRecording(recordingOf(text)))
+        val whole = picture(recordings, listOf("A", "B"), Span(0.0, 2.0))
+        whole.axes.map { it.unit } shouldBe listOf("V", "A")
+        val first = whole.axes[0].shown
+        val lower = picture(recordings, listOf("A", "B"), Span(0.0, 2.0), Span(first.from, first.from + first.width / 2))
+        lower.axes[1].shown.to shouldBe (whole.axes[1].shown.from + whole.axes[1].shown.width / 2)
+    }
+
+    test("states are lanes: below lines, or alone") {
+        val text = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"Gear","unit":"ul","attrs":[]},""" +
+            """{"name":"V","unit":"V","attrs":[]}],"values":[]}""" + "\nTime,Gear,V\n0,LOW,1\n1,LOW,2\n2,HIGH,3\n4,HIGH,4\n"
+        val recordings = listOf(DrawnRecording(recordingOf(text)))
+        val alone = picture(recordings, listOf("Gear"), Span(0.0, 4.0))
+        alone.plotHeight shouldBe 0f
+        alone.lanes.single().blocks.map { it.left to it.right } shouldBe listOf(0.0 to 50.0, 50.0 to 100.0)
+        val mixed = picture(recordings, listOf("Gear", "V"), Span(0.0, 4.0))
+        mixed.plotHeight shouldBe 28f
+        readingOf(mixed, mixed.lanes.single().line, 1.9) shouldBe "HIGH"
+        readingOf(mixed, mixed.lines.single().line, 1.9) shouldBe "3 V"
+    }
+
+    test("the legend reads the very sample, digits and all") {
+        val recording = recordingOf(bagOf(101) { 12.34567 + it })
+        val made = picture(recording)
+        readingOf(made, made.lines.single().line, 5.04) shouldBe "62.34567 V"
+        readingOf(made, made.lines.single().line, 5.06) shouldBe "63.34567 V"
+        readingOf(made, made.lines.single().line, -100.0) shouldBe "12.34567 V"
+        readingOf(made, made.lines.single().line, null) shouldBe ""
+    }
+
+    test("another recording is laid over at its offset, in a colour of its own") {
+        val one = recordingOf(bagOf(11) { it.toDouble() })
+        val other = recordingOf(bagOf(11) { it.toDouble() })
+        val made = picture(listOf(DrawnRecording(one), DrawnRecording(other, 0.5)), listOf("A/Voltage"), Span(0.0, 1.0))
+        made.lines shouldHaveSize 2
+        made.lines.map { it.line.colour } shouldBe listOf(0, 1)
+        made.lines[1].points.single()[0] shouldBe (50f plusOrMinus 1e-3f)
+        readingOf(made, made.lines[1].line, 0.7) shouldBe "2 V"
+    }
+
+    test("nothing to draw makes an empty picture") {
+        picture(recordingOf(bagOf(0) { 0.0 })).lines shouldHaveSize 0
+        picture(recordingOf(bagOf(1) { 5.0 })).lines.single().points.single().size shouldBe 2
+        picture(recordingOf(bagOf(5) { if (it == 2) Double.POSITIVE_INFINITY else Double.NaN })).lines.single().points shouldHaveSize 0
+    }
+
+    test("an x as wide as numbers go is not drawn, and breaks nothing") {
+        picture(recordingOf(bagOf(5) { 1.0 }), Span(-1e308, 1e308)).lines shouldHaveSize 0
+    }
+
+    test("x that goes backwards is drawn in the order of the file, in parts") {
+        val text = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"A/Voltage","unit":"V","attrs":[]}],"values":[]}""" +
+            "\nTime,A/Voltage\n0,1\n1,2\n2,3\n0,4\n1,5\n"
+        picture(recordingOf(text)).lines.single().points shouldHaveSize 2
+    }
+})

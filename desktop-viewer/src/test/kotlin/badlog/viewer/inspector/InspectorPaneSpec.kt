@@ -1,0 +1,104 @@
+package badlog.viewer.inspector
+
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.assertIsSelected
+import androidx.compose.ui.test.onAllNodesWithText
+import androidx.compose.ui.test.onNodeWithContentDescription
+import androidx.compose.ui.test.onNodeWithText
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performTextInput
+import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.plot.Span
+import badlog.viewer.app.InspectorTab
+import badlog.viewer.app.Viewer
+import badlog.viewer.bagOf
+import badlog.viewer.graph.GraphList
+import badlog.viewer.recording.OpenRecording
+import badlog.viewer.recordingOf
+import badlog.viewer.settings.Theme
+import badlog.viewer.settings.UserFolders
+import badlog.viewer.theme.ViewerTheme
+import badlog.viewer.view.Viewport
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.shouldBe
+import kotlinx.coroutines.MainScope
+
+@OptIn(ExperimentalTestApi::class)
+class InspectorPaneSpec : FunSpec({
+    val home = tempdir().toPath()
+
+    fun viewerOf(recording: OpenRecording, tab: InspectorTab) = Viewer(MainScope(), UserFolders(home, home)).apply {
+        open = recording
+        viewport = Viewport(recording.span)
+        panels = panels.copy(inspector = tab)
+    }
+
+    test("a click on an event takes the cursor and the view there; the cursor marks the nearest") {
+        val rows = List(100_000) { "$it,event $it" }
+        val viewer = viewerOf(recordingOf(bagOf(listOf("Time|xaxis", "Log|log"), rows)), InspectorTab.EVENTS)
+        viewer.viewport = viewer.viewport.showing(50_000.0, 50_010.0)
+        runDesktopComposeUiTest(320, 600) {
+            setContent { ViewerTheme(Theme.LIGHT) { InspectorPane(viewer) } }
+            waitUntil(timeoutMillis = 5000) { onAllNodesWithText("event 3").fetchSemanticsNodes().isNotEmpty() }
+            onNodeWithContentDescription("Event at 3: event 3").performClick()
+            runOnIdle {
+                viewer.cursor shouldBe 3.0
+                (3.0 in viewer.viewport.visible) shouldBe true
+            }
+            viewer.cursor = 77_777.4
+            waitUntil { onAllNodesWithText("event 77777").fetchSemanticsNodes().isNotEmpty() }
+            onNodeWithContentDescription("Event at 77777: event 77777").assertIsSelected()
+            onNodeWithContentDescription("Search events").performTextInput("event 99999")
+            onNodeWithText("1 of 100000 events").assertExists()
+        }
+    }
+
+    test("values are found by name and text, and the panel closes") {
+        val values = mapOf("Event Name" to "OHCL", "Arm/Gain" to "0.5")
+        val viewer = viewerOf(recordingOf(bagOf(listOf("Time|xaxis", "A"), listOf("0,1"), values)), InspectorTab.VALUES)
+        runDesktopComposeUiTest(320, 600) {
+            setContent { ViewerTheme(Theme.LIGHT) { InspectorPane(viewer) } }
+            onNodeWithText("OHCL").assertExists()
+            onNodeWithText("Arm").assertExists()
+            onNodeWithContentDescription("Search values").performTextInput("gain")
+            onNodeWithText("OHCL").assertDoesNotExist()
+            onNodeWithText("0.5").assertExists()
+            onNodeWithContentDescription("Close the panel").performClick()
+            runOnIdle { viewer.panels.inspector shouldBe null }
+        }
+    }
+
+    test("the statistics follow the selection") {
+        val viewer = viewerOf(recordingOf(bagOf(listOf("Time|xaxis", "A"), listOf("0,1", "1,2", "2,6"))), InspectorTab.STATISTICS)
+        viewer.graphs = GraphList().withGraph(listOf("A"))
+        runDesktopComposeUiTest(320, 600) {
+            setContent { ViewerTheme(Theme.LIGHT) { InspectorPane(viewer) } }
+            waitUntil { onAllNodesWithText("Of what is seen").fetchSemanticsNodes().isNotEmpty() }
+            onAllNodesWithText("3 V").fetchSemanticsNodes().size shouldBe 1
+            viewer.selection = Span(1.0, 2.0)
+            waitUntil { onAllNodesWithText("Of the selection").fetchSemanticsNodes().isNotEmpty() }
+            onAllNodesWithText("4 V").fetchSemanticsNodes().size shouldBe 3
+        }
+    }
+
+    test("each panel opens on a recording of one row, of nothing, and of long names") {
+        val long = "Name ".repeat(100)
+        val odd = listOf(
+            bagOf(listOf("Time|xaxis", "A"), listOf("0,1")),
+            "",
+            bagOf(listOf("Time|xaxis", long, "$long 2|log"), listOf("0,1,$long", "NaN,2,$long"), mapOf(long to long)),
+        )
+        for (text in odd) {
+            for (tab in InspectorTab.entries) {
+                val viewer = viewerOf(recordingOf(text), tab)
+                viewer.graphs = GraphList().withGraph(listOf(long, "A"))
+                runDesktopComposeUiTest(320, 600) {
+                    setContent { ViewerTheme(Theme.DARK) { InspectorPane(viewer) } }
+                    onNodeWithText(tab.title).assertExists()
+                    waitForIdle()
+                }
+            }
+        }
+    }
+})

@@ -1,0 +1,65 @@
+package badlog.viewer.inspector
+
+import badlog.plot.Span
+import badlog.recording.Problem
+import badlog.recording.ProblemKind
+import badlog.viewer.bagOf
+import badlog.viewer.compare.DrawnRecording
+import badlog.viewer.recordingOf
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+
+class InspectorTextsSpec : FunSpec({
+    val cut = Problem(ProblemKind.ROW_CUT, "A row is cut.", line = 12, count = 3)
+    val note = Problem(ProblemKind.BLANK_LINE, "A line is blank.")
+    val warning = Problem(ProblemKind.ROW_SHORT, "A row is short.", topic = "Arm/Angle")
+
+    test("a sentence says whether something is lost") {
+        problemSummary(emptyList()) shouldBe "Nothing of this file is lost."
+        problemSummary(listOf(note)) shouldBe "Nothing of this file is lost."
+        problemSummary(listOf(note, warning)) shouldContain "one thing in it is doubtful"
+        problemSummary(listOf(cut)) shouldBe "Something of this file is lost: A row is cut."
+        problemSummary(listOf(cut, cut.copy(line = 13))) shouldContain "in 2 places"
+    }
+
+    test("problems come worst first, with where and how often") {
+        worstFirst(listOf(note, warning, cut)) shouldContainExactly listOf(cut, warning, note)
+        placeOf(cut) shouldBe "line 12 · 3 times"
+        placeOf(warning) shouldBe "Arm/Angle"
+    }
+
+    test("an event's time counts from the moment at which the robot was enabled") {
+        val header = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"Enabled","unit":"ul","attrs":[]}],"values":[]}"""
+        val times = EventTimes(recordingOf("$header\nTime,Enabled\n0,0\n2.5,1\n200,1\n"))
+        times.sinceEnabled(94.5) shouldBe "1:32.0"
+        times.sinceEnabled(2.5) shouldBe "0:00.0"
+        times.sinceEnabled(0.0) shouldBe "-0:02.5"
+        times.sinceEnabled(Double.NaN) shouldBe null
+        times.logged(94.5) shouldBe "94.50"
+        EventTimes(recordingOf(bagOf(listOf("Time|xaxis", "A"), listOf("0,1")))).sinceEnabled(0.0) shouldBe null
+    }
+
+    test("statistics are those of the range in each recording where it stands, and go to a spreadsheet") {
+        val open = recordingOf(bagOf(listOf("Time|xaxis", "A", "Mode"), listOf("0,1,off", "1,3,o\tn", "2,5,o\tn", "3,9,o\tn")))
+        val other = recordingOf(bagOf(listOf("Time|xaxis", "A"), listOf("10,1", "11,4", "12,6")), "other.bag")
+        val statistics = rangeStatistics(
+            listOf(DrawnRecording(open), DrawnRecording(other, -10.0)),
+            listOf("A", "Mode", "Missing"),
+            Span(1.0, 2.0),
+            isSelection = true,
+        )
+        fun figures(index: Int) = statistics.signals[index].figures.associate { it.name to it.text }
+        statistics.signals.map { it.signal to it.recording } shouldContainExactly
+            listOf("A" to "test.bag", "A" to "other.bag", "Mode" to "test.bag")
+        figures(0)["mean"] shouldBe "4"
+        figures(0)["change"] shouldBe "2"
+        figures(0)["integral"] shouldBe "4"
+        figures(1)["max"] shouldBe "6"
+        figures(2) shouldBe mapOf("first" to "o\tn", "last" to "o\tn", "samples" to "2")
+        val lines = statistics.toTsv().lines()
+        lines.map { it.count { char -> char == '\t' } }.dropLast(1).distinct().size shouldBe 1
+        lines[1].split('\t').take(5) shouldContainExactly listOf("A", "V", "test.bag", "1", "2")
+    }
+})

@@ -1,0 +1,71 @@
+package badlog.viewer.layout
+
+import androidx.compose.ui.test.ComposeUiTest
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.assertIsNotEnabled
+import androidx.compose.ui.test.onNodeWithContentDescription
+import androidx.compose.ui.test.onNodeWithText
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.viewer.app.Viewer
+import badlog.viewer.app.ViewerScreen
+import badlog.viewer.graph.GraphList
+import badlog.viewer.graph.standardGraphs
+import badlog.viewer.settings.UserFolders
+import badlog.viewer.takeaway.ChosenFiles
+import badlog.viewer.takeaway.armBag
+import badlog.viewer.takeaway.recordingOf
+import badlog.viewer.view.Viewport
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.shouldBe
+import java.nio.file.Files
+import kotlinx.coroutines.MainScope
+
+@OptIn(ExperimentalTestApi::class)
+class LayoutMenuSpec : FunSpec({
+    val home = tempdir().toPath()
+    val log = Files.writeString(home.resolve("match.bag"), armBag(500))
+    val recording = recordingOf(armBag(500), log)
+
+    fun ComposeUiTest.choose(entry: String) {
+        onNodeWithText("Layout").performClick()
+        onNodeWithContentDescription(entry).performClick()
+    }
+
+    fun ComposeUiTest.waitUntilSaid(viewer: Viewer, text: String) {
+        waitUntil(timeoutMillis = 20_000) { viewer.notices.all.any { text in it.text } }
+    }
+
+    test("without a log there is nothing to arrange") {
+        runDesktopComposeUiTest(1200, 800) {
+            setContent { ViewerScreen(Viewer(MainScope(), UserFolders(home, home))) }
+            onNodeWithText("Layout").performClick()
+            onNodeWithContentDescription("Save the layout as…").assertIsNotEnabled()
+            onNodeWithContentDescription("Standard graphs").assertIsNotEnabled()
+        }
+    }
+
+    test("a layout is saved and opened, standard graphs come back, and a file that is no layout is told") {
+        val file = home.resolve("mine${Layout.ENDING}")
+        val files = ChosenFiles(file)
+        runDesktopComposeUiTest(1200, 800) {
+            val viewer = Viewer(MainScope(), UserFolders(home, home), files = files)
+            viewer.open = recording
+            viewer.graphs = GraphList().withGraph(listOf("Arm/Current"))
+            viewer.viewport = Viewport(recording.span)
+            setContent { ViewerScreen(viewer) }
+            choose("Save the layout as…")
+            waitUntilSaid(viewer, "Saved the layout to $file")
+            choose("Standard graphs")
+            waitForIdle()
+            viewer.graphs shouldBe standardGraphs(recording.view)
+            choose("Open a layout…")
+            waitUntil(timeoutMillis = 20_000) { viewer.graphs.graphs.size == 1 }
+            viewer.graphs.graphs.single().title shouldBe "Arm/Current"
+            files.file = log
+            choose("Open a layout…")
+            waitUntilSaid(viewer, "match.bag is no layout")
+        }
+    }
+})

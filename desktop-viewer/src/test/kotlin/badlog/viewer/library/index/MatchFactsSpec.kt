@@ -1,0 +1,44 @@
+package badlog.viewer.library.index
+
+import badlog.recording.Value
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+
+class MatchFactsSpec : FunSpec({
+    fun named(name: String) = MatchFacts.of(emptyList(), name)
+
+    test("values tell event, type, number and alliance") {
+        val values = listOf(
+            Value("FMS/Event_Name", "OHCL"), Value("Match Type", "Qualification"), Value("MATCH NUMBER", "42"),
+            Value("Alliance Station", "Red2"),
+        )
+        MatchFacts.of(values, "any.bag") shouldBe MatchFacts("OHCL", "Qualification", "42", "Red")
+    }
+
+    test("what the driver station gives without a field means nothing") {
+        val values = listOf(Value("Event Name", " "), Value("Match Type", "None"), Value("Match Number", "0"))
+        MatchFacts.of(values, "practice.bag") shouldBe MatchFacts()
+    }
+
+    listOf(
+        "qualification-42.bag" to MatchFacts(type = "Qualification", number = "42"),
+        "Q7.badbag" to MatchFacts(type = "Qualification", number = "7"),
+        "qm012.csv" to MatchFacts(type = "Qualification", number = "12"),
+        "match_3.bag.gz" to MatchFacts(number = "3"),
+        "ohcl_sf2m1.bag" to MatchFacts(type = "Semifinal", number = "2-1"),
+        "final 2.bag" to MatchFacts(type = "Final", number = "2"),
+        "FRC_20240316_104107_MILLC_Q42.wpilog" to MatchFacts("MILLC", "Qualification", "42"),
+        "akit_24-03-16_10-41-07_ohcl_e5.bag" to MatchFacts("ohcl", "Elimination", "5"),
+        "Q9_2024-03-16.bag" to MatchFacts(type = "Qualification", number = "9"),
+        "FRC_20240910_002949.bag" to MatchFacts(),
+        "elevator-bench.csv" to MatchFacts(),
+        "motif12.bag" to MatchFacts(),
+        "" to MatchFacts(),
+    ).forEach { (name, facts) ->
+        test("the name “$name” tells ${facts.match ?: "no match"}") { named(name) shouldBe facts }
+    }
+
+    test("a type in the name is not put to a number of the values") {
+        MatchFacts.of(listOf(Value("Match Number", "5")), "q7.bag") shouldBe MatchFacts(number = "5")
+    }
+})

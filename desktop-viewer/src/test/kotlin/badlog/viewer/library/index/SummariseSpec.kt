@@ -1,0 +1,71 @@
+package badlog.viewer.library.index
+
+import badlog.viewer.library.bag
+import badlog.viewer.library.matchValues
+import badlog.viewer.library.put
+import badlog.viewer.library.putSamples
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.nulls.shouldBeNull
+import io.kotest.matchers.nulls.shouldNotBeNull
+import io.kotest.matchers.shouldBe
+import java.nio.file.Files
+import java.nio.file.Path
+
+class SummariseSpec : FunSpec({
+    val folder = tempdir().toPath()
+
+    fun summaryOf(file: Path) = summarise(LogFile(file, Files.size(file), 0))
+
+    fun contentOf(text: String, name: String = "a.bag") = summaryOf(folder.put(name, text)).content
+
+    test("the samples are summarised") {
+        folder.putSamples()
+        val match = summaryOf(folder.resolve("qualification-42.bag"))
+        match.title shouldBe "Qualification 42"
+        match.match shouldBe MatchFacts("Mill Creek Regional", "Qualification", "42", "Blue")
+        match.batteryMinimum!! shouldBe (6.7 plusOrMinus 0.1)
+        match.duration!! shouldBe (156.0 plusOrMinus 4.0)
+        match.content shouldBe Content.SOMETHING
+        match.topic("System/Battery Voltage")!!.statistics.min shouldBe match.batteryMinimum
+        summaryOf(folder.resolve("qualification-57.bag.gz")).problems.errors shouldBe 2
+        summaryOf(folder.resolve("practice.bag")).content shouldBe Content.SOMETHING
+        summaryOf(folder.resolve("elevator-bench.csv")).content shouldBe Content.SOMETHING
+    }
+
+    test("only what surely is nothing counts as nothing") {
+        contentOf(bag(rows = 0)) shouldBe Content.NO_SAMPLES
+        contentOf("") shouldBe Content.NO_SAMPLES
+        contentOf(bag(voltage = { 12.0 })) shouldBe Content.NOTHING_CHANGES
+        contentOf(bag(rows = 1)) shouldBe Content.NOTHING_CHANGES
+        contentOf(bag(rows = 40)) shouldBe Content.TOO_SHORT
+        contentOf(bag(isEnabled = false)) shouldBe Content.NEVER_ENABLED
+        contentOf(bag(isEnabled = false, values = matchValues(3))) shouldBe Content.SOMETHING
+        contentOf(bag()) shouldBe Content.SOMETHING
+    }
+
+    test("what is no log is not listed unless its name says that it is one") {
+        contentOf("Dear diary\ntoday I was happy\n", "b.csv") shouldBe Content.NO_LOG
+        val entry = summaryOf(folder.put("c.bag", "Dear diary\ntoday I was happy\n"))
+        entry.content shouldBe Content.UNREADABLE
+        entry.trouble.shouldNotBeNull()
+    }
+
+    test("a large file that begins as no log is not read to its end") {
+        val file = folder.put("large.csv", "Dear diary\n".repeat(2_000_000))
+        var isRead = false
+        summarise(LogFile(file, Files.size(file), 0)) { isRead = true }.content shouldBe Content.NO_LOG
+        isRead shouldBe false
+    }
+
+    test("a file that is gone becomes an entry with a sentence") {
+        summarise(LogFile(folder.resolve("gone.bag"), 10, 0)).trouble.shouldNotBeNull()
+    }
+
+    test("a battery's first 0, before it was measured, is not its minimum") {
+        summaryOf(folder.put("d.bag", bag(voltage = { if (it == 0) 0.0 else 12.0 - it * 0.01 }))).batteryMinimum!! shouldBe
+            (10.01 plusOrMinus 1e-9)
+        summaryOf(folder.put("e.csv", "Time,Speed\n0,1\n2,3\n")).batteryMinimum.shouldBeNull()
+    }
+})

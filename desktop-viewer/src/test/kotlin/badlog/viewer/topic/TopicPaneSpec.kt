@@ -1,0 +1,123 @@
+package badlog.viewer.topic
+
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.click
+import androidx.compose.ui.test.onAllNodesWithText
+import androidx.compose.ui.test.onNodeWithContentDescription
+import androidx.compose.ui.test.onNodeWithText
+import androidx.compose.ui.test.onRoot
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performKeyInput
+import androidx.compose.ui.test.performMouseInput
+import androidx.compose.ui.test.performTextInput
+import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.viewer.app.InspectorTab
+import badlog.viewer.app.Viewer
+import badlog.viewer.bagOf
+import badlog.viewer.recording.OpenRecording
+import badlog.viewer.recordingOf
+import badlog.viewer.settings.Theme
+import badlog.viewer.settings.UserFolders
+import badlog.viewer.theme.ViewerTheme
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.shouldBe
+import kotlinx.coroutines.MainScope
+
+@OptIn(ExperimentalTestApi::class)
+class TopicPaneSpec : FunSpec({
+    val home = tempdir().toPath()
+
+    fun viewerOf(recording: OpenRecording?) = Viewer(MainScope(), UserFolders(home, home)).apply { open = recording }
+    fun drawn(viewer: Viewer) = viewer.graphs.graphs.map { graph -> graph.lines.map { it.signal } }
+
+    val arm = recordingOf(
+        bagOf(listOf("Time|xaxis", "Arm/Angle", "Arm/Speed", "Drive/Left", "Log|log"), listOf("0,10,1,7,", "1,20,2,8,homed", "2,30,3,9,")),
+    )
+
+    test("a click draws a topic, and one more takes it away") {
+        val viewer = viewerOf(arm)
+        runDesktopComposeUiTest(240, 600) {
+            setContent { ViewerTheme(Theme.LIGHT) { TopicPane(viewer) } }
+            waitUntil { onAllNodesWithText("Speed").fetchSemanticsNodes().isNotEmpty() }
+            onNodeWithContentDescription("Topic Arm/Speed").performClick()
+            onNodeWithContentDescription("Topic Arm/Angle").performClick()
+            runOnIdle { drawn(viewer) shouldContainExactly listOf(listOf("Arm/Speed"), listOf("Arm/Angle")) }
+            onNodeWithContentDescription("Topic Arm/Speed").performClick()
+            runOnIdle { drawn(viewer) shouldContainExactly listOf(listOf("Arm/Angle")) }
+        }
+    }
+
+    test("several are chosen with Ctrl, and drawn in one graph") {
+        val viewer = viewerOf(arm)
+        runDesktopComposeUiTest(240, 600) {
+            setContent { ViewerTheme(Theme.LIGHT) { TopicPane(viewer) } }
+            waitUntil { onAllNodesWithText("Speed").fetchSemanticsNodes().isNotEmpty() }
+            onRoot().performKeyInput { keyDown(Key.CtrlLeft) }
+            onNodeWithContentDescription("Topic Drive/Left").performMouseInput { click() }
+            onNodeWithContentDescription("Topic Arm/Angle").performMouseInput { click() }
+            onRoot().performKeyInput { keyUp(Key.CtrlLeft) }
+            onNodeWithText("2 chosen").assertExists()
+            onNodeWithContentDescription("One graph of these").performClick()
+            runOnIdle {
+                drawn(viewer) shouldContainExactly listOf(listOf("Drive/Left", "Arm/Angle"))
+                viewer.topicList.chosen shouldBe emptyList()
+            }
+        }
+    }
+
+    test("the values are those under the cursor, or the last ones without it") {
+        val viewer = viewerOf(arm)
+        runDesktopComposeUiTest(240, 600) {
+            setContent { ViewerTheme(Theme.LIGHT) { TopicPane(viewer) } }
+            waitUntil { onAllNodesWithText("30 V").fetchSemanticsNodes().isNotEmpty() }
+            onNodeWithText("1 event").assertExists()
+            viewer.cursor = 1.9
+            onNodeWithText("20 V").assertExists()
+            viewer.cursor = -5.0
+            onAllNodesWithText("–").fetchSemanticsNodes().size shouldBe 3
+        }
+    }
+
+    test("a topic of events opens their list") {
+        val viewer = viewerOf(arm)
+        runDesktopComposeUiTest(240, 600) {
+            setContent { ViewerTheme(Theme.LIGHT) { TopicPane(viewer) } }
+            waitUntil { onAllNodesWithText("Log").fetchSemanticsNodes().isNotEmpty() }
+            onNodeWithContentDescription("Topic Log").performClick()
+            runOnIdle {
+                viewer.panels.inspector shouldBe InspectorTab.EVENTS
+                viewer.eventFilter.topics shouldBe setOf("Log")
+                drawn(viewer) shouldBe emptyList()
+            }
+        }
+    }
+
+    test("10,000 topics and names of 500 characters are listed and searched") {
+        val long = "Long ".repeat(100)
+        val names = List(10_000) { "Folder ${it % 50}/Topic $it" } + long
+        val viewer = viewerOf(recordingOf(bagOf(listOf("Time|xaxis") + names, listOf("0," + names.joinToString(",") { "1" }))))
+        runDesktopComposeUiTest(240, 600) {
+            setContent { ViewerTheme(Theme.LIGHT) { TopicPane(viewer) } }
+            waitUntil { onAllNodesWithText("Folder 0").fetchSemanticsNodes().isNotEmpty() }
+            onNodeWithContentDescription("Topic $long").assertExists()
+            onNodeWithContentDescription("Search topics").performTextInput("topic 4242")
+            waitUntil { viewer.topicList.query == "topic 4242" && onAllNodesWithText("Folder 0").fetchSemanticsNodes().isEmpty() }
+            onNodeWithContentDescription("Topic Folder 42/Topic 4242").assertExists()
+        }
+    }
+
+    test("without a recording, and with an empty one, a sentence says so") {
+        for ((recording, sentence) in listOf(
+            null to "Open a log to see its topics.",
+            recordingOf("") to "This log has no topics with samples.",
+        )) {
+            runDesktopComposeUiTest(240, 600) {
+                setContent { ViewerTheme(Theme.LIGHT) { TopicPane(viewerOf(recording)) } }
+                onNodeWithText(sentence).assertExists()
+            }
+        }
+    }
+})

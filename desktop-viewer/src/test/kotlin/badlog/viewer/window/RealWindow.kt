@@ -1,0 +1,184 @@
+package badlog.viewer.window
+
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.tooling.ComposeToolingApi
+import androidx.compose.ui.ExperimentalComposeUiApi
+import androidx.compose.ui.awt.ComposeWindow
+import androidx.compose.ui.semantics.SemanticsNode
+import androidx.compose.ui.semantics.SemanticsProperties
+import androidx.compose.ui.semantics.getOrNull
+import androidx.compose.ui.window.application
+import badlog.viewer.app.StartPlace
+import badlog.viewer.app.Viewer
+import badlog.viewer.app.ViewerWindow
+import badlog.viewer.settings.UserFolders
+import java.awt.Rectangle
+import java.awt.Robot
+import java.awt.event.InputEvent
+import java.awt.event.WindowEvent
+import java.awt.image.BufferedImage
+import java.nio.file.Files
+import java.nio.file.Path
+import javax.imageio.ImageIO
+import javax.swing.SwingUtilities
+import kotlin.concurrent.thread
+import kotlin.math.roundToInt
+
+/**
+ * The program as a person has it: a real window, on a screen, with a mouse and a keyboard. Found by what screen readers are
+ * told, so a test says what it clicks.
+ *
+ * @param home where the user's settings and cache are.
+ * @param opened the folder or file it is started on.
+ */
+@OptIn(ExperimentalComposeUiApi::class, ComposeToolingApi::class)
+internal class RealWindow(home: Path, opened: Path, width: Int = 1400, height: Int = 860) : AutoCloseable {
+    private val robot = Robot().apply { autoDelay = 15 }
+    @Volatile private var shown: ComposeWindow? = null
+    @Volatile private var state: Viewer? = null
+
+    private val application = thread(name = "viewer under test") {
+        application(exitProcessOnExit = false) {
+            ViewerWindow(
+                folders = UserFolders(settings = home, cache = home),
+                start = { StartPlace.of(opened.toString(), it.settings, samples = null) },
+            ) { viewer ->
+                state = viewer
+                LaunchedEffect(Unit) {
+                    window.setBounds(20, 20, width, height)
+                    shown = window
+                }
+            }
+        }
+    }
+
+    init {
+        await("the window") { shown != null }
+    }
+
+    /** The state of the window. To be read through [look]. */
+    private val viewer: Viewer get() = checkNotNull(state)
+    private val window: ComposeWindow get() = checkNotNull(shown)
+
+    /** What [question] finds in the state of the window, asked on its thread. */
+    fun <T> look(question: (Viewer) -> T): T {
+        var answer: Result<T>? = null
+        SwingUtilities.invokeAndWait { answer = runCatching { question(viewer) } }
+        return checkNotNull(answer).getOrThrow()
+    }
+
+    /** Waits until [isSo] holds of the state. */
+    fun awaitState(what: String, isSo: (Viewer) -> Boolean) = await(what) { look(isSo) }
+
+    /** Whether something is described by, or says, [text]. */
+    fun shows(text: String): Boolean = placeOf(text) != null
+
+    /** Waits until something is described by, or says, [text]. */
+    fun awaitText(text: String) = await("“$text”") { shows(text) }
+
+    /** Clicks what is described by, or says, [text]. */
+    fun click(text: String) {
+        awaitText(text)
+        val place = checkNotNull(placeOf(text))
+        robot.mouseMove(place.centerX.toInt(), place.centerY.toInt())
+        robot.mousePress(InputEvent.BUTTON1_DOWN_MASK)
+        robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK)
+        robot.waitForIdle()
+    }
+
+    /** Presses the mouse at ([fromX], [fromY]) and lets it go at ([toX], [toY]), in shares of what is described by [text]. */
+    fun drag(text: String, fromX: Double, fromY: Double, toX: Double, toY: Double, vararg held: Int) {
+        val place = checkNotNull(placeOf(text)) { "There is no “$text” to drag over." }
+        fun move(x: Double, y: Double) =
+            robot.mouseMove((place.x + place.width * x).roundToInt(), (place.y + place.height * y).roundToInt())
+        move(fromX, fromY)
+        for (key in held) robot.keyPress(key)
+        robot.mousePress(InputEvent.BUTTON1_DOWN_MASK)
+        for (step in 1..10) move(fromX + (toX - fromX) * step / 10, fromY + (toY - fromY) * step / 10)
+        robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK)
+        for (key in held) robot.keyRelease(key)
+        robot.waitForIdle()
+    }
+
+    /** Points at the share ([x], [y]) of what is described by [text], without a click. */
+    fun point(text: String, x: Double, y: Double) {
+        val place = checkNotNull(placeOf(text)) { "There is no “$text” to point at." }
+        robot.mouseMove((place.x + place.width * x).roundToInt(), (place.y + place.height * y).roundToInt())
+        robot.waitForIdle()
+    }
+
+    /** Turns the wheel by [notches], towards the person when positive. */
+    fun wheel(notches: Int) {
+        robot.mouseWheel(notches)
+        robot.waitForIdle()
+    }
+
+    /** Presses [key] of [java.awt.event.KeyEvent] while [held] are down. */
+    fun press(key: Int, vararg held: Int) {
+        for (other in held) robot.keyPress(other)
+        robot.keyPress(key)
+        robot.keyRelease(key)
+        for (other in held) robot.keyRelease(other)
+        robot.waitForIdle()
+    }
+
+    /** Makes the window so large, in pixels. */
+    fun resize(width: Int, height: Int) = SwingUtilities.invokeAndWait { window.setSize(width, height) }
+
+    /** Keeps a picture of the window under build/screenshots, and returns it. */
+    fun picture(name: String): BufferedImage {
+        robot.waitForIdle()
+        Thread.sleep(PICTURE_MILLIS)
+        val picture = robot.createScreenCapture(Rectangle(window.locationOnScreen, window.size))
+        val folder = Files.createDirectories(Path.of("build/screenshots"))
+        ImageIO.write(picture, "png", folder.resolve("$name.png").toFile())
+        return picture
+    }
+
+    /** Asks the window to close, as its frame does, and waits until it has. */
+    override fun close() {
+        SwingUtilities.invokeLater { window.dispatchEvent(WindowEvent(window, WindowEvent.WINDOW_CLOSING)) }
+        application.join(WAIT_MILLIS)
+        check(!application.isAlive) { "The window does not close." }
+    }
+
+    private fun placeOf(text: String): Rectangle? {
+        var place: Rectangle? = null
+        SwingUtilities.invokeAndWait {
+            val node = window.semanticsOwners.firstNotNullOfOrNull { find(it.unmergedRootSemanticsNode, text) }
+            val bounds = node?.boundsInWindow ?: return@invokeAndWait
+            val scale = window.graphicsConfiguration.defaultTransform.scaleX
+            val corner = window.contentPane.locationOnScreen
+            place = Rectangle(
+                corner.x + (bounds.left / scale).toInt(),
+                corner.y + (bounds.top / scale).toInt(),
+                (bounds.width / scale).toInt(),
+                (bounds.height / scale).toInt(),
+            )
+        }
+        return place
+    }
+
+    private fun find(node: SemanticsNode, text: String): SemanticsNode? {
+        val said = node.config.getOrNull(SemanticsProperties.ContentDescription).orEmpty() +
+            node.config.getOrNull(SemanticsProperties.Text).orEmpty().map { it.text }
+        if (text in said && !node.boundsInWindow.isEmpty) return node
+        return node.children.firstNotNullOfOrNull { find(it, text) }
+    }
+
+    private fun await(what: String, isSo: () -> Boolean) {
+        val end = System.nanoTime() + WAIT_MILLIS * 1_000_000
+        while (!isSo()) {
+            check(System.nanoTime() < end) { "Waited in vain for $what." }
+            Thread.sleep(POLL_MILLIS)
+        }
+    }
+
+    private companion object {
+        const val WAIT_MILLIS = 20_000L
+        const val POLL_MILLIS = 20L
+
+        /** So long a picture may still be on its way to the screen. */
+        const val PICTURE_MILLIS = 400L
+    }
+}
