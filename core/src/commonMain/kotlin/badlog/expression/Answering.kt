@@ -47,13 +47,7 @@ internal class Answering(private val text: String, private val root: Node, priva
         when (node) {
             is Node.Not -> addFigures(node.operand, within, !isNegated)
             is Node.For -> addFigures(node.condition, within, isNegated)
-            is Node.Call -> if (node.function == Function.ANY || node.function == Function.ALL) {
-                val scalar = evaluation.valueOf(node) as Scalar
-                scalar.spans?.let { whenTrue += it }
-                if (node.function == Function.ANY) {
-                    addFigures(node.arguments[0], evaluation.valueOf(node.arguments[0]) as Column, isNegated)
-                }
-            }
+            is Node.Call -> addOfCall(node, isNegated)
             is Node.Binary -> when {
                 node.operator == Operator.WHEN -> addFigures(node.left, within, isNegated)
                 node.operator.group == Operator.Group.LOGIC -> node.children.forEach { addFigures(it, within, isNegated) }
@@ -63,6 +57,15 @@ internal class Answering(private val text: String, private val root: Node, priva
             }
             else -> {}
         }
+    }
+
+    /** Of `any` what makes it true, of `all` what makes it false. */
+    private fun addOfCall(call: Node.Call, isNegated: Boolean) {
+        if (call.function != Function.ANY && call.function != Function.ALL) return
+        (evaluation.valueOf(call) as Scalar).spans?.let { whenTrue += it }
+        val condition = evaluation.valueOf(call.arguments[0]) as Column
+        val isAny = call.function == Function.ANY
+        addFigures(call.arguments[0], if (isAny) condition else inverted(condition) as Column, isNegated != !isAny)
     }
 
     /** Whether the smallest value of the left side tells most, or the largest; null when neither does. */

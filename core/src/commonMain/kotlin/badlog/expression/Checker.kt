@@ -85,7 +85,7 @@ internal object Checker {
         for ((index, argument) in node.arguments.withIndex()) {
             val parameter = function.parameters[index]
             if (!parameter.accepts(argument)) {
-                mistake(argument, "${function.title} needs ${parameter.needed} here, not ${described(argument)}.")
+                mistake(argument, "${function.title} needs here ${parameter.needed}, not ${described(argument)}.")
             }
         }
         val arguments = node.arguments

@@ -40,3 +40,6 @@ private inline fun combinedThree(a: Value, b: Value, c: Value, operation: (Doubl
     val x = joined.x!!
     return Column(x, DoubleArray(x.size) { operation(first[it], second[it], third[it]) }, null, joined.isMomentary)
 }
+
+/** True where [condition] is false. */
+internal fun inverted(condition: Value): Value = combined(Scalar(1.0), condition, Operator.MINUS.operation)

@@ -20,7 +20,7 @@ internal class Evaluation(private val signals: Signals, nodes: Int) {
         is Node.Topic -> columnOf(node.signal)
         is Node.Enabled -> stepsOf(signals.enabled.filter { !node.isAutonomous || it.isAutonomous }.map(EnabledSpan::span), range)
         is Node.Negative -> combined(Scalar(-1.0), valueOf(node.operand), Operator.TIMES.operation)
-        is Node.Not -> combined(Scalar(1.0), valueOf(node.operand), Operator.MINUS.operation)
+        is Node.Not -> inverted(valueOf(node.operand))
         is Node.For -> (valueOf(node.condition) as Column).heldFor(node.time.seconds * second, end)
         is Node.Binary -> computeBinary(node)
         is Node.Call -> node.function.compute.of(
@@ -50,7 +50,7 @@ internal class Evaluation(private val signals: Signals, nodes: Int) {
             right is Node.Text -> whereText(valueOf(left) as Column) { it == right.text }
             else -> equalTexts(valueOf(left) as Column, valueOf(right) as Column)
         }
-        return if (isEqual) equal else combined(Scalar(1.0), equal, Operator.MINUS.operation)
+        return if (isEqual) equal else inverted(equal)
     }
 
     private fun columnOf(signal: Signal): Column {

@@ -18,7 +18,8 @@ public class ExpressionError(
 ) : ParsedExpression, ParsedVirtualTopic {
     /** The message, and below it the text's line with a line of carets that point at the mistake. */
     public fun pointed(): String {
-        val lineFrom = text.lastIndexOf('\n', from - 1) + 1
+        // On Node a search from -1 looks at 0.
+        val lineFrom = if (from == 0) 0 else text.lastIndexOf('\n', from - 1) + 1
         val lineUntil = text.indexOf('\n', lineFrom).let { if (it < 0) text.length else it }
         // One column for each character, whatever it is.
         val line = text.substring(lineFrom, lineUntil).map { if (it.isISOControl()) ' ' else it }.joinToString("")

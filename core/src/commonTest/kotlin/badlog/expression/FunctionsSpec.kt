@@ -144,6 +144,8 @@ class FunctionsSpec : FunSpec({
         "i > 1 and i != 4" to "yes, i = 3 A at 4 s, i = 2 A at 1 s, from 1 s to 2 s, and once more",
         "any(v < 9)" to "yes, v = 6 V at 2 s, from 1 s to 3 s",
         "all(v > 5)" to "yes",
+        "all(v > 7)" to "no, v = 6 V at 2 s",
+        "not all(v > 7)" to "yes, v = 6 V at 2 s",
         "count(on) > 1" to "yes, count(on) = 2 at 1 s, from 1 s to 3 s, and once more",
         "count(on) > 1 and min(v) < 7" to "yes, count(on) = 2 at 1 s, min(v) = 6 V at 2 s, from 1 s to 3 s, and once more",
         "log contains 'CAN'" to "yes, at 1 s, and once more",
