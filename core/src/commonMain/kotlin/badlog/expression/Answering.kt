@@ -95,7 +95,8 @@ internal class Answering(private val text: String, private val root: Node, priva
     private fun isConstant(node: Node): Boolean = node !is Node.Topic && node !is Node.Enabled && node.children.all(::isConstant)
 
     private fun addFigure(node: Node, found: Scalar) {
-        figures += Figure(text.substring(node.from, node.until), found.value, shownUnit(unitOf(node, signals.timeUnit)), found.time)
+        val unit = shownUnit(unitOf(node, signals.timeUnit))
+        figures += Figure(text.substring(node.from, node.until), found.value, unit, found.time)
     }
 
     private fun shownUnit(unit: String) = if (Units.isNone(unit)) "" else unit

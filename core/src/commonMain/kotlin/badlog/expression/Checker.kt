@@ -32,7 +32,9 @@ internal object Checker {
     }
 
     private fun typeOfFor(node: Node.For): Type {
-        if (!needCondition(node.condition).isOverTime) mistake(node.condition, "Before “for” a condition that changes over time is needed.")
+        if (!needCondition(node.condition).isOverTime) {
+            mistake(node.condition, "Before “for” a condition that changes over time is needed.")
+        }
         if (node.time.seconds <= 0) mistake(node.time, "After “for” a time above 0 is needed.")
         return node.condition.type
     }
@@ -53,8 +55,11 @@ internal object Checker {
                 Type(Kind.CONDITION, isOverTime)
             }
             Operator.Group.TEXT -> {
-                if (left.kind != Kind.TEXT || !left.isOverTime) mistake(node.left, "Before “${node.operator.symbol}” a topic of texts is needed, not ${described(node.left)}.")
-                if (node.right !is Node.Text) mistake(node.right, "After “${node.operator.symbol}” a text in single quotes is needed.")
+                val symbol = node.operator.symbol
+                if (left.kind != Kind.TEXT || !left.isOverTime) {
+                    mistake(node.left, "Before “$symbol” a topic of texts is needed, not ${described(node.left)}.")
+                }
+                if (node.right !is Node.Text) mistake(node.right, "After “$symbol” a text in single quotes is needed.")
                 Type(Kind.CONDITION, true)
             }
             Operator.Group.ORDER -> {
@@ -112,7 +117,7 @@ internal object Checker {
     private fun needCondition(node: Node): Type {
         if (node.type.kind != Kind.CONDITION) {
             val example = if (node.type.kind == Kind.TEXT) "== 'IDLE'" else "> 0"
-            val what = if (node is Node.Topic) "“${node.signal.name}” is ${node.type.kind.title}" else "this is ${node.type.kind.title}"
+            val what = "${if (node is Node.Topic) "“${node.signal.name}”" else "this"} is ${node.type.kind.title}"
             mistake(node, "A condition is needed here, but $what; compare it, as in x $example.")
         }
         return node.type
@@ -120,7 +125,11 @@ internal object Checker {
 
     private fun described(node: Node): String {
         val kind = node.type.kind.title
-        return if (node is Node.Topic) "“${node.signal.name}”, which is $kind" else if (node.type.isOverTime) "$kind over time" else kind
+        return when {
+            node is Node.Topic -> "“${node.signal.name}”, which is $kind"
+            node.type.isOverTime -> "$kind over time"
+            else -> kind
+        }
     }
 
     private fun quotedPart(node: Node): String = when (node) {

@@ -25,8 +25,8 @@ public class Expression internal constructor(
     public fun answer(signals: Signals): Answer = Answering(text, root, signals).answer()
 
     /**
-     * Its samples over time: numbers, or 1 and 0, with NaN for gaps. One number for the whole recording is a line from its begin to its
-     * end.
+     * Its samples over time: numbers, or 1 and 0, with NaN for gaps. One number for the whole recording is a line from its begin
+     * to its end.
      */
     public fun series(signals: Signals): Series = when (val value = Evaluation(signals, root.id + 1).valueOf(root)) {
         is Column -> Series(value.x, value.y)

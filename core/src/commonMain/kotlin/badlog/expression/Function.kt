@@ -56,18 +56,33 @@ internal enum class Function(
     ALL("all", listOf(VARYING_CONDITION), Result.CONDITION, compute = { it.column(0).all() }),
     TOTAL("total", listOf(VARYING_CONDITION), Result.NUMBER, compute = { it.column(0).total(it.end) }),
 
-    WINDOW_MIN("min", listOf(VARYING_NUMBERS, WINDOW), Result.NUMBERS, compute = { it.column(0).windowed(it.number(1), Folding.MIN) }),
-    WINDOW_MAX("max", listOf(VARYING_NUMBERS, WINDOW), Result.NUMBERS, compute = { it.column(0).windowed(it.number(1), Folding.MAX) }),
-    WINDOW_MEAN("mean", listOf(VARYING_NUMBERS, WINDOW), Result.NUMBERS, compute = { it.column(0).windowed(it.number(1), Folding.MEAN) }),
+    WINDOW_MIN(
+        "min", listOf(VARYING_NUMBERS, WINDOW), Result.NUMBERS,
+        compute = { it.column(0).windowed(it.number(1), Folding.MIN) },
+    ),
+    WINDOW_MAX(
+        "max", listOf(VARYING_NUMBERS, WINDOW), Result.NUMBERS,
+        compute = { it.column(0).windowed(it.number(1), Folding.MAX) },
+    ),
+    WINDOW_MEAN(
+        "mean", listOf(VARYING_NUMBERS, WINDOW), Result.NUMBERS,
+        compute = { it.column(0).windowed(it.number(1), Folding.MEAN) },
+    ),
     DELTA("delta", listOf(VARYING_NUMBERS), Result.NUMBERS, compute = { it.column(0).delta() }),
     DERIVATIVE("derivative", listOf(VARYING_NUMBERS), Result.NUMBERS, compute = { it.column(0).derivative() }),
     AREA("area", listOf(VARYING_NUMBERS), Result.NUMBERS, compute = { it.column(0).area() }),
     PREVIOUS("previous", listOf(VARYING), Result.AS_FIRST, compute = { it.column(0).previous() }),
     HOLD("hold", listOf(VARYING), Result.AS_FIRST, compute = { it.column(0).hold() }),
-    SHIFT_TIME("shift", listOf(VARYING, SHIFT), Result.AS_FIRST, movesTimes = true, compute = { it.column(0).shifted(it.number(1)) }),
+    SHIFT_TIME(
+        "shift", listOf(VARYING, SHIFT), Result.AS_FIRST, movesTimes = true,
+        compute = { it.column(0).shifted(it.number(1)) },
+    ),
     CHANGED("changed", listOf(VARYING), Result.CONDITIONS, compute = { it.column(0).changed() }),
     MISSING("missing", listOf(VARYING), Result.CONDITIONS, compute = { it.column(0).missing() }),
-    DURING("during", listOf(ONE_NUMBER, ONE_NUMBER), Result.CONDITIONS, movesTimes = true, compute = { during(it.number(0), it.number(1), it.range) }),
+    DURING(
+        "during", listOf(ONE_NUMBER, ONE_NUMBER), Result.CONDITIONS, movesTimes = true,
+        compute = { during(it.number(0), it.number(1), it.range) },
+    ),
 
     IF("if", listOf(CONDITION, NUMBERS_OR_CONDITION, NUMBERS_OR_CONDITION), Result.AS_CHOSEN, compute = { it.chosen() }),
     CLAMP("clamp", listOf(NUMBERS, NUMBERS, NUMBERS), Result.ELEMENTWISE, compute = { it.clamped() }),

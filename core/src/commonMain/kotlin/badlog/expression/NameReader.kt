@@ -52,12 +52,16 @@ internal class NameReader(private val text: String, private val scanner: Scanner
     private fun failUnknown(from: Int, word: String, key: String): Nothing {
         val operator = scanner.peekOperator()?.first ?: if (key == "for") word else null
         when {
-            operator != null -> fail(from, from + operator.length, "Something is missing before “${text.substring(from, from + operator.length)}”.")
+            operator != null -> {
+                val written = text.substring(from, from + operator.length)
+                fail(from, from + operator.length, "Something is missing before “$written”.")
+            }
             word.isEmpty() && text[from] != '/' -> {
                 val found = text[from]
                 fail(
                     from, from + 1,
-                    if (found in ",)") "Something is missing before “$found”." else "“$found” begins nothing that is known.",
+                    if (found in ",)") "Something is missing before “$found”."
+                    else "“$found” begins nothing that is known.",
                 )
             }
             isCalled(from + word.length) -> {

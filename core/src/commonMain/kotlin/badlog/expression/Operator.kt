@@ -20,8 +20,8 @@ internal enum class Operator(
     vararg val synonyms: String,
 ) {
     WHEN("when", Precedence.WHEN, Group.WHEN, { x, on -> if (on == 1.0) x else Double.NaN }),
-    OR("or", Precedence.OR, Group.LOGIC, { a, b -> if (a == 1.0 || b == 1.0) 1.0 else if (a == 0.0 && b == 0.0) 0.0 else Double.NaN }, "||"),
-    AND("and", Precedence.AND, Group.LOGIC, { a, b -> if (a == 0.0 || b == 0.0) 0.0 else if (a == 1.0 && b == 1.0) 1.0 else Double.NaN }, "&&"),
+    OR("or", Precedence.OR, Group.LOGIC, { a, b -> either(a, b) }, "||"),
+    AND("and", Precedence.AND, Group.LOGIC, { a, b -> both(a, b) }, "&&"),
     CONTAINS("contains", Precedence.COMPARISON, Group.TEXT, { _, _ -> Double.NaN }),
     MATCHES("matches", Precedence.COMPARISON, Group.TEXT, { _, _ -> Double.NaN }),
     LESS_OR_EQUAL("<=", Precedence.COMPARISON, Group.ORDER, { a, b -> known(a, b, a <= b) }),
@@ -65,6 +65,12 @@ internal object Precedence {
     const val POWER = 10
     const val OPERAND = 11
 }
+
+private fun either(a: Double, b: Double): Double =
+    if (a == 1.0 || b == 1.0) 1.0 else if (a == 0.0 && b == 0.0) 0.0 else Double.NaN
+
+private fun both(a: Double, b: Double): Double =
+    if (a == 0.0 || b == 0.0) 0.0 else if (a == 1.0 && b == 1.0) 1.0 else Double.NaN
 
 private fun known(a: Double, b: Double, holds: Boolean): Double =
     if (a.isNaN() || b.isNaN()) Double.NaN else if (holds) 1.0 else 0.0

@@ -50,8 +50,8 @@ internal class Parser(private val text: String, vocabulary: Vocabulary) {
     private fun readTime(forFrom: Int): Node.Time {
         scanner.skipSpace()
         val from = scanner.at
-        val number = if (scanner.isNumberHere()) number() else null
-        return number as? Node.Time ?: fail(if (number == null) forFrom else from, if (number == null) forFrom + 3 else scanner.at, "After “for” a time is needed, as in for 0.5 s.")
+        if (!scanner.isNumberHere()) fail(forFrom, forFrom + "for".length, NO_TIME)
+        return number() as? Node.Time ?: fail(from, scanner.at, NO_TIME)
     }
 
     private fun operand(nesting: Int): Node {
@@ -128,13 +128,16 @@ internal class Parser(private val text: String, vocabulary: Vocabulary) {
         }
         val functions = Function.called(name)
         val function = functions.find { it.parameters.size == arguments.size }
-            ?: fail(from, scanner.at, "${functions[0].title} takes ${functions.joinToString(" or ") { countOf(it.parameters.size) }}, not ${arguments.size}.")
+            ?: fail(from, scanner.at, "${functions[0].title} takes ${countsOf(functions)}, not ${arguments.size}.")
         val node = made(Node.Call(from, scanner.at, function, arguments))
         if (function.movesTimes) countMove(node)
         return node
     }
 
-    private fun countOf(operands: Int) = if (operands == 1) "1 operand" else "$operands operands"
+    private fun countsOf(functions: List<Function>) = functions.joinToString(" or ") { function ->
+        val count = function.parameters.size
+        if (count == 1) "1 operand" else "$count operands"
+    }
 
     private fun <T : Node> made(node: T): T {
         if (node.depth > Limits.DEPTH) tooDeep(node.from, node.until)
@@ -146,7 +149,8 @@ internal class Parser(private val text: String, vocabulary: Vocabulary) {
 
     private fun countMove(node: Node) {
         if (++moves > Limits.MOVES) {
-            fail(node.from, node.until, "An expression has at most ${Limits.MOVES} times “for”, during and shift.", ExpressionErrorKind.LIMIT)
+            val message = "An expression has at most ${Limits.MOVES} times “for”, during and shift."
+            fail(node.from, node.until, message, ExpressionErrorKind.LIMIT)
         }
     }
 
@@ -171,6 +175,7 @@ internal class Parser(private val text: String, vocabulary: Vocabulary) {
         throw Mistake(from, until, kind, message)
 
     private companion object {
+        const val NO_TIME = "After “for” a time is needed, as in for 0.5 s."
         const val CHAINED = "Comparisons cannot be chained; write “a < b and b < c”."
     }
 }

@@ -10,8 +10,8 @@ public interface Signals {
     public val vocabulary: Vocabulary
 
     /**
-     * The samples of the signal called [name], one of [vocabulary]: numbers, 0 and 1, or places in [states]. NaN is a gap. Signals
-     * that share their times should share the very array of them, which makes combining them cheap.
+     * The samples of the signal called [name], one of [vocabulary]: numbers, 0 and 1, or places in [states]. NaN is a gap.
+     * Signals that share their times should share the very array of them, which makes combining them cheap.
      */
     public fun series(name: String): Series
 

@@ -28,7 +28,10 @@ public class VirtualTopic private constructor(
     }
 
     public companion object {
-        /** Reads a definition: the name, in double quotes where it has one of `" = [ ]`, the unit in brackets or none, `=`, an expression. */
+        /**
+         * Reads a definition: the name, in double quotes where it has one of `" = [ ]`, the unit in brackets or none, `=`, an
+         * expression with the names of [vocabulary]. Never throws, whatever the text.
+         */
         public fun parse(text: String, vocabulary: Vocabulary): ParsedVirtualTopic = try {
             val heading = VirtualTopicHeading(text)
             val taken = vocabulary.signals.find { it.name == heading.name }

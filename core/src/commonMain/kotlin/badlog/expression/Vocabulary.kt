@@ -54,13 +54,19 @@ public class Vocabulary(public val signals: List<Signal>) {
                 if (signal.name.isEmpty() || signal.name in full) continue
                 full[signal.name] = signal
                 foldedFull.getOrPut(folded(signal.name)) { ArrayList(1) } += signal
-                var slash = signal.name.indexOf('/')
-                while (slash >= 0 && slash < signal.name.length - 1) {
-                    val end = signal.name.substring(slash + 1)
-                    ends.getOrPut(end) { ArrayList(1) } += signal
-                    foldedEnds.getOrPut(folded(end)) { ArrayList(1) } += signal
-                    slash = signal.name.indexOf('/', slash + 1)
-                }
+                addEnds(signal)
+            }
+        }
+
+        private fun addEnds(signal: Signal) {
+            var slash = signal.name.lastIndexOf('/', signal.name.length - 2)
+            var left = MOST_ENDS
+            // What is longer than an expression is never asked for.
+            while (slash >= 0 && left-- > 0 && signal.name.length - slash <= Limits.LENGTH) {
+                val end = signal.name.substring(slash + 1)
+                ends.getOrPut(end) { ArrayList(1) } += signal
+                foldedEnds.getOrPut(folded(end)) { ArrayList(1) } += signal
+                slash = if (slash == 0) -1 else signal.name.lastIndexOf('/', slash - 1)
             }
         }
 
@@ -78,6 +84,9 @@ public class Vocabulary(public val signals: List<Signal>) {
 
     private companion object {
         const val LONGEST_COMPARED = 80
+
+        // Of a path; names come from files, and all ends of a long one would fill the memory.
+        const val MOST_ENDS = 32
     }
 }
 

@@ -14,10 +14,12 @@ class EvaluationSpec : FunSpec({
             val expression = parsed(text, signals.vocabulary)
             val slow = SlowEvaluator(signals).valueOf(expression.root)
             when (val fast = Evaluation(signals, expression.root.id + 1).valueOf(expression.root)) {
-                is Scalar -> if (!isSame(fast.value, slow.single)) throw AssertionError("seed $seed: $text is ${fast.value}, not ${slow.single}")
+                is Scalar -> if (!isSame(fast.value,
+                    slow.single)) throw AssertionError("seed $seed: $text is ${fast.value}, not ${slow.single}")
                 is Column -> {
                     val rows = slow.rows!!
-                    val isSame = fast.x.toList() == rows.map { it.time } && rows.indices.all { isSame(fast.y[it], rows[it].value) }
+                    val isSame = fast.x.toList() == rows.map { it.time } &&
+                        rows.indices.all { isSame(fast.y[it], rows[it].value) }
                     if (!isSame) throw AssertionError("seed $seed: $text is ${fast.x.zip(fast.y)}, not $rows")
                 }
             }

@@ -32,18 +32,27 @@ private fun rounded(value: Double) = if (value.isNaN()) "-" else readable(value)
 
 class FunctionsSpec : FunSpec({
     val summaries = mapOf(
-        "min(v)" to "6", "max(v)" to "12", "mean(v)" to "9", "median(v)" to "9", "percentile(v, 0)" to "6", "percentile(v, 95)" to "11.7",
-        "percentile(v, 100)" to "12", "stddev(v)" to "2.58199", "first(v)" to "12", "last(v)" to "10", "integral(v)" to "17", "integral(i)" to "12",
-        "duration(v)" to "4", "duration(slow)" to "2", "count(v)" to "4", "count(on)" to "2", "count(log)" to "3", "count(changed(state))" to "1",
-        "time_of_min(v)" to "2", "time_of_max(v)" to "0", "any(v < 7)" to "1", "any(v < 5)" to "0", "all(v > 5)" to "1", "all(v > 6)" to "0",
+        "min(v)" to "6", "max(v)" to "12", "mean(v)" to "9", "median(v)" to "9", "percentile(v, 0)" to "6",
+        "percentile(v, 95)" to "11.7",
+        "percentile(v, 100)" to "12", "stddev(v)" to "2.58199", "first(v)" to "12", "last(v)" to "10", "integral(v)" to "17",
+        "integral(i)" to "12",
+        "duration(v)" to "4", "duration(slow)" to "2", "count(v)" to "4", "count(on)" to "2", "count(log)" to "3",
+        "count(changed(state))" to "1",
+        "time_of_min(v)" to "2", "time_of_max(v)" to "0", "any(v < 7)" to "1", "any(v < 5)" to "0", "all(v > 5)" to "1",
+        "all(v > 6)" to "0",
         "total(on)" to "2", "total(v < 9)" to "2", "mean(on)" to "0.6", "any((v > 9) when v > 99)" to "-",
         "min(v when on)" to "6", "max(v when not on)" to "12", "min(i when during(3, 5))" to "3", "min(v when v > 99)" to "-",
         "total(enabled)" to "2.5", "total(autonomous)" to "1", "max(v when enabled)" to "8", "max(i when autonomous)" to "2",
-        "total(during(1 s, 2500 ms))" to "1.5", "count(log contains 'can')" to "2", "count(log matches 'can*')" to "2", "count(log matches 'can')" to "0",
-        "total(log contains 'can')" to "0", "count(log == 'brownout')" to "1", "any(log contains 'fire')" to "0", "total(state == 'IDLE')" to "2", "total(state != 'IDLE')" to "1",
-        "min(v) + 2 * max(i)" to "14", "2 ^ 3 % 5" to "3", "-2 ^ 2" to "-4", "7 - 2 - 1" to "4", "1 min - 1 s" to "59", "if(min(v) < 7, 1, 2)" to "1",
-        "clamp(7, 1, 5)" to "5", "abs(-3)" to "3", "sign(-3)" to "-1", "sqrt(9)" to "3", "exp(0)" to "1", "log(exp(2))" to "2", "log10(1000)" to "3", "sin(0)" to "0",
-        "cos(0)" to "1", "tan(0)" to "0", "asin(1)" to "1.5708", "acos(1)" to "0", "atan(1)" to "0.785398", "atan2(1, -1)" to "2.35619", "floor(1.5)" to "1",
+        "total(during(1 s, 2500 ms))" to "1.5", "count(log contains 'can')" to "2", "count(log matches 'can*')" to "2",
+        "count(log matches 'can')" to "0",
+        "total(log contains 'can')" to "0", "count(log == 'brownout')" to "1", "any(log contains 'fire')" to "0",
+        "total(state == 'IDLE')" to "2", "total(state != 'IDLE')" to "1",
+        "min(v) + 2 * max(i)" to "14", "2 ^ 3 % 5" to "3", "-2 ^ 2" to "-4", "7 - 2 - 1" to "4", "1 min - 1 s" to "59",
+        "if(min(v) < 7, 1, 2)" to "1",
+        "clamp(7, 1, 5)" to "5", "abs(-3)" to "3", "sign(-3)" to "-1", "sqrt(9)" to "3", "exp(0)" to "1", "log(exp(2))" to "2",
+        "log10(1000)" to "3", "sin(0)" to "0",
+        "cos(0)" to "1", "tan(0)" to "0", "asin(1)" to "1.5708", "acos(1)" to "0", "atan(1)" to "0.785398",
+        "atan2(1, -1)" to "2.35619", "floor(1.5)" to "1",
         "ceil(1.5)" to "2", "round(1.6)" to "2", "last(back)" to "30", "first(back)" to "20",
     )
     for ((text, result) in summaries) {
@@ -88,7 +97,10 @@ class FunctionsSpec : FunSpec({
         }
     }
 
-    fun pairs(text: String) = parsed(text).series(SIGNALS).let { series -> series.x.indices.joinToString { "${rounded(series.x[it])}:${rounded(series.y[it])}" } }
+    fun pairs(text: String): String {
+        val series = parsed(text).series(SIGNALS)
+        return series.x.indices.joinToString { "${rounded(series.x[it])}:${rounded(series.y[it])}" }
+    }
 
     test("topics with times of their own are joined at all times, each holding its last value") {
         pairs("v + slow") shouldBe "0:-, 0.5:17, 1:13, 2:11, 2.5:13, 3:-, 4:17"
@@ -103,8 +115,10 @@ class FunctionsSpec : FunSpec({
 
     test("a time that decimals make exact is exact") {
         val x = DoubleArray(60) { 9.5 + it * 0.02 }
-        val signals = SampleSignals(mapOf(Signal("c", SignalKind.CONDITION) to Series(x, DoubleArray(60) { if (it >= 1) 1.0 else 0.0 })))
-        parsed("c for 0.5 s", signals.vocabulary).series(signals).run { x.size to y.indexOfFirst { it == 1.0 } } shouldBe (60 to 26)
+        val signals = SampleSignals(mapOf(Signal("c", SignalKind.CONDITION) to Series(x,
+            DoubleArray(60) { if (it >= 1) 1.0 else 0.0 })))
+        parsed("c for 0.5 s",
+            signals.vocabulary).series(signals).run { x.size to y.indexOfFirst { it == 1.0 } } shouldBe (60 to 26)
     }
 
     test("shift moves times") {
@@ -124,9 +138,11 @@ class FunctionsSpec : FunSpec({
 
     test("times are in the unit of x, whatever unit they are written in") {
         val signals = SampleSignals(
-            mapOf(Signal("c", SignalKind.CONDITION) to Series(doubleArrayOf(0.0, 100.0, 900.0), doubleArrayOf(1.0, 1.0, 0.0))), timeUnit = "ms",
+            mapOf(Signal("c", SignalKind.CONDITION) to Series(doubleArrayOf(0.0, 100.0, 900.0), doubleArrayOf(1.0, 1.0, 0.0))),
+                timeUnit = "ms",
         )
-        parsed("total(c) > 0.8 s", signals.vocabulary).answer(signals).toString() shouldBe "yes, total(c) = 900 ms at 0 ms, from 0 ms to 900 ms"
+        parsed("total(c) > 0.8 s",
+            signals.vocabulary).answer(signals).toString() shouldBe "yes, total(c) = 900 ms at 0 ms, from 0 ms to 900 ms"
         parsed("c for 0.2 s", signals.vocabulary).answer(signals).spans shouldBe listOf(Span(200.0, 900.0))
     }
 
@@ -157,10 +173,13 @@ class FunctionsSpec : FunSpec({
         "integral(i) > 11" to "yes, integral(i) = 12 A·s",
         "true" to "yes",
     )
-    for ((text, answer) in answers) test("the answer to $text is “$answer”") { parsed(text).answer(SIGNALS).toString() shouldBe answer }
+    for ((text, answer) in answers) {
+        test("the answer to $text is “$answer”") { parsed(text).answer(SIGNALS).toString() shouldBe answer }
+    }
 
     test("without samples nothing is known, and nothing breaks") {
-        val empty = SampleSignals(SIGNALS.vocabulary.signals.associateWith { Series(DoubleArray(0), DoubleArray(0)) }, mapOf("state" to emptyList(), "log" to emptyList()))
+        val empty = SampleSignals(SIGNALS.vocabulary.signals.associateWith { Series(DoubleArray(0), DoubleArray(0)) },
+            mapOf("state" to emptyList(), "log" to emptyList()))
         for (text in summaries.keys + overTime.keys + answers.keys) parsed(text).run {
             answer(empty).toString()
             series(empty)
@@ -170,9 +189,11 @@ class FunctionsSpec : FunSpec({
     }
 
     test("numbers are shown with six digits everywhere alike") {
-        listOf(0.0, 6.7, -6.7, 1234567.0, 0.1 + 0.2, 0.000012345678, 1e-7, 1.5e20, 9.9999999, 999999.9, 1e300, 5e-324, 9999999999.0, Double.POSITIVE_INFINITY)
+        listOf(0.0, 6.7, -6.7, 1234567.0, 0.1 + 0.2, 0.000012345678, 1e-7, 1.5e20, 9.9999999, 999999.9, 1e300, 5e-324,
+            9999999999.0, Double.POSITIVE_INFINITY)
             .map(::readable) shouldBe listOf(
-            "0", "6.7", "-6.7", "1234567", "0.3", "0.0000123457", "1e-7", "1.5e+20", "10", "1000000", "1e+300", "4.94066e-324", "9999999999", "infinite",
+            "0", "6.7", "-6.7", "1234567", "0.3", "0.0000123457", "1e-7", "1.5e+20", "10", "1000000", "1e+300", "4.94066e-324",
+            "9999999999", "infinite",
         )
     }
 })

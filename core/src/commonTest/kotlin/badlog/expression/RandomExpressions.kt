@@ -20,15 +20,20 @@ internal class RandomExpressions(private val random: Random) {
             // Of whole numbers only: where a mean is 0 but for rounding, a root exists or not.
             2 -> pick("abs(${number(depth - 1)})", "sqrt(${pick("A", "C", "delta(B)")})")
             3 -> pick(
-                "delta(${series(depth)})", "derivative(${series(depth)})", "area(${series(depth)})", "hold(${series(depth)})", "previous(${series(depth)})",
-                "shift(${series(depth)}, ${pick("0.5 s", "-0.25 s")})", "mean(${series(depth)}, 1 s)", "min(${series(depth)}, 0.5 s)", "max(${series(depth)}, 2 s)",
+                "delta(${series(depth)})", "derivative(${series(depth)})", "area(${series(depth)})", "hold(${series(depth)})",
+                "previous(${series(depth)})",
+                "shift(${series(depth)}, ${pick("0.5 s", "-0.25 s")})", "mean(${series(depth)}, 1 s)",
+                "min(${series(depth)}, 0.5 s)", "max(${series(depth)}, 2 s)",
             )
-            4 -> pick("min", "max", "mean", "median", "stddev", "first", "last", "integral", "duration", "count", "time_of_min", "time_of_max").let {
+            4 -> pick("min", "max", "mean", "median", "stddev", "first", "last", "integral", "duration", "count", "time_of_min",
+                "time_of_max").let {
                 "$it(${series(depth)})"
             }
             else -> pick(
-                "if(${condition(depth - 1)}, ${number(depth - 1)}, ${number(depth - 1)})", "clamp(${number(depth - 1)}, 0, 2)", "-${number(depth - 1)}",
-                "percentile(${series(depth)}, 30)", "total(${conditionOverTime(depth)})", "count(${conditionOverTime(depth)})", "count(changed(S))",
+                "if(${condition(depth - 1)}, ${number(depth - 1)}, ${number(depth - 1)})", "clamp(${number(depth - 1)}, 0, 2)",
+                "-${number(depth - 1)}",
+                "percentile(${series(depth)}, 30)", "total(${conditionOverTime(depth)})", "count(${conditionOverTime(depth)})",
+                "count(changed(S))",
             )
         }
     }
@@ -39,7 +44,8 @@ internal class RandomExpressions(private val random: Random) {
     private fun conditionOverTime(depth: Int): String = "(${condition(depth - 1)} ${pick("and", "or")} ${pick("F", "G", "B > 0", "C < 1")})"
 
     private fun condition(depth: Int): String = if (depth == 0 || random.nextInt(5) == 0) {
-        pick("F", "G", "true", "S == 'a'", "S != 'b'", "T = S", "E contains 'X'", "E matches '?*y'", "enabled", "autonomous", "missing(C)", "changed(S)", "A > 0")
+        pick("F", "G", "true", "S == 'a'", "S != 'b'", "T = S", "E contains 'X'", "E matches '?*y'", "enabled", "autonomous",
+            "missing(C)", "changed(S)", "A > 0")
     } else {
         when (random.nextInt(7)) {
             0 -> "(${condition(depth - 1)} ${pick("and", "or", "&&", "||")} ${condition(depth - 1)})"
@@ -55,7 +61,8 @@ internal class RandomExpressions(private val random: Random) {
 /** A, B, F and S share their times; C, Dir/D, G, T and the events E have their own. Some are empty, some have gaps. */
 internal fun randomSignals(random: Random): Signals {
     fun times(most: Int) = List(random.nextInt(most + 1)) { random.nextInt(24) * 0.25 }.distinct().sorted().toDoubleArray()
-    fun numbers(x: DoubleArray) = Series(x, DoubleArray(x.size) { if (random.nextInt(5) == 0) Double.NaN else random.nextInt(-2, 4).toDouble() })
+    fun numbers(x: DoubleArray) = Series(x,
+        DoubleArray(x.size) { if (random.nextInt(5) == 0) Double.NaN else random.nextInt(-2, 4).toDouble() })
     fun among(x: DoubleArray, count: Int, hasGaps: Boolean = true) =
         Series(x, DoubleArray(x.size) { if (hasGaps && random.nextInt(5) == 0) Double.NaN else random.nextInt(count).toDouble() })
     val common = times(14)
@@ -74,6 +81,7 @@ internal fun randomSignals(random: Random): Signals {
             Signal("E", SignalKind.EVENT) to among(times(4), 3, hasGaps = false),
         ),
         texts = mapOf("S" to listOf("a", "b", "c"), "T" to listOf("c", "a"), "E" to listOf("xy", "Xerxes", "no")),
-        enabled = if (isMeasured) listOf(EnabledSpan(Span(edges[0], edges[1]), true), EnabledSpan(Span(edges[2], edges[3]), false)) else emptyList(),
+        enabled = if (isMeasured) listOf(EnabledSpan(Span(edges[0], edges[1]), true),
+            EnabledSpan(Span(edges[2], edges[3]), false)) else emptyList(),
     )
 }

@@ -28,7 +28,8 @@ internal fun parsed(text: String, vocabulary: Vocabulary): Expression = when (va
     is ExpressionError -> throw AssertionError(result.pointed())
 }
 
-internal fun errorOf(text: String, vocabulary: Vocabulary): ExpressionError = when (val result = Expression.parse(text, vocabulary)) {
+internal fun errorOf(text: String,
+    vocabulary: Vocabulary): ExpressionError = when (val result = Expression.parse(text, vocabulary)) {
     is Expression -> throw AssertionError("“$text” was read as $result")
     is ExpressionError -> result
 }

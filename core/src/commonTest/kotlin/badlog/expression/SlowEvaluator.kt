@@ -26,7 +26,8 @@ internal class SlowEvaluator(private val signals: Signals) {
         is Node.Truth -> SlowValue(null, node.value)
         is Node.Text -> SlowValue(null, node.text)
         is Node.Topic -> topic(node.signal)
-        is Node.Enabled -> steps(signals.enabled.filter { it.isAutonomous || !node.isAutonomous }.map { it.span.from to it.span.to })
+        is Node.Enabled -> steps(signals.enabled.filter { it.isAutonomous ||
+            !node.isAutonomous }.map { it.span.from to it.span.to })
         is Node.Negative -> map(valueOf(node.operand)) { number(it)?.let { x -> -x } }
         is Node.Not -> map(valueOf(node.operand)) { (it as Boolean?)?.not() }
         is Node.For -> heldFor(valueOf(node.condition), node.time.seconds)
@@ -55,7 +56,8 @@ internal class SlowEvaluator(private val signals: Signals) {
         if (range == null) return SlowValue(emptyList())
         val ends = spans.map { it.second }.filter { it < range.to }
         val times = (spans.map { it.first } + ends + range.from).filter { it >= range.from && it <= range.to }.distinct().sorted()
-        return SlowValue(times.map { time -> Row(time, spans.any { time >= it.first && (time < it.second || it.second >= range.to) }) })
+        return SlowValue(times.map { time -> Row(time,
+            spans.any { time >= it.first && (time < it.second || it.second >= range.to) }) })
     }
 
     private fun map(value: SlowValue, operation: (Any?) -> Any?) =
@@ -67,9 +69,11 @@ internal class SlowEvaluator(private val signals: Signals) {
         if (series.isEmpty()) return SlowValue(null, operation(values.map { it.single }))
         val areSame = series.map { value -> value.rows!!.map { it.time } }.distinct().size == 1
         val rows = if (areSame) {
-            series[0].rows!!.indices.map { i -> Row(series[0].rows!![i].time, operation(values.map { if (it.rows == null) it.single else it.rows[i].value })) }
+            series[0].rows!!.indices.map { i -> Row(series[0].rows!![i].time,
+                operation(values.map { if (it.rows == null) it.single else it.rows[i].value })) }
         } else {
-            series.flatMap { value -> value.rows!!.map { it.time } }.distinct().sorted().map { time -> Row(time, operation(values.map { it.at(time, absent) })) }
+            series.flatMap { value -> value.rows!!.map { it.time } }.distinct().sorted().map { time -> Row(time,
+                operation(values.map { it.at(time, absent) })) }
         }
         return SlowValue(rows, isMomentary = series.all { it.isMomentary })
     }
@@ -99,13 +103,15 @@ internal class SlowEvaluator(private val signals: Signals) {
         }
     }
 
-    private fun isEqual(left: Any, right: Any) = if (left is Double && right is Double) left - right == 0.0 || left.isInfinite() && left == right else left == right
+    private fun isEqual(left: Any, right: Any) = if (left is Double && right is Double) left - right == 0.0 ||
+        left.isInfinite() && left == right else left == right
 
     private fun glob(text: String, pattern: String): Boolean = when {
         pattern.isEmpty() -> text.isEmpty()
         pattern[0] == '*' -> (0..text.length).any { glob(text.substring(it), pattern.substring(1)) }
         text.isEmpty() -> false
-        else -> (pattern[0] == '?' || pattern[0].lowercaseChar() == text[0].lowercaseChar()) && glob(text.substring(1), pattern.substring(1))
+        else -> (pattern[0] == '?' || pattern[0].lowercaseChar() == text[0].lowercaseChar()) &&
+            glob(text.substring(1), pattern.substring(1))
     }
 
     private fun arithmetic(operator: Operator, a: Double, b: Double): Any? = when (operator) {
@@ -139,7 +145,8 @@ internal class SlowEvaluator(private val signals: Signals) {
             Row(row.time, if (row.value == true) row.time >= begins.last { it <= row.time } + length else row.value)
         }
         val put = begins.map { it + length }.filter { time ->
-            time <= range!!.to.coerceAtLeast(rows.last().time) && rows.none { it.time == time } && begins.last { it <= time } == time - length &&
+            time <= range!!.to.coerceAtLeast(rows.last().time) && rows.none { it.time == time } &&
+                begins.last { it <= time } == time - length &&
                 value.at(time, null) == true
         }.map { Row(it, true) }
         return SlowValue((own + put).sortedBy { it.time })
@@ -161,7 +168,8 @@ internal class SlowEvaluator(private val signals: Signals) {
             isMomentary = first.isMomentary,
         )
         fun beside(operation: (Row, Row) -> Any?, atFirst: Any? = null) = SlowValue(
-            rows.indices.map { i -> Row(rows[i].time, if (i == 0) atFirst else operation(rows[i - 1], rows[i])) }, isMomentary = first.isMomentary,
+            rows.indices.map { i -> Row(rows[i].time, if (i == 0) atFirst else operation(rows[i - 1], rows[i])) },
+                isMomentary = first.isMomentary,
         )
         fun sumUntil(last: Int): Double = (1..last).sumOf { i ->
             val a = number(rows[i - 1].value)
@@ -172,7 +180,8 @@ internal class SlowEvaluator(private val signals: Signals) {
             val sorted = numbers.sorted()
             if (sorted.isEmpty()) return null
             val place = percent / 100 * sorted.lastIndex
-            return sorted[place.toInt()] + (sorted[minOf(place.toInt() + 1, sorted.lastIndex)] - sorted[place.toInt()]) * (place % 1)
+            return sorted[place.toInt()] + (sorted[minOf(place.toInt() + 1,
+                sorted.lastIndex)] - sorted[place.toInt()]) * (place % 1)
         }
         return when (node.function) {
             Function.MIN -> one(numbers.minOrNull())
@@ -192,7 +201,8 @@ internal class SlowEvaluator(private val signals: Signals) {
             )
             Function.TIME_OF_MIN -> one(finite.minByOrNull { it.second }?.first)
             Function.TIME_OF_MAX -> one(finite.maxByOrNull { it.second }?.first)
-            Function.ANY -> one(if (rows.any { it.value == true }) true else if (first.isMomentary || rows.any { it.value == false }) false else null)
+            Function.ANY -> one(if (rows.any { it.value == true }) true else if (first.isMomentary ||
+                rows.any { it.value == false }) false else null)
             Function.ALL -> one(if (rows.any { it.value == false }) false else if (rows.any { it.value == true }) true else null)
             Function.TOTAL -> one(spans(first).sumOf { it.second - it.first })
             Function.WINDOW_MIN -> window { it.min() }
@@ -201,12 +211,16 @@ internal class SlowEvaluator(private val signals: Signals) {
             Function.DELTA -> beside({ a, b -> minus(b, a) })
             Function.DERIVATIVE -> beside({ a, b -> if (b.time > a.time) minus(b, a)?.let { it / (b.time - a.time) } else null })
             Function.AREA -> SlowValue(
-                rows.indices.map { i -> Row(rows[i].time, if (number(rows[i].value)?.isFinite() == true) sumUntil(i) else null) }, isMomentary = first.isMomentary,
+                rows.indices.map { i -> Row(rows[i].time, if (number(rows[i].value)?.isFinite() == true) sumUntil(i) else null) },
+                    isMomentary = first.isMomentary,
             )
             Function.PREVIOUS -> beside({ a, _ -> a.value })
-            Function.HOLD -> SlowValue(rows.indices.map { i -> Row(rows[i].time, (i downTo 0).firstNotNullOfOrNull { known(rows[it].value) }) }, isMomentary = first.isMomentary)
-            Function.SHIFT_TIME -> SlowValue(rows.map { Row(it.time + values[1].single as Double, it.value) }, isMomentary = first.isMomentary)
-            Function.CHANGED -> beside({ a, b -> known(a.value) != null && known(b.value) != null && !same(a.value!!, b.value!!) }, false)
+            Function.HOLD -> SlowValue(rows.indices.map { i -> Row(rows[i].time,
+                (i downTo 0).firstNotNullOfOrNull { known(rows[it].value) }) }, isMomentary = first.isMomentary)
+            Function.SHIFT_TIME -> SlowValue(rows.map { Row(it.time + values[1].single as Double, it.value) },
+                isMomentary = first.isMomentary)
+            Function.CHANGED -> beside({ a, b -> known(a.value) != null && known(b.value) != null &&
+                !same(a.value!!, b.value!!) }, false)
             Function.MISSING -> map(first) { !(it is String || number(it)?.isFinite() == true) }
             Function.DURING -> {
                 val from = number(values[0].single)

@@ -37,7 +37,8 @@ class VirtualTopicSpec : FunSpec({
     }
 
     val errors = listOf(
-        Triple("Voltage * Current", "Voltage * Current", "A virtual topic needs a name and =, as in Power [W] = Voltage * Current."),
+        Triple("Voltage * Current", "Voltage * Current",
+            "A virtual topic needs a name and =, as in Power [W] = Voltage * Current."),
         Triple(" [W] = Voltage", " [W] ", "The virtual topic has no name before =."),
         Triple("Voltage = Voltage", "Voltage ", "There already is a topic “Voltage”."),
         Triple("\"a\" b = Voltage", "\"a\" b ", "Between a quoted name and = only a unit may stand, in brackets."),
@@ -71,7 +72,8 @@ class VirtualTopicSpec : FunSpec({
 
     test("the topics of a bag can be named, as what they are") {
         signals.vocabulary.signals.map { it.name to it.kind } shouldBe listOf(
-            "Time" to SignalKind.NUMBER, "Arm/Angle" to SignalKind.NUMBER, "Log" to SignalKind.EVENT, "Enabled" to SignalKind.CONDITION,
+            "Time" to SignalKind.NUMBER, "Arm/Angle" to SignalKind.NUMBER, "Log" to SignalKind.EVENT,
+            "Enabled" to SignalKind.CONDITION,
         )
         signals.range shouldBe Span(0.0, 0.1)
         signals.timeUnit shouldBe "s"
