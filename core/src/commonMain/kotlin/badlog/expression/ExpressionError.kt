@@ -9,7 +9,7 @@ package badlog.expression
  * @property kind what sort of mistake it is.
  * @property message what is wrong, as a sentence.
  */
-public class ExpressionError(
+public class ExpressionError internal constructor(
     public val text: String,
     public val from: Int,
     public val until: Int,

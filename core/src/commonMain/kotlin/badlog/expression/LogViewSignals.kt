@@ -9,7 +9,7 @@ import badlog.plot.Span
 import badlog.recording.Topic
 import badlog.recording.TopicKind
 
-/** The topics of [view] as expressions see them. */
+/** The topics of [view] as expressions see them. Not for several threads at once. */
 public class LogViewSignals(private val view: LogView) : Signals {
     private val topics = view.recording.topics.associateBy { it.name }
     private val lines = HashMap<String, GraphSeries>()
