@@ -25,16 +25,16 @@ public class LogViewSignals(private val view: LogView) : Signals {
 
     override val enabled: List<EnabledSpan> by lazy { view.enabledSpans() }
 
-    override val range: Span? by lazy { rangeOf(view.xAxis.positions) }
+    override val range: Span? by lazy { view.xAxis.range?.let { Span(it.start, it.endInclusive) } }
 
     override val timeUnit: String get() = view.xAxis.unit
 
     private fun lineOf(topic: Topic) = lines.getOrPut(topic.name) { view.seriesOf(topic) }
 
-    /** The texts alone, at the times of their rows. */
+    /** The texts alone, where they stand. */
     private fun eventsOf(topic: Topic): Series {
         val texts = topic.texts
-        val positions = view.xAxis.positions
+        val positions = topic.times ?: view.xAxis.positions
         val kept = (0 until texts.size).filter { positions.getOrElse(texts.rows[it]) { Double.NaN }.isFinite() }
         return Series(
             DoubleArray(kept.size) { positions[texts.rows[kept[it]]] },
@@ -48,17 +48,6 @@ public class LogViewSignals(private val view: LogView) : Signals {
             TopicKind.BOOLEAN -> SignalKind.CONDITION
             TopicKind.STATE -> if ("log" in topic.attributes) SignalKind.EVENT else SignalKind.STATE
             TopicKind.EVENT -> SignalKind.EVENT
-        }
-
-        fun rangeOf(positions: DoubleArray): Span? {
-            var from = Double.POSITIVE_INFINITY
-            var to = Double.NEGATIVE_INFINITY
-            for (position in positions) {
-                if (!position.isFinite()) continue
-                if (position < from) from = position
-                if (position > to) to = position
-            }
-            return if (from <= to) Span(from, to) else null
         }
     }
 }

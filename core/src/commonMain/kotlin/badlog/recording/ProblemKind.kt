@@ -120,6 +120,9 @@ public enum class ProblemKind(public val severity: Severity) {
     /** A record of a WPILOG belongs to no entry that was begun; it was dropped. */
     UNKNOWN_ENTRY(Severity.ERROR),
 
+    /** Records of a WPILOG are from before the robot's clock began; they stand where the recording begins. */
+    EARLY_TIMES(Severity.WARNING),
+
     /** Records of a WPILOG have times that cannot be, or are days away from all others; they were dropped. */
     WILD_TIMES(Severity.ERROR),
 

@@ -40,23 +40,27 @@ internal class Clock(private val keepsSamples: Boolean) {
         return copy
     }
 
-    /** Says that no more times come. Drops what does not lie in [span], and sorts the others; may be called again. */
+    /**
+     * Says that no more times come. Drops what does not lie in [span], and sorts the others; what was before 0 is put where
+     * [span] begins. May be called again.
+     */
     fun finish(span: ClosedFloatingPointRange<Double>) {
         if (isFinished || !keepsSamples) return
         isFinished = true
         val all = growing.take()
-        val kept = all.count { it in span }
+        val kept = all.count { it < 0 || it in span }
         if (isOrdered && kept == size) {
+            for (i in all.indices) if (all[i] < 0) all[i] = span.start else break
             times = all
             return
         }
         val indices = IntArray(kept)
         var next = 0
-        for (i in 0 until size) if (all[i] in span) indices[next++] = i
+        for (i in 0 until size) if (all[i] < 0 || all[i] in span) indices[next++] = i
         for (i in 1 until kept) if (all[indices[i]] < all[indices[i - 1]]) disorder++
         val sorted = if (disorder == 0) indices else sortedStably(indices, all)
         order = sorted
-        times = DoubleArray(kept) { all[sorted[it]] }
+        times = DoubleArray(kept) { i -> all[sorted[i]].let { if (it < 0) span.start else it } }
     }
 }
 

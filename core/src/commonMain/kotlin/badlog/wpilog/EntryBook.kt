@@ -39,6 +39,12 @@ internal class EntryBook(private val source: ColumnSource, private val problems:
     var firstWild: Entry? = null
         private set
 
+    /** How many had times before 0, and of which entry the first was. */
+    var earlyCount = 0
+        private set
+    var firstEarly: Entry? = null
+        private set
+
     /** How many belonged to no entry, and to which number the first. */
     var unknownCount = 0
         private set
@@ -72,7 +78,9 @@ internal class EntryBook(private val source: ColumnSource, private val problems:
             if (unknownCount++ == 0) firstUnknown = id
             return RecordFate.UNKNOWN
         }
-        if (!spread.add(micros)) {
+        if (micros < 0 && micros > -TimeSpread.NEVER) {
+            if (earlyCount++ == 0) firstEarly = entry
+        } else if (micros < 0 || !spread.add(micros)) {
             if (wildCount++ == 0) firstWild = entry
             return RecordFate.READ
         }

@@ -17,16 +17,14 @@ internal fun unsignedAt(bytes: ByteArray, at: Int, width: Int): Int {
 }
 
 /**
- * The [width] bytes at [at], from 1 to 8, as a number without sign: exact up to 2^53, rounded beyond. Without a 64-bit
- * integer, which JavaScript has only as an object.
+ * The [width] bytes at [at], from 1 to 8, as a number, of 8 bytes with a sign: exact up to 2^53, rounded beyond. Without a
+ * 64-bit integer, which JavaScript has only as an object.
  */
 internal fun wideAt(bytes: ByteArray, at: Int, width: Int): Double {
     if (width < 4) return unsignedAt(bytes, at, width).toDouble()
     val low = unsignedOf(intAt(bytes, at))
-    return if (width == 4) low else low + unsignedAt32(bytes, at + 4, width - 4) * TWO_32
+    return if (width == 4) low else low + unsignedAt(bytes, at + 4, width - 4) * TWO_32
 }
-
-private fun unsignedAt32(bytes: ByteArray, at: Int, width: Int) = unsignedOf(unsignedAt(bytes, at, width))
 
 private fun unsignedOf(bits: Int): Double = if (bits >= 0) bits.toDouble() else bits + TWO_32
 

@@ -1,7 +1,7 @@
 package badlog.wpilog
 
 /**
- * Finds the times that most records of a file are near, in memory that does not grow: counts records in buckets of 19 hours.
+ * Finds the times from 0 on that most records of a file are near, in memory that does not grow: counts records in buckets of 19 hours.
  * What is a whole bucket away from the others does not belong to the same run of a robot.
  */
 internal class TimeSpread {
@@ -62,11 +62,11 @@ internal class TimeSpread {
     /** The times from [from] on and before [until], in µs, at which [records] stand. */
     class Bulk(val from: Double, val until: Double, val records: Double)
 
-    private companion object {
-        const val MOST_BUCKETS = 64
+    companion object {
+        private const val MOST_BUCKETS = 64
 
         /** 2^36 µs, 19 hours. */
-        const val WIDTH = 68719476736.0
+        private const val WIDTH = 68719476736.0
 
         /** 2^53 µs, 285 years: from there on µs are not exact, and no robot runs. */
         const val NEVER = 9007199254740992.0

@@ -82,6 +82,14 @@ public class WpilogParser(private val keepSamples: Boolean = true) {
                 count = book.unknownCount,
             )
         }
+        if (book.earlyCount > 0) {
+            problems.add(
+                ProblemKind.EARLY_TIMES,
+                "${book.earlyCount} records, such as one of “${book.firstEarly?.name}”, are from before the robot's clock began; " +
+                    "they stand where the recording begins.",
+                count = book.earlyCount,
+            )
+        }
         val far = if (bulk == null) 0 else (book.spread.total() - bulk.records).toInt()
         if (book.wildCount + far > 0) {
             val example = book.firstWild?.let { ", such as one of “${it.name}”" }.orEmpty()

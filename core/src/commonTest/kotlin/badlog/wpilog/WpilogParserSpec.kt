@@ -157,8 +157,23 @@ class WpilogParserSpec : FunSpec({
         recording.problems.map { it.kind }.toSet() shouldBe setOf(ProblemKind.TIMES_SORTED)
     }
 
+    test("what is from before the robot's clock began holds from the recording's begin on, in its own order") {
+        val log = TestLog().start(1, "a", "double").start(2, "camera", "string").start(3, "v", "double[]")
+            .double(1, 3_000_000, 3.0).double(1, -1_000, 2.0).double(1, -585_000_000, 1.0).double(1, 2_000_000, 2.5)
+            .string(2, -7_000_000, "there").record(3, -1, doubles(1.0)).record(3, 9_000_000, doubles(2.0))
+        val recording = log.read()
+        recording.topic("a").timeList() shouldBe listOf(2.0, 2.0, 2.0, 3.0)
+        recording.topic("a").samples.toList() shouldBe listOf(1.0, 2.0, 2.5, 3.0)
+        recording.topic("camera").timeList() shouldBe listOf(2.0)
+        recording.topic("camera").textList() shouldBe listOf("there")
+        recording.topic("v[0]").timeList() shouldBe listOf(2.0, 9.0)
+        recording.count(ProblemKind.EARLY_TIMES) shouldBe 4
+        recording.isSalvaged shouldBe false
+        TestLog().start(1, "a", "double").double(1, -5, 1.0).read().topic("a").timeList() shouldBe listOf(0.0)
+    }
+
     test("times that cannot be, or are days away, are dropped and counted") {
-        val log = TestLog().start(1, "a", "double").double(1, -585_000_000, 1.0).double(1, 1_700_000_000_000_000, 2.0)
+        val log = TestLog().start(1, "a", "double").double(1, Long.MIN_VALUE, 1.0).double(1, 1_700_000_000_000_000, 2.0)
         for (i in 1L..9L) log.double(1, i * 1_000_000, i.toDouble())
         val recording = log.double(1, 1L shl 60, 1.0).read()
         recording.topic("a").timeList() shouldBe (1..9).map { it.toDouble() }

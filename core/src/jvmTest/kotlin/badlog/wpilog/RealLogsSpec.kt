@@ -17,12 +17,12 @@ import java.nio.ByteOrder
 /** Logs of a season's robot. They are not part of the project, so the test runs where they are. */
 internal val REAL_LOGS: List<File> = File("../../shared/data").listFiles { file -> file.name.endsWith(".wpilog") }.orEmpty().sorted()
 
-/** What a slow and simple reader finds: for each name the sizes of its payloads, without those whose time cannot be. */
+/** What a slow and simple reader finds: for each name the sizes of its payloads, and how many are from before 0. */
 private class SimpleReading(bytes: ByteArray) {
     val payloads = LinkedHashMap<String, MutableList<Int>>()
     val types = HashMap<String, String>()
     var records = 0
-    var wild = 0
+    var early = 0
 
     init {
         val log = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN)
@@ -43,7 +43,8 @@ private class SimpleReading(bytes: ByteArray) {
                 types[texts[0]] = texts[1]
                 payloads.getOrPut(texts[0]) { ArrayList() }
             } else if (id != 0L) {
-                if (time < 0) wild++ else payloads.getValue(names.getValue(id)) += size
+                if (time < 0) early++
+                payloads.getValue(names.getValue(id)) += size
             }
             log.position(end)
         }
@@ -65,7 +66,8 @@ class RealLogsSpec : FunSpec({
             parser.accept(bytes)
             val recording = parser.finish()
             parser.recordCount shouldBe simple.records
-            recording.problems.filter { it.kind == ProblemKind.WILD_TIMES }.sumOf { it.count } shouldBe simple.wild
+            recording.problems.filter { it.kind == ProblemKind.EARLY_TIMES }.sumOf { it.count } shouldBe simple.early
+            recording.isSalvaged shouldBe false
             for ((name, sizes) in simple.payloads) {
                 val type = simple.types.getValue(name)
                 val topics = recording.topics.filter { topic ->
