@@ -8,6 +8,7 @@ internal class RunFacts {
     private var event: String? = null
     private var matchType: String? = null
     private var matchNumber: Long? = null
+    private var alliance: String? = null
     private var wallOffset: Double? = null
     private val own = LinkedHashMap<String, String>()
 
@@ -35,6 +36,12 @@ internal class RunFacts {
                 entry.listener = longListener { _, number ->
                     if (number in 1L..MATCH_TYPES.size) matchType = MATCH_TYPES[number.toInt() - 1]
                 }
+            name == "IsRedAlliance" && entry.type == "boolean" ->
+                entry.listener = EntryListener { _, bytes, from, until ->
+                    if (until > from) alliance = if (bytes[from].toInt() != 0) "Red" else "Blue"
+                }
+            name == "AllianceStation" && entry.type == "int64" ->
+                entry.listener = longListener { _, number -> if (number in 1L..6L) alliance = if (number <= 3) "Red" else "Blue" }
         }
     }
 
@@ -47,6 +54,8 @@ internal class RunFacts {
         offer("Event Name", event)
         offer("Match Type", matchType)
         offer("Match Number", matchNumber?.toString())
+        // Off the field, everybody is red.
+        if (event != null || matchNumber != null) offer("Alliance", alliance)
         offer("Start Time", wallOffset?.let { wallTimeText(it + firstMicros) })
     }
 

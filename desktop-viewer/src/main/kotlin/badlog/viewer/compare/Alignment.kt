@@ -30,8 +30,4 @@ internal fun Alignment.momentIn(recording: OpenRecording): Double = when (this) 
 }
 
 // The span of a single x is wider than it.
-private fun firstX(recording: OpenRecording): Double {
-    var first = Double.POSITIVE_INFINITY
-    for (x in recording.view.xAxis.positions) if (x.isFinite() && x < first) first = x
-    return if (first.isFinite()) first else 0.0
-}
+private fun firstX(recording: OpenRecording): Double = recording.view.xAxis.range?.start ?: 0.0

@@ -37,6 +37,9 @@ internal class OpenRecording(val file: Path, val view: LogView) {
     /** What a person would call it: the match, or else the name of the file. */
     val label: String get() = view.title ?: file.fileName.toString()
 
+    /** Until where the last value of [signal] holds; null where the samples of [signal] are joined by straight lines. */
+    fun holdsUntil(signal: Signal): Double? = if (signal.holds) span.to else null
+
     /** The signal called [name], or null when this recording has none. */
     fun signal(name: String): Signal? = byName[name]
 }

@@ -63,4 +63,4 @@ internal fun logsIn(folder: Path): List<Path> = try {
     throw IOException("$folder cannot be read in full (${e.cause?.message}); no page was made.", e)
 }
 
-private val LOGS = listOf(".bag", ".badbag", ".csv", ".bag.gz", ".badbag.gz", ".csv.gz")
+private val LOGS = listOf(".bag", ".badbag", ".csv", ".wpilog").flatMap { listOf(it, "$it.gz") }

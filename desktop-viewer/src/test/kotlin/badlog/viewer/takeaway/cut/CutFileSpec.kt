@@ -23,7 +23,7 @@ class CutFileSpec : FunSpec({
 
     test("a bag of a part has just its rows, with the values, units and attributes of the whole") {
         val target = folder.resolve("part.bag")
-        cutFile(whole, Span(1.0, 2.0), RecordingFormat.BAG, target) shouldBe 51
+        cutFile(whole, Span(1.0, 2.0), RecordingFormat.BAG, target) shouldBe "Wrote 51 rows to $target."
         val part = readRecording(target)
         val source = whole.view.recording
         part.values shouldBe source.values
