@@ -231,14 +231,22 @@ class WpilogParserSpec : FunSpec({
             .start(3, "NT:/FMSInfo/MatchType", "int64").start(4, "systemTime", "int64")
             .string(1, 1, "").string(1, 2_000_000, "OHCL").record(2, 1, longs(42)).record(3, 1, longs(2))
             .record(4, 3_000_001, longs(1_709_992_953_000_000))
+            .start(5, "NT:/FMSInfo/IsRedAlliance", "boolean").record(5, 1, byteArrayOf(1)).record(5, 2, byteArrayOf(0))
         for (keepSamples in listOf(true, false)) {
             parseLog(log.bytes, keepSamples = keepSamples).values.associate { it.name to it.text } shouldBe mapOf(
                 "Event Name" to "OHCL",
                 "Match Type" to "Qualification",
                 "Match Number" to "42",
+                "Alliance" to "Blue",
                 "Start Time" to "2024-03-09 14:02:30 UTC",
             )
         }
+    }
+
+    test("off the field, the alliance means nothing") {
+        val log = TestLog().start(1, "DriverStation/AllianceStation", "int64").record(1, 1, longs(2))
+        log.read().values shouldBe emptyList()
+        log.start(2, "DriverStation/MatchNumber", "int64").record(2, 2, longs(7)).read().values.map { it.text } shouldBe listOf("7", "Red")
     }
 
     test("what is no WPILOG, or one of another version, says so") {
