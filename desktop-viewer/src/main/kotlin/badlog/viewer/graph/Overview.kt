@@ -65,11 +65,11 @@ internal fun Overview(scene: GraphScene) {
     }
 }
 
-/** The graph in the overview: the battery's voltage, in which a match is easily known again, or else the first line of numbers. */
+/** The graph in the overview: the battery's voltage, in which a match is easily known again, or else the first numbers that change. */
 internal fun overviewSpec(open: OpenRecording): GraphSpec? {
     val numbers = open.signals.filter { it.states == null && !it.isDerived }
     val battery = numbers.firstOrNull { it.name.contains("battery", ignoreCase = true) && it.name.contains("volt", ignoreCase = true) }
-    val chosen = battery ?: numbers.firstOrNull() ?: return null
+    val chosen = battery ?: numbers.firstOrNull { everChanges(it.topic) } ?: numbers.firstOrNull() ?: return null
     return GraphSpec(OVERVIEW, chosen.name, listOf(LineSpec(chosen.name)))
 }
 

@@ -5,12 +5,14 @@ import badlog.analysis.LogView
 
 /**
  * The graphs that the attributes of a recording's topics ask for, in their order. States that follow one another in a folder
- * share a graph, in which each has a lane, up to so many that it still fits a screen.
+ * share a graph, in which each has a lane, up to so many that it still fits a screen. Of a WPILOG, in which everything that a
+ * dashboard shows is logged, those that never change stay in the list of topics.
  */
 internal fun standardGraphs(view: LogView): GraphList {
     var id = 0
+    val hasChanges = view.folders.any { folder -> folder.graphs.any(::changes) }
     val specs = view.folders.flatMap { folder ->
-        runsOf(folder.graphs).map { graphs ->
+        runsOf(folder.graphs.filter { !hasChanges || changes(it) }).map { graphs ->
             val first = graphs.first()
             val isJoint = graphs.size > 1
             GraphSpec(
@@ -35,6 +37,8 @@ private fun runsOf(graphs: List<Graph>): List<List<Graph>> {
     }
     return runs
 }
+
+private fun changes(graph: Graph) = graph.series.any { it.topic.times == null || everChanges(it.topic) }
 
 private fun nameOf(graph: Graph) =
     if (graph.isVirtual) listOf(graph.folder, graph.title).filter { it.isNotEmpty() }.joinToString("/") else graph.name
