@@ -13,6 +13,7 @@ import androidx.compose.ui.graphics.graphicsLayer
 import badlog.plot.Span
 import badlog.viewer.graph.plot.PlotPicture
 import badlog.viewer.graph.plot.PlotState
+import badlog.viewer.recording.indexAt
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Palette
 
@@ -69,7 +70,7 @@ private fun DrawScope.drawGesture(gesture: PlotGesture, id: Int, visible: Span, 
 private fun DrawScope.drawSamples(picture: PlotPicture, cursor: Double, visible: Span, palette: Palette) {
     for (line in picture.lines) {
         val signal = line.line.signal
-        val index = signal.indexAt(cursor - line.line.offset)
+        val index = signal.indexAt(line.series, cursor - line.line.offset)
         if (index < 0) continue
         val value = line.series.y[index]
         val place = if (signal.holds) cursor else line.series.x[index] + line.line.offset

@@ -29,9 +29,6 @@ internal class Signal(val name: String, val isDerived: Boolean, private val line
     /** Whether a sample's value holds until the next one: that of a topic with times of its own, logged when it changes. */
     val holds: Boolean get() = line.holds
 
-    /** The index of the sample that tells the value at [x]: the last so far where values hold, else the nearest; -1 for none. */
-    fun indexAt(x: Double): Int = line.indexAt(x)
-
     /** The folder it belongs to; empty for the root folder. */
     val folder: String get() = PathName.folderOf(name)
 

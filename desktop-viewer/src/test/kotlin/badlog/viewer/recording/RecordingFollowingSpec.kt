@@ -1,7 +1,10 @@
 package badlog.viewer.recording
 
 import badlog.viewer.app.Viewer
+import badlog.viewer.bagOf
+import badlog.viewer.graph.viewerOf
 import badlog.viewer.loggedTopic
+import badlog.viewer.recordingOf
 import badlog.viewer.settings.UserFolders
 import badlog.viewer.wpilogOf
 import io.kotest.assertions.nondeterministic.eventually
@@ -10,6 +13,8 @@ import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import java.io.IOException
 import java.nio.file.Files
 import kotlin.time.Duration.Companion.seconds
 import kotlinx.coroutines.CoroutineScope
@@ -19,6 +24,29 @@ import kotlinx.coroutines.cancel
 import kotlinx.coroutines.withContext
 
 class RecordingFollowingSpec : FunSpec({
+    val file = tempdir().resolve("live.bag").apply { writeText("x") }
+    val shown = recordingOf(bagOf(listOf("Time|xaxis", "A/Voltage"), listOf("0,1", "1,2")), file.path)
+    val before = FileStamp(size = 1, modifiedMillis = 0)
+
+    test("a log that outgrows the memory stays as it was, and that is said once") {
+        val viewer = viewerOf(shown)
+        val following = RecordingFollowing(viewer) { _, _ -> throw OutOfMemoryError() }
+        withContext(Dispatchers.Main) { following.follow(shown, before) }
+        viewer.notices.all.single().text shouldContain "larger than the memory"
+        viewer.open shouldBe shown
+    }
+
+    test("a log that is gone when it is to be read again stays, and that is said once") {
+        val viewer = viewerOf(shown)
+        val following = RecordingFollowing(viewer) { _, _ ->
+            file.delete()
+            throw IOException("It is gone.")
+        }
+        withContext(Dispatchers.Main) { following.follow(shown, before) }
+        viewer.notices.all.single().text shouldContain "is gone from its folder"
+        viewer.open shouldBe shown
+    }
+
     test("a WPILOG that grows is followed, and the half of its last record is no problem while it does") {
         val home = tempdir().toPath()
         val whole = wpilogOf(listOf(loggedTopic("Gain", *List(100) { it * 1.0 to it * 2.0 }.toTypedArray())))

@@ -8,6 +8,7 @@ import badlog.plot.YLimits
 import badlog.recording.PathName
 import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.graph.GraphSpec
+import badlog.viewer.graph.plot.drawnLines
 import badlog.viewer.recording.Signal
 import badlog.viewer.theme.Palette
 
@@ -45,12 +46,10 @@ internal class FigureBuilder(private val recordings: List<DrawnRecording>, priva
 
     private fun shareOf(all: Int, count: Int) = (all / maxOf(count, 1)).coerceIn(FEWEST_COLUMNS, maxOf(width, FEWEST_COLUMNS))
 
-    // The colours are those of the window: of several recordings, they tell the recording in the first place.
-    private fun sourcesOf(graph: GraphSpec): List<Source> = graph.lines.flatMapIndexed { line, spec ->
-        recordings.mapIndexedNotNull { place, drawn ->
-            val signal = drawn.recording.signal(spec.signal) ?: return@mapIndexedNotNull null
-            Source(drawn, signal, labelOf(signal, names[place], graph), line * recordings.size + place)
-        }
+    // The colours are those of the window.
+    private fun sourcesOf(graph: GraphSpec): List<Source> = drawnLines(graph, recordings).map { line ->
+        val place = recordings.indexOfFirst { it.recording === line.recording && it.offset == line.offset }
+        Source(recordings[place], line.signal, labelOf(line.signal, names[place], graph), line.colour)
     }
 
     private fun labelOf(signal: Signal, recording: String, graph: GraphSpec): String = when {
@@ -113,7 +112,7 @@ internal class FigureBuilder(private val recordings: List<DrawnRecording>, priva
         hasLegend = false,
         lines = emptyList(),
         lanes = sources.map { source ->
-            FigureLane(plainLine(label(source), LANE_LETTERS), laneBlocks(source.signal, source.drawn, x, columns))
+            FigureLane(plainLine(label(source), LANE_LETTERS), figureBlocks(source.signal, source.drawn, x, columns))
         },
     )
 
