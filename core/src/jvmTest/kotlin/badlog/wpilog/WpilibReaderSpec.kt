@@ -7,7 +7,7 @@ import badlog.recording.Topic
 import badlog.recording.TopicKind
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
-import io.kotest.core.test.config.DefaultTestConfig
+import io.kotest.core.test.EnabledOrReasonIf
 import io.kotest.matchers.shouldBe
 import java.io.File
 import java.io.IOException
@@ -77,31 +77,28 @@ private fun parseHex(text: String): Double = when (text) {
     else -> java.lang.Double.parseDouble(text)
 }
 
-class WpilibReaderSpec : FunSpec({
-    defaultTestConfig = DefaultTestConfig(
-        enabledOrReasonIf = {
-            val reason = "Python lacks WPILib's reader; pip install robotpy-wpiutil"
-            if (PYTHON != null) Enabled.enabled else Enabled.disabled(reason)
-        },
-    )
+private val needsReader: EnabledOrReasonIf = {
+    if (PYTHON != null) Enabled.enabled else Enabled.disabled("Python lacks WPILib's reader; pip install robotpy-wpiutil")
+}
 
-    test("WPILib's reader finds every value of a bag") {
+class WpilibReaderSpec : FunSpec({
+    test("WPILib's reader finds every value of a bag").config(enabledOrReasonIf = needsReader) {
         val bag = parse(VARIED_BAG)
         val time = bag.topics.single { it.name == "Time" }
         shouldBeRead(bag) { time.samples }
     }
 
-    test("WPILib's reader finds every value of a log") {
+    test("WPILib's reader finds every value of a log").config(enabledOrReasonIf = needsReader) {
         val log = parseLog(VARIED_LOG.bytes)
         log.topics.any { it.kind == TopicKind.BOOLEAN } shouldBe true
         shouldBeRead(log) { checkNotNull(it.times) }
     }
 
-    test("WPILib's reader finds every value of a season's logs, where they are") {
+    test("WPILib's reader finds every value of a season's logs, where they are").config(enabledOrReasonIf = needsReader) {
         for (file in REAL_LOGS) shouldBeRead(parseLog(file.readBytes())) { checkNotNull(it.times) }
     }
 
-    test("WPILib's reader finds every value of a sample of this project") {
+    test("WPILib's reader finds every value of a sample of this project").config(enabledOrReasonIf = needsReader) {
         val bag = parse(File("../samples/practice.bag").readBytes())
         val time = bag.topics.first { "xaxis" in it.attributes }
         shouldBeRead(bag) { time.samples }
