@@ -41,7 +41,7 @@ internal fun EventLabel(scene: GraphScene) {
                         val beside = SIDE.dp.roundToPx()
                         // At the other side where there is no room.
                         val left = if (x + beside + label.width <= constraints.maxWidth) x + beside else x - beside - label.width
-                        label.place(left.toInt(), HEADER_HEIGHT.dp.roundToPx())
+                        label.place(left.toInt().coerceAtLeast(0), HEADER_HEIGHT.dp.roundToPx())
                     }
                 }
                 .border(1.dp, palette.event, RoundedCornerShape(4.dp))

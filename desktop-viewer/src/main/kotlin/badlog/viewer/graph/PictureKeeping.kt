@@ -24,6 +24,8 @@ internal fun PictureKeeping(state: PlotState, curves: CurveCache, request: () ->
         snapshotFlow { latest() }.conflate().collect { wanted ->
             if (wanted != null && wanted != state.picture?.request) {
                 val before = state.picture
+                // The old picture stands in for the new one only while it is one of the same thing.
+                if (before != null && before.request.spec.lines.none { it in wanted.spec.lines }) state.picture = null
                 state.picture = withContext(Dispatchers.Default) { makePicture(wanted, curves) }
                 // Sixty images a second would fill the memory long before anything else collects them.
                 before?.image?.close()

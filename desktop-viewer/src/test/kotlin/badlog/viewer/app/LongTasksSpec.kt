@@ -24,8 +24,6 @@ class LongTasksSpec : FunSpec({
         saidOf(IOException("The drive is gone; plug it in.")) shouldContainExactly listOf("The drive is gone; plug it in.")
         saidOf(OutOfMemoryError()) shouldContainExactly
             listOf("Opening needs more memory than there is; close other logs and try it again.")
-        saidOf(IndexOutOfBoundsException()) shouldContainExactly
-            listOf("Opening made badlog stumble (IndexOutOfBoundsException); please send us the file.")
     }
 
     test("a task that is given up is interrupted, and nothing is said") {
