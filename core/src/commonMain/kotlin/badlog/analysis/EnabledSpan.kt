@@ -15,24 +15,44 @@ public data class EnabledSpan(public val span: Span, public val isAutonomous: Bo
 
 /**
  * When the robot was enabled, in the order of x: where the topic called `Enabled` or `Robot Enabled`, in any folder, is not 0.
- * A topic called `Autonomous` or `Auto` beside it tells when under its own control. Empty when no topic tells, and when x goes
- * backwards.
+ * A topic called `Autonomous` or `Auto` beside it tells when under its own control. In a WPILOG those of the driver station
+ * come before others, then the bits of `FMSControlData`, and the last value holds until the recording's end. Empty when no
+ * topic tells, and when x goes backwards.
  */
 public fun LogView.enabledSpans(): List<EnabledSpan> {
-    val enabled = runsWhereSet(findFlag("enabled", "robot enabled", "isenabled") ?: return emptyList())
-    val autonomous = findFlag("autonomous", "auto", "isautonomous")?.let { runsWhereSet(it) }.orEmpty()
-    return enabled.flatMap { split(it, autonomous) }
+    val named = findFlag("enabled", "robot enabled", "isenabled")
+    val control = findFlag("fmscontroldata")
+    if (control != null && (named == null || !isOfDriverStation(named))) {
+        return spansOf(control, control) { bit -> { word -> (word.toInt() shr bit) and 1 == 1 } }
+    }
+    return spansOf(named ?: return emptyList(), findFlag("autonomous", "auto", "isautonomous")) { { it != 0.0 } }
 }
 
-private fun LogView.findFlag(vararg names: String): Topic? = recording.topics.firstOrNull { topic ->
-    topic.samples.isNotEmpty() && PathName.baseNameOf(topic.name).replace('_', ' ').lowercase().substringAfterLast(':') in names
+private fun LogView.spansOf(enabled: Topic, autonomous: Topic?, isSet: (bit: Int) -> (Double) -> Boolean): List<EnabledSpan> {
+    val alone = autonomous?.let { runsWhere(it, isSet(AUTONOMOUS_BIT)) }.orEmpty()
+    return runsWhere(enabled, isSet(ENABLED_BIT)).flatMap { split(it, alone) }
 }
 
-private fun LogView.runsWhereSet(topic: Topic): List<Span> {
+private fun LogView.findFlag(vararg names: String): Topic? {
+    val found = recording.topics.filter { topic ->
+        topic.samples.isNotEmpty() &&
+            PathName.baseNameOf(topic.name).replace('_', ' ').lowercase().substringAfterLast(':') in names
+    }
+    return found.firstOrNull(::isOfDriverStation) ?: found.firstOrNull()
+}
+
+/** Whether WPILib, or a logger above it, has taken [topic] from the driver station itself. */
+private fun isOfDriverStation(topic: Topic) = topic.name.startsWith("DS:") || "DriverStation" in topic.name
+
+private fun LogView.runsWhere(topic: Topic, isSet: (Double) -> Boolean): List<Span> {
     val series = seriesOf(topic).data
     if (!series.isOrdered || series.size == 0) return emptyList()
-    val flags = Series(series.x, DoubleArray(series.size) { if (series.y[it] == 0.0 || series.y[it].isNaN()) 0.0 else 1.0 })
-    val runs = StateRuns(flags, series.x.last())
+    val flags = Series(
+        series.x,
+        DoubleArray(series.size) { if (!series.y[it].isNaN() && isSet(series.y[it])) 1.0 else 0.0 },
+    )
+    val end = if (topic.times == null) series.x.last() else xAxis.range?.endInclusive
+    val runs = StateRuns(flags, end ?: series.x.last())
     return runs.states.indices.filter { runs.states[it] == 1 }.map { Span(runs.from[it], runs.to[it]) }
 }
 
@@ -51,3 +71,7 @@ private fun split(enabled: Span, autonomous: List<Span>): List<EnabledSpan> {
     if (enabled.to > at || pieces.isEmpty()) pieces += EnabledSpan(Span(at, enabled.to), false)
     return pieces
 }
+
+// Of the driver station's control word.
+private const val ENABLED_BIT = 0
+private const val AUTONOMOUS_BIT = 1

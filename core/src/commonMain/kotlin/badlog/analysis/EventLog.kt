@@ -8,7 +8,7 @@ import badlog.recording.Topic
  *
  * @property topic the topic it comes from.
  */
-public class EventLog internal constructor(public val topic: Topic, private val xAxis: XAxis) {
+public class EventLog internal constructor(public val topic: Topic, xAxis: XAxis) {
     /** The full name, with its folder. */
     public val name: String get() = topic.name
 
@@ -17,11 +17,13 @@ public class EventLog internal constructor(public val topic: Topic, private val 
 
     /** Each text cell of the topic; numbers and empty cells are no events. */
     public val events: List<Event> = object : AbstractList<Event>() {
+        private val positions = positionsOf(topic, xAxis)
+
         override val size: Int get() = topic.texts.size
 
         override fun get(index: Int): Event {
             val row = topic.texts.rows[index]
-            return Event(xAxis.positions.getOrElse(row) { Double.NaN }, row, topic.texts[index])
+            return Event(positions.getOrElse(row) { Double.NaN }, row, topic.texts[index])
         }
     }
 }

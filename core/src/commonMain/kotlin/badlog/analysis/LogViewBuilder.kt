@@ -78,6 +78,13 @@ internal class LogViewBuilder(private val recording: Recording, private val regi
                 "“${second.topic.name}” wants to be the x axis, but “${wanted[0].topic.name}” already is.",
             )
         }
+        XAxis.ofOwnTimes(recording)?.let { time ->
+            wanted.firstOrNull()?.report(
+                ProblemKind.UNFIT_ATTRIBUTE,
+                "“${wanted[0].topic.name}” cannot be the x axis: the topics of this recording have times of their own.",
+            )
+            return time
+        }
         val plan = wanted.firstOrNull() ?: return XAxis.index(recording.rowCount)
         if (plan.isNumeric || recording.rowCount == 0) return XAxis.of(plan.topic).also { reportX(plan) }
         plan.report(

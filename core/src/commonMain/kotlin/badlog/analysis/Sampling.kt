@@ -4,9 +4,12 @@ import badlog.recording.PathName
 import badlog.recording.Topic
 import badlog.recording.TopicKind
 
+/** Where each sample of [topic] stands: at its own times, or at those of the rows. */
+internal fun positionsOf(topic: Topic, xAxis: XAxis): DoubleArray = topic.times ?: xAxis.positions
+
 /** The numbers of [topic] over [xAxis]; rows without an x are left out, and so are a sparse topic's empty cells. */
 internal fun samplesOf(topic: Topic, xAxis: XAxis): Series {
-    val x = xAxis.positions
+    val x = positionsOf(topic, xAxis)
     val y = topic.samples
     if (y.isEmpty() || x.isEmpty()) return Series(DoubleArray(0), DoubleArray(0))
     val isSparse = topic.isSparse
@@ -25,13 +28,14 @@ internal fun samplesOf(topic: Topic, xAxis: XAxis): Series {
 
 /** The states of a [TopicKind.STATE] topic over [xAxis], as numbers into its dictionary; a cell without text is a gap. */
 internal fun statesOf(topic: Topic, xAxis: XAxis): Series {
-    val states = DoubleArray(topic.counts.total) { Double.NaN }
+    val positions = positionsOf(topic, xAxis)
     val texts = topic.texts
+    val states = DoubleArray(topic.counts.total) { Double.NaN }
     for (i in 0 until texts.size) states[texts.rows[i]] = texts.ids[i].toDouble()
-    val rows = states.indices.filter { xAxis.positions.getOrElse(it) { Double.NaN }.isFinite() }
-    if (rows.size == states.size) return Series(xAxis.positions, states)
+    val rows = states.indices.filter { positions.getOrElse(it) { Double.NaN }.isFinite() }
+    if (rows.size == states.size) return Series(positions, states)
     return Series(
-        DoubleArray(rows.size) { xAxis.positions[rows[it]] },
+        DoubleArray(rows.size) { positions[rows[it]] },
         DoubleArray(rows.size) { states[rows[it]] },
     )
 }

@@ -45,7 +45,7 @@ public class Series(public val x: DoubleArray, public val y: DoubleArray) {
     }
 
     /** The index of the first sample after [position]; [size] when there is none. Needs an ordered series. */
-    internal fun firstAfter(position: Double): Int {
+    public fun firstAfter(position: Double): Int {
         var low = 0
         var high = size
         while (low < high) {

@@ -1,31 +1,67 @@
 package badlog.analysis
 
 import badlog.recording.PathName
+import badlog.recording.Recording
 import badlog.recording.Topic
 
 /**
  * The common x of a recording's graphs.
  *
- * @property name what it is called: the base name of the topic with the `xaxis` attribute, else `Index`.
+ * @property name what it is called: the base name of the topic with the `xaxis` attribute, `Time` where topics have times of
+ *   their own, else `Index`.
  * @property unit its unit, `ul` for none.
- * @property positions the x of each row; may hold gaps, and may go backwards. Not to be changed.
- * @property topic the topic it comes from, or null for the row index.
+ * @property positions the x of each row; may hold gaps, and may go backwards. Empty where topics have times of their own. Not
+ *   to be changed.
+ * @property topic the topic it comes from, or null for the row index and for times of their own.
  */
 public class XAxis private constructor(
     public val name: String,
     public val unit: String,
     public val positions: DoubleArray,
     public val topic: Topic?,
+    private val ownTimes: List<DoubleArray>,
 ) {
     /** What stands below the graphs: `Name (unit)`, or the name alone without a unit. */
     public val title: String get() = if (Units.isNone(unit)) name else "$name ($unit)"
 
+    /** Whether x only counts rows. */
+    public val isIndex: Boolean get() = topic == null && ownTimes.isEmpty()
+
+    /** Every x of the recording: an array of [positions], or one for each clock of its topics, in which x ascends. */
+    public val clocks: List<DoubleArray> get() = ownTimes.ifEmpty { listOf(positions) }
+
+    /** The smallest and the largest x at which there is a sample; null without any. */
+    public val range: ClosedFloatingPointRange<Double>? by lazy {
+        var from = Double.POSITIVE_INFINITY
+        var to = Double.NEGATIVE_INFINITY
+        for (position in positions) {
+            if (!position.isFinite()) continue
+            if (position < from) from = position
+            if (position > to) to = position
+        }
+        for (times in ownTimes) {
+            if (times.isEmpty()) continue
+            from = minOf(from, times.first())
+            to = maxOf(to, times.last())
+        }
+        if (from <= to) from..to else null
+    }
+
     public companion object {
         /** The x axis that [topic] gives. */
-        internal fun of(topic: Topic): XAxis = XAxis(PathName.baseNameOf(topic.name), topic.unit, topic.samples, topic)
+        internal fun of(topic: Topic): XAxis =
+            XAxis(PathName.baseNameOf(topic.name), topic.unit, topic.samples, topic, emptyList())
 
         /** The index of each of [rowCount] rows, from 0. */
         internal fun index(rowCount: Int): XAxis =
-            XAxis("Index", Topic.UNITLESS, DoubleArray(rowCount) { it.toDouble() }, null)
+            XAxis("Index", Topic.UNITLESS, DoubleArray(rowCount) { it.toDouble() }, null, emptyList())
+
+        /** Time, where the topics of [recording] have times of their own; null where they have none. */
+        internal fun ofOwnTimes(recording: Recording): XAxis? {
+            val clocks = ArrayList<DoubleArray>()
+            // Topics that share a clock stand beside each other.
+            for (topic in recording.topics) topic.times?.let { if (it !== clocks.lastOrNull()) clocks += it }
+            return if (clocks.isEmpty()) null else XAxis("Time", "s", DoubleArray(0), null, clocks)
+        }
     }
 }

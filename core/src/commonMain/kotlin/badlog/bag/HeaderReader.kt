@@ -46,7 +46,7 @@ internal class HeaderReader(
         val seen = pending.bytes.copyOfRange(start, minOf(pending.end, start + FileSignature.BYTES))
         when (FileSignature.of(seen)) {
             FileSignature.GZIP -> return refuse("The file is compressed with gzip and has to be inflated first.")
-            FileSignature.WPILOG -> return refuse("This is a WPILOG file; this version of badlog reads bags and CSV.")
+            FileSignature.WPILOG -> return refuse("This is a WPILOG file, not a bag.")
             FileSignature.OTHER -> stage = Stage.FIRST_LINE
         }
         if (seen.size >= 2 && (startsWith(seen, 0xFF, 0xFE) || startsWith(seen, 0xFE, 0xFF))) {

@@ -12,6 +12,9 @@ package badlog.bag
 public fun headerText(header: BagHeader, asOriginal: Boolean = false): String =
     HeaderText(asOriginal).apply { append(header) }.toString()
 
+/** [text] as a string of JSON, with its quotes. */
+internal fun quotedJson(text: String): String = HeaderText(asOriginal = false).apply { quoted(text) }.toString()
+
 private class HeaderText(private val asOriginal: Boolean) {
     private val out = StringBuilder()
 
@@ -57,7 +60,7 @@ private class HeaderText(private val asOriginal: Boolean) {
         out.append(']')
     }
 
-    private fun quoted(text: String) {
+    fun quoted(text: String) {
         out.append('"')
         for (char in text) if (asOriginal) escapedAsOriginal(char) else escaped(char)
         out.append('"')

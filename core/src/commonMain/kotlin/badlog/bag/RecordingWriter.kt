@@ -26,6 +26,7 @@ public class RecordingWriter(
      * @param sink gets the file in pieces of about 64 KiB, each `[0, size)` of the array, which is used again after the
      *   call. What it throws stops the writing and is passed on.
      * @throws IllegalArgumentException when there are no such rows, or the recording was read without its samples.
+     * Also for a recording whose topics have times of their own, and for another format than bag and CSV.
      */
     public fun write(
         fromRow: Int = 0,
@@ -36,6 +37,7 @@ public class RecordingWriter(
         require(fromRow in 0..untilRow && untilRow <= recording.rowCount) {
             "There are no rows from $fromRow until $untilRow in a recording of ${recording.rowCount}."
         }
+        require(format != RecordingFormat.WPILOG) { "This writes bags and CSV, not $format." }
         requireSamples()
         val out = RowWriter()
         header(out)
@@ -61,7 +63,7 @@ public class RecordingWriter(
                 out.line(headerLineOf(recording))
                 if (names.isNotEmpty()) out.titles(names)
             }
-            RecordingFormat.CSV -> if (names.isNotEmpty()) csvTitles(names, out)
+            else -> if (names.isNotEmpty()) csvTitles(names, out)
         }
     }
 
@@ -78,6 +80,7 @@ public class RecordingWriter(
 
     private fun requireSamples() {
         for (topic in recording.topics) {
+            require(topic.times == null) { "“${topic.name}” has times of its own; rows can be made of it by resampling." }
             val counts = topic.counts
             val isMissing = topic.samples.isEmpty() && counts.texts + counts.empty < counts.total
             require(!isMissing && topic.texts.size == counts.texts) { "The samples of “${topic.name}” were not kept." }

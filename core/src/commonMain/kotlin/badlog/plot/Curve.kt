@@ -7,8 +7,11 @@ import badlog.analysis.Series
 /**
  * The points of one line, as they are to be joined on the screen: the samples themselves where they are few, else a
  * handful for each pixel column. Point `i` is `(x[i], y[i])`; a NaN in [y] breaks the line.
+ *
+ * @param holdsUntil null to join samples by straight lines. Else each value holds until the next sample, in steps, and the last
+ *   one until this x: as of a topic that is logged when it changes. Only for a series that is ordered.
  */
-public class Curve(private val series: Series) {
+public class Curve(private val series: Series, private val holdsUntil: Double? = null) {
     private val downsampling = Downsampling(series)
 
     /** Where each point stands, in its first [size] entries. */
@@ -17,6 +20,8 @@ public class Curve(private val series: Series) {
     /** The value of each point, NaN where the line is broken, in its first [size] entries. */
     public var y: DoubleArray = DoubleArray(0)
         private set
+
+    private var isCorner = BooleanArray(0)
 
     /** How many points there are. */
     public var size: Int = 0
@@ -62,23 +67,36 @@ public class Curve(private val series: Series) {
             drawColumns(from, to, columns)
             addNeighbour(end, end - 1, to + (to - from))
         }
+        if (holdsUntil != null && end == series.size) addStep(minOf(holdsUntil, to + (to - from)))
     }
 
     private fun drawSamples(first: Int, end: Int, from: Double, to: Double) {
         addNeighbour(first - 1, first, from - (to - from))
         for (i in first until end) {
             val value = series.y[i]
+            addStep(series.x[i])
             addPoint(series.x[i], value)
             see(value)
         }
         addNeighbour(end, end - 1, to + (to - from))
+        if (holdsUntil != null && first > 0) see(series.y[first - 1])
         if (min.isNaN()) for (i in 0 until size) see(y[i])
+    }
+
+    /** Leads the line on to [atX] as it stands, where values hold. */
+    private fun addStep(atX: Double) {
+        if (holdsUntil != null && size > 0 && !y[size - 1].isNaN()) addPoint(atX, y[size - 1], isCorner = true)
     }
 
     /** Adds sample [index], which lies out of sight, so that the line to [neighbour] runs out of the frame. */
     private fun addNeighbour(index: Int, neighbour: Int, limit: Double) {
-        if (index !in 0 until series.size || neighbour !in 0 until series.size) return
+        if (index !in 0 until series.size) return
         val far = series.x[index]
+        if (holdsUntil != null) {
+            if (index > neighbour) addStep(minOf(far, limit)) else addPoint(maxOf(far, limit), series.y[index])
+            return
+        }
+        if (neighbour !in 0 until series.size) return
         val near = series.x[neighbour]
         val isBeyond = if (far < near) far < limit else far > limit
         if (!isBeyond) {
@@ -111,6 +129,7 @@ public class Curve(private val series: Series) {
         for (i in 0 until columns.count) {
             if (columns.samples[i] == 0) continue
             val center = from + (i + 0.5) * width
+            addStep(center)
             if (columns.beginsInGap(i)) addPoint(center, Double.NaN)
             addColumn(center, columns.first[i], columns.min[i], columns.max[i], columns.last[i])
             if (columns.endsInGap(i)) addPoint(center, Double.NaN)
@@ -131,11 +150,16 @@ public class Curve(private val series: Series) {
         if (!last.isNaN() && last != far) addPoint(center, last)
     }
 
-    private fun addPoint(atX: Double, atY: Double) {
+    /** Whether point [index] is no sample, but where a value ends that has held until there. */
+    public fun isCorner(index: Int): Boolean = isCorner[index]
+
+    private fun addPoint(atX: Double, atY: Double, isCorner: Boolean = false) {
         if (size == x.size) {
             x = x.copyOf(maxOf(FIRST_POINTS, size * 2))
             y = y.copyOf(x.size)
+            this.isCorner = this.isCorner.copyOf(x.size)
         }
+        this.isCorner[size] = isCorner
         x[size] = atX
         y[size++] = if (atY.isFinite()) atY else Double.NaN
     }

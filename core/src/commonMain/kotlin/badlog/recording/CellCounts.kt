@@ -1,7 +1,8 @@
 package badlog.recording
 
 /**
- * How many cells of a topic held what. The first five add up to the number of rows, so every cell is accounted for.
+ * How many cells of a topic held what. The first five add up to the topic's [size][Topic.size], so every cell is accounted
+ * for. Where topics have times of their own, a sample is a cell and a neighbouring sample a neighbouring row.
  *
  * @property numbers finite numbers.
  * @property notFinite `NaN` and infinities that were written as such.
@@ -18,6 +19,6 @@ public data class CellCounts(
     public val empty: Int,
     public val gaps: Int,
 ) {
-    /** The number of rows. */
+    /** The number of cells. */
     public val total: Int get() = numbers + notFinite + truthValues + texts + empty
 }

@@ -1,7 +1,7 @@
 package badlog.recording
 
 /**
- * What can be wrong with a recording. The rules behind each kind are in `docs/bag-format.md`.
+ * What can be wrong with a recording. The rules behind each kind are in `docs/bag-format.md` and `docs/wpilog.md`.
  *
  * @property severity how much it matters.
  */
@@ -107,4 +107,34 @@ public enum class ProblemKind(public val severity: Severity) {
 
     /** An integral has gaps to carry over; the area under them is not known and not added. */
     INTEGRAL_OVER_GAPS(Severity.NOTE),
+
+    /** A WPILOG ends inside a record, which was dropped. */
+    RECORD_CUT(Severity.ERROR),
+
+    /** What stands in a WPILOG from some byte on is no record; nothing after it can be read. */
+    RECORDS_LOST(Severity.ERROR),
+
+    /** A record of a WPILOG does not have the bytes that its type asks for; it was dropped. */
+    BAD_RECORD(Severity.ERROR),
+
+    /** A record of a WPILOG belongs to no entry that was begun; it was dropped. */
+    UNKNOWN_ENTRY(Severity.ERROR),
+
+    /** Records of a WPILOG are from before the robot's clock began; they stand where the recording begins. */
+    EARLY_TIMES(Severity.WARNING),
+
+    /** Records of a WPILOG have times that cannot be, or are days away from all others; they were dropped. */
+    WILD_TIMES(Severity.ERROR),
+
+    /** A WPILOG has more topics, or an array more elements, than can be shown; the others were dropped. */
+    TOO_MANY_TOPICS(Severity.ERROR),
+
+    /** Samples of a topic stand in the file out of the order of time; they were sorted. */
+    TIMES_SORTED(Severity.NOTE),
+
+    /** A topic's bytes are of a type that is not decoded; the size of each record is shown. */
+    NOT_DECODED(Severity.NOTE),
+
+    /** Whole numbers beyond 2^53 lost their last digits. */
+    NUMBERS_ROUNDED(Severity.NOTE),
 }

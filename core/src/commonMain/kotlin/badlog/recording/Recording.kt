@@ -7,7 +7,8 @@ package badlog.recording
  * @property headerLine the JSON of the file's first line as it stands there, or null where it has none.
  * @property values the values, in the order of the file.
  * @property topics the topics, in the order of the file's header.
- * @property rowCount how many samples each topic has.
+ * @property rowCount how many samples each topic has, where they share rows; 0 where topics have
+ *   [times of their own][Topic.times], as in a WPILOG, which has no rows. [sampleCount] tells of either.
  * @property problems what was wrong, in the order in which it was found.
  */
 public class Recording(
@@ -18,6 +19,9 @@ public class Recording(
     public val rowCount: Int,
     public val problems: List<Problem>,
 ) {
+    /** How many samples all topics have together, gaps included. */
+    public val sampleCount: Long get() = topics.sumOf { it.size.toLong() }
+
     /** False for bytes that are no log at all, so that there is nothing to show but [problems]. */
     public val isReadable: Boolean get() = problems.none { it.kind == ProblemKind.NOT_A_RECORDING }
 

@@ -7,4 +7,7 @@ public enum class RecordingFormat {
 
     /** CSV alone: a bag without units, attributes and values. */
     CSV,
+
+    /** The log of WPILib's DataLog, in which each topic has times of its own. */
+    WPILOG,
 }

@@ -4,7 +4,7 @@ package badlog.recording
  * The text cells of a topic, sparse and without an object per cell: cell `i` is [dictionary]`[ids[i]]` and stands in row
  * [rows]`[i]`. Rows ascend.
  *
- * @property rows the rows, from 0, that have a text.
+ * @property rows the rows, from 0, that have a text; where the topic has times of its own, its samples that are one.
  * @property ids for each of [rows], the place of its text in [dictionary]; same size.
  * @property dictionary every different text once, in the order in which they were met.
  */

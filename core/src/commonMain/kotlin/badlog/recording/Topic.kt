@@ -1,15 +1,20 @@
 package badlog.recording
 
 /**
- * A named, united, attributed stream of samples, one for each row of its recording.
+ * A named, united, attributed stream of samples: one for each row of its recording, or at times of its own.
  *
  * @property name the full name, unique in its recording; `/` makes folders, see [PathName].
  * @property unit the unit as the file gives it; `ul` and the empty text mean none.
  * @property attributes the attributes as the file gives them, in its order.
- * @property samples one number for each row, NaN where the cell has none; of size 0 when no cell has a number. Not to be
+ * @property samples one number for each row or time, NaN where there is none; of size 0 when no cell has a number. Not to be
  *   changed.
  * @property texts the cells that hold a text.
  * @property counts what the cells held.
+ * @property times when each sample was taken, in s, finite and ascending, perhaps repeating; null where sample `i` belongs to
+ *   row `i` of the recording. Topics that were logged together share one array. Of size 0 when samples were not kept. Not to
+ *   be changed.
+ * @property type what the file calls the type of the samples, such as `double` or `struct:Pose2d`; empty where it names none.
+ * @property metadata what else the file says of the topic, often JSON; may be empty.
  */
 public class Topic(
     public val name: String,
@@ -18,9 +23,20 @@ public class Topic(
     public val samples: DoubleArray,
     public val texts: TextColumn,
     public val counts: CellCounts,
+    public val times: DoubleArray? = null,
+    public val type: String = "",
+    public val metadata: String = "",
 ) {
-    /** What the cells turned out to be. */
-    public val kind: TopicKind = kindOf(counts)
+    /** How many samples there are, gaps included; known even where they were not kept. */
+    public val size: Int get() = counts.total
+
+    /**
+     * What the cells turned out to be. Mostly texts with times of their own are a [state][TopicKind.STATE] when there are few
+     * different ones or each comes twice on average, else [events][TopicKind.EVENT]; where the samples were not kept, a state.
+     */
+    public val kind: TopicKind = kindOf(counts).let {
+        if (it == TopicKind.STATE && times != null && tellsEvents(texts)) TopicKind.EVENT else it
+    }
 
     /**
      * Whether fewer than half of the rows have a number, and those mostly stand alone. Such a topic is sampled at times of its
@@ -28,6 +44,7 @@ public class Topic(
      */
     public val isSparse: Boolean
         get() {
+            if (times != null) return false
             val withoutNumber = counts.empty.toLong() + counts.texts
             val withNumber = counts.total - withoutNumber
             return withoutNumber > withNumber && withNumber < ALONE * counts.gaps
@@ -40,6 +57,9 @@ public class Topic(
         /** On average so many numbers between two gaps still count as standing alone. */
         private const val ALONE = 2L
 
+        /** So many different texts are states, however often they come. */
+        private const val FEW_STATES = 8
+
         internal fun kindOf(counts: CellCounts): TopicKind {
             val numeric = counts.numbers + counts.notFinite + counts.truthValues
             return when {
@@ -48,6 +68,11 @@ public class Topic(
                 counts.truthValues == numeric -> TopicKind.BOOLEAN
                 else -> TopicKind.NUMERIC
             }
+        }
+
+        private fun tellsEvents(texts: TextColumn): Boolean {
+            val different = texts.dictionary.size
+            return different > FEW_STATES && different * 2L > texts.size
         }
     }
 }

@@ -54,4 +54,31 @@ class CurveSpec : FunSpec({
         curve.draw(0.0, 2.0, PixelColumns(4))
         curve.max shouldBe 9.0
     }
+
+    test("a value that holds is a step, and the last one goes on until the end") {
+        val series = Series(doubleArrayOf(1.0, 3.0, 4.0), doubleArrayOf(5.0, 7.0, Double.NaN))
+        val curve = Curve(series, holdsUntil = 9.0)
+        curve.draw(0.0, 10.0, PixelColumns(100))
+        curve.points().map { (x, y) -> x to y.takeUnless(Double::isNaN) } shouldBe
+            listOf(1.0 to 5.0, 3.0 to 5.0, 3.0 to 7.0, 4.0 to 7.0, 4.0 to null)
+        List(curve.size) { curve.isCorner(it) } shouldBe listOf(false, true, false, true, false)
+        val open = Curve(Series(doubleArrayOf(1.0, 3.0), doubleArrayOf(5.0, 7.0)), holdsUntil = 9.0)
+        open.draw(0.0, 10.0, PixelColumns(100))
+        open.points().last() shouldBe (9.0 to 7.0)
+        open.draw(1.5, 2.0, PixelColumns(100))
+        open.points() shouldBe listOf(1.0 to 5.0, 2.5 to 5.0)
+        open.min to open.max shouldBe (5.0 to 5.0)
+        open.draw(4.0, 5.0, PixelColumns(100))
+        open.points() shouldBe listOf(3.0 to 7.0, 6.0 to 7.0)
+        open.draw(2.5, 4.0, PixelColumns(100))
+        open.min to open.max shouldBe (5.0 to 7.0)
+    }
+
+    test("many samples that hold stay level over a stretch without any") {
+        val x = DoubleArray(20_000) { if (it < 10_000) it * 1e-3 else 90 + it * 1e-3 }
+        val curve = Curve(Series(x, DoubleArray(20_000) { if (it < 10_000) 0.0 else 1.0 }), holdsUntil = 110.0)
+        curve.draw(0.0, 110.0, PixelColumns(110))
+        for (i in 1 until curve.size) if (curve.y[i] != curve.y[i - 1]) curve.x[i] shouldBe curve.x[i - 1]
+        curve.x[curve.size - 1] shouldBe 110.0
+    }
 })

@@ -1,6 +1,5 @@
 package badlog.file
 
-import badlog.bag.BagParser
 import badlog.recording.Recording
 import java.util.concurrent.ExecutionException
 import java.util.concurrent.Executors
@@ -10,7 +9,7 @@ import java.util.concurrent.Future
  * Parses on a thread of its own, while the calling one inflates the next piece. Few pieces are in flight, which bounds the
  * memory.
  */
-internal class ParsingThread(private val parser: BagParser) : AutoCloseable {
+internal class ParsingThread(private val parser: RecordingParser) : AutoCloseable {
     private class Piece {
         val bytes = ByteArray(SIZE)
         var size = 0

@@ -6,6 +6,9 @@ import badlog.bag.VARIED_ROWS
 import badlog.bag.describe
 import badlog.bag.parse
 import badlog.recording.ProblemKind
+import badlog.wpilog.VARIED_LOG
+import badlog.wpilog.describeLog
+import badlog.wpilog.parseLog
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.booleans.shouldBeFalse
@@ -162,6 +165,27 @@ class ReadRecordingSpec : FunSpec({
             for (recording in listOf(readRecording(file), readRecording(file, untilLastLineEnd = true))) {
                 recording.topics.shouldBeEmpty()
                 recording.problems.map { it.kind } shouldContain ProblemKind.EMPTY_FILE
+            }
+        }
+    }
+
+    test("a WPILOG, plain or compressed, reads as its bytes do") {
+        inFolder { folder ->
+            val expected = describeLog(parseLog(VARIED_LOG.bytes))
+            describeLog(readRecording(fileOf(folder, VARIED_LOG.bytes))) shouldBe expected
+            describeLog(readRecording(fileOf(folder, gzip(VARIED_LOG.bytes)))) shouldBe expected
+            val cut = readRecording(fileOf(folder, gzip(VARIED_LOG.bytes).let { it.copyOf(it.size - 30) }))
+            cut.problems.first().kind shouldBe ProblemKind.GZIP_CUT
+        }
+    }
+
+    test("of a WPILOG that is still being written, the whole records are read and the half one is no problem") {
+        inFolder { folder ->
+            val bytes = VARIED_LOG.bytes
+            for (cut in 1..20) {
+                val beginning = bytes.copyOf(bytes.size - cut)
+                val kinds = readRecording(fileOf(folder, beginning), untilLastLineEnd = true).problems.map { it.kind }
+                kinds shouldBe parseLog(beginning).problems.map { it.kind } - ProblemKind.RECORD_CUT
             }
         }
     }

@@ -2,7 +2,16 @@ package badlog.viewer
 
 import badlog.analysis.LogView
 import badlog.bag.BagParser
+import badlog.recording.CellCounts
+import badlog.recording.Recording
+import badlog.recording.RecordingFormat
+import badlog.recording.TextColumn
+import badlog.recording.Topic
+import badlog.recording.Value
 import badlog.viewer.recording.OpenRecording
+import badlog.wpilog.WpilogParser
+import badlog.wpilog.WpilogWriter
+import java.io.ByteArrayOutputStream
 import java.nio.file.Path
 
 /** The recording that [text] is as a bag, as if it were in a file called [name]. */
@@ -20,4 +29,32 @@ internal fun bagOf(topics: List<String>, rows: List<String>, values: Map<String,
         """{"name":"${topic.substringBefore('|')}","unit":"V","attrs":[$attributes]}"""
     } + values.entries.joinToString(",", "\"values\":[", "]}") { (name, value) -> """{"name":"$name","value":"$value"}""" }
     return (listOf(header, topics.joinToString(",") { it.substringBefore('|') }) + rows).joinToString("\n", postfix = "\n")
+}
+
+/** A topic of numbers as a WPILOG has it: each of [samples] a time in s and what was logged then. */
+internal fun loggedTopic(name: String, vararg samples: Pair<Double, Double>, unit: String = "V"): Topic = Topic(
+    name, unit, emptyList(), DoubleArray(samples.size) { samples[it].second }, TextColumn.EMPTY,
+    CellCounts(samples.size, 0, 0, 0, 0, 0), DoubleArray(samples.size) { samples[it].first }, "double",
+)
+
+/** A topic of texts likewise. */
+internal fun loggedTexts(name: String, vararg samples: Pair<Double, String>): Topic {
+    val texts = samples.map { it.second }.distinct()
+    val column = TextColumn(IntArray(samples.size) { it }, IntArray(samples.size) { texts.indexOf(samples[it].second) }, texts)
+    val counts = CellCounts(0, 0, 0, samples.size, 0, 1)
+    return Topic(name, Topic.UNITLESS, emptyList(), DoubleArray(0), column, counts, DoubleArray(samples.size) { samples[it].first }, "string")
+}
+
+/** The bytes of a WPILOG of [topics] and [values]. */
+internal fun wpilogOf(topics: List<Topic>, values: List<Value> = emptyList()): ByteArray {
+    val out = ByteArrayOutputStream()
+    WpilogWriter(Recording(RecordingFormat.WPILOG, null, values, topics, 0, emptyList())).write { bytes, size -> out.write(bytes, 0, size) }
+    return out.toByteArray()
+}
+
+/** The recording of a WPILOG of [topics]. */
+internal fun wpilogRecording(vararg topics: Topic): OpenRecording {
+    val parser = WpilogParser()
+    parser.accept(wpilogOf(topics.toList()))
+    return OpenRecording(Path.of("test.wpilog").toAbsolutePath(), LogView.of(parser.finish()))
 }

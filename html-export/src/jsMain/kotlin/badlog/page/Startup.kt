@@ -53,7 +53,7 @@ internal class Startup {
     }
 
     private fun show(read: Recording, about: About, element: Element) {
-        val downloads = Downloads(about, element, read.headerLine != null)
+        val downloads = Downloads(about, element, read)
         val unreadable = read.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
         if (unreadable != null) {
             fail("There is nothing to show of ${about.name}", unreadable.message, downloads.element)

@@ -1,9 +1,9 @@
 package badlog.html
 
 import badlog.analysis.matchTitle
-import badlog.bag.BagParser
 import badlog.bag.FileSignature
 import badlog.file.GzipReader
+import badlog.file.RecordingParser
 import badlog.recording.ProblemKind
 
 /**
@@ -21,7 +21,7 @@ internal class FileHead private constructor(val isGzip: Boolean, val title: Stri
         /** Looks at the beginning of a file. */
         fun of(bytes: ByteArray): FileHead {
             val isGzip = FileSignature.of(bytes) == FileSignature.GZIP
-            val parser = BagParser(keepSamples = false)
+            val parser = RecordingParser(keepSamples = false)
             if (isGzip) {
                 GzipReader { inflated, size -> parser.accept(inflated, 0, size) }
                     .use { it.accept(bytes, 0, minOf(bytes.size, BYTES / 4)) }

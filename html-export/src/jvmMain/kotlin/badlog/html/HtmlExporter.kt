@@ -1,6 +1,6 @@
 package badlog.html
 
-import badlog.bag.BagParser
+import badlog.file.RecordingParser
 import badlog.file.withGzipCut
 import badlog.recording.ProblemKind
 import java.io.ByteArrayInputStream
@@ -22,7 +22,7 @@ class HtmlExporter(
     private val parts: PageParts = PageParts.bundled(),
 ) {
     /**
-     * Makes the page [output] of the file [input], a bag or a CSV file, perhaps compressed with gzip. Whatever is wrong
+     * Makes the page [output] of the file [input], a bag, a CSV file or a WPILOG, perhaps compressed with gzip. Whatever is wrong
      * in it is told in the report and on the page. [output] is replaced only by a whole page; its folder is made if
      * need be.
      *
@@ -54,7 +54,7 @@ class HtmlExporter(
     ): ExportReport {
         val name = input.fileName.toString()
         val total = Files.size(input)
-        val parser = BagParser(keepSamples = false)
+        val parser = RecordingParser(keepSamples = false)
         Files.createDirectories(page.parent)
         return NewFile(page).use { file ->
             val writer = PageWriter(file.out, parts)

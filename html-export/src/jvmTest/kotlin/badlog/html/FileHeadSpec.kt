@@ -8,10 +8,11 @@ import io.kotest.matchers.string.shouldContain
 class FileHeadSpec : FunSpec({
     fun refusal(bytes: ByteArray) = FileHead.of(bytes).refusal
 
-    test("bytes that no text has, and another log's signature, are refused at once") {
+    test("bytes that no text has, and a WPILOG of another version, are refused at once") {
         val binary = byteArrayOf(1, 2, 3, 0, -1)
         for (bytes in listOf(binary, gzip(binary))) refusal(bytes).orEmpty() shouldContain "bytes that no text has"
-        refusal("WPILOG\u0000\u0001".encodeToByteArray()).orEmpty() shouldContain "WPILOG"
+        refusal("WPILOG\u0000\u0002\u0000\u0000\u0000\u0000".encodeToByteArray()).orEmpty() shouldContain "WPILOG of version 2"
+        refusal("WPILOG\u0000\u0001\u0000\u0000\u0000\u0000".encodeToByteArray()).shouldBeNull()
     }
 
     test("a text without numbers so far is not refused, for they may follow") {

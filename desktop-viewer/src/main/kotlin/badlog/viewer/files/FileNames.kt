@@ -19,4 +19,4 @@ internal fun stemOf(file: Path): String {
 
 private const val FORBIDDEN = "\\/:*?\"<>|"
 private const val LONGEST = 120
-private val ENDINGS = listOf(".gz", ".bag", ".badbag", ".csv")
+private val ENDINGS = listOf(".gz", ".bag", ".badbag", ".csv", ".wpilog")

@@ -13,6 +13,7 @@ import androidx.compose.ui.graphics.graphicsLayer
 import badlog.plot.Span
 import badlog.viewer.graph.plot.PlotPicture
 import badlog.viewer.graph.plot.PlotState
+import badlog.viewer.recording.indexAt
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Palette
 
@@ -65,13 +66,15 @@ private fun DrawScope.drawGesture(gesture: PlotGesture, id: Int, visible: Span, 
     }
 }
 
-/** A dot on each line at the very sample that the legend reads. */
+/** A dot on each line where the legend reads it: at the very sample, or where its value holds. */
 private fun DrawScope.drawSamples(picture: PlotPicture, cursor: Double, visible: Span, palette: Palette) {
     for (line in picture.lines) {
-        val index = line.series.nearest(cursor - line.line.offset)
+        val signal = line.line.signal
+        val index = signal.indexAt(line.series, cursor - line.line.offset)
         if (index < 0) continue
         val value = line.series.y[index]
-        val x = pixelOf(line.series.x[index] + line.line.offset, visible, size.width)
+        val place = if (signal.holds) cursor else line.series.x[index] + line.line.offset
+        val x = pixelOf(place, visible, size.width)
         if (!value.isFinite() || x < 0 || x > size.width) continue
         val y = picture.axes[line.axis].pixelOf(value, picture.plotHeight)
         if (y < 0 || y > picture.plotHeight) continue

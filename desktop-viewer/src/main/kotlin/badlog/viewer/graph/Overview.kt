@@ -66,10 +66,13 @@ internal fun Overview(scene: GraphScene) {
     }
 }
 
-/** The graph in the overview: the battery's voltage, in which a match is easily known again, or else the first line of numbers. */
+/** The graph in the overview: the battery's voltage, in which a match is easily known again, or else the first numbers that change. */
 internal fun overviewSpec(open: OpenRecording): GraphSpec? {
     val numbers = open.signals.filter { it.states == null && !it.isDerived }
-    val chosen = batteryAmong(numbers, { it.name }, { it.unit }) ?: numbers.firstOrNull() ?: return null
+    val chosen = batteryAmong(numbers, { it.name }, { it.unit })
+        ?: numbers.firstOrNull { everChanges(it.topic) }
+        ?: numbers.firstOrNull()
+        ?: return null
     return GraphSpec(OVERVIEW, chosen.name, listOf(LineSpec(chosen.name)))
 }
 

@@ -5,12 +5,16 @@ import badlog.analysis.LogView
 
 /**
  * The graphs that the attributes of a recording's topics ask for, in their order. States that follow one another in a folder
- * share a graph, in which each has a lane, up to so many that it still fits a screen. The x axis is no graph of itself.
+ * share a graph, in which each has a lane, up to so many that it still fits a screen. The x axis is no graph of itself. Of a
+ * WPILOG, in which everything that a dashboard shows is logged, topics that never change stay in the list.
  */
 internal fun standardGraphs(view: LogView): GraphList {
     var id = 0
+    val hasChanges = view.folders.any { folder -> folder.graphs.any(::changes) }
     val specs = view.folders.flatMap { folder ->
-        val graphsOfFolder = folder.graphs.filter { graph -> graph.series.any { it.isDerived || it.topic !== view.xAxis.topic } }
+        val graphsOfFolder = folder.graphs.filter { graph ->
+            graph.series.any { it.isDerived || it.topic !== view.xAxis.topic } && (!hasChanges || changes(graph))
+        }
         runsOf(graphsOfFolder).map { graphs ->
             val first = graphs.first()
             val isJoint = graphs.size > 1
@@ -36,6 +40,8 @@ private fun runsOf(graphs: List<Graph>): List<List<Graph>> {
     }
     return runs
 }
+
+private fun changes(graph: Graph) = graph.series.any { it.topic.times == null || everChanges(it.topic) }
 
 private fun nameOf(graph: Graph) =
     if (graph.isVirtual) listOf(graph.folder, graph.title).filter { it.isNotEmpty() }.joinToString("/") else graph.name

@@ -43,7 +43,10 @@ internal enum class LogColumn(
         "Duration", 80, compareBy { it.duration ?: 0.0 }, isNumber = true, beginsDescending = true,
         has = { it.duration != null }, text = ::durationText,
     ),
-    ROWS("Rows", 80, compareBy { it.rows }, isNumber = true, beginsDescending = true, text = { "%,d".format(ENGLISH, it.rows) }),
+    SAMPLES(
+        "Samples", 96, compareBy { it.samples }, isNumber = true, beginsDescending = true,
+        text = { "%,d".format(ENGLISH, it.samples) },
+    ),
     SIZE(
         "Size", 80, compareBy { it.source.size }, isNumber = true, beginsDescending = true,
         text = { sizeText(it.source.size) },

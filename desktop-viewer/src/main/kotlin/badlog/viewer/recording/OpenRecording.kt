@@ -31,26 +31,19 @@ internal class OpenRecording(val file: Path, val view: LogView) {
     val enabled: List<EnabledSpan> by lazy { view.enabledSpans() }
 
     /** All of the x axis that has samples; wider than that where there is a single x. */
-    val span: Span
+    val span: Span = fullSpan(view.xAxis.range)
 
     /** The smallest x; 0 without any. */
-    val firstX: Double
+    val firstX: Double = view.xAxis.range?.start ?: 0.0
 
-    init {
-        val placed = finiteSpan(view.xAxis.positions)
-        firstX = placed?.from ?: 0.0
-        span = when {
-            placed == null -> Span(0.0, 1.0)
-            placed.width > 0 -> placed
-            else -> Span(placed.from - 0.5, placed.from + 0.5)
-        }
-    }
-
-    /** Where on x there are rows, ascending: the places the cursor steps to. */
-    val positions: DoubleArray by lazy { ascending(view.xAxis.positions) }
+    /** Where on x there are samples, ascending: the places the cursor steps to. */
+    val positions: DoubleArray by lazy { ascending(view.xAxis.clocks) }
 
     /** What a person would call it: the match, or else the name of the file. */
     val label: String get() = view.title ?: file.fileName.toString()
+
+    /** Until where the last value of [signal] holds; null where the samples of [signal] are joined by straight lines. */
+    fun holdsUntil(signal: Signal): Double? = if (signal.holds) span.to else null
 
     /** The signal called [name], or null when this recording has none. */
     fun signal(name: String): Signal? = byName[name]
@@ -89,7 +82,25 @@ private fun signalsOf(view: LogView): List<Signal> {
     return logged + derived
 }
 
-private fun ascending(positions: DoubleArray): DoubleArray {
+/** Every place in [clocks], ascending. Those of several clocks are there once each. */
+private fun ascending(clocks: List<DoubleArray>): DoubleArray {
+    if (clocks.size > 1) return merged(clocks)
+    val positions = clocks.single()
     val isAscending = positions.indices.all { positions[it].isFinite() && (it == 0 || positions[it] >= positions[it - 1]) }
     return if (isAscending) positions else positions.filter { it.isFinite() }.toDoubleArray().apply { sort() }
+}
+
+private fun merged(clocks: List<DoubleArray>): DoubleArray {
+    val all = DoubleArray(clocks.sumOf { it.size })
+    clocks.fold(0) { at, clock -> clock.copyInto(all, at).let { at + clock.size } }
+    all.sort()
+    var size = 0
+    for (place in all) if (size == 0 || place > all[size - 1]) all[size++] = place
+    return all.copyOf(size)
+}
+
+private fun fullSpan(range: ClosedFloatingPointRange<Double>?): Span = when {
+    range == null -> Span(0.0, 1.0)
+    range.start < range.endInclusive -> Span(range.start, range.endInclusive)
+    else -> Span(range.start - 0.5, range.start + 0.5)
 }

@@ -26,10 +26,10 @@ internal fun Series.lastAtOrBefore(position: Double?): Int {
 
 /**
  * The index of the sample of [series], this signal's, that a cursor at [position] reads, the last one for null; -1 when there is
- * none. Of numbers that is the nearest one, on which the cursor's dot stands; a state lasts until the next.
+ * none. Of numbers that is the nearest one, on which the cursor's dot stands; a state lasts until the next, and so does what holds.
  */
 internal fun Signal.indexAt(series: Series, position: Double?): Int =
-    if (states != null || position == null) series.lastAtOrBefore(position) else series.nearest(position)
+    if (states != null || holds || position == null) series.lastAtOrBefore(position) else series.nearest(position)
 
 /** What [signal] says at [position], or at its end for null: a number with its unit or the name of a state; `–` for a gap. */
 internal fun valueText(signal: Signal, series: Series, position: Double?): String {

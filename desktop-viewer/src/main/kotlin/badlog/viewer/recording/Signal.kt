@@ -26,6 +26,9 @@ internal class Signal(val name: String, val isDerived: Boolean, private val line
     /** Whether its samples are numbers, or truth values, that can be calculated with; else they stand for states, or are none. */
     val hasFigures: Boolean get() = topic.samples.isNotEmpty() && topic.kind != TopicKind.STATE && topic.kind != TopicKind.EVENT
 
+    /** Whether a sample's value holds until the next one: that of a topic with times of its own, logged when it changes. */
+    val holds: Boolean get() = line.holds
+
     /** The folder it belongs to; empty for the root folder. */
     val folder: String get() = PathName.folderOf(name)
 

@@ -52,7 +52,7 @@ class LibraryFolderSpec : FunSpec({
             folder.put("new folder/second.bag", bag(200))
             eventually(longest) { names(viewer) shouldContainExactlyInAnyOrder listOf("first.bag", "second.bag") }
             Files.writeString(first, "9999,5.5,1\n".repeat(50), StandardOpenOption.APPEND)
-            eventually(longest) { viewer.library.entries.single { it.fileName == "first.bag" }.rows shouldBe 150 }
+            eventually(longest) { viewer.library.entries.single { it.fileName == "first.bag" }.samples shouldBe 450 }
             viewer.library.entries.single { it.fileName == "first.bag" }.batteryMinimum shouldBe 5.5
             Files.move(first, folder.resolve("third.bag"))
             eventually(longest) { names(viewer) shouldContainExactlyInAnyOrder listOf("third.bag", "second.bag") }

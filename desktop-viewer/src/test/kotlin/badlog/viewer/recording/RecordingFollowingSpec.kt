@@ -1,14 +1,26 @@
 package badlog.viewer.recording
 
+import badlog.viewer.app.Viewer
 import badlog.viewer.bagOf
 import badlog.viewer.graph.viewerOf
+import badlog.viewer.loggedTopic
 import badlog.viewer.recordingOf
+import badlog.viewer.settings.UserFolders
+import badlog.viewer.wpilogOf
+import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import java.io.IOException
+import java.nio.file.Files
+import kotlin.time.Duration.Companion.seconds
+import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.Job
+import kotlinx.coroutines.cancel
 import kotlinx.coroutines.withContext
 
 class RecordingFollowingSpec : FunSpec({
@@ -33,5 +45,32 @@ class RecordingFollowingSpec : FunSpec({
         withContext(Dispatchers.Main) { following.follow(shown, before) }
         viewer.notices.all.single().text shouldContain "is gone from its folder"
         viewer.open shouldBe shown
+    }
+
+    test("a WPILOG that grows is followed, and the half of its last record is no problem while it does") {
+        val home = tempdir().toPath()
+        val whole = wpilogOf(listOf(loggedTopic("Gain", *List(100) { it * 1.0 to it * 2.0 }.toTypedArray())))
+        val file = home.resolve("growing.wpilog")
+        Files.write(file, whole.copyOf(whole.size / 2))
+        val scope = CoroutineScope(Dispatchers.Main + Job())
+        val viewer = Viewer(scope, UserFolders(home, home))
+        fun size() = viewer.open.shouldNotBeNull().view.recording.sampleCount
+        try {
+            withContext(Dispatchers.Main) { viewer.loading.open(file) }
+            eventually(20.seconds) { size() }
+            val before = size()
+            // What is cut is cut inside a record.
+            Files.write(file, whole.copyOf(whole.size - 3))
+            eventually(20.seconds) {
+                size() shouldBe 99
+                viewer.open.shouldNotBeNull().view.recording.problems.shouldBeEmpty()
+            }
+            (before in 1..98) shouldBe true
+            viewer.viewport.visible.to shouldBe 98.0
+            Files.write(file, whole)
+            eventually(20.seconds) { size() shouldBe 100 }
+        } finally {
+            scope.cancel()
+        }
     }
 })

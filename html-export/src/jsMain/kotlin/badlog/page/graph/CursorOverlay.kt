@@ -49,9 +49,10 @@ internal class CursorOverlay(
     private fun place(dot: HTMLElement, index: Int, x: Double, width: Int) {
         val now = scene.range.now
         val share = figure.heightAt(index, x)
-        val data = graph.series[index].data
-        val nearest = data.nearest(x)
-        val sampleX = if (nearest < 0) Double.NaN else (data.x[nearest] - now.from) / now.width
+        val series = graph.series[index]
+        val sample = series.indexAt(x)
+        val dotX = if (series.holds) x else if (sample < 0) Double.NaN else series.data.x[sample]
+        val sampleX = (dotX - now.from) / now.width
         dot.isHidden = !(share in 0.0..1.0 && sampleX in 0.0..1.0)
         if (!dot.isHidden) dot.style.transform = "translate(${sampleX * width}px, ${share * over.clientHeight}px)"
     }

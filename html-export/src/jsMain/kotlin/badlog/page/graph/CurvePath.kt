@@ -55,7 +55,7 @@ internal fun dotsPath(curve: Curve, frame: PlotFrame, radius: Double): dynamic {
     val dots = Path2D()
     for (i in 0 until curve.size) {
         val x = frame.pixelOfX(curve.x[i])
-        if (curve.y[i].isNaN() || x < frame.left - radius || x > frame.right + radius) continue
+        if (curve.isCorner(i) || curve.y[i].isNaN() || x < frame.left - radius || x > frame.right + radius) continue
         val y = frame.pixelOfY(curve.y[i])
         dots.moveTo(x + radius, y)
         dots.arc(x, y, radius, 0.0, 2 * PI)

@@ -34,7 +34,7 @@ internal class GraphCard(val graph: Graph, private val scene: Scene) {
         setAttribute("data-name", graph.name)
         setAttribute("data-kind", if (graph.showsStates) "states" else "lines")
         add("header", "graph-head") {
-            add("h3", "graph-title", graph.title).title = graph.name
+            add("h3", "graph-title", graph.title).title = hintOf(graph)
             add("span", "unit graph-unit", unitText(graph.unit))
             appendChild(legend.element)
             add("div", "graph-tools") {
@@ -65,7 +65,7 @@ internal class GraphCard(val graph: Graph, private val scene: Scene) {
         val figure = if (graph.showsStates) {
             LaneFigure(graph, scene.palette, isShown, scene.range.full.to)
         } else {
-            LineFigure(graph, scene.palette, isShown)
+            LineFigure(graph, scene.palette, isShown, scene.range.full.to)
         }
         host.textContent = ""
         host.style.height = "${figure.height}px"
@@ -156,4 +156,10 @@ internal class GraphCard(val graph: Graph, private val scene: Scene) {
     private companion object {
         const val PAUSE_MILLISECONDS = 150
     }
+}
+
+/** The whole name, and what the file says of the topic besides. */
+private fun hintOf(graph: Graph): String {
+    val topic = graph.series[0].topic
+    return listOf(graph.name, topic.type, topic.metadata).filter { it.isNotEmpty() }.joinToString("\n")
 }

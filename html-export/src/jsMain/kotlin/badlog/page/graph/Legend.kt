@@ -55,9 +55,9 @@ internal class Legend(
 
     private fun valueAt(series: GraphSeries, x: Double): String {
         val data = series.data
-        val nearest = data.nearest(x)
-        if (nearest < 0) return "–"
-        val sample = data.y[nearest]
+        val index = series.indexAt(x)
+        if (index < 0) return "–"
+        val sample = data.y[index]
         val states = series.states
         return if (states == null || sample.isNaN()) numberText(sample) else states.getOrElse(sample.toInt()) { "?" }
     }

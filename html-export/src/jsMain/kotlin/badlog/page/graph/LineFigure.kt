@@ -14,13 +14,15 @@ import org.w3c.dom.CanvasRenderingContext2D
  * Numbers as lines over x.
  *
  * @param isShown for each series whether its line is to be drawn; the legend changes it.
+ * @param end until where the last value of a series holds, if its values do.
  */
 internal class LineFigure(
     private val graph: Graph,
     private val palette: Palette,
     private val isShown: BooleanArray,
+    end: Double,
 ) : Figure {
-    private val curves = graph.series.map { Curve(it.data) }
+    private val curves = graph.series.map { Curve(it.data, if (it.holds) end else null) }
 
     override val height: Int get() = HEIGHT
     override val limits: YLimits = YLimits()
@@ -70,10 +72,10 @@ internal class LineFigure(
     override fun draw(context: CanvasRenderingContext2D, frame: PlotFrame) = Unit
 
     override fun heightAt(index: Int, x: Double): Double {
-        val data = graph.series[index].data
-        val nearest = data.nearest(x)
-        if (!isShown[index] || nearest < 0) return Double.NaN
-        return (limits.to - data.y[nearest]) / (limits.to - limits.from)
+        val series = graph.series[index]
+        val sample = series.indexAt(x)
+        if (!isShown[index] || sample < 0) return Double.NaN
+        return (limits.to - series.data.y[sample]) / (limits.to - limits.from)
     }
 
     private companion object {

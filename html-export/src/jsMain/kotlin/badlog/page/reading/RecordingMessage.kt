@@ -29,14 +29,14 @@ internal object RecordingMessage {
 
     /** The buffers of [recording] that change their owner. */
     fun buffersOf(recording: Recording): Array<dynamic> {
-        val buffers = ArrayList<dynamic>()
+        // Topics may share their times, and empty columns share one array: no buffer may be handed over twice.
+        val buffers = js("new Set()")
         for (topic in recording.topics) {
-            for (array in arrayOf<dynamic>(topic.samples, topic.texts.rows, topic.texts.ids)) {
-                // Empty columns share one array, and no buffer may be handed over twice.
-                if (array.length > 0) buffers.add(array.buffer)
+            for (array in arrayOf<dynamic>(topic.samples, topic.times, topic.texts.rows, topic.texts.ids)) {
+                if (array != null && array.length > 0) buffers.add(array.buffer)
             }
         }
-        return buffers.toTypedArray()
+        return js("Array").from(buffers).unsafeCast<Array<dynamic>>()
     }
 
     /** The recording that [message] is of. */
@@ -63,6 +63,9 @@ internal object RecordingMessage {
         message.unit = topic.unit
         message.attributes = topic.attributes.toTypedArray()
         message.samples = topic.samples
+        message.times = topic.times
+        message.type = topic.type
+        message.metadata = topic.metadata
         message.rows = topic.texts.rows
         message.ids = topic.texts.ids
         message.dictionary = topic.texts.dictionary.toTypedArray()
@@ -83,6 +86,9 @@ internal object RecordingMessage {
                 message.dictionary.unsafeCast<Array<String>>().asList(),
             ),
             counts = CellCounts(counts[0], counts[1], counts[2], counts[3], counts[4], counts[5]),
+            times = message.times.unsafeCast<DoubleArray?>(),
+            type = message.type as String,
+            metadata = message.metadata as String,
         )
     }
 }

@@ -1,6 +1,6 @@
 package badlog.page.reading
 
-import badlog.bag.BagParser
+import badlog.file.RecordingParser
 import badlog.page.embedded.Base64
 import badlog.page.embedded.Inflation
 import badlog.page.text.bytesText
@@ -20,7 +20,7 @@ internal class RecordingReader(
     isWhole: Boolean,
     private val onProgress: (Double) -> Unit,
 ) {
-    private val parser = BagParser(expectedBytes.toLong())
+    private val parser = RecordingParser(expectedBytes.toLong())
     private var told = 0.0
     private val inflation = Inflation(expectedBytes, isWhole, ::read)
 

@@ -8,6 +8,8 @@ import badlog.page.dom.saveFile
 import badlog.page.embedded.About
 import badlog.page.embedded.CsvPart
 import badlog.page.embedded.EmbeddedFile
+import badlog.recording.Recording
+import badlog.recording.RecordingFormat
 import kotlin.js.Promise
 import kotlinx.browser.document
 import org.w3c.dom.Element
@@ -18,12 +20,12 @@ import org.w3c.files.Blob
 /**
  * The buttons that give files back: the original, byte for byte, its CSV part, and whatever else the page carries.
  *
- * @param hasHeaderLine whether the file's first line is not CSV.
+ * @param read what the file was read as; only of rows there is a CSV part.
  */
 internal class Downloads(
     private val about: About,
     recording: Element,
-    private val hasHeaderLine: Boolean,
+    private val read: Recording,
 ) {
     private val file = EmbeddedFile(recording)
 
@@ -32,7 +34,9 @@ internal class Downloads(
             if (about.isCompressed) Promise.resolve(file.compressed()) else file.inflated(about.inflatedBytes)
         }
         val csvName = if (about.name.lowercase().endsWith(".csv")) about.name else "${about.name}.csv"
-        addDownload("download-csv", Icon.TABLE, "CSV", "Save the samples for a spreadsheet", csvName) { csv() }
+        if (read.format != RecordingFormat.WPILOG) {
+            addDownload("download-csv", Icon.TABLE, "CSV", "Save the samples for a spreadsheet", csvName) { csv() }
+        }
         val attachments = document.querySelectorAll("script.attachment").asList()
         attachments.forEachIndexed { index, node ->
             val carrier = node.unsafeCast<HTMLElement>()
@@ -44,7 +48,7 @@ internal class Downloads(
     }
 
     private fun csv(): Promise<Blob> =
-        file.inflated(about.inflatedBytes, !about.isCompressed, CsvPart(hasHeaderLine)::filter)
+        file.inflated(about.inflatedBytes, !about.isCompressed, CsvPart(read.headerLine != null)::filter)
 
     private fun HTMLElement.addDownload(
         id: String,

@@ -18,9 +18,9 @@ internal fun infoSection(view: LogView, about: About): HTMLElement = element("se
     add("dl", "values") {
         addFact("File", about.name)
         addFact("Size", bytesText(about.inflatedBytes) + if (about.isCompressed) ", inflated from gzip" else "")
-        addFact("Format", if (recording.format == RecordingFormat.BAG) "bag: a JSON header, then CSV" else "plain CSV")
+        addFact("Format", FORMATS.getValue(recording.format))
         addFact("Topics", countText(recording.topics.size))
-        addFact("Samples of each", countText(recording.rowCount))
+        addFact("Samples", samplesText(recording))
         addFact("X axis", view.xAxis.title)
         addFact("Page made by", "badlog ${about.version}".trim())
         addFact("Problems", problemsOf(view))
@@ -28,6 +28,12 @@ internal fun infoSection(view: LogView, about: About): HTMLElement = element("se
     val header = recording.headerLine
     if (header != null) addHeader(header)
 }
+
+private val FORMATS = mapOf(
+    RecordingFormat.BAG to "bag: a JSON header, then CSV",
+    RecordingFormat.CSV to "plain CSV",
+    RecordingFormat.WPILOG to "WPILOG: each topic has times of its own",
+)
 
 private fun HTMLElement.addFact(name: String, text: String) {
     add("div", "value-row") {

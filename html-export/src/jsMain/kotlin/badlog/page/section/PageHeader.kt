@@ -10,6 +10,8 @@ import badlog.page.text.durationText
 import badlog.page.text.numberText
 import badlog.page.text.withUnit
 import badlog.page.view.Scene
+import badlog.recording.Recording
+import badlog.recording.RecordingFormat
 import org.w3c.dom.HTMLElement
 
 /** What file this is, and what can be done with it. */
@@ -28,12 +30,21 @@ internal fun pageHeader(scene: Scene, about: About, tools: List<HTMLElement>): H
 private fun factsOf(view: LogView, scene: Scene, about: About): List<String> {
     val facts = ArrayList<String>()
     if (view.title != null) facts += about.name
-    if (view.recording.rowCount > 1 && view.xAxis.topic != null) {
+    val recording = view.recording
+    if (!view.xAxis.isIndex && recording.sampleCount > 1) {
         val width = scene.range.full.width
         facts += if (view.xAxis.unit == "s") durationText(width) else withUnit(numberText(width), view.xAxis.unit)
     }
-    facts += countText(view.recording.topics.size, "topic")
-    facts += countText(view.recording.rowCount, "sample") + " each"
+    facts += countText(recording.topics.size, "topic")
+    facts += samplesText(recording)
     facts += bytesText(about.inflatedBytes)
     return facts
 }
+
+/** How many samples there are, as `7,500 samples each` where all topics share rows. */
+internal fun samplesText(recording: Recording): String =
+    if (recording.format == RecordingFormat.WPILOG) {
+        countText(recording.sampleCount.toInt(), "sample")
+    } else {
+        countText(recording.rowCount, "sample") + " each"
+    }

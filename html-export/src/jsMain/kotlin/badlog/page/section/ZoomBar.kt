@@ -71,7 +71,7 @@ internal class ZoomBar(private val scene: Scene, ways: List<HTMLElement>) {
 
     private fun update() {
         val now = scene.range.now
-        val hasSamples = scene.view.recording.rowCount > 0
+        val hasSamples = scene.xAxis.range != null
         range.showText(if (hasSamples) "${scene.xNumber(now.from)} – ${scene.xText(now.to)}" else "No samples")
         width.showText(if (hasSamples) "Δ ${scene.xText(now.width)}" else "")
         back.isDisabled = !scene.range.canGoBack

@@ -1,18 +1,15 @@
 package badlog.page.view
 
 import badlog.analysis.Series
+import kotlin.math.abs
 
 /**
  * The one place on the x axis at which every graph tells its values.
  *
- * @param positions the x of each row.
+ * @param clocks every x at which there is a sample; of several arrays, each ascends.
  */
-internal class Cursor(positions: DoubleArray) {
-    private val times: Series by lazy {
-        val finite = positions.filter { it.isFinite() }.toDoubleArray()
-        finite.sort()
-        Series(finite, finite)
-    }
+internal class Cursor(clocks: List<DoubleArray>) {
+    private val times: List<Series> by lazy { clocks.map(::seriesOf).filter { it.size > 0 } }
     private val listeners = ArrayList<() -> Unit>()
 
     /** Where it stands; NaN when it is nowhere. */
@@ -35,9 +32,9 @@ internal class Cursor(positions: DoubleArray) {
 
     /** Moves it by [count] samples, back when negative; from [start] when it is nowhere. */
     fun step(count: Int, start: Double) {
-        if (times.size == 0) return
+        if (times.isEmpty()) return
         if (!isPlaced) {
-            place(times.x[times.nearest(start)])
+            place(times.map { it.x[it.nearest(start)] }.minBy { abs(it - start) })
             return
         }
         var place = x
@@ -46,14 +43,19 @@ internal class Cursor(positions: DoubleArray) {
     }
 
     // Rows that share a time stamp are one step.
-    private fun after(place: Double): Double {
-        var next = times.firstAtOrAfter(place)
-        while (next < times.size && times.x[next] == place) next++
-        return if (next < times.size) times.x[next] else times.x.last()
-    }
+    private fun after(place: Double): Double =
+        times.minOf { it.x.getOrElse(it.firstAfter(place)) { Double.POSITIVE_INFINITY } }
+            .let { if (it.isFinite()) it else times.maxOf { clock -> clock.x.last() } }
 
-    private fun before(place: Double): Double {
-        val next = times.firstAtOrAfter(place)
-        return if (next > 0) times.x[next - 1] else times.x.first()
-    }
+    private fun before(place: Double): Double =
+        times.maxOf { it.x.getOrElse(it.firstAtOrAfter(place) - 1) { Double.NEGATIVE_INFINITY } }
+            .let { if (it.isFinite()) it else times.minOf { clock -> clock.x.first() } }
+}
+
+private fun seriesOf(positions: DoubleArray): Series {
+    val whole = Series(positions, positions)
+    if (whole.isOrdered && positions.all { it.isFinite() }) return whole
+    val finite = positions.filter { it.isFinite() }.toDoubleArray()
+    finite.sort()
+    return Series(finite, finite)
 }

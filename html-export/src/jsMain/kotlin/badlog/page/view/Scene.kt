@@ -12,18 +12,12 @@ internal class Scene(val view: LogView) {
     val xAxis: XAxis = view.xAxis
     val events: EventTimeline = EventTimeline(view)
     val range: VisibleRange
-    val cursor: Cursor = Cursor(xAxis.positions)
+    val cursor: Cursor = Cursor(xAxis.clocks)
     val palette: Palette = Palette()
 
     init {
-        var from = Double.POSITIVE_INFINITY
-        var to = Double.NEGATIVE_INFINITY
-        for (x in xAxis.positions) {
-            if (!x.isFinite()) continue
-            if (x < from) from = x
-            if (x > to) to = x
-        }
-        range = VisibleRange(from, to)
+        val x = xAxis.range
+        range = if (x == null) VisibleRange(Double.NaN, Double.NaN) else VisibleRange(x.start, x.endInclusive)
     }
 
     /** The event that is pointed at when the cursor is at [x], or null. */
@@ -38,7 +32,7 @@ internal class Scene(val view: LogView) {
     /** The same without the unit. */
     fun xNumber(x: Double): String {
         // Between two rows there is nothing to see that decimals could tell.
-        val decimals = if (xAxis.topic == null) 0 else decimalsFor(range.now.width)
+        val decimals = if (xAxis.isIndex) 0 else decimalsFor(range.now.width)
         return if (x.isNaN()) "–" else fixedText(x, decimals)
     }
 

@@ -44,7 +44,7 @@ internal class ArgumentParser {
 
     private class Command : CoreCliktCommand(NAME) {
         private val paths by argument("INPUT").path().multiple(required = true)
-            .help("A bag or a CSV file, also gzipped, or a folder of them.")
+            .help("A bag, a CSV file or a WPILOG, also gzipped, or a folder of them.")
         private val outFolder by option("--out", metavar = "DIR").path()
             .help("Put the pages into this folder, which is made if need be.")
         private val attachments by option("-a", "--attach", metavar = "FILE").path().multiple()

@@ -20,7 +20,9 @@ internal class CurveCache {
 
     /** The curve of [signal], one of [recording]'s. */
     fun curve(recording: OpenRecording, signal: Signal): SharedCurve =
-        of(recording).curves.computeIfAbsent(signal.name) { SharedCurve(signal.series) }
+        of(recording).curves.computeIfAbsent(signal.name) {
+            SharedCurve(signal.series, recording.holdsUntil(signal))
+        }
 
     /** The states of [signal], one of [recording]'s. */
     fun runs(recording: OpenRecording, signal: Signal): StateRuns =

@@ -8,12 +8,14 @@ import badlog.plot.Span
  *
  * @property x where each point stands, in pixels from the left.
  * @property y its value; NaN where the line is broken.
+ * @property isCorner whether it is no sample, but where a value ends that has held until there.
  * @property min the smallest value to be seen; NaN without one.
  * @property max the largest.
  */
 internal class CurvePoints(
     val x: FloatArray,
     val y: DoubleArray,
+    private val isCorner: BooleanArray,
     val min: Double,
     val max: Double,
     val isDense: Boolean,
@@ -36,6 +38,21 @@ internal class CurvePoints(
         return parts
     }
 
+    /** The samples that deserve a dot, x and y in pixels in turn: each of few, and what stands alone between two gaps. */
+    inline fun dots(yPixel: (Double) -> Float): FloatArray {
+        val dotted = x.indices.filter { !y[it].isNaN() && if (isSparse) !isCorner(it) else isAlone(it) }
+        val dots = FloatArray(2 * dotted.size)
+        dotted.forEachIndexed { i, point ->
+            dots[2 * i] = x[point]
+            dots[2 * i + 1] = yPixel(y[point])
+        }
+        return dots
+    }
+
+    fun isCorner(index: Int): Boolean = isCorner[index]
+
+    fun isAlone(index: Int): Boolean = (index == 0 || y[index - 1].isNaN()) && (index == y.size - 1 || y[index + 1].isNaN())
+
     companion object {
         /** A copy of what [curve] has found for [visible], which [width] pixels show. */
         fun of(curve: Curve, visible: Span, width: Int): CurvePoints {
@@ -43,6 +60,7 @@ internal class CurvePoints(
             return CurvePoints(
                 x = FloatArray(curve.size) { ((curve.x[it] - visible.from) * scale).toFloat() },
                 y = curve.y.copyOf(curve.size),
+                isCorner = BooleanArray(curve.size, curve::isCorner),
                 min = curve.min,
                 max = curve.max,
                 isDense = curve.isDense,

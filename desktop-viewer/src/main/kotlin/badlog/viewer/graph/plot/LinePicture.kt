@@ -8,6 +8,7 @@ import badlog.analysis.Series
  * @property series its samples, for the values under the cursor.
  * @property axis which of the graph's scales it has.
  * @property points the ends of its pieces: x and y in turn, one array for each part between gaps.
+ * @property dots the samples that deserve a dot, x and y in turn: each of few, and what stands alone between two gaps.
  * @property isDense whether it has more samples than the screen has columns.
  * @property hasDots whether its samples are so far apart that each deserves a dot.
  */
@@ -16,6 +17,7 @@ internal class LinePicture(
     val series: Series,
     val axis: Int,
     val points: List<FloatArray>,
+    val dots: FloatArray,
     val isDense: Boolean,
     val hasDots: Boolean,
 )

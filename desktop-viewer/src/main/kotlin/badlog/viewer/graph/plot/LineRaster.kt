@@ -39,7 +39,7 @@ private fun drawLine(canvas: Canvas, line: LinePicture, request: PlotRequest, ba
         paint.strokeCap = PaintStrokeCap.ROUND
         paint.strokeWidth = (if (line.hasDots) DOT_WIDTH else LINE_WIDTH) * density
         // What stands alone between gaps has no line to be seen by.
-        for (part in line.points) if (line.hasDots || part.size == 2) canvas.drawPoints(part, paint)
+        if (line.dots.isNotEmpty()) canvas.drawPoints(line.dots, paint)
     }
 }
 

@@ -60,6 +60,7 @@ private fun linePicture(line: DrawnLine, axis: Int, axes: List<YAxis>, points: C
     series = line.signal.series,
     axis = axis,
     points = points.polylines { axes[axis].pixelOf(it, height) },
+    dots = points.dots { axes[axis].pixelOf(it, height) },
     isDense = points.isDense,
     hasDots = points.isSparse,
 )

@@ -9,7 +9,7 @@ internal enum class Content(val saying: String) {
     /** There is. */
     SOMETHING(""),
 
-    /** It has no rows. */
+    /** It has none. */
     NO_SAMPLES("no samples"),
 
     /** No number changes and nothing is told. */

@@ -9,18 +9,18 @@ import badlog.recording.Topic
  * or a single event, is something.
  *
  * @param time the topic that only tells where on x a row stands, or null.
- * @param duration how much of x there is, or null.
+ * @param seconds how long it is, or null where nothing tells.
  */
 internal fun contentOf(
     recording: Recording,
     topics: List<TopicSummary>,
     time: Topic?,
-    duration: Double?,
+    seconds: Double?,
     isMatch: Boolean,
 ): Content = when {
-    recording.rowCount == 0 -> Content.NO_SAMPLES
+    recording.sampleCount == 0L -> Content.NO_SAMPLES
     topics.none { it.name != time?.name && changes(it) } && recording.topics.none(::tells) -> Content.NOTHING_CHANGES
-    duration != null && secondsOf(duration, time?.unit.orEmpty())?.let { it < 1 } == true -> Content.TOO_SHORT
+    seconds != null && seconds < 1 -> Content.TOO_SHORT
     !isMatch && topics.any(::isNeverEnabled) -> Content.NEVER_ENABLED
     else -> Content.SOMETHING
 }

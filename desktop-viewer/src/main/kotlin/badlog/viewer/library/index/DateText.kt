@@ -36,7 +36,8 @@ internal fun dateInText(text: String): LocalDateTime? {
         return believable(localTime(Instant.ofEpochMilli(millis.toLong())))
     }
     try {
-        return believable(localTime(OffsetDateTime.parse(text.replace(' ', 'T')).toInstant()))
+        val standard = text.removeSuffix(" UTC").replace(' ', 'T') + if (text.endsWith(" UTC")) "Z" else ""
+        return believable(localTime(OffsetDateTime.parse(standard).toInstant()))
     } catch (_: DateTimeException) {
         // Most have no offset.
     }

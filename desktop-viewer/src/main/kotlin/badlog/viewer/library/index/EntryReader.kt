@@ -14,7 +14,7 @@ internal class EntryReader(private val buffer: ByteBuffer, private val texts: Ar
         date = LogDate(buffer.getLong().also { require(it in PLAUSIBLE) }, DateSource.entries[buffer.get().toInt()]),
         duration = number(),
         xUnit = text()!!,
-        rows = buffer.getInt(),
+        samples = buffer.getLong(),
         problems = ProblemCounts(buffer.getInt(), buffer.getInt(), buffer.getInt()),
         content = Content.entries[buffer.get().toInt()],
         trouble = text(),
@@ -52,7 +52,7 @@ internal class EntryReader(private val buffer: ByteBuffer, private val texts: Ar
         private const val TOPIC_BYTES = 4 + 4 + 1 + 2 * 4 + 10 * 8 + PreviewLine.BYTES
 
         /** No entry has fewer bytes. */
-        const val LEAST_BYTES = 4 + 2 * 8 + 4 * 4 + 8 + 1 + 8 + 4 + 4 * 4 + 1 + 4 + 8 + 4 + 4
+        const val LEAST_BYTES = 4 + 2 * 8 + 4 * 4 + 8 + 1 + 8 + 4 + 8 + 3 * 4 + 1 + 4 + 8 + 4 + 4
 
         /** Seconds that are of a year with four digits. */
         private val PLAUSIBLE = -62_000_000_000L..250_000_000_000L

@@ -17,7 +17,7 @@ internal class EntryWriter(private val out: DataOutputStream, private val texts:
         out.writeByte(date.source.ordinal)
         out.writeDouble(duration ?: Double.NaN)
         text(xUnit)
-        out.writeInt(rows)
+        out.writeLong(samples)
         out.writeInt(problems.errors)
         out.writeInt(problems.warnings)
         out.writeInt(problems.notes)

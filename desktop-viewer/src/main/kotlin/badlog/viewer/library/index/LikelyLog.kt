@@ -1,7 +1,7 @@
 package badlog.viewer.library.index
 
-import badlog.bag.BagParser
 import badlog.bag.FileSignature
+import badlog.file.RecordingParser
 import java.io.IOException
 import java.io.InputStream
 import java.nio.file.Files
@@ -20,7 +20,7 @@ internal fun isNamedAsLog(name: String): Boolean = NAMED_AS_LOG.matches(name)
  */
 internal fun isLikelyLog(file: LogFile): Boolean {
     if (file.size < LARGE || isNamedAsLog(file.name)) return true
-    val parser = BagParser(keepSamples = false)
+    val parser = RecordingParser(keepSamples = false)
     Files.newInputStream(file.path).use { stream ->
         try {
             parser.accept(inflated(stream.buffered()).readNBytes(SAMPLE))

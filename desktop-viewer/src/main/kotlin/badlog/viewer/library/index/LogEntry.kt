@@ -11,7 +11,7 @@ import java.nio.file.Path
  * @property date when it began.
  * @property duration how much of x it covers; null when x is only the number of the row.
  * @property xUnit the unit of [duration].
- * @property rows how many rows it has.
+ * @property samples how many samples all its topics have together.
  * @property problems what is wrong in it.
  * @property content whether there is anything to see.
  * @property trouble why it cannot be read, as a sentence; null when it can.
@@ -25,7 +25,7 @@ internal data class LogEntry(
     val date: LogDate,
     val duration: Double? = null,
     val xUnit: String = "",
-    val rows: Int = 0,
+    val samples: Long = 0,
     val problems: ProblemCounts = ProblemCounts(),
     val content: Content = Content.UNREADABLE,
     val trouble: String? = null,

@@ -35,27 +35,35 @@ internal class PreviewLine(val bytes: ByteArray) {
         /** How many bytes that makes. */
         const val BYTES = 2 * COLUMNS
 
-        /** The course of [series], whose finite values go from [min] to [max]; NaN when it has none. */
-        fun of(series: Series, min: Double, max: Double): PreviewLine {
+        /**
+         * The course of [series], whose finite values go from [min] to [max]; NaN when it has none.
+         *
+         * @param held all of x, where each value holds until the next one; null where the series is all there is.
+         */
+        fun of(series: Series, min: Double, max: Double, held: ClosedFloatingPointRange<Double>? = null): PreviewLine {
             val bytes = ByteArray(BYTES) { if (it % 2 == 0) -1 else 0 }
             val x = series.x
             val y = series.y
             if (x.isEmpty() || min.isNaN()) return PreviewLine(bytes)
             // Without an order in x, that of the rows says more.
             val isOrdered = series.isOrdered
-            val from = if (isOrdered) x.first() else 0.0
-            val width = if (isOrdered) x.last() - from else x.size - 1.0
+            val from = held?.start ?: if (isOrdered) x.first() else 0.0
+            val width = if (isOrdered) (held?.endInclusive ?: x.last()) - from else x.size - 1.0
             val perX = if (width > 0) COLUMNS / width else 0.0
             val perY = if (max > min) 255 / (max - min) else 0.0
+            fun columnOf(i: Int) = (((if (isOrdered) x[i] else i.toDouble()) - from) * perX).toInt().coerceIn(0, COLUMNS - 1)
             for (i in x.indices) {
                 val value = y[i]
                 if (!value.isFinite()) continue
-                val column = (((if (isOrdered) x[i] else i.toDouble()) - from) * perX).toInt().coerceIn(0, COLUMNS - 1)
                 val share = (value - min) * perY
                 val low = floor(share).toInt().coerceIn(0, 255)
                 val high = ceil(share).toInt().coerceIn(0, 255)
-                if (low < bytes[2 * column].toUByte().toInt()) bytes[2 * column] = low.toByte()
-                if (high > bytes[2 * column + 1].toUByte().toInt()) bytes[2 * column + 1] = high.toByte()
+                val first = columnOf(i)
+                val last = if (held == null) first else if (i + 1 < x.size) columnOf(i + 1) else COLUMNS - 1
+                for (column in first..last) {
+                    if (low < bytes[2 * column].toUByte().toInt()) bytes[2 * column] = low.toByte()
+                    if (high > bytes[2 * column + 1].toUByte().toInt()) bytes[2 * column + 1] = high.toByte()
+                }
             }
             return PreviewLine(bytes)
         }

@@ -50,10 +50,12 @@ private fun unreadable(file: LogFile, trouble: String) =
 
 private fun summaryOf(file: LogFile, view: LogView): LogEntry {
     val recording = view.recording
-    val topics = recording.topics.filter { it.samples.isNotEmpty() }.map { summaryOf(it, view) }
+    val topics = recording.topics.filter { it.samples.isNotEmpty() && !isPlumbing(it) }.map { summaryOf(it, view) }
     val match = MatchFacts.of(recording.values, file.name)
-    val time = view.xAxis.topic ?: timeTopic(recording)
-    val duration = time?.let { finiteSpan(it.samples)?.width }
+    val axis = view.xAxis
+    val time = if (axis.isIndex) timeTopic(recording) else axis.topic
+    val duration = if (axis.isIndex) time?.let { finiteSpan(it.samples)?.width } else axis.range?.let { it.endInclusive - it.start }
+    val xUnit = if (axis.isIndex) time?.unit.orEmpty() else axis.unit
     val battery = batteryAmong(topics.filter { it.statistics.count > 0 }, { it.name }, { it.unit })
     val trouble = if (recording.isReadable) null else recording.problems.last().message
     return LogEntry(
@@ -61,11 +63,14 @@ private fun summaryOf(file: LogFile, view: LogView): LogEntry {
         match = match,
         date = LogDate.of(recording.values, file),
         duration = duration,
-        xUnit = time?.unit.orEmpty(),
-        rows = recording.rowCount,
+        xUnit = xUnit,
+        samples = recording.sampleCount,
         problems = ProblemCounts(view.count(Severity.ERROR), view.count(Severity.WARNING), view.count(Severity.NOTE)),
         content = when {
-            trouble == null -> contentOf(recording, topics, time, duration, isMatch = matchTitle(recording.values) != null)
+            trouble == null -> {
+                val seconds = duration?.let { secondsOf(it, xUnit) }
+                contentOf(recording, topics, time, seconds, isMatch = matchTitle(recording.values) != null)
+            }
             isNamedAsLog(file.name) -> Content.UNREADABLE
             else -> Content.NO_LOG
         },
@@ -77,12 +82,16 @@ private fun summaryOf(file: LogFile, view: LogView): LogEntry {
 }
 
 private fun summaryOf(topic: Topic, view: LogView): TopicSummary {
-    val series = view.seriesOf(topic).data
-    val statistics = series.statistics()
+    val line = view.seriesOf(topic)
+    val statistics = line.data.statistics()
+    val held = if (line.holds) view.xAxis.range else null
     return TopicSummary(
-        topic.name, topic.unit, topic.kind, statistics, PreviewLine.of(series, statistics.min, statistics.max),
+        topic.name, topic.unit, topic.kind, statistics, PreviewLine.of(line.data, statistics.min, statistics.max, held),
     )
 }
+
+/** Whether [topic] is what a logger writes for its own sake, such as the time of day that passes. */
+private fun isPlumbing(topic: Topic) = topic.times != null && "hide" in topic.attributes
 
 /** A file of comma-separated values alone has no x axis, but mostly a column of the time. */
 private fun timeTopic(recording: Recording): Topic? = recording.topics.firstOrNull {

@@ -10,9 +10,10 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * Writes the rows of [recording] that lie in [span] to [target], as [format], and returns how many there were. A bag keeps the
- * values and the attributes.
+ * Writes the rows of [recording] that lie in [span] to [target], as [format]. A bag keeps the values and the attributes. Where
+ * there are no rows they are made, with the last values at their times.
  *
+ * @return what was written, in a sentence.
  * @throws IOException with a sentence for the person, when there is nothing to write or [target] is the recording's own file.
  */
 internal fun cutFile(
@@ -21,9 +22,9 @@ internal fun cutFile(
     format: RecordingFormat,
     target: Path,
     progress: (Float) -> Unit = {},
-): Int {
-    val rows = rowsWithin(recording, span)
-    if (rows.isEmpty()) throw IOException("There are no samples in what is visible; show a part of the recording that has some.")
+): String {
+    val part = partOf(recording, span)
+    if (part.rows.isEmpty()) throw IOException("There are no samples in what is visible; show a part of the recording that has some.")
     if (Files.exists(target) && Files.exists(recording.file) && Files.isSameFile(target, recording.file)) {
         throw IOException("${target.fileName} is the open log itself, which its part must not replace; choose another name.")
     }
@@ -32,9 +33,10 @@ internal fun cutFile(
             if (Thread.interrupted()) throw InterruptedException()
             progress(done.toFloat() / total)
         }
-        RecordingWriter(recording.view.recording, format).write(rows.first, rows.last + 1, heard) { bytes, size ->
+        RecordingWriter(part.recording, format).write(part.rows.first, part.rows.last + 1, heard) { bytes, size ->
             out.write(bytes, 0, size)
         }
     }
-    return rows.last + 1 - rows.first
+    val count = part.rows.last + 1 - part.rows.first
+    return "Wrote $count rows to $target${part.remark}."
 }

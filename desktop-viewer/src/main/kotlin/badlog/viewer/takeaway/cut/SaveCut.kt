@@ -16,7 +16,5 @@ internal fun saveCut(viewer: Viewer, format: RecordingFormat) {
     val ending = if (format == RecordingFormat.BAG) ".bag" else ".csv"
     val title = if (viewer.selection != null) "Save the selection" else "Save the visible range"
     val target = askToWrite(viewer, title, recording.file.parent, "${stemOf(recording.file)} part", ending) ?: return
-    viewer.tasks.run("Writing ${target.fileName}", { cutFile(recording, span, format, target, it) }) { rows ->
-        viewer.notices.say("Wrote $rows rows to $target.")
-    }
+    viewer.tasks.run("Writing ${target.fileName}", { cutFile(recording, span, format, target, it) }) { viewer.notices.say(it) }
 }

@@ -43,11 +43,11 @@ internal class FigureFrame(
  * @property label what the legend calls it.
  * @property colour its colour, as `#rrggbb`.
  * @property pieces what is joined by a stroke; between them the line is broken.
- * @property hasDots whether each of its points deserves a dot.
+ * @property dots what deserves a dot: every sample of few, and what stands alone between two gaps.
  */
-internal class FigureLine(val label: String, val colour: String, val pieces: List<FigurePiece>, val hasDots: Boolean)
+internal class FigureLine(val label: String, val colour: String, val pieces: List<FigurePiece>, val dots: FigurePiece)
 
-/** Points that one stroke joins: `(x[i], y[i])`. */
+/** Points, such as one stroke joins: `(x[i], y[i])`. */
 internal class FigurePiece(val x: List<Double>, val y: List<Double>)
 
 /**

@@ -74,12 +74,12 @@ internal class FigureBuilder(private val recordings: List<DrawnRecording>, priva
         var most = Double.NaN
         val lines = sources.map { source ->
             if (Thread.interrupted()) throw InterruptedException()
-            val curve = Curve(source.signal.series)
+            val curve = Curve(source.signal.series, source.drawn.recording.holdsUntil(source.signal))
             val offset = source.drawn.offset
             curve.draw(x.from - offset, x.to - offset, columns)
             if (!(least <= curve.min)) least = if (curve.min.isNaN()) least else curve.min
             if (!(most >= curve.max)) most = if (curve.max.isNaN()) most else curve.max
-            FigureLine(source.label, hexOf(Palette.LIGHT.line(source.colour)), piecesOf(curve, offset), curve.isSparse)
+            FigureLine(source.label, hexOf(Palette.LIGHT.line(source.colour)), piecesOf(curve, offset), dotsOf(curve, offset))
         }
         val limits = YLimits().apply { fit(least, most, graph.includesZero) }
         val wanted = graph.yRange?.takeIf { isFirst && it.width > 0 }
@@ -135,6 +135,15 @@ internal class FigureBuilder(private val recordings: List<DrawnRecording>, priva
         const val LANE_LETTERS = 20
         const val UNIT_LETTERS = 18
     }
+}
+
+/** The points of [curve] that deserve a dot, moved by [offset]. */
+private fun dotsOf(curve: Curve, offset: Double): FigurePiece {
+    fun isGap(index: Int) = index !in 0 until curve.size || curve.y[index].isNaN()
+    val dotted = (0 until curve.size).filter { i ->
+        !isGap(i) && if (curve.isSparse) !curve.isCorner(i) else isGap(i - 1) && isGap(i + 1)
+    }
+    return FigurePiece(dotted.map { curve.x[it] + offset }, dotted.map { curve.y[it] })
 }
 
 /** The points of [curve], moved by [offset], as strokes between its breaks. */

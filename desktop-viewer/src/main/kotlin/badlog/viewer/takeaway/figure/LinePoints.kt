@@ -18,8 +18,8 @@ internal class LinePoints(frame: FigureFrame) {
             for (piece in line.pieces) {
                 pieceNumber++
                 if (piece.x.size > 1) joined.add(piece, i, pieceNumber)
-                if (line.hasDots || piece.x.size == 1) alone.add(piece, i, pieceNumber)
             }
+            alone.add(line.dots, i, pieceNumber)
         }
         strokes = joined.all
         dots = alone.all

@@ -7,8 +7,10 @@ import badlog.viewer.graph.LineSpec
 import badlog.viewer.graph.bagOf
 import badlog.viewer.graph.readingOf
 import badlog.viewer.graph.recordingOf
+import badlog.viewer.loggedTopic
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.theme.Palette
+import badlog.viewer.wpilogRecording
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.floats.plusOrMinus
@@ -31,6 +33,16 @@ class PictureMakingSpec : FunSpec({
         points[0] shouldBe (0f plusOrMinus 1e-3f)
         points[20] shouldBe (100f plusOrMinus 1e-3f)
         (points[1] > points[21]) shouldBe true
+    }
+
+    test("a value of a WPILOG holds until the next one and to the end, in steps whose corners have no dots") {
+        val recording = wpilogRecording(loggedTopic("A/Voltage", 0.0 to 1.0, 5.0 to 3.0), loggedTopic("B", 0.0 to 0.0, 10.0 to 0.0))
+        val made = picture(recording)
+        val line = made.lines.single()
+        line.points.single().filterIndexed { i, _ -> i % 2 == 0 } shouldBe listOf(0f, 50f, 50f, 100f)
+        line.dots.filterIndexed { i, _ -> i % 2 == 0 } shouldBe listOf(0f, 50f)
+        readingOf(made, line.line, 4.9) shouldBe "1 V"
+        readingOf(made, line.line, 9.0) shouldBe "3 V"
     }
 
     test("a gap parts the line, and a sample alone between gaps stays") {

@@ -20,7 +20,7 @@ internal fun entry(
     date = LogDate(second, DateSource.VALUES),
     duration = 150.0,
     xUnit = "s",
-    rows = 7500,
+    samples = 75_000,
     content = content,
     batteryMinimum = batteryMinimum,
     batteryTopic = topics.firstOrNull()?.name,

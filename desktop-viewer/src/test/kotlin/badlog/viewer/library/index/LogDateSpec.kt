@@ -7,6 +7,7 @@ import io.kotest.property.Arb
 import io.kotest.property.arbitrary.string
 import io.kotest.property.checkAll
 import java.nio.file.Path
+import java.time.Instant
 import java.time.LocalDateTime
 import java.time.ZoneId
 
@@ -39,6 +40,11 @@ class LogDateSpec : FunSpec({
             date("20240316.bag", text).time.withNano(0) shouldBe LocalDateTime.of(2018, 4, 14, 10, 22, 3)
             date("20240316.bag", text).source shouldBe DateSource.VALUES
         }
+    }
+
+    test("a time that says UTC is told as the time of day here") {
+        val here = LocalDateTime.ofInstant(Instant.parse("2018-04-14T10:22:03Z"), ZoneId.systemDefault())
+        date("20240316.wpilog", "2018-04-14 10:22:03 UTC").time shouldBe here
     }
 
     test("a date of a clock that nothing has set is passed over") {

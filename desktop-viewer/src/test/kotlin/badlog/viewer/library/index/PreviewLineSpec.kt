@@ -22,6 +22,13 @@ class PreviewLineSpec : FunSpec({
         (0 until PreviewLine.COLUMNS).filter { preview.has(it) } shouldBe listOf(0, 47)
     }
 
+    test("a value that holds goes on until the next one, and to the end") {
+        val series = Series(doubleArrayOf(12.0, 24.0), doubleArrayOf(0.0, 1.0))
+        val preview = PreviewLine.of(series, 0.0, 1.0, 0.0..48.0)
+        (0 until PreviewLine.COLUMNS).map { if (preview.has(it)) preview.low(it) to preview.high(it) else null } shouldBe
+            List(12) { null } + List(12) { 0f to 0f } + (0f to 1f) + List(23) { 1f to 1f }
+    }
+
     test("no series breaks it") {
         checkAll(Arb.list(Arb.double(), 0..60), Arb.list(Arb.double(), 60..60)) { x, y ->
             val finite = x.filter { it.isFinite() }.toDoubleArray()

@@ -1,9 +1,14 @@
 package badlog.viewer.library.index
 
+import badlog.recording.Topic
+import badlog.recording.Value
 import badlog.viewer.library.bag
 import badlog.viewer.library.matchValues
 import badlog.viewer.library.put
 import badlog.viewer.library.putSamples
+import badlog.viewer.loggedTexts
+import badlog.viewer.loggedTopic
+import badlog.viewer.wpilogOf
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.doubles.plusOrMinus
@@ -43,6 +48,37 @@ class SummariseSpec : FunSpec({
         contentOf(bag(isEnabled = false)) shouldBe Content.NEVER_ENABLED
         contentOf(bag(isEnabled = false, values = matchValues(3))) shouldBe Content.SOMETHING
         contentOf(bag()) shouldBe Content.SOMETHING
+    }
+
+    test("a WPILOG is summarised as a bag is") {
+        val times = List(200) { it * 0.5 }
+        val voltage = loggedTopic("NT:/SmartDashboard/BatteryVoltage", *times.map { it to 12.5 - it / 20 }.toTypedArray())
+        val values = listOf(Value("Event Name", "OHCL"), Value("Match Number", "7"), Value("Match Type", "Qualification"))
+        val file = folder.resolve("FRC_TBD.wpilog")
+        Files.write(file, wpilogOf(listOf(voltage, loggedTopic("Gain", 0.0 to 1.0, 120.0 to 2.0)), values))
+        val entry = summaryOf(file)
+        entry.content shouldBe Content.SOMETHING
+        entry.match shouldBe MatchFacts("OHCL", "Qualification", "7")
+        entry.duration!! shouldBe (120.0 plusOrMinus 1e-6)
+        entry.xUnit shouldBe "s"
+        entry.samples shouldBe 202
+        entry.batteryMinimum!! shouldBe (12.5 - 99.5 / 20 plusOrMinus 1e-9)
+        entry.topic("Gain")!!.preview.has(20) shouldBe true
+    }
+
+    test("a WPILOG in which nothing is logged or nothing changes is grey") {
+        fun contentOf(vararg topics: Topic) =
+            summaryOf(folder.resolve("empty.wpilog").also { Files.write(it, wpilogOf(topics.toList())) }).content
+        contentOf(loggedTopic("Gain")) shouldBe Content.NO_SAMPLES
+        contentOf(loggedTopic("Gain", 0.0 to 1.0, 9.0 to 1.0)) shouldBe Content.NOTHING_CHANGES
+        contentOf(loggedTopic("Gain", 0.0 to 1.0, 0.5 to 2.0)) shouldBe Content.TOO_SHORT
+        contentOf(loggedTexts("mode", 0.0 to "auto", 9.0 to "teleop")) shouldBe Content.SOMETHING
+    }
+
+    test("a large WPILOG is a log, whatever its name") {
+        val file = folder.resolve("large.csv")
+        Files.write(file, wpilogOf(listOf(loggedTopic("Gain", 0.0 to 1.0, 9.0 to 2.0))).copyOf(17 shl 20))
+        isLikelyLog(LogFile(file, Files.size(file), 0)) shouldBe true
     }
 
     test("what is no log is not listed unless its name says that it is one") {

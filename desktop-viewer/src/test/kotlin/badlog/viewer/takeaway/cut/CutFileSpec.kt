@@ -3,8 +3,11 @@ package badlog.viewer.takeaway.cut
 import badlog.file.readRecording
 import badlog.plot.Span
 import badlog.recording.RecordingFormat
+import badlog.recording.Severity
+import badlog.viewer.loggedTopic
 import badlog.viewer.takeaway.armBag
 import badlog.viewer.takeaway.recordingOf
+import badlog.viewer.wpilogRecording
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
@@ -23,7 +26,7 @@ class CutFileSpec : FunSpec({
 
     test("a bag of a part has just its rows, with the values, units and attributes of the whole") {
         val target = folder.resolve("part.bag")
-        cutFile(whole, Span(1.0, 2.0), RecordingFormat.BAG, target) shouldBe 51
+        cutFile(whole, Span(1.0, 2.0), RecordingFormat.BAG, target) shouldBe "Wrote 51 rows to $target."
         val part = readRecording(target)
         val source = whole.view.recording
         part.values shouldBe source.values
@@ -36,6 +39,22 @@ class CutFileSpec : FunSpec({
         }
         val mode = source.topics.last().texts
         part.topics.last().texts.let { texts -> List(texts.size) { texts[it] } } shouldBe (50..100).map { mode[it] }
+    }
+
+    test("a part of a WPILOG has rows every 20 ms, or at the samples of a topic that has more, with the last values") {
+        val open = wpilogRecording(
+            loggedTopic("Gain", 0.0 to 1.0, 0.05 to 2.0, 2.0 to 5.0),
+            loggedTopic("Gyro", *List(200) { 1 + it * 0.005 to it.toDouble() }.toTypedArray()),
+        )
+        val target = folder.resolve("wpilog part.bag")
+        cutFile(open, Span(0.0, 0.1), RecordingFormat.BAG, target) shouldBe
+            "Wrote 6 rows to $target, one every 20 ms, each with the last values before it."
+        val part = readRecording(target)
+        part.problems.filter { it.severity != Severity.NOTE }.shouldBeEmpty()
+        part.topics.single { it.name == "Gain" }.samples.toList() shouldBe listOf(1.0, 1.0, 1.0, 2.0, 2.0, 2.0)
+        cutFile(open, Span(1.0, 1.5), RecordingFormat.CSV, target) shouldContain "one at each sample of “Gyro”"
+        Files.readAllLines(target).size shouldBe 102
+        shouldThrow<IOException> { cutFile(open, Span(5.0, 6.0), RecordingFormat.BAG, target) }.message shouldContain "no samples"
     }
 
     test("a CSV file of a part begins with the titles") {

@@ -1,0 +1,155 @@
+package badlog.analysis
+
+import badlog.recording.CellCounts
+import badlog.recording.Recording
+import badlog.recording.RecordingFormat
+import badlog.recording.TextColumn
+import badlog.recording.Topic
+import badlog.recording.TopicKind
+import kotlin.math.floor
+
+/**
+ * The samples of [recording] in rows, one for each of [times]: each topic has there the last value at or before that time,
+ * and nothing before its first. An event stands in the first row that is not before it; several that share a row are joined by
+ * `; `. A topic `Time` with these times comes first, as the x axis. What comes out can be written as a bag or as CSV.
+ *
+ * @param times ascending and finite, in the unit of the recording's x axis.
+ * @throws IllegalArgumentException when they are not.
+ */
+public fun resampled(recording: Recording, times: DoubleArray): Recording {
+    for (i in times.indices) {
+        val isAscending = i == 0 || times[i] > times[i - 1]
+        require(times[i].isFinite() && isAscending) { "Times must ascend, but ${times[i]} is at $i." }
+    }
+    val xAxis = LogView.of(recording).xAxis
+    val names = recording.topics.mapTo(HashSet()) { it.name }
+    val name = generateSequence(1) { it + 1 }.map { if (it == 1) "Time" else "Time ($it)" }.first { it !in names }
+    val counts = CellCounts(times.size, 0, 0, 0, 0, 0)
+    val time = Topic(name, xAxis.unit, listOf("xaxis", "hide"), times, TextColumn.EMPTY, counts)
+    val topics = recording.topics.filter { it !== xAxis.topic }.map { held(it, xAxis, times) }
+    return Recording(
+        RecordingFormat.BAG,
+        null,
+        recording.values,
+        listOf(time) + topics,
+        times.size,
+        recording.problems,
+    )
+}
+
+/**
+ * The times from the first sample of [recording] to its last, [period] apart.
+ *
+ * @param period in the unit of the x axis, above 0.
+ * @throws IllegalArgumentException when it is not, or when there would be more than 100 million.
+ */
+public fun periodicTimes(recording: Recording, period: Double): DoubleArray {
+    require(period > 0) { "A period must be above 0, but is $period." }
+    val range = LogView.of(recording).xAxis.range ?: return DoubleArray(0)
+    val steps = floor((range.endInclusive - range.start) / period + ROUNDING)
+    require(steps < MOST_ROWS) { "A period of $period gives $steps rows, which are too many." }
+    return DoubleArray(steps.toInt() + 1) { range.start + it * period }
+}
+
+/** The times at which [topic], one of [recording]'s, has a sample: each once, ascending. */
+public fun timesOf(recording: Recording, topic: Topic): DoubleArray {
+    val positions = positionsOf(topic, LogView.of(recording).xAxis).filter { it.isFinite() }.toDoubleArray()
+    positions.sort()
+    var size = 0
+    for (position in positions) if (size == 0 || position > positions[size - 1]) positions[size++] = position
+    return positions.copyOf(size)
+}
+
+private fun held(topic: Topic, xAxis: XAxis, times: DoubleArray): Topic {
+    val positions = positionsOf(topic, xAxis)
+    val isOrdered = Series(positions, positions).isOrdered
+    // Of a clock that was set, the samples that lie before the ones already met are found by none of the times.
+    val order = if (isOrdered) {
+        null
+    } else {
+        positions.indices.filter { positions[it].isFinite() }.sortedBy { positions[it] }.toIntArray()
+    }
+    val holder = Holder(topic, times.size)
+    var next = 0
+    val count = order?.size ?: topic.size
+    for (row in times.indices) {
+        while (next < count) {
+            val index = order?.get(next) ?: next
+            if (positions[index] > times[row]) break
+            holder.meet(index)
+            next++
+        }
+        holder.hold(row)
+    }
+    return holder.build()
+}
+
+/** Takes the samples of a topic one after another, and puts the last one into each row. */
+private class Holder(private val topic: Topic, rows: Int) {
+    private val isEvent = topic.kind == TopicKind.EVENT || "log" in topic.attributes
+    private val samples = if (topic.samples.isEmpty()) DoubleArray(0) else DoubleArray(rows) { Double.NaN }
+    private val textOf = IntArray(topic.size) { -1 }
+    private val dictionary = ArrayList(topic.texts.dictionary)
+    private val idOfJoined = HashMap<String, Int>()
+    private val textIds = IntArray(rows) { -1 }
+    private var last = -1
+    private var text = -1
+
+    init {
+        for (i in 0 until topic.texts.size) textOf[topic.texts.rows[i]] = topic.texts.ids[i]
+    }
+
+    fun meet(index: Int) {
+        // A sparse topic's empty cells are none of its samples.
+        if (topic.isSparse && textOf[index] < 0 && topic.samples.getOrElse(index) { Double.NaN }.isNaN()) return
+        last = index
+        val met = textOf[index]
+        text = if (isEvent && text >= 0 && met >= 0) joined(text, met) else if (isEvent && met < 0) text else met
+    }
+
+    private fun joined(one: Int, other: Int): Int {
+        val joined = dictionary[one] + "; " + dictionary[other]
+        return idOfJoined.getOrPut(joined) {
+            dictionary += joined
+            dictionary.lastIndex
+        }
+    }
+
+    fun hold(row: Int) {
+        if (last < 0) return
+        textIds[row] = text
+        if (samples.isNotEmpty() && textOf[last] < 0) samples[row] = topic.samples[last]
+        if (isEvent) text = -1
+    }
+
+    fun build(): Topic {
+        val rows = textIds.indices.filter { textIds[it] >= 0 }.toIntArray()
+        val texts = TextColumn(rows, IntArray(rows.size) { textIds[rows[it]] }, dictionary)
+        return Topic(topic.name, topic.unit, attributes(), samples, texts, counts(rows.size))
+    }
+
+    // What happened is told by few rows of many, which makes a state of it unless it says so.
+    private fun attributes() = if (isEvent && "log" !in topic.attributes) topic.attributes + "log" else topic.attributes
+
+    private fun counts(texts: Int): CellCounts {
+        val total = textIds.size
+        val finite = samples.count { it.isFinite() }
+        val unfit = samples.count { it.isInfinite() }
+        val gaps = textIds.indices.count { row -> isGap(row) && (row == 0 || !isGap(row - 1)) }
+        val isTruth = topic.counts.truthValues > 0 && topic.counts.numbers == 0
+        return CellCounts(
+            numbers = if (isTruth) 0 else finite,
+            notFinite = unfit,
+            truthValues = if (isTruth) finite else 0,
+            texts = texts,
+            empty = total - finite - unfit - texts,
+            gaps = gaps,
+        )
+    }
+
+    private fun isGap(row: Int) = samples.isEmpty() || samples[row].isNaN()
+}
+
+// Of the last step of a period that divides the range.
+private const val ROUNDING = 1e-9
+private const val MOST_ROWS = 1e8

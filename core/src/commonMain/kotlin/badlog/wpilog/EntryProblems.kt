@@ -1,0 +1,67 @@
+package badlog.wpilog
+
+import badlog.recording.ProblemKind
+import badlog.recording.ProblemList
+import badlog.recording.Topic
+
+/** Reports what was odd about the records of one entry, once, when all of them were read. */
+internal fun reportEntry(entry: Entry, problems: ProblemList) {
+    val decoder = entry.decoder
+    val name = entry.name
+    if (decoder.badCount > 0) {
+        problems.add(
+            ProblemKind.BAD_RECORD,
+            "${decoder.badCount} records of “$name” do not have the bytes of a ${entry.type}; they were dropped.",
+            topic = name,
+            count = decoder.badCount,
+        )
+    }
+    if (decoder.droppedValues > 0) {
+        problems.add(
+            ProblemKind.TOO_MANY_TOPICS,
+            "${decoder.droppedValues} values of “$name” were dropped: there are more than can be shown.",
+            topic = name,
+            count = decoder.droppedValues,
+        )
+    }
+    if (decoder.isUndecoded && decoder.clock.size > 0) {
+        problems.add(
+            ProblemKind.NOT_DECODED,
+            "“$name” is of type ${entry.type}, which is not decoded; shown is how many bytes each of its " +
+                "${decoder.clock.size} records has.",
+            topic = name,
+        )
+    }
+}
+
+/** Reports what was odd about [topic], which came of [column] with the times of [clock]. */
+internal fun reportTopic(topic: Topic, column: SampleColumn, clock: Clock, problems: ProblemList) {
+    val name = topic.name
+    if (clock.disorder > 0) {
+        problems.add(
+            ProblemKind.TIMES_SORTED,
+            "“$name” goes back in time ${clock.disorder} times; its samples were sorted.",
+            topic = name,
+            count = clock.disorder,
+        )
+    }
+    if (column.sawOtherText) {
+        problems.add(ProblemKind.NOT_UTF8, "Texts in “$name” are not UTF-8; they were read as Windows-1252.", topic = name)
+    }
+    if (column.roundedCount > 0) {
+        problems.add(
+            ProblemKind.NUMBERS_ROUNDED,
+            "${column.roundedCount} whole numbers in “$name” are too large to be kept to the last digit.",
+            topic = name,
+            count = column.roundedCount,
+        )
+    }
+    if (topic.counts.notFinite > 0) {
+        problems.add(
+            ProblemKind.NOT_FINITE,
+            "${topic.counts.notFinite} samples of “$name” are NaN or infinite; they are kept, and drawn as gaps.",
+            topic = name,
+            count = topic.counts.notFinite,
+        )
+    }
+}

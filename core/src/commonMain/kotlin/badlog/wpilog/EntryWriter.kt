@@ -1,0 +1,110 @@
+package badlog.wpilog
+
+import badlog.recording.Topic
+import badlog.recording.TopicKind
+import kotlin.math.abs
+import kotlin.math.floor
+
+/** Writes the samples of [topic], one after another, as records of the entry [id]. */
+internal class EntryWriter(
+    private val id: Int,
+    private val topic: Topic,
+    private val times: RecordTimes,
+    private val changesOnly: Boolean,
+) {
+    private enum class Payload(val type: String) {
+        BOOLEAN("boolean"),
+        INT64("int64"),
+        FLOAT("float"),
+        DOUBLE("double"),
+        STRING("string"),
+    }
+
+    private val payload = payloadOf(topic)
+    private val positions = times.positionsOf(topic)
+    private val dictionary by lazy { topic.texts.dictionary.map { it.encodeToByteArray() } }
+    private val keepsNaN = payload >= Payload.FLOAT && topic.counts.empty == 0
+    private var next = 0
+    private var nextText = 0
+    private var last = Double.NaN
+    private var hasLast = false
+    private var lastText = -1
+    private var gaps = 0
+    private var misfits = 0
+    private var nowhere = 0
+
+    /** Whether there are samples left. */
+    val hasNext: Boolean get() = next < topic.size
+
+    /** Where the next sample stands. */
+    val nextX: Double get() = positions[next]
+
+    fun start(out: RecordBuffer) {
+        val isText = topic.type == "json" || topic.type == "structschema"
+        out.start(id, topic.name, if (isText) topic.type else payload.type, metadataOf(topic))
+    }
+
+    /** Writes the next sample, if it is one that can be written. */
+    fun writeNext(out: RecordBuffer) {
+        val index = next++
+        val texts = topic.texts
+        val isText = nextText < texts.size && texts.rows[nextText] == index
+        val text = if (isText) texts.ids[nextText++] else -1
+        val micros = times.micros(positions[index])
+        when {
+            micros.isNaN() -> nowhere++
+            isText != (payload == Payload.STRING) -> if (isText || hasNumber(index)) misfits++ else gaps++
+            isText -> writeText(out, micros, text)
+            else -> writeNumber(out, micros, topic.samples.getOrElse(index) { Double.NaN })
+        }
+    }
+
+    private fun hasNumber(index: Int) = topic.samples.isNotEmpty() && !topic.samples[index].isNaN()
+
+    private fun writeText(out: RecordBuffer, micros: Double, text: Int) {
+        if (changesOnly && text == lastText) return
+        lastText = text
+        out.string(id, micros, dictionary[text])
+    }
+
+    private fun writeNumber(out: RecordBuffer, micros: Double, number: Double) {
+        if (number.isNaN() && !keepsNaN) {
+            gaps++
+            return
+        }
+        if (changesOnly && hasLast && number.toBits() == last.toBits()) return
+        last = number
+        hasLast = true
+        when (payload) {
+            Payload.BOOLEAN -> out.boolean(id, micros, number != 0.0)
+            Payload.INT64 -> out.int64(id, micros, number.toLong())
+            Payload.FLOAT -> out.float(id, micros, number.toFloat())
+            else -> out.double(id, micros, number)
+        }
+    }
+
+    /** What of the topic has not been written. */
+    fun omissions(): List<Omission> = buildList {
+        if (gaps > 0) add(Omission(topic.name, "Cells without a value have no record.", gaps))
+        if (misfits > 0) {
+            val what = if (payload == Payload.STRING) "Numbers among texts" else "Texts among numbers"
+            add(Omission(topic.name, "$what have no record.", misfits))
+        }
+        if (nowhere > 0) add(Omission(topic.name, "Samples without a place on the x axis have no record.", nowhere))
+    }
+
+    private companion object {
+        const val LARGEST_EXACT = 9007199254740992.0
+
+        fun payloadOf(topic: Topic): Payload = when {
+            topic.kind == TopicKind.STATE || topic.kind == TopicKind.EVENT -> Payload.STRING
+            topic.kind == TopicKind.EMPTY -> Payload.entries.firstOrNull { it.type == topic.type } ?: Payload.DOUBLE
+            topic.kind == TopicKind.BOOLEAN && topic.samples.all { it == 0.0 || it == 1.0 || it.isNaN() } -> Payload.BOOLEAN
+            topic.type == "int64" && topic.samples.all(::isWhole) -> Payload.INT64
+            topic.type == "float" && topic.samples.all { it.isNaN() || it.toFloat().toDouble() == it } -> Payload.FLOAT
+            else -> Payload.DOUBLE
+        }
+
+        private fun isWhole(number: Double) = number.isNaN() || abs(number) <= LARGEST_EXACT && number == floor(number)
+    }
+}

@@ -1,0 +1,53 @@
+package badlog.wpilog
+
+import badlog.analysis.XAxis
+import badlog.analysis.Units
+import badlog.recording.Topic
+import kotlin.math.abs
+import kotlin.math.round
+
+/** Turns places on [xAxis] into the times of records: whole µs, from 0 on. */
+internal class RecordTimes(private val xAxis: XAxis) {
+    private val scale = when (xAxis.unit) {
+        "ms" -> 1e3
+        "us", "µs" -> 1.0
+        else -> 1e6
+    }
+    private val isTime = !xAxis.isIndex && (xAxis.unit in UNITS || Units.isNone(xAxis.unit))
+
+    /** What is added to every x, so that none is before 0. */
+    private val shift = maxOf(0.0, -(xAxis.range?.start ?: 0.0))
+
+    /** How many times had to be rounded. */
+    private var rounded = 0
+
+    /** The time of the first sample, in µs. */
+    val first: Double get() = xAxis.range?.let { micros(it.start) } ?: 0.0
+
+    /** Where each sample of [topic] stands on the x axis. */
+    fun positionsOf(topic: Topic): DoubleArray = topic.times ?: xAxis.positions
+
+    /** The time, in µs, of what stands at [x]; NaN where that is nowhere, or later than a record can be. */
+    fun micros(x: Double): Double {
+        val exact = (x + shift) * scale
+        if (!(exact >= 0 && exact < LARGEST)) return Double.NaN
+        val whole = round(exact)
+        if (abs(exact - whole) > TOLERANCE + exact * 1e-15) rounded++
+        return whole
+    }
+
+    /** What the times do not say of x any more. */
+    fun omissions(): List<Omission> = buildList {
+        if (!isTime) add(Omission(null, "The x axis “${xAxis.title}” is no time; one of it stands as one second."))
+        if (shift > 0) add(Omission(null, "x begins at ${xAxis.range?.start}; all times are later by $shift."))
+        if (rounded > 0) add(Omission(null, "Times finer than a microsecond were rounded.", rounded))
+    }
+
+    private companion object {
+        val UNITS = setOf("s", "sec", "seconds", "ms", "us", "µs")
+        const val TOLERANCE = 1e-3
+
+        /** 2^53. */
+        const val LARGEST = 9007199254740992.0
+    }
+}

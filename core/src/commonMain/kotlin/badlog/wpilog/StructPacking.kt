@@ -1,0 +1,77 @@
+package badlog.wpilog
+
+/**
+ * Gives the fields of a struct their places: one after another without padding. Bit-fields of one width share as many bytes
+ * as they fit in, lowest bits first; a boolean one goes into the bytes of whatever bit-field stands before it.
+ *
+ * The functions that add return false for a field that cannot be, or makes the struct too large.
+ */
+internal class StructPacking {
+    private val leaves = ArrayList<Leaf>()
+    private var offset = 0
+    private var openWidth = 0
+    private var usedBits = 0
+
+    /** What was added. */
+    fun layout() = ValueLayout(offset + openWidth, leaves)
+
+    fun add(field: StructField, type: ValueType): Boolean {
+        endBits()
+        if (field.names != null && !type.isInteger) return false
+        if (type == ValueType.CHAR) return addText(field)
+        return addEach(field, type.width) { path, at -> leaves += Leaf(path, at, type, names = field.names) }
+    }
+
+    fun add(field: StructField, nested: ValueLayout): Boolean {
+        endBits()
+        if (nested.leaves.size.toLong() * (field.count ?: 1) + leaves.size > MOST_LEAVES) return false
+        return addEach(field, nested.width) { path, at -> nested.leaves.mapTo(leaves) { it.inside(path, at) } }
+    }
+
+    fun addBits(field: StructField, type: ValueType): Boolean {
+        val isBool = type == ValueType.BOOL
+        if (!(type.isInteger || isBool && field.bits == 1) || field.bits > type.width * BITS) return false
+        if (field.count != null || leaves.size == MOST_LEAVES) return false
+        val joinsAny = isBool && openWidth > 0 && usedBits < openWidth * BITS
+        if (!joinsAny && (openWidth != type.width || usedBits + field.bits > openWidth * BITS)) {
+            endBits()
+            openWidth = type.width
+        }
+        leaves += Leaf("/" + field.name, offset, type, bits = field.bits, shift = usedBits, names = field.names)
+        usedBits += field.bits
+        return offset <= WIDEST
+    }
+
+    private fun addText(field: StructField): Boolean {
+        val count = field.count ?: 1
+        if (count > WIDEST - offset || leaves.size == MOST_LEAVES) return false
+        leaves += Leaf("/" + field.name, offset, ValueType.CHAR, count)
+        offset += count
+        return true
+    }
+
+    private inline fun addEach(field: StructField, width: Int, addAt: (path: String, offset: Int) -> Unit): Boolean {
+        val count = field.count ?: 1
+        if (width.toLong() * count > WIDEST - offset || count > MOST_LEAVES - leaves.size && width > 0) return false
+        if (width == 0) return true
+        for (i in 0 until count) {
+            addAt("/" + field.name + if (field.count == null) "" else "[$i]", offset)
+            offset += width
+        }
+        return true
+    }
+
+    private fun endBits() {
+        offset += openWidth
+        openWidth = 0
+        usedBits = 0
+    }
+
+    private companion object {
+        const val BITS = 8
+
+        /** Each is a topic, and a graph. */
+        const val MOST_LEAVES = 1024
+        const val WIDEST = 1 shl 16
+    }
+}

@@ -1,0 +1,89 @@
+package badlog.wpilog
+
+import badlog.analysis.LogView
+import badlog.bag.readHeader
+import badlog.recording.Recording
+
+/**
+ * Writes a recording of any format as a WPILOG: each topic as an entry, each sample as a record at its time, with units and
+ * attributes in the entries' metadata, and each value as an entry of its own. [WpilogParser] reads all of that back.
+ *
+ * Parts of arrays and structs are entries of their own, of the names that they have as topics.
+ *
+ * @param recording what to write; read with its samples.
+ * @param changesOnly true to leave out a sample that is the same as the one before it in its topic.
+ */
+public class WpilogWriter(
+    private val recording: Recording,
+    private val changesOnly: Boolean = false,
+) {
+    /**
+     * Writes all of it, in the order of time.
+     *
+     * @param progress hears after each piece how many samples are done, and how many there are. What it throws stops the
+     *   writing and is passed on.
+     * @param sink gets the file in pieces of about 64 KiB, each `[0, size)` of the array, which is used again after the
+     *   call. What it throws stops the writing and is passed on.
+     * @return what the file cannot carry.
+     * @throws IllegalArgumentException when the recording was read without its samples.
+     */
+    public fun write(
+        progress: (doneSamples: Long, totalSamples: Long) -> Unit = { _, _ -> },
+        sink: (bytes: ByteArray, size: Int) -> Unit,
+    ): List<Omission> {
+        requireSamples()
+        val times = RecordTimes(LogView.of(recording).xAxis)
+        val out = RecordBuffer()
+        out.header(WpilogParser.OWN_HEADER)
+        val firstTime = times.first
+        var id = 1
+        for (value in recording.values) {
+            out.start(id, value.name, "string", VALUE_METADATA)
+            out.string(id++, firstTime, value.text.encodeToByteArray())
+        }
+        val entries = recording.topics.map { EntryWriter(id++, it, times, changesOnly).apply { start(out) } }
+        val total = recording.sampleCount
+        var done = 0L
+        val queue = EntryQueue(entries)
+        while (true) {
+            val entry = queue.first ?: break
+            entry.writeNext(out)
+            queue.moveFirst()
+            done++
+            if (out.size >= PIECE) {
+                sink(out.bytes, out.size)
+                out.clear()
+                progress(done, total)
+            }
+        }
+        if (out.size > 0) sink(out.bytes, out.size)
+        progress(total, total)
+        return omissions(entries, times)
+    }
+
+    private fun omissions(entries: List<EntryWriter>, times: RecordTimes): List<Omission> = buildList {
+        addAll(times.omissions())
+        val parts = recording.topics.count { it.type.endsWith("[]") || it.type.startsWith("struct:") }
+        if (parts > 0) add(Omission(null, "Parts of arrays and structs are entries of their own.", parts))
+        for (topic in recording.topics) {
+            if (topic.type == "raw" || topic.type.startsWith("proto:")) {
+                add(Omission(topic.name, "Bytes that were not decoded are there by their sizes only.", topic.size))
+            }
+        }
+        val unknown = recording.headerLine?.let(::readHeader)?.unknown.orEmpty()
+        if (unknown.isNotEmpty()) add(Omission(null, "Other keys of the header: ${unknown.keys.joinToString()}.", unknown.size))
+        for (entry in entries) addAll(entry.omissions())
+    }
+
+    private fun requireSamples() {
+        for (topic in recording.topics) {
+            val counts = topic.counts
+            val isMissing = topic.samples.isEmpty() && counts.texts + counts.empty < counts.total
+            require(!isMissing && topic.texts.size == counts.texts) { "The samples of “${topic.name}” were not kept." }
+        }
+    }
+
+    private companion object {
+        const val PIECE = 1 shl 16
+    }
+}

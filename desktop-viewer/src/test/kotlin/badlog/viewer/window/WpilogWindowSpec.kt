@@ -1,0 +1,35 @@
+package badlog.viewer.window
+
+import badlog.recording.Value
+import badlog.viewer.loggedTexts
+import badlog.viewer.loggedTopic
+import badlog.viewer.wpilogOf
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.shouldBe
+import java.nio.file.Files
+
+class WpilogWindowSpec : FunSpec({
+    test("a WPILOG is shown as a bag is, and followed while it grows").config(enabledOrReasonIf = { needsDisplay }) {
+        val values = listOf(Value("Event Name", "OHCL"), Value("Match Number", "7"), Value("Match Type", "Qualification"))
+        fun bytes(seconds: Int) = wpilogOf(
+            listOf(
+                loggedTopic("DS:enabled", 0.0 to 0.0, 5.0 to 1.0, 20.0 to 0.0, unit = "ul"),
+                loggedTopic("/System/Battery Voltage", *List(seconds * 10) { it / 10.0 to 12.5 - it % 70 / 50.0 }.toTypedArray()),
+                loggedTopic("NT:/Tuning/kP", 0.5 to 0.02, 11.0 to 0.05, 17.0 to 0.04, unit = "ul"),
+                loggedTexts("/Arm/State", 0.0 to "stowed", 6.0 to "scoring", 9.0 to "stowed"),
+            ),
+            values,
+        )
+        val file = tempdir().resolve("FRC_TBD.wpilog").toPath()
+        Files.write(file, bytes(24))
+        RealWindow(tempdir().toPath(), file).use { window ->
+            window.awaitText("OHCL Qualification 7")
+            window.look { viewer -> viewer.open?.enabled?.map { it.span.from to it.span.to } } shouldBe listOf(5.0 to 20.0)
+            window.look { viewer -> viewer.graphs.graphs.size } shouldBe 4
+            window.picture("wpilog")
+            Files.write(file, bytes(30))
+            window.awaitState("the rest of the log") { it.viewport.visible.to > 29 }
+        }
+    }
+})
