@@ -24,6 +24,9 @@ public class LogView internal constructor(
     /** The line that [topic], one of the recording's, gives by itself, whether or not a graph shows it. */
     public fun seriesOf(topic: Topic): GraphSeries = seriesOf(topic, xAxis)
 
+    /** The texts of [topic], one of the recording's, as events, whether or not they are shown as a list. */
+    public fun eventsOf(topic: Topic): EventLog = EventLog(topic, xAxis)
+
     /** How many of [problems] are of each severity. */
     public fun count(severity: Severity): Int = problems.count { it.severity == severity }
 

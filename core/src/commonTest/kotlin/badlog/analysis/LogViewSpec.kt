@@ -131,6 +131,12 @@ class LogViewSpec : FunSpec({
         view.graph("State").showsStates shouldBe true
     }
 
+    test("The events of a topic are there whether or not they are shown") {
+        val view = view(TIME, topic("What", "log", "hide"), rows = listOf(listOf(1.5, null), listOf(2.5, "boom")))
+        view.folders.flatMap { it.eventLogs }.shouldBeEmpty()
+        view.eventsOf(view.recording.topics[1]).events.map { it.x to it.text } shouldBe listOf(2.5 to "boom")
+    }
+
     test("true and false are two states, and numbers where the topic joins a graph") {
         val rows = listOf(listOf(0.0, "true"), listOf(1.0, "false"))
         val view = view(TIME, topic("On", "join:G"), rows = rows)

@@ -1,0 +1,114 @@
+package badlog.replay
+
+import kotlin.math.floor
+import kotlin.math.roundToLong
+
+/**
+ * Where in a recording a replay is. It owns no clock: every function is told what time it is, in nanoseconds that never go
+ * backwards. Positions are in the unit of the recording's x axis. Paused at the start of [range] at first.
+ *
+ * @property range what is played.
+ * @property unitsPerSecond how far x goes in a second of the recording.
+ * @property isLooping whether it goes on at the start when it comes to the end; without effect on a range without length.
+ * @throws IllegalArgumentException when [range] is empty or not finite, or [speed] not above 0.
+ */
+internal class Playhead(
+    val range: ClosedFloatingPointRange<Double>,
+    private val unitsPerSecond: Double,
+    speed: Double,
+    isLooping: Boolean,
+    nowNanos: Long,
+) {
+    /** How many seconds of the recording pass in a second. */
+    var speed: Double = requireSpeed(speed)
+        private set
+
+    val isLooping: Boolean = isLooping && range.endInclusive > range.start
+
+    var isPlaying: Boolean = false
+        private set
+
+    // It was here, then; from there on it moves evenly.
+    private var anchorPosition = range.start
+    private var anchorNanos = nowNanos
+    private var reported = range.start
+    private var isFresh = true
+
+    private val length = range.endInclusive - range.start
+    private val unitsPerNano get() = unitsPerSecond * speed * 1e-9
+
+    init {
+        require(range.start.isFinite() && range.endInclusive.isFinite() && range.start <= range.endInclusive) {
+            "A replay needs a range that begins before it ends, not $range."
+        }
+    }
+
+    fun position(nowNanos: Long): Double {
+        if (!isPlaying) return anchorPosition
+        val travelled = travelled(nowNanos)
+        return range.start + if (isLooping) travelled - floor(travelled / length) * length else minOf(travelled, length)
+    }
+
+    fun isAtEnd(nowNanos: Long): Boolean = !isLooping && position(nowNanos) >= range.endInclusive
+
+    fun play(nowNanos: Long) {
+        anchor(position(nowNanos), nowNanos)
+        isPlaying = true
+    }
+
+    fun pause(nowNanos: Long) {
+        anchor(position(nowNanos), nowNanos)
+        isPlaying = false
+    }
+
+    /** Jumps to [position], or to that end of the range which is nearer to it. */
+    fun seek(position: Double, nowNanos: Long) {
+        require(!position.isNaN()) { "A replay cannot go to a position that is no number." }
+        anchor(position.coerceIn(range), nowNanos)
+        reported = anchorPosition
+        isFresh = true
+    }
+
+    fun changeSpeed(speed: Double, nowNanos: Long) {
+        requireSpeed(speed)
+        anchor(position(nowNanos), nowNanos)
+        this.speed = speed
+    }
+
+    /**
+     * Hands [visit] what was played since the last call, in order and nothing twice. Of laps that were begun and ended since
+     * then only the last is told, as nobody could have seen the others.
+     */
+    fun advance(nowNanos: Long, visit: (Stretch) -> Unit) {
+        if (isPlaying && isLooping) {
+            val laps = floor(travelled(nowNanos) / length)
+            if (laps >= 1) {
+                visit(stretchTo(range.endInclusive))
+                val lapBegan = anchorNanos + ((laps * length - (anchorPosition - range.start)) / unitsPerNano).roundToLong()
+                // Rounded up it might not have begun yet.
+                seek(range.start, minOf(lapBegan, nowNanos))
+            }
+        }
+        val to = maxOf(position(nowNanos), reported)
+        if (isFresh || to > reported) visit(stretchTo(to))
+    }
+
+    private fun stretchTo(to: Double): Stretch {
+        val stretch = Stretch(reported, to, isFresh, anchorPosition, anchorNanos, unitsPerNano)
+        reported = to
+        isFresh = false
+        return stretch
+    }
+
+    private fun travelled(nowNanos: Long) = anchorPosition - range.start + (nowNanos - anchorNanos) * unitsPerNano
+
+    private fun anchor(position: Double, nowNanos: Long) {
+        anchorPosition = position
+        anchorNanos = nowNanos
+    }
+}
+
+internal fun requireSpeed(speed: Double): Double {
+    require(speed > 0 && speed.isFinite()) { "A replay's speed is a number above 0, 1 for real time, not $speed." }
+    return speed
+}

@@ -1,0 +1,36 @@
+package badlog.replay
+
+import java.net.InetAddress
+
+/**
+ * How a recording is replayed.
+ *
+ * @property port where dashboards connect; 0 for any that is free. Most dashboards know only [USUAL_PORT].
+ * @property address the network at which dashboards may connect: this computer alone, unless told otherwise.
+ * @property speed how many seconds of the recording pass in a second; above 0.
+ * @property isLooping whether it begins anew when it has come to the end.
+ * @property range what is replayed, on the recording's x axis and in its unit; null for all.
+ * @property prefix what stands before each topic's name, such as `/badlog`; empty for the names that the robot gave.
+ * @throws IllegalArgumentException when one of them is out of its range.
+ */
+public class ReplayOptions(
+    public val port: Int = USUAL_PORT,
+    public val address: InetAddress = InetAddress.getLoopbackAddress(),
+    public val speed: Double = 1.0,
+    public val isLooping: Boolean = false,
+    public val range: ClosedFloatingPointRange<Double>? = null,
+    public val prefix: String = "",
+) {
+    init {
+        require(port in 0..0xffff) { "A port is a number from 1 to 65535, or 0 for any that is free, not $port." }
+        requireSpeed(speed)
+        require(range == null || (range.start.isFinite() && range.endInclusive.isFinite() && range.start <= range.endInclusive)) {
+            "A replay needs a range that begins before it ends, not $range."
+        }
+    }
+
+    public companion object {
+        /** The port of NetworkTables 4. */
+        public const val USUAL_PORT: Int = 5810
+    }
+}

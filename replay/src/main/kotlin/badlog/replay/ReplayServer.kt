@@ -1,0 +1,170 @@
+package badlog.replay
+
+import badlog.analysis.LogView
+import java.io.Closeable
+import java.net.InetSocketAddress
+import java.util.concurrent.Executors
+import java.util.concurrent.TimeUnit
+
+/**
+ * Shows a recording again in its own time, to dashboards that speak WPILib's NetworkTables 4: it is a server of that protocol,
+ * whose topics are those of the recording. Numbers are `double`, truth values `boolean`, states and events `string`, and the
+ * header's values are strings below `/Values/`. The unit is the property `unit`.
+ *
+ * Safe for all threads. Its own threads end with [close] and keep no program running.
+ *
+ * @property options how it is replayed.
+ */
+public class ReplayServer(view: LogView, public val options: ReplayOptions = ReplayOptions()) : Closeable {
+    private val signals = signalsOf(view, options.prefix)
+    private val startNanos = System.nanoTime()
+    private val ignored = IgnoredMessages()
+    private val frames = ValueFrames(signals)
+    private val clients = LinkedHashMap<Connection, Client>()
+    private val player = Player(
+        signals,
+        Playhead(
+            options.range ?: rangeOf(signals),
+            unitsPerSecond(view.xAxis),
+            options.speed,
+            options.isLooping,
+            serverNanos(),
+        ),
+    )
+    private val playhead = player.playhead
+    private val sockets = SocketServer(
+        InetSocketAddress(options.address, options.port),
+        { serverNanos() / NANOS_PER_MICRO },
+        Connections(),
+        ignored,
+    )
+    private val ticks = Executors.newSingleThreadScheduledExecutor { Thread(it, "replay").apply { isDaemon = true } }
+    private var isBound = false
+
+    // Guards the player and the clients.
+    private val lock = Any()
+
+    /** The part of the x axis that is replayed. */
+    public val range: ClosedFloatingPointRange<Double> get() = playhead.range
+
+    /** Where it is, on the x axis. */
+    public val position: Double get() = synchronized(lock) { playhead.position(serverNanos()) }
+
+    /** Whether it is under way; at the end it still is until [pause]. */
+    public val isPlaying: Boolean get() = synchronized(lock) { playhead.isPlaying }
+
+    /** Whether there is nothing left to play. Dashboards still see the last values. Never while looping. */
+    public val isAtEnd: Boolean get() = synchronized(lock) { playhead.isAtEnd(serverNanos()) }
+
+    /** The port at which dashboards connect. */
+    public val port: Int get() = sockets.port
+
+    /** What the connected dashboards call themselves, in the order in which they came. */
+    public val clientNames: List<String> get() = synchronized(lock) { clients.keys.map { it.name } }
+
+    /** A sentence about what dashboards sent and was not understood; null when all was. */
+    public val note: String? get() = ignored.note
+
+    /** How many messages of dashboards were not understood. */
+    public val ignoredMessages: Int get() = ignored.count
+
+    /** How many seconds of the recording pass in a second; above 0. */
+    public var speed: Double
+        get() = synchronized(lock) { playhead.speed }
+        set(value) = change { playhead.changeSpeed(value, it) }
+
+    /**
+     * Lets dashboards connect. They see the first values until [start], which also does this itself.
+     *
+     * @throws UnavailablePortException when the port is taken or not to be had.
+     * @throws IllegalStateException after [close].
+     */
+    public fun open() {
+        synchronized(lock) {
+            check(!ticks.isShutdown) { "This replay is closed." }
+            if (isBound) return
+            sockets.open()
+            isBound = true
+        }
+        ticks.scheduleAtFixedRate(::tick, 0, TICK_MILLIS, TimeUnit.MILLISECONDS)
+        ticks.scheduleAtFixedRate(::checkAlive, PING_SECONDS, PING_SECONDS, TimeUnit.SECONDS)
+    }
+
+    /** Plays on from where it is, or from the start when it is at the end. Errors as [open]. */
+    public fun start() {
+        open()
+        change {
+            if (playhead.isAtEnd(it)) playhead.seek(range.start, it)
+            playhead.play(it)
+        }
+    }
+
+    /** Stays where it is. */
+    public fun pause(): Unit = change { playhead.pause(it) }
+
+    /**
+     * Jumps to [position], or to that end of [range] which is nearer to it; dashboards get what holds there.
+     *
+     * @throws IllegalArgumentException when it is NaN.
+     */
+    public fun seek(position: Double): Unit = change { playhead.seek(position, it) }
+
+    /** Ends all connections and frees the port. Waits for up to a second. */
+    override fun close() {
+        ticks.shutdownNow()
+        sockets.stop(CLOSING_MILLIS)
+    }
+
+    /** What was played under the old rules goes out before [action] changes them. */
+    private fun change(action: (nowNanos: Long) -> Unit) = synchronized(lock) {
+        val now = serverNanos()
+        offer(player.advance(now))
+        action(now)
+    }
+
+    private fun tick() = synchronized(lock) {
+        val now = serverNanos()
+        offer(player.advance(now))
+        for (client in clients.values) client.flush(now / NANOS_PER_MICRO)
+    }
+
+    private fun offer(updates: List<Update>) {
+        if (updates.isNotEmpty()) for (client in clients.values) client.offer(updates)
+    }
+
+    private fun checkAlive() {
+        val modern = synchronized(lock) { clients.keys.filter { it.protocol == SubProtocol.V4_1 } }
+        val oldest = System.nanoTime() - SILENCE_NANOS
+        for (connection in modern) {
+            if (connection.heardNanos - oldest < 0) connection.end("Nothing was heard of it.") else connection.ping()
+        }
+    }
+
+    // A robot's clock is never at 0 when it sends; a value of that time would count as a mere default.
+    private fun serverNanos() = System.nanoTime() - startNanos + FIRST_NANOS
+
+    private inner class Connections : Listener {
+        override fun opened(connection: Connection) {
+            if (connection.protocol == SubProtocol.TIME_ONLY) return
+            val client = Client(player, connection, frames) { ignored.add(connection.name, it) }
+            synchronized(lock) { clients[connection] = client }
+        }
+
+        override fun received(connection: Connection, text: String) = synchronized(lock) {
+            clients[connection]?.receive(text) ?: Unit
+        }
+
+        override fun closed(connection: Connection) {
+            synchronized(lock) { clients.remove(connection) }
+        }
+    }
+
+    private companion object {
+        const val NANOS_PER_MICRO = 1000
+        const val FIRST_NANOS = 1_000_000_000L
+        const val TICK_MILLIS = 10L
+        const val PING_SECONDS = 1L
+        const val SILENCE_NANOS = 10_000_000_000L
+        const val CLOSING_MILLIS = 1000
+    }
+}

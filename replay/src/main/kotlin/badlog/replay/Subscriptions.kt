@@ -1,0 +1,58 @@
+package badlog.replay
+
+/** What one client subscribed to, worked out for each of [signals]. */
+internal class Subscriptions(private val signals: List<Signal>) {
+    private class Subscription(val request: Request.Subscribe, val signals: IntArray)
+
+    private val idOfName = HashMap<String, Int>().apply { signals.forEachIndexed { id, signal -> put(signal.name, id) } }
+    private val subscriptions = HashMap<Long, Subscription>()
+    private val wantsAll = BooleanArray(signals.size)
+
+    /** For each signal, how often its latest value is sent; [NEVER] when its values are not wanted. */
+    val periodMicros = LongArray(signals.size) { NEVER }
+
+    /** How many names all of it has. */
+    val nameCount: Int get() = subscriptions.values.sumOf { it.request.names.size }
+
+    fun idOf(name: String): Int? = idOfName[name]
+
+    fun wantsValues(signal: Int): Boolean = periodMicros[signal] != NEVER
+
+    /** Whether every value is wanted and not only the latest. */
+    fun wantsAll(signal: Int): Boolean = wantsAll[signal]
+
+    /** Adds what [request] asks for, in place of what its number asked for before; returns the signals that it means. */
+    fun add(request: Request.Subscribe): IntArray {
+        val subscription = Subscription(request, matches(request))
+        if (subscriptions.put(request.id, subscription) == null) apply(subscription) else applyAll()
+        return subscription.signals
+    }
+
+    fun remove(id: Long) {
+        if (subscriptions.remove(id) != null) applyAll()
+    }
+
+    private fun matches(request: Request.Subscribe): IntArray {
+        if (!request.isPrefix) return request.names.mapNotNull { idOfName[it] }.distinct().toIntArray()
+        return signals.indices.filter { id -> request.names.any { signals[id].name.startsWith(it) } }.toIntArray()
+    }
+
+    private fun applyAll() {
+        periodMicros.fill(NEVER)
+        wantsAll.fill(false)
+        subscriptions.values.forEach(::apply)
+    }
+
+    private fun apply(subscription: Subscription) {
+        val request = subscription.request
+        if (request.isTopicsOnly) return
+        for (signal in subscription.signals) {
+            periodMicros[signal] = minOf(periodMicros[signal], request.periodMicros)
+            if (request.isAll) wantsAll[signal] = true
+        }
+    }
+
+    private companion object {
+        const val NEVER = Long.MAX_VALUE
+    }
+}

@@ -1,0 +1,74 @@
+package badlog.replay
+
+import org.msgpack.core.MessageBufferPacker
+import org.msgpack.core.MessagePack
+import org.msgpack.core.MessagePackException
+import org.msgpack.value.ValueType
+import java.nio.ByteBuffer
+
+/** Writes values as NT4's binary frames: MessagePack arrays of a topic's id, microseconds, type and value. */
+internal class ValueFrames(private val signals: List<Signal>) {
+    /** [updates] in frames about as long as a network packet, so that a ping never waits for long. */
+    fun of(updates: List<Update>): List<ByteBuffer> {
+        val frames = ArrayList<ByteBuffer>()
+        val packer = MessagePack.newDefaultBufferPacker()
+        // The packer counts on when it is cleared.
+        var begin = 0L
+        for (update in updates) {
+            pack(packer, update)
+            if (packer.totalWrittenBytes - begin < FULL_BYTES) continue
+            frames += packer.take()
+            begin = packer.totalWrittenBytes
+        }
+        if (packer.totalWrittenBytes > begin) frames += packer.take()
+        return frames
+    }
+
+    private fun pack(packer: MessageBufferPacker, update: Update) {
+        val signal = signals[update.signal]
+        val value = signal.samples.y[update.index]
+        packer.packArrayHeader(4).packInt(update.signal).packLong(update.micros).packInt(signal.type.code)
+        when (signal.type) {
+            SignalType.BOOLEAN -> packer.packBoolean(value != 0.0)
+            SignalType.DOUBLE -> packer.packDouble(value)
+            SignalType.STRING -> signal.texts[value.toInt()].let { packer.packRawStringHeader(it.size).writePayload(it) }
+        }
+    }
+
+    private fun MessageBufferPacker.take(): ByteBuffer = ByteBuffer.wrap(toByteArray()).also { clear() }
+
+    private companion object {
+        const val FULL_BYTES = 1200
+    }
+}
+
+/**
+ * Answers the questions for the time in a client's binary [frame]; whatever else it says about values is of no interest.
+ *
+ * @param micros the server's time.
+ * @return the answer, or null when nothing was asked.
+ * @throws MessagePackException when the frame is none of NT4's.
+ */
+internal fun answerTime(frame: ByteBuffer, micros: Long): ByteBuffer? {
+    val questions = MessagePack.newDefaultUnpacker(frame)
+    val answers = MessagePack.newDefaultBufferPacker()
+    while (questions.hasNext()) {
+        val size = questions.unpackArrayHeader()
+        if (size != 4) throw MessagePackException("an array of $size in place of 4")
+        val id = questions.unpackLong()
+        questions.skipValue(1)
+        val type = questions.unpackInt()
+        val value = questions.nextFormat.valueType
+        if (id == TIME_ID && value == ValueType.INTEGER) {
+            answers.packArrayHeader(4).packLong(TIME_ID).packLong(micros).packInt(type)
+                .packBigInteger(questions.unpackBigInteger())
+        } else if (id == TIME_ID && value == ValueType.FLOAT) {
+            answers.packArrayHeader(4).packLong(TIME_ID).packLong(micros).packInt(type).packDouble(questions.unpackDouble())
+        } else {
+            questions.skipValue()
+        }
+    }
+    return if (answers.totalWrittenBytes == 0L) null else ByteBuffer.wrap(answers.toByteArray())
+}
+
+private const val TIME_ID = -1L

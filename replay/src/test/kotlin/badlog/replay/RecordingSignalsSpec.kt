@@ -1,0 +1,72 @@
+package badlog.replay
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.shouldBe
+
+private fun Signal.texts() = samples.y.map { texts[it.toInt()].decodeToString() }
+
+private val SIGNALS = signalsOf(VARIED_VIEW, "").associateBy { it.name }
+
+class RecordingSignalsSpec : FunSpec({
+    test("Each topic has its name, type and unit; each value is a text below Values") {
+        SIGNALS.values.map { Triple(it.name, it.type, it.unit) } shouldContainExactly listOf(
+            Triple("/Time", SignalType.DOUBLE, "s"),
+            Triple("/Arm/Angle", SignalType.DOUBLE, "deg"),
+            Triple("/Arm/At Top", SignalType.BOOLEAN, null),
+            Triple("/Arm/State", SignalType.STRING, null),
+            Triple("/Log", SignalType.STRING, null),
+            Triple("/Nothing", SignalType.DOUBLE, "A"),
+            Triple("/Values/Match Number", SignalType.STRING, null),
+            Triple("/Values/Arm/Größe", SignalType.STRING, null),
+        )
+    }
+
+    test("A gap of a number is told once, one of a state not at all") {
+        val angle = SIGNALS.getValue("/Arm/Angle").samples
+        angle.x.toList() shouldBe listOf(10.0, 10.02, 10.05, 10.1, 10.3)
+        angle.y.map { "$it" } shouldBe listOf("1.5", "2.5", "NaN", "2.5", "4.0")
+        SIGNALS.getValue("/Arm/State").texts() shouldBe listOf("idle", "rising", "rising", "idle", "idle")
+    }
+
+    test("Events stand at their times") {
+        val log = SIGNALS.getValue("/Log")
+        log.samples.x.toList() shouldBe listOf(10.02, 10.06, 10.3)
+        log.texts() shouldBe listOf("up we go", "again “up”", "done")
+    }
+
+    test("Values hold before everything") {
+        val number = SIGNALS.getValue("/Values/Match Number")
+        number.countUntil(-1e300) shouldBe 1
+        number.texts() shouldBe listOf("8")
+    }
+
+    test("The range goes from the first sample to the last") {
+        rangeOf(SIGNALS.values.toList()) shouldBe 10.0..10.3
+        rangeOf(emptyList()) shouldBe 0.0..0.0
+    }
+
+    test("A clock that was set back does not stop the replay: samples are in order") {
+        val view = viewOf("{\"topics\":[{\"name\":\"T\",\"unit\":\"s\",\"attrs\":[\"xaxis\"]}],\"values\":[]}\nT,A\n5,1\n1,2\n3,3\n")
+        val samples = signalsOf(view, "").last().samples
+        samples.x.toList() shouldBe listOf(1.0, 3.0, 5.0)
+        samples.y.toList() shouldBe listOf(2.0, 3.0, 1.0)
+    }
+
+    test("Names begin with one slash and the prefix, and none is given twice") {
+        val names = TopicNames("badlog/")
+        names.nameOf("A/B") shouldBe "/badlog/A/B"
+        names.nameOf("//A/B") shouldBe "/badlog/A/B (2)"
+        TopicNames("").nameOf("NT:/SmartDashboard/X") shouldBe "/SmartDashboard/X"
+    }
+
+    test("Rows without a time are those of a robot's loop; other units of time are converted") {
+        fun factor(unit: String) = unitsPerSecond(
+            viewOf("{\"topics\":[{\"name\":\"T\",\"unit\":\"$unit\",\"attrs\":[\"xaxis\"]}],\"values\":[]}\nT\n1\n").xAxis,
+        )
+        unitsPerSecond(viewOf("A,B\n1,2\n").xAxis) shouldBe 50.0
+        factor("s") shouldBe 1.0
+        factor("ms") shouldBe 1000.0
+        factor("furlong") shouldBe 1.0
+    }
+})
