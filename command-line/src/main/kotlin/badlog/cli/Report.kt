@@ -49,12 +49,24 @@ internal class Report(private val command: String, private val console: Console,
         }
     }
 
+    /** The same JSON in plain ASCII, which comes through whatever encoding the standard output has. */
+    private fun asciiOf(json: String): String {
+        if (json.all { it.code < ASCII }) return json
+        return buildString {
+            for (char in json) if (char.code < ASCII) append(char) else append("\\u").append(char.code.toString(16).padStart(4, '0'))
+        }
+    }
+
     private fun line(file: Path, status: String, rest: Map<String, JsonElement>) {
         val start = mapOf(
             "command" to JsonPrimitive(command),
             "file" to JsonPrimitive(file.toString()),
             "status" to JsonPrimitive(status),
         )
-        console.out.println(JsonObject(start + rest))
+        console.out.println(asciiOf(JsonObject(start + rest).toString()))
+    }
+
+    private companion object {
+        const val ASCII = 0x7F
     }
 }

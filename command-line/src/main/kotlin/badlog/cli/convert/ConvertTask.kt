@@ -7,13 +7,13 @@ import badlog.cli.Outcome
 import badlog.cli.Task
 import badlog.cli.input.LogInput
 import badlog.cli.input.readLog
-import badlog.cli.input.withX
 import badlog.cli.output.FileName
 import badlog.cli.output.LogFormat
 import badlog.cli.output.OutputPlan
 import badlog.cli.output.writeLog
 import badlog.cli.text.counted
 import badlog.cli.text.json
+import badlog.cli.text.lossLines
 import badlog.html.ExportProgress
 import java.nio.file.Path
 import kotlinx.serialization.json.JsonPrimitive
@@ -35,20 +35,21 @@ internal class ConvertTask(
     override fun run(console: Console): ExitCode = LogLoop("convert", console, isJson).run(paths, ::convert)
 
     private fun convert(input: LogInput, progress: ExportProgress): Outcome {
-        val recording = readLog(input.file, progress).withX(xTopic)
+        val recording = readLog(input.file, progress, xTopic)
         val name = FileName.of(input.file)
         val converted = name.with(format.ending, isGzip || name.isGzip)
         val target = plan.place(input, converted, converted)
         writeLog(recording, format, target, progress = progress)
         val leftOut = format.leftOut(recording)
         val rest = if (leftOut.isEmpty()) "" else "; without ${leftOut.joinToString()}"
-        val text = "${input.file} -> $target\n  ${counted(recording.rowCount.toLong(), "row")}$rest"
+        val text = listOf("${input.file} -> $target", "  ${counted(recording.rowCount.toLong(), "row")}$rest") +
+            lossLines(recording.problems)
         val json = mapOf(
             "output" to JsonPrimitive(target.toString()),
             "format" to JsonPrimitive(format.option),
             "rows" to JsonPrimitive(recording.rowCount),
             "leftOut" to json(leftOut),
         )
-        return Outcome(recording.isSalvaged, text, json)
+        return Outcome(recording.isSalvaged, text.joinToString("\n"), json)
     }
 }

@@ -9,14 +9,15 @@ import badlog.cli.Outcome
 import badlog.cli.Task
 import badlog.cli.input.LogInput
 import badlog.cli.input.readLog
-import badlog.cli.input.withX
 import badlog.cli.output.FileName
 import badlog.cli.output.LogFormat
 import badlog.cli.output.OutputPlan
 import badlog.cli.output.writeLog
 import badlog.cli.text.XTime
 import badlog.cli.text.counted
+import badlog.cli.text.grouped
 import badlog.cli.text.json
+import badlog.cli.text.lossLines
 import badlog.html.ExportProgress
 import java.nio.file.Path
 import java.util.BitSet
@@ -40,7 +41,7 @@ internal class CutTask(
     override fun run(console: Console): ExitCode = LogLoop("cut", console, isJson).run(paths, ::cut)
 
     private fun cut(input: LogInput, progress: ExportProgress): Outcome {
-        val view = LogView.of(readLog(input.file, progress).withX(xTopic))
+        val view = LogView.of(readLog(input.file, progress, xTopic))
         val recording = view.recording
         val runs = try {
             choose(view).runs()
@@ -50,8 +51,9 @@ internal class CutTask(
         val target = plan.place(input, FileName.of(input.file).marked("cut"), input.file.fileName.toString())
         val format = plan.file?.let(LogFormat::ofName) ?: LogFormat.of(recording)
         writeLog(recording, format, target, runs, progress)
-        val kept = runs.sumOf { it.count() }
-        return Outcome(recording.isSalvaged, text(view, input.file, target, runs, kept), json(view, target, runs, kept))
+        val leftOut = format.leftOut(recording)
+        val text = text(view, "${input.file} -> $target", runs, leftOut)
+        return Outcome(recording.isSalvaged, text, json(view, target, runs) + mapOf("leftOut" to json(leftOut)))
     }
 
     private fun choose(view: LogView): BitSet {
@@ -65,19 +67,19 @@ internal class CutTask(
         throw Failure("no row lies there; ${view.xAxis.name} goes from ${XTime.text(finite.min(), unit)} to ${XTime.text(finite.max(), unit)}.")
     }
 
-    private fun text(view: LogView, file: Path, target: Path, runs: List<IntRange>, kept: Int): String {
-        val of = "of ${counted(view.recording.rowCount.toLong(), "row")}"
+    private fun text(view: LogView, title: String, runs: List<IntRange>, leftOut: List<String>): String {
+        val without = if (leftOut.isEmpty()) "" else "; without ${leftOut.joinToString()}"
         val lines = runs.take(LISTED).map { run ->
             val from = XTime.text(view.xAxis.positions[run.first], view.xAxis.unit)
             "  from $from to ${XTime.text(view.xAxis.positions[run.last], view.xAxis.unit)}"
         }
         val more = if (runs.size > LISTED) listOf("  and ${runs.size - LISTED} more") else emptyList()
-        return (listOf("$file -> $target", "  kept ${counted(kept.toLong(), "row")} $of") + lines + more).joinToString("\n")
+        return (listOf(title, "  kept ${grouped(countOf(runs).toLong())} of ${counted(view.recording.rowCount.toLong(), "row")}$without") + lines + more + lossLines(view.problems)).joinToString("\n")
     }
 
-    private fun json(view: LogView, target: Path, runs: List<IntRange>, kept: Int) = mapOf(
+    private fun json(view: LogView, target: Path, runs: List<IntRange>) = mapOf(
         "output" to JsonPrimitive(target.toString()),
-        "rows" to JsonPrimitive(kept),
+        "rows" to JsonPrimitive(countOf(runs)),
         "ofRows" to JsonPrimitive(view.recording.rowCount),
         "parts" to JsonArray(
             runs.map {
@@ -85,6 +87,8 @@ internal class CutTask(
             },
         ),
     )
+
+    private fun countOf(runs: List<IntRange>) = runs.sumOf { it.count() }
 
     private companion object {
         const val LISTED = 10

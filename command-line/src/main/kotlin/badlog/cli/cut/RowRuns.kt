@@ -41,7 +41,8 @@ private fun joined(spans: List<Span>): List<Span> {
 }
 
 private fun isInside(x: Double, spans: List<Span>): Boolean {
-    val place = spans.binarySearch { it.from.compareTo(x) }
+    // By the operators, to which 0 and -0 are the same.
+    val place = spans.binarySearch { if (it.from < x) -1 else if (it.from > x) 1 else 0 }
     if (place >= 0) return true
     val before = -place - 2
     return before >= 0 && x <= spans[before].to

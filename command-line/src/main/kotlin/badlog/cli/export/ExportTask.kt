@@ -9,13 +9,12 @@ import badlog.cli.input.LogInput
 import badlog.cli.input.NotALog
 import badlog.cli.output.OutputPlan
 import badlog.cli.text.json
-import badlog.cli.text.problemLines
+import badlog.cli.text.lossLines
 import badlog.file.UnreadableFileException
 import badlog.file.requireRegularFile
 import badlog.html.ExportException
 import badlog.html.ExportProgress
 import badlog.html.HtmlExporter
-import badlog.recording.Severity
 import java.nio.file.Path
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonPrimitive
@@ -46,8 +45,7 @@ internal class ExportTask(
         } catch (e: ExportException.NotARecording) {
             throw NotALog(e.message.orEmpty())
         }
-        val losses = report.recording.problems.filter { it.severity == Severity.ERROR }
-        val text = listOf("${input.file} -> $target") + problemLines(losses, indent = "  ")
+        val text = listOf("${input.file} -> $target") + lossLines(report.recording.problems)
         val json = mapOf(
             "output" to JsonPrimitive(target.toString()),
             "rows" to JsonPrimitive(report.recording.rowCount),

@@ -7,7 +7,6 @@ import badlog.cli.LogLoop
 import badlog.cli.Outcome
 import badlog.cli.Task
 import badlog.cli.input.readLog
-import badlog.cli.input.withX
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -28,7 +27,7 @@ internal class InfoTask(
         val shown = parts.ifEmpty { setOf(InfoPart.TOPICS, InfoPart.VALUES, InfoPart.WORST) }
         var isFirst = true
         return LogLoop("info", console, isJson).run(paths) { input, progress ->
-            val recording = readLog(input.file, progress).withX(xTopic)
+            val recording = readLog(input.file, progress, xTopic)
             val summary = LogSummary(input.file, Files.size(input.file), LogView.of(recording))
             val text = when {
                 isJson -> ""

@@ -59,7 +59,7 @@ internal class InfoText(private val summary: LogSummary, private val parts: Set<
     private fun xText(): String {
         val range = summary.range ?: return view.xAxis.title
         val text = "${view.xAxis.title} from ${shortNumber(range.start)} to ${shortNumber(range.endInclusive)}"
-        return summary.seconds?.let { "$text, ${XTime.clock(it)} min long" } ?: text
+        return summary.seconds?.let { "$text, ${XTime.clock(it)} long" } ?: text
     }
 
     private fun valueLines(): List<String> {

@@ -7,14 +7,16 @@ import badlog.cli.text.json
 import badlog.cli.text.shortNumber
 import badlog.cli.text.wrapped
 import badlog.recording.Recording
+import java.nio.file.Path
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 
-/** What to say about [merge], which made [recording] of [parts]. */
-internal fun mergeOutcome(merge: Merge, parts: List<LogPart>, recording: Recording, format: LogFormat): Outcome {
-    val text = textLines(merge, recording) + listOfNotNull(
+/** What to say about [merge], which made [recording] of [parts] and wrote it to [target]. */
+internal fun mergeOutcome(merge: Merge, parts: List<LogPart>, recording: Recording, target: Path, format: LogFormat): Outcome {
+    val salvaged = parts.filter { it.recording.isSalvaged }.map { wrapped("  salvaged: ", "${it.file}; badlog info tells what is lost", INDENT) }
+    val text = listOf("-> $target") + textLines(merge, recording) + salvaged + listOfNotNull(
         format.leftOut(recording).takeIf { it.isNotEmpty() }?.let { wrapped("  ", "without ${it.joinToString()}") },
     )
     val json = mapOf(
@@ -30,7 +32,7 @@ internal fun mergeOutcome(merge: Merge, parts: List<LogPart>, recording: Recordi
 }
 
 private fun textLines(merge: Merge, recording: Recording): List<String> = buildList {
-    add(counted(recording.rowCount.toLong(), "row") + " of " + counted(recording.topics.size.toLong(), "topic"))
+    add("  " + counted(recording.rowCount.toLong(), "row") + " of " + counted(recording.topics.size.toLong(), "topic"))
     merge.groups.forEachIndexed { index, group ->
         val how = when {
             index > 0 -> "  beside them: "

@@ -10,7 +10,6 @@ import badlog.cli.input.LogInput
 import badlog.cli.input.LogSearch
 import badlog.cli.input.NotALog
 import badlog.cli.input.readLog
-import badlog.cli.input.withX
 import badlog.cli.output.LogFormat
 import badlog.cli.output.OutputPlan
 import badlog.cli.output.writeLog
@@ -39,7 +38,7 @@ internal class MergeTask(
             val recording = merge.recording()
             val format = LogFormat.ofName(target) ?: LogFormat.of(recording)
             console.progress(target.fileName.toString()).use { writeLog(recording, format, target, progress = it) }
-            report.done(target, mergeOutcome(merge, parts, recording, format))
+            report.done(target, mergeOutcome(merge, parts, recording, target, format))
         } catch (e: Throwable) {
             report.failed(out, LogLoop.sentenceOf(e, out))
         }
@@ -48,12 +47,11 @@ internal class MergeTask(
 
     private fun read(input: LogInput, console: Console, report: Report): LogPart? {
         try {
-            val recording = console.progress(input.file.fileName.toString()).use { readLog(input.file, it) }
-            return LogPart(input.file, recording.withX(xTopic))
+            return LogPart(input.file, console.progress(input.file.fileName.toString()).use { readLog(input.file, it, xTopic) })
         } catch (e: NotALog) {
             if (input.isFound) report.skipped(input.file) else report.failed(input.file, e.message)
         } catch (e: Failure) {
-            report.failed(input.file, "${input.file}: ${e.message}")
+            report.failed(input.file, e.message)
         } catch (e: IOException) {
             report.failed(input.file, LogLoop.sentenceOf(e, input.file))
         }

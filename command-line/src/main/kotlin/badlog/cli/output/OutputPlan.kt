@@ -31,11 +31,12 @@ internal class OutputPlan(private val out: Output?, private val paths: List<Path
     private val taken = HashSet<String>()
 
     // Looked for before anything is written, so that no result of this run is among them.
-    private val read: Set<Path> =
+    private val read: Set<Path> by lazy {
         LogSearch().find(paths).inputs.filter { Files.exists(it.file) }.mapTo(HashSet()) { it.file.toRealPath() }
+    }
 
     /** The one file that [out] names, or null when it is a folder or nothing. */
-    val file: Path? = out?.path?.takeUnless { out.isFolder || Files.isDirectory(it) || !isSingle() }
+    val file: Path? by lazy { out?.path?.takeUnless { out.isFolder || Files.isDirectory(it) || !isSingle() } }
 
     /** Whether [out] is given. */
     val isGiven: Boolean get() = out != null
@@ -61,6 +62,7 @@ internal class OutputPlan(private val out: Output?, private val paths: List<Path
 
     /** [target], which is not read, and does not exist unless it may be replaced. */
     fun checked(target: Path): Path {
+        val read = read
         if (Files.isDirectory(target)) throw Failure("$target is a folder; choose another name, or one inside it.")
         if (!Files.exists(target)) return target
         if (target.toRealPath() in read) {

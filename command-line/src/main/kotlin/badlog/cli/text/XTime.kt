@@ -16,11 +16,14 @@ internal object XTime {
     fun text(position: Double, unit: String): String =
         shortNumber(position) + if (unit.isEmpty() || unit == Topic.UNITLESS) "" else " $unit"
 
-    /** [seconds] as minutes and seconds, `1:32.5`. */
+    /** [seconds] as minutes and seconds, `1:32.5`, or from an hour on as `1:20:05`. */
     fun clock(seconds: Double): String {
         val tenths = Math.round(seconds * 10)
-        val minutes = tenths / 600
-        val rest = tenths % 600
-        return "$minutes:${(rest / 10).toString().padStart(2, '0')}.${rest % 10}"
+        val whole = tenths / 10
+        val minutes = whole / 60
+        if (minutes < 60) return "$minutes:${twoDigits(whole % 60)}.${tenths % 10}"
+        return "${minutes / 60}:${twoDigits(minutes % 60)}:${twoDigits(whole % 60)}"
     }
+
+    private fun twoDigits(number: Long) = number.toString().padStart(2, '0')
 }
