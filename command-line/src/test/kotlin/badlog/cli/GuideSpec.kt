@@ -9,7 +9,7 @@ import kotlin.io.path.writeText
 
 /**
  * Runs the examples of the guide, which build on each other, and compares what they print. A line `…` stands for any lines.
- * With the environment variable `BADLOG_WRITE_GUIDE` they are written anew instead, in full.
+ * With the environment variable `BADLOG_WRITE_GUIDE` those that differ are written anew instead, in full.
  */
 class GuideSpec : FunSpec({
     val guide = ROOT / "docs/command-line.md"
@@ -30,7 +30,7 @@ class GuideSpec : FunSpec({
         val printed = examples.map { block -> block.lines().filter { it.startsWith("$ ") }.joinToString("", transform = ::run) }
         if (System.getenv("BADLOG_WRITE_GUIDE") != null) {
             val next = printed.iterator()
-            guide.writeText(example.replace(text) { next.next() })
+            guide.writeText(example.replace(text) { found -> next.next().let { if (matches(found.value, it)) found.value else it } })
         } else {
             for ((wanted, was) in examples.zip(printed)) if (!matches(wanted, was)) was shouldBe wanted
         }
