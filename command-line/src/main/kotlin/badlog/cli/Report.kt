@@ -53,7 +53,9 @@ internal class Report(private val command: String, private val console: Console,
     private fun asciiOf(json: String): String {
         if (json.all { it.code < ASCII }) return json
         return buildString {
-            for (char in json) if (char.code < ASCII) append(char) else append("\\u").append(char.code.toString(16).padStart(4, '0'))
+            for (char in json) {
+                if (char.code < ASCII) append(char) else append("\\u").append(char.code.toString(16).padStart(4, '0'))
+            }
         }
     }
 

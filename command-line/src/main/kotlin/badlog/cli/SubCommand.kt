@@ -40,7 +40,8 @@ internal abstract class SubCommand(
         task = makeTask()
     }
 
-    final override fun help(context: Context): String = listOf(summary, details).filter { it.isNotEmpty() }.joinToString("\n\n", transform = ::paragraph)
+    final override fun help(context: Context): String =
+        listOf(summary, details).filter { it.isNotEmpty() }.joinToString("\n\n", transform = ::paragraph)
 
     final override fun helpEpilog(context: Context): String = paragraph(EXIT_CODES)
 }

@@ -44,7 +44,8 @@ internal class CutCommand : SubCommand(
         return CutTask(paths, choices, output.plan(paths), xTopic, isJson)
     }
 
-    private fun RawOption.position() = convert { Position.of(it) ?: fail("“$it” is neither a number nor a time such as 1:32.5") }
+    private fun RawOption.position() =
+        convert { Position.of(it) ?: fail("“$it” is neither a number nor a time such as 1:32.5") }
 
     private companion object {
         const val AROUND = 5.0

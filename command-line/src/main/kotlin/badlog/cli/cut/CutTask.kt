@@ -64,7 +64,8 @@ internal class CutTask(
         val finite = x.filter { it.isFinite() }
         if (finite.isEmpty()) throw Failure("it has no rows to keep any of.")
         val unit = view.xAxis.unit
-        throw Failure("no row lies there; ${view.xAxis.name} goes from ${XTime.text(finite.min(), unit)} to ${XTime.text(finite.max(), unit)}.")
+        val range = "from ${XTime.text(finite.min(), unit)} to ${XTime.text(finite.max(), unit)}"
+        throw Failure("no row lies there; ${view.xAxis.name} goes $range.")
     }
 
     private fun text(view: LogView, title: String, runs: List<IntRange>, leftOut: List<String>): String {
@@ -74,7 +75,8 @@ internal class CutTask(
             "  from $from to ${XTime.text(view.xAxis.positions[run.last], view.xAxis.unit)}"
         }
         val more = if (runs.size > LISTED) listOf("  and ${runs.size - LISTED} more") else emptyList()
-        return (listOf(title, "  kept ${grouped(countOf(runs).toLong())} of ${counted(view.recording.rowCount.toLong(), "row")}$without") + lines + more + lossLines(view.problems)).joinToString("\n")
+        val kept = "  kept ${grouped(countOf(runs).toLong())} of ${counted(view.recording.rowCount.toLong(), "row")}$without"
+        return (listOf(title, kept) + lines + more + lossLines(view.problems)).joinToString("\n")
     }
 
     private fun json(view: LogView, target: Path, runs: List<IntRange>) = mapOf(

@@ -9,7 +9,9 @@ import badlog.plot.Span
 internal class EnabledChoice(private val margin: Double) : RowChoice {
     override fun spans(view: LogView): List<Span> {
         val spans = view.enabledSpans()
-        if (spans.isEmpty()) throw Failure("it does not tell when the robot was enabled: no topic is called Enabled, or x goes backwards.")
+        if (spans.isEmpty()) {
+            throw Failure("it does not tell when the robot was enabled: no topic is called Enabled, or x goes backwards.")
+        }
         return spans.map { Span(it.span.from - margin, it.span.to + margin) }
     }
 }

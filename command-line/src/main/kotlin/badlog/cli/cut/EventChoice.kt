@@ -24,6 +24,8 @@ internal class EventChoice(private val text: String, private val before: Double,
             .map { texts.rows[it] }
     }
 
-    private fun begins(topic: Topic, index: Int): Boolean =
-        index == 0 || topic.texts.ids[index] != topic.texts.ids[index - 1] || topic.texts.rows[index] != topic.texts.rows[index - 1] + 1
+    private fun begins(topic: Topic, index: Int): Boolean {
+        val texts = topic.texts
+        return index == 0 || texts.ids[index] != texts.ids[index - 1] || texts.rows[index] != texts.rows[index - 1] + 1
+    }
 }

@@ -14,7 +14,10 @@ internal class Position private constructor(private val text: String, private va
     fun on(axis: XAxis): Double {
         if (!isClock) return number
         val secondsPerX = XTime.secondsPer(axis.unit)
-            ?: throw Failure("$text is a time, but the x axis ${axis.title} has no unit of time; name the topic of time by --x, or give a number.")
+            ?: throw Failure(
+                "$text is a time, but the x axis ${axis.title} has no unit of time; name the topic of time by --x, " +
+                    "or give a number.",
+            )
         return number / secondsPerX
     }
 

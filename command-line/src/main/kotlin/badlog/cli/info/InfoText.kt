@@ -90,7 +90,8 @@ internal class InfoText(private val summary: LogSummary, private val parts: Set<
         )
     }
 
-    private fun rateText(rate: Double) = if (rate >= 10) rate.roundToLong().toString() else shortNumber((rate * 100).roundToLong() / 100.0)
+    private fun rateText(rate: Double) =
+        if (rate >= 10) rate.roundToLong().toString() else shortNumber((rate * 100).roundToLong() / 100.0)
 
     private fun rangeText(summary: TopicSummary): String = when {
         summary.hasTexts -> counted(summary.topic.texts.dictionary.size.toLong(), "text")

@@ -40,7 +40,8 @@ internal class AppendedRows(logs: List<LogPart>) {
 
     /** Where two of the logs that follow each other both have rows, as from and to. */
     fun overlaps(): List<Overlap> = parts.zipWithNext { one, other ->
-        if (one.xTopic != null && other.firstX <= one.lastX) Overlap(one, other, other.firstX, minOf(one.lastX, other.lastX)) else null
+        val isOverlap = one.xTopic != null && other.firstX <= one.lastX
+        if (isOverlap) Overlap(one, other, other.firstX, minOf(one.lastX, other.lastX)) else null
     }.filterNotNull()
 
     private fun interleave() {

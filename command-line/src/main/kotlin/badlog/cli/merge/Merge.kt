@@ -49,18 +49,21 @@ internal class Merge(parts: List<LogPart>, mode: MergeMode) {
     private fun isCsv(part: LogPart) = part.recording.format == RecordingFormat.CSV
 
     private fun topicsOf(groupIndex: Int, group: AppendedRows, taken: MutableSet<String>): List<Topic> {
-        val names = group.parts.flatMapTo(LinkedHashSet()) { part -> part.recording.topics.filter { it !== part.xTopic }.map { it.name } }
-        val own = group.parts.first()
-        val x = own.xTopic
-        val ordered = if (x == null) names.toList() else own.recording.topics.map { it.name }.filter { it == x.name || it in names } +
-            names.filter { own.topic(it) == null }
-        return ordered.mapNotNull { name ->
-            if (x != null && name == x.name) {
-                if (groupIndex == 0) xTopic(x).also { taken += name } else null
-            } else {
-                topic(groupIndex, group, name, taken)
+        val x = group.parts.first().xTopic
+        return namesOf(group).mapNotNull { name ->
+            when {
+                x == null || name != x.name -> topic(groupIndex, group, name, taken)
+                groupIndex == 0 -> xTopic(x).also { taken += name }
+                else -> null
             }
         }
+    }
+
+    /** The topics of [group], in the order of its first log, then what others add; of x topics only that of the first. */
+    private fun namesOf(group: AppendedRows): Set<String> {
+        val names = group.parts.first().recording.topics.mapTo(LinkedHashSet()) { it.name }
+        for (part in group.parts.drop(1)) part.recording.topics.filter { it !== part.xTopic }.mapTo(names) { it.name }
+        return names
     }
 
     private fun xTopic(like: Topic): Topic {

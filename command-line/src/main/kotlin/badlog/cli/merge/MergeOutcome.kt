@@ -14,8 +14,15 @@ import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 
 /** What to say about [merge], which made [recording] of [parts] and wrote it to [target]. */
-internal fun mergeOutcome(merge: Merge, parts: List<LogPart>, recording: Recording, target: Path, format: LogFormat): Outcome {
-    val salvaged = parts.filter { it.recording.isSalvaged }.map { wrapped("  salvaged: ", "${it.file}; badlog info tells what is lost", INDENT) }
+internal fun mergeOutcome(
+    merge: Merge,
+    parts: List<LogPart>,
+    recording: Recording,
+    target: Path,
+    format: LogFormat,
+): Outcome {
+    val salvaged = parts.filter { it.recording.isSalvaged }
+        .map { wrapped("  salvaged: ", "${it.file}; badlog info tells what is lost", INDENT) }
     val text = listOf("-> $target") + textLines(merge, recording) + salvaged + listOfNotNull(
         format.leftOut(recording).takeIf { it.isNotEmpty() }?.let { wrapped("  ", "without ${it.joinToString()}") },
     )

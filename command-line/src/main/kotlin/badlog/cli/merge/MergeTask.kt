@@ -33,7 +33,9 @@ internal class MergeTask(
             val found = LogSearch().find(paths)
             for (failure in found.failures) report.failed(failure.file, failure.message)
             val parts = found.inputs.mapNotNull { read(it, console, report) }
-            if (parts.size < 2) throw Failure("Merging needs two logs or more, and there ${if (parts.isEmpty()) "is none" else "is one"}.")
+            if (parts.size < 2) {
+                throw Failure("Merging needs two logs or more, and there is ${if (parts.isEmpty()) "none" else "one"}.")
+            }
             val merge = Merge(parts, mode)
             val recording = merge.recording()
             val format = LogFormat.ofName(target) ?: LogFormat.of(recording)

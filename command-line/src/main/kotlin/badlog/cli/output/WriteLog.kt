@@ -27,7 +27,8 @@ internal fun writeLog(
         NewFile(file).use { draft ->
             val gzip = if (FileName.of(file).isGzip) GZIPOutputStream(draft.out, 1 shl 16) else null
             val stream = gzip ?: draft.out
-            format.write(recording, runs, { progress.advanced(it.toLong(), total) }) { bytes, size -> stream.write(bytes, 0, size) }
+            val heard = { rows: Int -> progress.advanced(rows.toLong(), total) }
+            format.write(recording, runs, heard) { bytes, size -> stream.write(bytes, 0, size) }
             gzip?.finish()
             draft.commit()
         }

@@ -28,7 +28,8 @@ internal class RecoverTask(
         val losses = Losses(recording)
         if (!plan.isGiven && !losses.isDamaged) return losses.outcome(input.file, target = null)
         if (recording.topics.isEmpty() || losses.isDamaged && recording.rowCount == 0) {
-            throw Failure("${input.file}: nothing can be recovered. ${recording.problems.firstOrNull()?.message.orEmpty()}".trim())
+            val reason = recording.problems.firstOrNull()?.message.orEmpty()
+            throw Failure("${input.file}: nothing can be recovered. $reason".trim())
         }
         val target = plan.place(input, FileName.of(input.file).marked("recovered"), input.file.fileName.toString())
         writeLog(recording, LogFormat.of(recording), target, progress = progress)

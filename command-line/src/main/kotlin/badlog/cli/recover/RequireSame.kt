@@ -13,8 +13,8 @@ import java.nio.file.Path
  */
 internal fun requireSame(recording: Recording, written: Path) {
     val again = readRecording(written, keepSamples = false)
-    val isSame = !again.isSalvaged && again.rowCount == recording.rowCount && again.topics.map(::contentOf) == recording.topics.map(::contentOf)
-    if (!isSame) {
+    val hasAll = again.rowCount == recording.rowCount && again.topics.map(::contentOf) == recording.topics.map(::contentOf)
+    if (again.isSalvaged || !hasAll) {
         throw Failure(
             "$written was written but does not read as the same: a text in it looks like rows, or a name cannot stand in a " +
                 "line of titles; compare it with badlog info.",

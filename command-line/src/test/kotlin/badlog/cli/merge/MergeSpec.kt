@@ -77,6 +77,9 @@ class MergeSpec : FunSpec({
             val appended = readRecording(folder / "m.bag")
             appended.topics.map { it.name } shouldContainExactly listOf("Time", "a", "b")
             appended.numbers("b") shouldContainExactly listOf(null, null, 7.0)
+            val more = folder.with("more.bag", bag("a,b", "1,2,8"))
+            badlog("merge", one, more, "--append", "-o", folder / "n.bag")
+            readRecording(folder / "n.bag").numbers("b") shouldContainExactly listOf(null, null, 8.0)
             badlog("merge", one, one.parent.with("three.bag", bag("a", "0,9")), "--join", "-o", folder / "j.bag")
             readRecording(folder / "j.bag").numbers("three/a") shouldContainExactly listOf(9.0, null)
         }
