@@ -1,5 +1,7 @@
 package badlog.analysis
 
+import kotlin.math.abs
+
 /**
  * Samples over x: `(x[i], y[i])` for every `i`. Hides whether they share their x with other series or have their own.
  *
@@ -56,7 +58,7 @@ public class Series(public val x: DoubleArray, public val y: DoubleArray) {
     /** The index of the sample nearest to [position], the earlier one of two equally near; -1 without samples. */
     public fun nearest(position: Double): Int {
         if (size == 0) return -1
-        if (!isOrdered) return x.indices.minBy { kotlin.math.abs(x[it] - position) }
+        if (!isOrdered) return nearestOfAll(position)
         val after = firstAtOrAfter(position)
         return when {
             after == 0 -> 0
@@ -64,5 +66,11 @@ public class Series(public val x: DoubleArray, public val y: DoubleArray) {
             x[after] - position < position - x[after - 1] -> after
             else -> after - 1
         }
+    }
+
+    private fun nearestOfAll(position: Double): Int {
+        var nearest = 0
+        for (i in 1 until size) if (abs(x[i] - position) < abs(x[nearest] - position)) nearest = i
+        return nearest
     }
 }

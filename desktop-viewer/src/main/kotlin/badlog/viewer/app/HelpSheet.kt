@@ -1,8 +1,10 @@
 package badlog.viewer.app
 
+import androidx.compose.foundation.VerticalScrollbar
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
 import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.Row
@@ -10,7 +12,9 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.layout.widthIn
+import androidx.compose.foundation.layout.wrapContentWidth
 import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.rememberScrollbarAdapter
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.foundation.verticalScroll
 import androidx.compose.material3.Text
@@ -35,7 +39,7 @@ internal fun HelpSheet(commands: List<Command>, gestures: List<GestureHelp>, mod
     Column(
         modifier
             .padding(16.dp)
-            .widthIn(max = 820.dp)
+            .widthIn(max = 960.dp)
             .shadow(12.dp, shape)
             .background(palette.surface, shape)
             .border(1.dp, palette.border, shape)
@@ -45,19 +49,37 @@ internal fun HelpSheet(commands: List<Command>, gestures: List<GestureHelp>, mod
             Text("Keys and gestures", Modifier.weight(1f), fontSize = 16.sp, fontWeight = FontWeight.SemiBold)
             ToolButton("Close the sheet", Icons.Close, onClick = onClose)
         }
-        FlowRow(
-            Modifier.verticalScroll(rememberScrollState()).padding(start = 20.dp, end = 20.dp, bottom = 16.dp),
-            Arrangement.spacedBy(28.dp),
-            Arrangement.spacedBy(4.dp),
-        ) {
-            for ((group, members) in commands.groupBy { it.group }) {
-                HelpGroup(group, members.map { command -> keysText(command) to command.meaning })
+        val groups = commands.groupBy({ it.group }) { keysText(it) to it.meaning } +
+            gestures.groupBy({ it.group }) { it.gesture to it.meaning }
+        val scroll = rememberScrollState()
+        Box {
+            FlowRow(
+                Modifier.verticalScroll(scroll).padding(start = 20.dp, end = 20.dp, bottom = 16.dp),
+                Arrangement.spacedBy(28.dp),
+            ) {
+                for (column in inTwo(groups)) {
+                    Column(Modifier.width(440.dp)) {
+                        for ((title, lines) in column) HelpGroup(title, lines)
+                    }
+                }
             }
-            for ((group, members) in gestures.groupBy { it.group }) {
-                HelpGroup(group, members.map { it.gesture to it.meaning })
-            }
+            VerticalScrollbar(rememberScrollbarAdapter(scroll), Modifier.matchParentSize().wrapContentWidth(Alignment.End))
         }
     }
+}
+
+private typealias Lines = List<Pair<String, String>>
+
+/** [groups] in two columns of about the same height, in their order. */
+private fun inTwo(groups: Map<String, Lines>): List<List<Map.Entry<String, Lines>>> {
+    val all = groups.values.sumOf { it.size + 1 }
+    var before = 0
+    val (first, second) = groups.entries.partition { (_, lines) ->
+        val isInFirst = before + lines.size / 2 <= all / 2
+        before += lines.size + 1
+        isInFirst
+    }
+    return listOf(first, second)
 }
 
 // Which of these need Shift depends on the keyboard.
@@ -65,8 +87,8 @@ private fun keysText(command: Command) =
     command.keys.map { if (it.label in "+=<>?") it.label else it.text }.distinct().joinToString("  ")
 
 @Composable
-private fun HelpGroup(title: String, lines: List<Pair<String, String>>) {
-    Column(Modifier.width(360.dp).padding(top = 10.dp)) {
+private fun HelpGroup(title: String, lines: Lines) {
+    Column(Modifier.padding(top = 10.dp)) {
         Text(title, Modifier.padding(bottom = 4.dp), fontWeight = FontWeight.SemiBold)
         for ((press, meaning) in lines) {
             Row(Modifier.fillMaxWidth().padding(vertical = 2.dp), Arrangement.spacedBy(10.dp)) {

@@ -53,6 +53,17 @@ internal class Keyboard {
         return command != null
     }
 
+    /**
+     * Gives Space to [commands] even where a button was clicked before, which would take it for another click; Enter still
+     * presses that. For `onPreviewKeyEvent` of the window.
+     */
+    fun dispatchFirst(event: KeyEvent, commands: List<Command>): Boolean {
+        if (event.key != Key.Spacebar || isTyping || event.isAltPressed) return false
+        dispatch(event, commands)
+        // Its release is none of the button's business either.
+        return true
+    }
+
     private companion object {
         val KEYS_WHILE_TYPING = setOf(
             Key.Escape, Key.F1, Key.F2, Key.F3, Key.F4, Key.F5, Key.F6, Key.F7, Key.F8, Key.F9, Key.F10, Key.F11, Key.F12,

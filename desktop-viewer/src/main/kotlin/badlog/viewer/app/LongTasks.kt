@@ -5,9 +5,11 @@ import java.io.IOException
 import java.util.concurrent.atomic.AtomicReference
 import kotlinx.coroutines.CancellationException
 import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.CoroutineStart
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.Job
 import kotlinx.coroutines.delay
+import kotlinx.coroutines.job
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.runInterruptible
 
@@ -26,13 +28,15 @@ internal class LongTasks(private val scope: CoroutineScope, private val notices:
 
     /**
      * Runs [work] off the window's thread, then [done] with its result on it. [work] may tell how much of it is done, from 0 to
-     * 1, as often as it likes; cancelling interrupts its thread. An [IOException] becomes a complaint, so its message must be a
-     * sentence for a person.
+     * 1, as often as it likes; cancelling interrupts its thread. Whatever goes wrong becomes a complaint, of which an
+     * [IOException] is the message, so that must be a sentence for a person.
      */
     fun <T> run(title: String, work: (progress: (Float) -> Unit) -> T, done: (T) -> Unit): Job {
         val id = ++lastId
         val share = AtomicReference<Float?>(null)
-        val job = scope.launch {
+        // At once, or a task that is given up before it has begun would never be taken off the list.
+        return scope.launch(start = CoroutineStart.UNDISPATCHED) {
+            mutable += LongTask(id, title, null, coroutineContext.job::cancel)
             val shown = launch {
                 while (true) {
                     delay(PROGRESS_MILLIS)
@@ -48,13 +52,14 @@ internal class LongTasks(private val scope: CoroutineScope, private val notices:
                 notices.complain(e.message ?: "$title did not work; try it again.")
             } catch (_: OutOfMemoryError) {
                 notices.complain("$title needs more memory than there is; close other logs and try it again.")
+            } catch (e: RuntimeException) {
+                // A defect of ours must not take the window away, with all that is open in it.
+                notices.complain("$title made badlog stumble (${e.javaClass.simpleName}); please send us the file.")
             } finally {
                 shown.cancel()
                 mutable.removeAll { it.id == id }
             }
         }
-        if (job.isActive) mutable += LongTask(id, title, null) { job.cancel() }
-        return job
     }
 
     private companion object {

@@ -22,7 +22,13 @@ internal data class Panels(
     fun toggled(view: MainView): Panels = copy(main = if (main == view) MainView.GRAPHS else view)
 
     /** Opens [tab] at the right, or closes it when it is open. */
-    fun toggled(tab: InspectorTab): Panels = copy(inspector = if (inspector == tab) null else tab)
+    fun toggled(tab: InspectorTab): Panels = if (inspector == tab) withoutInspector() else inspecting(tab)
+
+    /** Shows [tab] at the right. */
+    fun inspecting(tab: InspectorTab): Panels = copy(inspector = tab, front = FrontPart.DETAILS)
+
+    /** Closes the panel at the right. */
+    fun withoutInspector(): Panels = copy(inspector = null, front = FrontPart.GRAPHS)
 }
 
 /** What the panel at the right shows. */

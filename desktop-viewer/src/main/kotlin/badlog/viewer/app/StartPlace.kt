@@ -2,6 +2,7 @@ package badlog.viewer.app
 
 import badlog.viewer.settings.Settings
 import java.nio.file.Files
+import java.nio.file.InvalidPathException
 import java.nio.file.Path
 
 /**
@@ -18,15 +19,23 @@ internal data class StartPlace(val folder: Path?, val file: Path?, val complaint
          * not there any more is passed over.
          */
         fun of(argument: String?, settings: Settings, samples: Path?): StartPlace {
-            val remembered = settings.recentFolders.map { Path.of(it) } + listOfNotNull(samples)
+            val remembered = settings.recentFolders.mapNotNull(::pathNamed) + listOfNotNull(samples)
             val folder = remembered.firstOrNull { Files.isDirectory(it) }
             if (argument == null) return StartPlace(folder, null, null)
-            val named = Path.of(argument).toAbsolutePath().normalize()
+            val named = pathNamed(argument)?.toAbsolutePath()?.normalize()
             return when {
+                named == null -> StartPlace(folder, null, "“$argument” cannot be the name of a file; look for a typing error in it.")
                 Files.isDirectory(named) -> StartPlace(named, null, null)
                 Files.exists(named) -> StartPlace(named.parent, named, null)
                 else -> StartPlace(folder, null, "There is no file or folder $named; look for a typing error in its name.")
             }
         }
     }
+}
+
+/** What [name] names; null where the system has no such names, as with a question mark on Windows. */
+private fun pathNamed(name: String): Path? = try {
+    Path.of(name)
+} catch (_: InvalidPathException) {
+    null
 }

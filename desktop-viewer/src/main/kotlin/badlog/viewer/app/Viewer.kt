@@ -8,6 +8,8 @@ import badlog.plot.Span
 import badlog.viewer.compare.Comparison
 import badlog.viewer.compare.ComparisonLoading
 import badlog.viewer.compare.StatisticsChoice
+import badlog.viewer.files.FileChoice
+import badlog.viewer.files.SystemFileChoice
 import badlog.viewer.graph.GraphList
 import badlog.viewer.graph.PlotGesture
 import badlog.viewer.graph.plot.Plots
@@ -21,8 +23,6 @@ import badlog.viewer.recording.OpenRecording
 import badlog.viewer.recording.RecordingLoading
 import badlog.viewer.settings.Settings
 import badlog.viewer.settings.UserFolders
-import badlog.viewer.takeaway.FileChoice
-import badlog.viewer.takeaway.SystemFileChoice
 import badlog.viewer.topic.TopicList
 import badlog.viewer.view.Viewport
 import kotlinx.coroutines.CoroutineScope
@@ -34,12 +34,14 @@ import kotlinx.coroutines.CoroutineScope
  * @param scope lives as long as the window, on its thread.
  * @property folders where the user's own files are.
  * @property files asks for files and folders.
+ * @property notices what the window has to say.
  */
 internal class Viewer(
     val scope: CoroutineScope,
     val folders: UserFolders,
     settings: Settings = Settings(),
     val files: FileChoice = SystemFileChoice,
+    val notices: Notices = Notices(),
 ) {
     /** What the person has chosen. */
     var settings by mutableStateOf(settings)
@@ -91,9 +93,6 @@ internal class Viewer(
 
     /** The pictures of the graphs. */
     val plots = Plots()
-
-    /** What the window has to say. */
-    val notices = Notices()
 
     /** What a person is waiting for. */
     val tasks = LongTasks(scope, notices)

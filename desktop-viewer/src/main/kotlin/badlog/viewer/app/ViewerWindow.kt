@@ -10,11 +10,18 @@ import androidx.compose.ui.graphics.toComposeImageBitmap
 import androidx.compose.ui.window.ApplicationScope
 import androidx.compose.ui.window.FrameWindowScope
 import androidx.compose.ui.window.Window
+import androidx.compose.ui.window.WindowState
+import badlog.viewer.failure.FailureLog
+import badlog.viewer.failure.Failures
+import badlog.viewer.failure.FailuresHeard
+import badlog.viewer.failure.FailuresSeen
+import badlog.viewer.failure.endWhenStuck
 import badlog.viewer.graph.warmUpGraphs
 import badlog.viewer.settings.SettingsFile
 import badlog.viewer.settings.UserFolders
 import badlog.viewer.settings.keepSettings
 import java.io.IOException
+import kotlinx.coroutines.launch
 import org.jetbrains.skia.Image
 
 /**
@@ -30,37 +37,66 @@ internal fun ApplicationScope.ViewerWindow(
     content: @Composable FrameWindowScope.(Viewer) -> Unit = {},
 ) {
     val scope = rememberCoroutineScope()
+    val notices = remember { Notices() }
+    val failures = remember { Failures(FailureLog(folders.cache), notices) }
     val settingsFile = remember { SettingsFile(folders.settings.resolve("settings.json")) }
-    val viewer = remember { Viewer(scope, folders, settingsFile.read()) }
-    val place = remember { windowStateOf(viewer.settings.window) }
+    val kept = remember { settingsFile.read() }
+    val viewer = remember { Viewer(failures.guarded(scope), folders, kept, notices = notices) }
+    val place = remember { windowStateOf(kept.window) }
     val icon = remember { windowIcon() }
+    FailuresHeard(failures) {
+        OpenWindow(viewer, place, icon, { keepAll(viewer, place, settingsFile) }) {
+            FailuresSeen(failures)
+            content(it)
+        }
+    }
+    LaunchedEffect(viewer) {
+        viewer.scope.launch { viewer.layouts.keep() }
+        viewer.scope.launch { keepSettings(viewer, settingsFile, kept) }
+        viewer.scope.launch { openFirst(viewer, start(viewer)) }
+        endWhenStuck(failures, isInSight = { !place.isMinimized }) {
+            keepAll(viewer, place, settingsFile)
+            exitApplication()
+        }
+    }
+}
+
+@Composable
+private fun ApplicationScope.OpenWindow(
+    viewer: Viewer,
+    place: WindowState,
+    icon: BitmapPainter,
+    beforeClosing: () -> Unit,
+    content: @Composable FrameWindowScope.(Viewer) -> Unit,
+) {
     Window(
         onCloseRequest = {
-            viewer.layouts.keepNow()
-            viewer.settings = viewer.settings.copy(window = placeOf(place, viewer.settings.window))
-            try {
-                settingsFile.write(viewer.settings)
-            } catch (_: IOException) {
-                // The window is about to go; that the settings cannot be kept was said when they changed.
-            }
+            beforeClosing()
             exitApplication()
         },
         state = place,
         title = viewer.open?.label?.let { "$it – badlog" } ?: "badlog",
         icon = icon,
+        onPreviewKeyEvent = { viewer.keyboard.dispatchFirst(it, viewer.commands) },
         onKeyEvent = { viewer.keyboard.dispatch(it, viewer.commands) },
     ) {
         ViewerScreen(viewer)
         content(viewer)
         LaunchedEffect(viewer) {
             withFrameNanos { }
-            warmUpGraphs(viewer.folders)
+            viewer.scope.launch { warmUpGraphs(viewer.folders) }
         }
     }
-    LaunchedEffect(viewer) { viewer.layouts.keep() }
-    LaunchedEffect(viewer) {
-        openFirst(viewer, start(viewer))
-        keepSettings(viewer, settingsFile)
+}
+
+/** Writes at once what else would be written in a moment. */
+private fun keepAll(viewer: Viewer, place: WindowState, file: SettingsFile) {
+    viewer.layouts.keepNow()
+    viewer.settings = viewer.settings.copy(window = placeOf(place, viewer.settings.window))
+    try {
+        file.write(viewer.settings)
+    } catch (_: IOException) {
+        // The window is about to go; that the settings cannot be kept was said when they changed.
     }
 }
 

@@ -6,19 +6,28 @@ import androidx.compose.ui.window.WindowPlacement
 import androidx.compose.ui.window.WindowPosition
 import androidx.compose.ui.window.WindowState
 import badlog.viewer.settings.WindowPlace
+import java.awt.GraphicsConfiguration
 import java.awt.GraphicsEnvironment
 import java.awt.Rectangle
+import java.awt.Toolkit
 
-/** The window where it was last, or in the middle when that is not to be seen on any of [screens], given in dp. */
+/**
+ * The window where it was last, or in the middle when that is not to be seen on any of [screens], given in dp; no larger than its
+ * screen, and large enough to be taken hold of.
+ */
 internal fun windowStateOf(place: WindowPlace?, screens: List<Rectangle> = screens()): WindowState {
-    val size = place?.let { DpSize(it.width.dp, it.height.dp) } ?: USUAL_SIZE
-    val isSeen = place != null && screens.any { it.intersects(place.x + 8.0, place.y + 8.0, 64.0, 24.0) }
+    val seenOn = place?.let { screens.firstOrNull { it.intersects(place.x + 8.0, place.y + 8.0, 64.0, 24.0) } }
+    val screen = seenOn ?: screens.firstOrNull()
+    val width = place?.width ?: USUAL_WIDTH
+    val height = place?.height ?: USUAL_HEIGHT
     return WindowState(
         placement = if (place?.isMaximized == true) WindowPlacement.Maximized else WindowPlacement.Floating,
-        position = if (place != null && isSeen) WindowPosition(place.x.dp, place.y.dp) else WindowPosition.PlatformDefault,
-        size = size,
+        position = if (place != null && seenOn != null) WindowPosition(place.x.dp, place.y.dp) else WindowPosition.PlatformDefault,
+        size = DpSize(width.within(LEAST_WIDTH, screen?.width).dp, height.within(LEAST_HEIGHT, screen?.height).dp),
     )
 }
+
+private fun Int.within(least: Int, most: Int?) = coerceAtMost(most ?: this).coerceAtLeast(least)
 
 /** Where the window is now. A window that fills the screen keeps the size of [before], to return to. */
 internal fun placeOf(state: WindowState, before: WindowPlace?): WindowPlace {
@@ -35,6 +44,16 @@ internal fun placeOf(state: WindowState, before: WindowPlace?): WindowPlace {
 
 private fun screens(): List<Rectangle> =
     if (GraphicsEnvironment.isHeadless()) emptyList()
-    else GraphicsEnvironment.getLocalGraphicsEnvironment().screenDevices.map { it.defaultConfiguration.bounds }
+    else GraphicsEnvironment.getLocalGraphicsEnvironment().screenDevices.map { usablePart(it.defaultConfiguration) }
 
-private val USUAL_SIZE = DpSize(1400.dp, 860.dp)
+/** What of a screen the system's own bars leave. */
+private fun usablePart(screen: GraphicsConfiguration): Rectangle {
+    val bars = Toolkit.getDefaultToolkit().getScreenInsets(screen)
+    val all = screen.bounds
+    return Rectangle(all.x + bars.left, all.y + bars.top, all.width - bars.left - bars.right, all.height - bars.top - bars.bottom)
+}
+
+private const val USUAL_WIDTH = 1400
+private const val USUAL_HEIGHT = 860
+private const val LEAST_WIDTH = 320
+private const val LEAST_HEIGHT = 240

@@ -24,14 +24,7 @@ internal enum class Alignment(val title: String, val hint: String) {
 
 /** The x in [recording] that this alignment puts at one place with that of the others. */
 internal fun Alignment.momentIn(recording: OpenRecording): Double = when (this) {
-    Alignment.START -> firstX(recording)
-    Alignment.ENABLED -> recording.enabled.firstOrNull()?.span?.from ?: firstX(recording)
+    Alignment.START -> recording.firstX
+    Alignment.ENABLED -> recording.enabled.firstOrNull()?.span?.from ?: recording.firstX
     Alignment.AS_LOGGED, Alignment.BY_HAND -> 0.0
-}
-
-// The span of a single x is wider than it.
-private fun firstX(recording: OpenRecording): Double {
-    var first = Double.POSITIVE_INFINITY
-    for (x in recording.view.xAxis.positions) if (x.isFinite() && x < first) first = x
-    return if (first.isFinite()) first else 0.0
 }

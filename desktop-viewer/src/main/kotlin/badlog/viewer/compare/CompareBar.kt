@@ -13,7 +13,6 @@ import androidx.compose.foundation.verticalScroll
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
-import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.ui.Alignment as Place
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
@@ -26,7 +25,6 @@ import badlog.viewer.theme.ToolButton
 @Composable
 internal fun CompareBar(viewer: Viewer) {
     val open = viewer.open ?: return
-    LaunchedEffect(open) { viewer.comparisonLoading.share(open) }
     val comparison = viewer.comparison
     if (comparison.ticked.all { it == open.file }) return
     val palette = LocalPalette.current

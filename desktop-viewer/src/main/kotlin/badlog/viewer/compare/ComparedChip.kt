@@ -36,7 +36,7 @@ internal fun ComparedChip(viewer: Viewer, open: OpenRecording, drawn: DrawnRecor
         Box(Modifier.size(10.dp).background(color, RoundedCornerShape(2.dp)))
         Tip("${recording.label} (${recording.file.fileName})", Modifier.weight(1f, fill = false).padding(start = 6.dp, end = 6.dp)) {
             Text(
-                shortLabel(recording.label, letters = 28),
+                shortLabel(drawn.name, letters = 28),
                 Modifier.padding(vertical = 5.dp),
                 maxLines = 1,
                 overflow = TextOverflow.Ellipsis,
@@ -46,10 +46,10 @@ internal fun ComparedChip(viewer: Viewer, open: OpenRecording, drawn: DrawnRecor
             Text("open", Modifier.padding(end = 8.dp), color = palette.muted)
         } else {
             val moveTo = { offset: Double -> viewer.comparison = viewer.comparison.movedTo(recording.file, offset, open) }
-            for (step in STEPS.reversed()) Nudge(recording.label, "-", step) { moveTo(rounded(drawn.offset - step)) }
-            OffsetField(recording.label, drawn.offset, moveTo)
-            for (step in STEPS) Nudge(recording.label, "+", step) { moveTo(rounded(drawn.offset + step)) }
-            ToolButton("Compare no longer with ${recording.label}", Icons.Close) { viewer.comparisonLoading.remove(recording.file) }
+            for (step in STEPS.reversed()) Nudge(drawn.name, "-", step) { moveTo(rounded(drawn.offset - step)) }
+            OffsetField(drawn.name, drawn.offset, moveTo)
+            for (step in STEPS) Nudge(drawn.name, "+", step) { moveTo(rounded(drawn.offset + step)) }
+            ToolButton("Compare no longer with ${drawn.name}", Icons.Close) { viewer.comparisonLoading.remove(recording.file) }
         }
     }
 }

@@ -1,10 +1,7 @@
 package badlog.viewer.compare
 
-import badlog.analysis.LogView
-import badlog.file.readRecording
 import badlog.viewer.app.Viewer
 import badlog.viewer.recording.OpenRecording
-import java.io.IOException
 import java.nio.file.Path
 import kotlinx.coroutines.Job
 
@@ -37,7 +34,7 @@ internal class ComparisonLoading(private val viewer: Viewer) {
     }
 
     private fun load(file: Path) {
-        val job = viewer.tasks.run("Reading ${file.fileName} to compare", { progress -> read(file, progress) }) {
+        val job = viewer.tasks.run("Reading ${file.fileName} to compare", { progress -> OpenRecording.read(file, progress = progress) }) {
             viewer.comparison = viewer.comparison.withLoaded(it)
         }
         jobs[file] = job
@@ -47,12 +44,5 @@ internal class ComparisonLoading(private val viewer: Viewer) {
             jobs.remove(file)
             if (file !in viewer.comparison.loaded) viewer.comparison = viewer.comparison.without(file)
         }
-    }
-
-    private fun read(file: Path, progress: (Float) -> Unit): OpenRecording {
-        val recording = readRecording(file) { done, total -> if (total > 0) progress(done.toFloat() / total) }
-        if (!recording.isReadable) throw IOException("${file.fileName} is no log that can be read; it is not compared.")
-        // Asked for by every frame once it is drawn.
-        return OpenRecording(file, LogView.of(recording)).also { it.enabled }
     }
 }

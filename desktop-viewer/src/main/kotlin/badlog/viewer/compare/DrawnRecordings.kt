@@ -9,5 +9,8 @@ import badlog.viewer.app.Viewer
 internal fun Viewer.drawnRecordings(): List<DrawnRecording> {
     val open = open ?: return emptyList()
     val others = comparison.ticked.filter { it != open.file }.mapNotNull { comparison.loaded[it] }
-    return listOf(DrawnRecording(open)) + others.map { DrawnRecording(it, comparison.offsetOf(it, open)) }
+    if (others.isEmpty()) return listOf(DrawnRecording(open))
+    val names = namesOf(listOf(open) + others)
+    return listOf(DrawnRecording(open, name = names[0])) +
+        others.mapIndexed { i, other -> DrawnRecording(other, comparison.offsetOf(other, open), names[i + 1]) }
 }

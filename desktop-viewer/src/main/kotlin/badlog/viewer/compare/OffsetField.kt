@@ -24,8 +24,8 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
+import badlog.viewer.text.exactText
 import badlog.viewer.theme.LocalPalette
-import badlog.viewer.topic.exactText
 import java.math.BigDecimal
 import java.math.RoundingMode
 
@@ -43,7 +43,7 @@ internal fun OffsetField(label: String, offset: Double, onMove: (Double) -> Unit
         draft ?: exactText(rounded(offset)),
         { draft = it },
         Modifier
-            .width(64.dp)
+            .width(88.dp)
             .background(palette.raised, RoundedCornerShape(4.dp))
             .border(1.dp, if (draft != null && offsetOf(draft) == null) palette.error else palette.border, RoundedCornerShape(4.dp))
             .padding(horizontal = 5.dp, vertical = 3.dp)

@@ -2,9 +2,9 @@ package badlog.viewer.compare
 
 import badlog.analysis.Units
 import badlog.recording.Topic
-import badlog.viewer.topic.exactText
-import badlog.viewer.topic.figureText
-import badlog.viewer.topic.withUnit
+import badlog.viewer.text.exactText
+import badlog.viewer.text.figureText
+import badlog.viewer.text.withUnit
 
 /**
  * The table of statistics, ready to be shown or exported.
@@ -40,7 +40,7 @@ internal class StatisticsGrid(rows: List<StatisticsRow>, choice: StatisticsChoic
     fun textOf(column: StatisticsColumn, row: StatisticsRow): String = when (column) {
         LabelColumn -> row.label
         DateColumn -> row.date
-        is FigureColumn -> withUnit(figureText(column.of(row)), if (unitOf(column) == null) column.unitIn(row) else Topic.UNITLESS)
+        is FigureColumn -> withUnit(textOf(column.statistic, column.of(row)), if (unitOf(column) == null) column.unitIn(row) else Topic.UNITLESS)
     }
 
     /** The table as CSV (RFC 4180): exact figures, an empty cell for none; beside a column of several units one that says them. */
@@ -70,6 +70,10 @@ internal class StatisticsGrid(rows: List<StatisticsRow>, choice: StatisticsChoic
 /** [text] as a cell of CSV: in quotes where it must be. */
 internal fun csvCell(text: String): String =
     if (text.any { it in ",\"\r\n" }) "\"" + text.replace("\"", "\"\"") + "\"" else text
+
+// How many samples there are is known exactly, however many they are.
+private fun textOf(statistic: Statistic, value: Double) =
+    if (statistic == Statistic.SAMPLES) exactText(value) else figureText(value)
 
 private fun sorted(rows: List<StatisticsRow>, choice: StatisticsChoice): List<StatisticsRow> = when (val column = choice.sort) {
     null -> rows

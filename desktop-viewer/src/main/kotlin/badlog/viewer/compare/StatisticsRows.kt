@@ -128,7 +128,7 @@ private fun RecordingRow(viewer: Viewer, grid: StatisticsGrid, row: StatisticsRo
                 else -> Color.Transparent
             }
             Text(
-                grid.textOf(column, row).let { if (column == LabelColumn) shortLabel(it, letters = 30) else it },
+                grid.textOf(column, row).let { if (column == LabelColumn) shortLabel(it, letters = 38) else it },
                 Modifier.width(widthOf(column)).background(background).padding(horizontal = 10.dp, vertical = 5.dp),
                 fontWeight = if (isOpen && column == LabelColumn) FontWeight.SemiBold else null,
                 textAlign = if (column is FigureColumn) TextAlign.End else TextAlign.Start,
@@ -146,7 +146,7 @@ private fun nameOf(column: StatisticsColumn) = when (column) {
 }
 
 private fun widthOf(column: StatisticsColumn): Dp = when (column) {
-    LabelColumn -> 270.dp
-    DateColumn -> 140.dp
+    LabelColumn -> 300.dp
+    DateColumn -> 170.dp
     is FigureColumn -> 120.dp
 }

@@ -5,6 +5,7 @@ import badlog.recording.PathName
 import badlog.viewer.recording.OpenRecording
 import java.io.IOException
 import java.nio.file.Files
+import java.time.LocalDateTime
 import java.time.ZoneId
 import java.time.format.DateTimeFormatter
 
@@ -17,13 +18,13 @@ import java.time.format.DateTimeFormatter
 internal class StatisticsSource(val topics: List<String>, val rowsOf: (topics: List<String>) -> List<StatisticsRow>)
 
 /**
- * What the table is made from: the recordings that are [drawn], of which every signal has figures, and the logs that are [known],
- * with those figures that they came with. A log that is both is there once.
+ * What the table is made from: the recordings that are [drawn], of which every signal has figures, and if it [isOverAll] the logs
+ * that are [known], with those figures that they came with. A log that is both is there once.
  */
-internal fun statisticsSource(drawn: List<OpenRecording>, known: List<StatisticsRow>): StatisticsSource {
+internal fun statisticsSource(drawn: List<OpenRecording>, known: List<StatisticsRow>, isOverAll: Boolean = true): StatisticsSource {
     val knownByFile = known.associateBy { it.path }
     val drawnFiles = drawn.mapTo(HashSet()) { it.file }
-    val others = known.filter { it.path !in drawnFiles }
+    val others = if (isOverAll) known.filter { it.path !in drawnFiles } else emptyList()
     val topics = LinkedHashSet<String>()
     for (recording in drawn) recording.signals.filter { it.hasFigures }.mapTo(topics) { it.name }
     for (row in others) topics += row.statistics.keys
@@ -47,9 +48,12 @@ internal fun statisticsRow(recording: OpenRecording, topics: List<String>, date:
 
 /** When the file of [recording] was written last; empty when it is not there any more. */
 private fun dateOf(recording: OpenRecording): String = try {
-    DATE.format(Files.getLastModifiedTime(recording.file).toInstant().atZone(ZoneId.systemDefault()))
+    sortableText(LocalDateTime.ofInstant(Files.getLastModifiedTime(recording.file).toInstant(), ZoneId.systemDefault()))
 } catch (_: IOException) {
     ""
 }
+
+/** [time] as text that sorts by time: `2024-03-16 10:41`. */
+internal fun sortableText(time: LocalDateTime): String = DATE.format(time)
 
 private val DATE = DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm")

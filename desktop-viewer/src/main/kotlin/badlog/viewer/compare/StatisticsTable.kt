@@ -1,6 +1,7 @@
 package badlog.viewer.compare
 
 import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.FlowRow
@@ -16,6 +17,7 @@ import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.Text
 import androidx.compose.material3.VerticalDivider
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.produceState
 import androidx.compose.runtime.remember
@@ -26,6 +28,7 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.viewer.app.MainView
 import badlog.viewer.app.Viewer
+import badlog.viewer.files.askToWrite
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
@@ -36,19 +39,28 @@ import kotlinx.coroutines.withContext
 /**
  * A statistic of topics across recordings.
  *
- * @param chooseFile asks where to save what is called so; null when the person gives it up.
+ * @param chooseFile asks where to save the table; null when the person gives it up.
  */
 @Composable
 internal fun StatisticsTable(
     viewer: Viewer,
     modifier: Modifier = Modifier,
-    chooseFile: (String) -> Path? = { viewer.files.toWrite("Save the table", viewer.library.folder, it) },
+    chooseFile: () -> Path? = { askToWrite(viewer, "Save the table", viewer.library.folder, "statistics", ".csv") },
 ) {
+    LaunchedEffect(Unit) {
+        // An empty table would tell nobody what it is for.
+        val battery = viewer.library.entries.firstNotNullOfOrNull { it.batteryTopic }
+        if (battery != null && viewer.statisticsChoice.topics.isEmpty()) {
+            viewer.statisticsChoice = viewer.statisticsChoice.toggled(battery)
+        }
+    }
     val choice = viewer.statisticsChoice
     val drawn = viewer.drawnRecordings().map { it.recording }
-    val source = remember(drawn, viewer.library, choice.isOverAll) {
-        statisticsSource(drawn, if (choice.isOverAll) logsOfFolder(viewer) else emptyList())
+    val logs = viewer.library.entries
+    val found by produceState<StatisticsSource?>(null, drawn, logs, choice.isOverAll) {
+        value = withContext(Dispatchers.Default) { statisticsSource(drawn, rowsOf(logs), choice.isOverAll) }
     }
+    val source = found ?: return Box(modifier.background(LocalPalette.current.surface))
     val rows by produceState(emptyList<StatisticsRow>(), source, choice.topics) {
         value = withContext(Dispatchers.Default) { source.rowsOf(choice.topics) }
     }
@@ -75,7 +87,7 @@ private fun Table(
     viewer: Viewer,
     source: StatisticsSource,
     grid: StatisticsGrid,
-    chooseFile: (String) -> Path?,
+    chooseFile: () -> Path?,
     modifier: Modifier,
 ) {
     Column(modifier) {
@@ -90,7 +102,7 @@ private fun Table(
 }
 
 @Composable
-private fun Head(viewer: Viewer, grid: StatisticsGrid, chooseFile: (String) -> Path?) {
+private fun Head(viewer: Viewer, grid: StatisticsGrid, chooseFile: () -> Path?) {
     val choice = viewer.statisticsChoice
     FlowRow(Modifier.fillMaxWidth().padding(horizontal = 8.dp, vertical = 4.dp), itemVerticalAlignment = Alignment.CenterVertically) {
         ToolButton("The open log and those that are ticked", text = "Ticked", isOn = !choice.isOverAll) {
@@ -107,7 +119,7 @@ private fun Head(viewer: Viewer, grid: StatisticsGrid, chooseFile: (String) -> P
         Legend("smallest", LocalPalette.current.warningSoft)
         Legend("largest", LocalPalette.current.accentSoft)
         ToolButton("Save the table as CSV", Icons.Share, text = "CSV", isEnabled = choice.topics.isNotEmpty()) {
-            chooseFile("statistics.csv")?.let { saveCsv(viewer, grid, it) }
+            chooseFile()?.let { saveCsv(viewer, grid, it) }
         }
         ToolButton("Back to the graphs", Icons.Close) { viewer.panels = viewer.panels.copy(main = MainView.GRAPHS) }
     }

@@ -20,6 +20,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
+import badlog.viewer.takeaway.copyGraphs
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
@@ -67,6 +68,7 @@ private fun GraphButtons(scene: GraphScene, spec: GraphSpec, isHovered: Boolean,
             ToolButton("Show all of y", Icons.Reset, isOn = true) { viewer.graphs = viewer.graphs.withYRange(spec.id, null) }
         }
         if (isHovered) {
+            ToolButton("Copy a picture of this graph", Icons.Copy) { copyGraphs(viewer, listOf(spec)) }
             ToolButton("Move up", Icons.Up) { viewer.graphs = viewer.graphs.moved(spec.id, -1) }
             ToolButton("Move down", Icons.Down) { viewer.graphs = viewer.graphs.moved(spec.id, 1) }
             ToolButton("Remove the graph", Icons.Close) { viewer.graphs = viewer.graphs.without(spec.id) }

@@ -31,7 +31,8 @@ import badlog.viewer.theme.LocalPalette
 internal fun GraphColumn(scene: GraphScene) {
     val viewer = scene.viewer
     val graphs = viewer.graphs.graphs
-    SideEffect { scene.plots.keep(graphs.mapTo(HashSet()) { it.id } + OVERVIEW) }
+    val recordings = scene.recordings
+    SideEffect { scene.plots.keep(graphs.mapTo(HashSet()) { it.id } + OVERVIEW, recordings) }
     BoxWithConstraints(Modifier.fillMaxSize().changesHeights(scene)) {
         val scroll = rememberLazyListState()
         val lanes = remember(graphs, scene.recordings) { graphs.map { lanesOf(it, scene) } }
@@ -39,7 +40,7 @@ internal fun GraphColumn(scene: GraphScene) {
         val heights = graphHeights(lanes, maxHeight.value.toInt(), settings.graphHeight, settings.fitsGraphs)
         LazyColumn(Modifier.fillMaxSize(), scroll) {
             itemsIndexed(graphs, key = { _, graph -> graph.id }) { index, graph ->
-                GraphCard(scene, graph, heights.getOrElse(index) { settings.graphHeight })
+                GraphCard(scene, graph, heights.getOrElse(index) { HEIGHTS.first })
             }
             if (scene.isReceiving) item { NewGraphPlace() }
         }

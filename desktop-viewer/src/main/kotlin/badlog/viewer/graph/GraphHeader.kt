@@ -33,8 +33,8 @@ internal fun GraphHeader(scene: GraphScene, spec: GraphSpec, maxLines: Int, modi
         maxLines = maxLines,
     ) {
         GraphTitle(spec.title)
-        // The only line of a graph is what the graph is called.
-        val isAlone = lines.size == 1 && lines.first().signal.name.endsWith(plain(spec.title))
+        // The only signal of a graph is what the graph is called.
+        val isAlone = lines.distinctBy { it.signal.name }.size == 1 && lines.first().signal.name.endsWith(plain(spec.title))
         for (line in lines.take(MOST_ENTRIES)) {
             LegendEntry(scene, spec, line, hasName = !isAlone)
         }

@@ -5,7 +5,7 @@ import badlog.viewer.graph.plot.MOST_LINES
 
 /**
  * How high each graph is, in dp. Lanes have the height they need. Graphs of numbers are [chosen] high, or share what is left of
- * [room] when they [fit] into it with no less than [LOWEST] each.
+ * [room] when they [fit] into it with no less than the least of [HEIGHTS] each.
  *
  * @param lanes for each graph how many lanes it is made of, 0 when it has lines of numbers.
  */
@@ -13,12 +13,12 @@ internal fun graphHeights(lanes: List<Int>, room: Int, chosen: Int, fit: Boolean
     val natural = lanes.map { if (it == 0) 0 else HEADER_HEIGHT + minOf(it, MOST_LINES) * LANE_HEIGHT + LANES_MARGIN }
     val others = lanes.count { it == 0 }
     val shared = if (others == 0) 0 else (room - natural.sum()) / others
-    val height = if (fit && shared >= LOWEST) shared else chosen
+    val height = if (fit && shared >= HEIGHTS.first) shared else chosen.coerceIn(HEIGHTS)
     return natural.map { if (it == 0) height else it }
 }
 
-/** The least height of a graph, in dp. */
-internal const val LOWEST = 60
+/** How high a graph of numbers can be, in dp. */
+internal val HEIGHTS = 60..600
 
 /** How high the line above a graph is, in dp. */
 internal const val HEADER_HEIGHT = 22

@@ -8,6 +8,11 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.composed
+import androidx.compose.ui.input.pointer.PointerEventPass
+import androidx.compose.ui.input.pointer.PointerEventType
+import androidx.compose.ui.input.pointer.pointerInput
+import androidx.compose.ui.platform.LocalFocusManager
 import badlog.viewer.app.Viewer
 import badlog.viewer.playback.PlaybackRunning
 import badlog.viewer.theme.LocalPalette
@@ -22,7 +27,7 @@ internal fun GraphPane(viewer: Viewer, modifier: Modifier = Modifier) {
         return
     }
     val scene = remember(viewer) { GraphScene(viewer) }
-    Column(modifier.background(LocalPalette.current.surface)) {
+    Column(modifier.background(LocalPalette.current.surface).takesKeyboard()) {
         GraphToolbar(scene)
         Overview(scene)
         Box(Modifier.weight(1f).fillMaxWidth().receivesSignals(scene) { names ->
@@ -35,5 +40,15 @@ internal fun GraphPane(viewer: Viewer, modifier: Modifier = Modifier) {
             }
         }
         XAxisBar(scene)
+    }
+}
+
+/** Whoever presses here no longer types into a field elsewhere: keys are commands again. */
+private fun Modifier.takesKeyboard() = composed {
+    val focus = LocalFocusManager.current
+    pointerInput(focus) {
+        awaitPointerEventScope {
+            while (true) if (awaitPointerEvent(PointerEventPass.Initial).type == PointerEventType.Press) focus.clearFocus()
+        }
     }
 }

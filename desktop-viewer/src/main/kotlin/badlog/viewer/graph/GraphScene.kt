@@ -14,6 +14,7 @@ import badlog.viewer.graph.plot.PlotPicture
 import badlog.viewer.graph.plot.PlotState
 import badlog.viewer.graph.plot.Plots
 import badlog.viewer.graph.plot.drawnLines
+import badlog.viewer.inspector.MatchingEvents
 
 /** What all graphs of a window share. */
 internal class GraphScene(val viewer: Viewer) {
@@ -24,7 +25,7 @@ internal class GraphScene(val viewer: Viewer) {
     val recordings: List<DrawnRecording> by derivedStateOf { viewer.drawnRecordings() }
 
     /** The events that are marked. */
-    val events: EventTimeline by derivedStateOf { EventTimeline(visibleEvents(viewer)) }
+    val events: MatchingEvents get() = viewer.matchingEvents
 
     /** Whether signals are being dragged over the window. */
     var isReceiving: Boolean by mutableStateOf(false)

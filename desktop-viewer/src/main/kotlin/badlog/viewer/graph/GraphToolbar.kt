@@ -73,6 +73,5 @@ internal fun setGraphHeight(viewer: Viewer, height: Int) {
     viewer.settings = viewer.settings.copy(graphHeight = height.coerceIn(HEIGHTS), fitsGraphs = false)
 }
 
-private val HEIGHTS = LOWEST..600
 private const val HEIGHT_STEP = 25
 private const val STEP = 1.5

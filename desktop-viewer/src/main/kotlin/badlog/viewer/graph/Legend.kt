@@ -30,6 +30,7 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Constraints
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import badlog.viewer.compare.shortLabel
 import badlog.viewer.graph.plot.DrawnLine
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
@@ -48,7 +49,7 @@ internal fun LegendEntry(scene: GraphScene, spec: GraphSpec, line: DrawnLine, ha
         if (line.signal.states == null) {
             Spacer(Modifier.size(10.dp, 3.dp).background(palette.line(line.colour), RoundedCornerShape(2.dp)))
         }
-        val name = listOfNotNull(line.signal.title.takeIf { hasName }, line.label).joinToString(" · ")
+        val name = listOfNotNull(line.signal.title.takeIf { hasName }, line.label?.let { shortLabel(it, LABEL_LETTERS) }).joinToString(" · ")
         if (name.isNotEmpty()) {
             Text(name, Modifier.widthIn(max = 260.dp), fontSize = 12.sp, maxLines = 1, overflow = TextOverflow.Ellipsis)
         }
@@ -88,3 +89,6 @@ private fun LegendValue(scene: GraphScene, id: Int, line: DrawnLine) {
         },
     )
 }
+
+/** More letters of a recording's name leave no room for others. */
+private const val LABEL_LETTERS = 28

@@ -30,6 +30,7 @@ import badlog.viewer.graph.plot.PlotRequest
 import badlog.viewer.graph.plot.PlotState
 import badlog.viewer.graph.plot.drawLines
 import badlog.viewer.recording.OpenRecording
+import badlog.viewer.recording.batteryAmong
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Palette
 
@@ -68,8 +69,7 @@ internal fun Overview(scene: GraphScene) {
 /** The graph in the overview: the battery's voltage, in which a match is easily known again, or else the first line of numbers. */
 internal fun overviewSpec(open: OpenRecording): GraphSpec? {
     val numbers = open.signals.filter { it.states == null && !it.isDerived }
-    val battery = numbers.firstOrNull { it.name.contains("battery", ignoreCase = true) && it.name.contains("volt", ignoreCase = true) }
-    val chosen = battery ?: numbers.firstOrNull() ?: return null
+    val chosen = batteryAmong(numbers, { it.name }, { it.unit }) ?: numbers.firstOrNull() ?: return null
     return GraphSpec(OVERVIEW, chosen.name, listOf(LineSpec(chosen.name)))
 }
 

@@ -5,12 +5,13 @@ import badlog.analysis.LogView
 
 /**
  * The graphs that the attributes of a recording's topics ask for, in their order. States that follow one another in a folder
- * share a graph, in which each has a lane, up to so many that it still fits a screen.
+ * share a graph, in which each has a lane, up to so many that it still fits a screen. The x axis is no graph of itself.
  */
 internal fun standardGraphs(view: LogView): GraphList {
     var id = 0
     val specs = view.folders.flatMap { folder ->
-        runsOf(folder.graphs).map { graphs ->
+        val graphsOfFolder = folder.graphs.filter { graph -> graph.series.any { it.isDerived || it.topic !== view.xAxis.topic } }
+        runsOf(graphsOfFolder).map { graphs ->
             val first = graphs.first()
             val isJoint = graphs.size > 1
             GraphSpec(

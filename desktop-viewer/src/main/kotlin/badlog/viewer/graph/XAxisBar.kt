@@ -27,8 +27,8 @@ import androidx.compose.ui.unit.Constraints
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.plot.Span
-import badlog.viewer.graph.text.axisTexts
-import badlog.viewer.graph.text.cursorText
+import badlog.viewer.text.axisTexts
+import badlog.viewer.text.cursorText
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Palette
 

@@ -33,10 +33,10 @@ internal fun InspectorPane(viewer: Viewer, modifier: Modifier = Modifier) {
             Text(tab.title, Modifier.weight(1f), fontWeight = FontWeight.SemiBold, maxLines = 1)
             for (other in InspectorTab.entries) {
                 ToolButton("Show ${other.title.lowercase()}", other.icon, isOn = other == tab) {
-                    viewer.panels = viewer.panels.copy(inspector = other)
+                    viewer.panels = viewer.panels.inspecting(other)
                 }
             }
-            ToolButton("Close the panel", Icons.Close) { viewer.panels = viewer.panels.copy(inspector = null) }
+            ToolButton("Close the panel", Icons.Close) { viewer.panels = viewer.panels.withoutInspector() }
         }
         HorizontalDivider()
         val open = viewer.open

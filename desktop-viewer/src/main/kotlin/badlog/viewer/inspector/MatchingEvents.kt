@@ -3,6 +3,8 @@ package badlog.viewer.inspector
 import badlog.analysis.Event
 import badlog.analysis.EventLog
 import badlog.analysis.Series
+import badlog.plot.Span
+import kotlin.math.abs
 
 /**
  * Events of several topics in the order of x, without an object for each. Those without an x come last.
@@ -39,6 +41,27 @@ internal class MatchingEvents(
 
     /** The event nearest to [position]; -1 when none has an x. */
     fun nearest(position: Double): Int = places.nearest(position)
+
+    /** The event nearest to [position] if it is no further than [distance], else null. */
+    fun nearest(position: Double, distance: Double): Event? =
+        nearest(position).takeIf { it >= 0 && abs(x[it] - position) <= distance }?.let(::eventAt)
+
+    /**
+     * The pixels, ascending, of [width] that show [span], on which events stand. Costs as much as there are pixels, however many
+     * events there are.
+     */
+    fun pixels(span: Span, width: Int): IntArray {
+        val pixels = IntArray(minOf(width + 1, placedCount))
+        var count = 0
+        var index = firstAtOrAfter(span.from)
+        while (index < placedCount && x[index] <= span.to && count < pixels.size) {
+            val pixel = ((x[index] - span.from) / span.width * width).toInt()
+            // What was skipped to may be this pixel again, by rounding.
+            if (count == 0 || pixels[count - 1] != pixel) pixels[count++] = pixel
+            index = maxOf(index + 1, firstAtOrAfter(span.from + (pixel + 1) * span.width / width))
+        }
+        return pixels.copyOf(count)
+    }
 
     /** Those that [keep] wants, by their index. */
     fun filtered(keep: (Int) -> Boolean): MatchingEvents {

@@ -1,15 +1,15 @@
 package badlog.viewer.inspector
 
 import badlog.analysis.SeriesStatistics
-import badlog.analysis.Units
 import badlog.analysis.statistics
 import badlog.plot.Span
 import badlog.recording.Topic
 import badlog.viewer.compare.DrawnRecording
+import badlog.viewer.compare.Statistic
 import badlog.viewer.recording.Signal
-import badlog.viewer.topic.exactText
-import badlog.viewer.topic.figureText
-import badlog.viewer.topic.sampleText
+import badlog.viewer.recording.sampleText
+import badlog.viewer.text.exactText
+import badlog.viewer.text.figureText
 
 /**
  * What every drawn signal does over a part of x.
@@ -41,38 +41,32 @@ internal class Figure(val name: String, val text: String, val unit: String)
 /** The statistics of [names] over [span] in each of [drawn]; calculates them all, so not for the window's thread. */
 internal fun rangeStatistics(drawn: List<DrawnRecording>, names: List<String>, span: Span, isSelection: Boolean): RangeStatistics {
     val signals = names.flatMap { name ->
-        drawn.mapIndexedNotNull { place, (recording, offset) ->
+        drawn.mapIndexedNotNull { place, (recording, offset, recordingName) ->
             val signal = recording.signal(name) ?: return@mapIndexedNotNull null
             if (signal.series.size == 0) return@mapIndexedNotNull null
             val statistics = signal.series.statistics(span.from - offset, span.to - offset)
-            val areaUnit = Units.ofIntegral(signal.unit, recording.view.xAxis.unit)
             val states = signal.states.orEmpty()
-            val figures = if (signal.hasFigures) figuresOf(signal, statistics, areaUnit) else figuresOf(statistics, states)
-            SignalStatistics(name, signal.unit, if (drawn.size > 1) recording.label else "", place, figures)
+            val figures = if (signal.hasFigures) figuresOf(signal, statistics, recording.view.xAxis.unit) else figuresOf(statistics, states)
+            SignalStatistics(name, signal.unit, if (drawn.size > 1) recordingName else "", place, figures)
         }
     }
     val xUnit = drawn.firstOrNull()?.recording?.view?.xAxis?.unit.orEmpty()
     return RangeStatistics(span, xUnit, isSelection, signals)
 }
 
-private fun figuresOf(signal: Signal, statistics: SeriesStatistics, areaUnit: String): List<Figure> {
-    val unit = signal.unit
-    val samples = statistics.count.toString() + if (statistics.gaps > 0) " + ${countText(statistics.gaps, "gap")}" else ""
-    if (statistics.count == 0) return listOf(Figure("samples", samples, Topic.UNITLESS))
-    return listOf(
-        Figure("min", sampleText(signal, statistics.min), unit),
-        Figure("max", sampleText(signal, statistics.max), unit),
-        Figure("mean", figureText(statistics.mean), unit),
-        Figure("median", figureText(statistics.median), unit),
-        Figure("5 %", figureText(statistics.percentile5), unit),
-        Figure("95 %", figureText(statistics.percentile95), unit),
-        Figure("std", figureText(statistics.standardDeviation), unit),
-        Figure("integral", figureText(statistics.integral), areaUnit),
-        Figure("first", sampleText(signal, statistics.first), unit),
-        Figure("last", sampleText(signal, statistics.last), unit),
-        Figure("change", figureText(statistics.last - statistics.first), unit),
-        Figure("samples", samples, Topic.UNITLESS),
-    )
+private fun figuresOf(signal: Signal, statistics: SeriesStatistics, xUnit: String): List<Figure> {
+    val shown = if (statistics.count == 0) listOf(Statistic.SAMPLES) else Statistic.entries
+    return shown.map { Figure(it.title, textOf(it, signal, statistics), it.unitOf(signal.unit, xUnit)) }
+}
+
+private fun textOf(statistic: Statistic, signal: Signal, statistics: SeriesStatistics): String {
+    val value = statistic.of(statistics)
+    return when {
+        statistic == Statistic.SAMPLES ->
+            statistics.count.toString() + if (statistics.gaps > 0) " + ${countText(statistics.gaps, "gap")}" else ""
+        statistic.isSample -> sampleText(signal, value)
+        else -> figureText(value)
+    }
 }
 
 // What the numbers of states add up to means nothing.

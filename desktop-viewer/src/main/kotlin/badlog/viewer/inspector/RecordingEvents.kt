@@ -1,6 +1,7 @@
 package badlog.viewer.inspector
 
 import badlog.analysis.EventLog
+import badlog.viewer.text.wordsOf
 
 /** The events of all [logs] of a recording, put in the order of x once and filtered as often as a person types. */
 internal class RecordingEvents(private val logs: List<EventLog>) {
@@ -23,9 +24,6 @@ internal class RecordingEvents(private val logs: List<EventLog>) {
         return all.filtered { fits[all.logOf[it]][logs[all.logOf[it]].topic.texts.ids[all.cellOf(it)]] }
     }
 }
-
-/** The words of [text], which must all be found. */
-internal fun wordsOf(text: String): List<String> = text.trim().split(' ', '\t').filter { it.isNotEmpty() }
 
 private fun inOrder(logs: List<EventLog>): MatchingEvents {
     val count = logs.sumOf { it.topic.texts.size }

@@ -34,11 +34,11 @@ import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.compare.colorOf
 import badlog.viewer.compare.drawnRecordings
 import badlog.viewer.recording.OpenRecording
+import badlog.viewer.text.figureText
+import badlog.viewer.text.withUnit
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
-import badlog.viewer.topic.figureText
-import badlog.viewer.topic.withUnit
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.flow.conflate
 import kotlinx.coroutines.flow.map

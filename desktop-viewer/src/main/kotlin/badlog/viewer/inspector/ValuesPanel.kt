@@ -28,6 +28,7 @@ import androidx.compose.ui.unit.dp
 import badlog.recording.PathName
 import badlog.recording.Value
 import badlog.viewer.recording.OpenRecording
+import badlog.viewer.text.wordsOf
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.SearchField

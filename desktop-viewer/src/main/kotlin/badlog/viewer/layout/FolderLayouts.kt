@@ -1,8 +1,8 @@
 package badlog.viewer.layout
 
+import badlog.viewer.settings.keyOf
 import java.io.IOException
 import java.nio.file.Path
-import java.security.MessageDigest
 
 /** The layouts of folders as they were left, in files of the user's own below [place]. */
 internal class FolderLayouts(private val place: Path) {
@@ -20,14 +20,5 @@ internal class FolderLayouts(private val place: Path) {
      */
     fun write(folder: Path, layout: Layout) = writeLayout(fileOf(folder), layout)
 
-    // A folder's path may be longer than a file's name can be.
-    private fun fileOf(folder: Path): Path {
-        val path = folder.toAbsolutePath().normalize().toString()
-        val digest = MessageDigest.getInstance("SHA-256").digest(path.encodeToByteArray())
-        return place.resolve("${digest.take(NAME_BYTES).joinToString("") { "%02x".format(it) }}.json")
-    }
-
-    private companion object {
-        const val NAME_BYTES = 16
-    }
+    private fun fileOf(folder: Path): Path = place.resolve("${keyOf(folder)}.json")
 }

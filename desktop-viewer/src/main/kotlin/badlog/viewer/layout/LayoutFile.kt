@@ -1,6 +1,6 @@
 package badlog.viewer.layout
 
-import badlog.viewer.takeaway.writeWhole
+import badlog.viewer.files.writeWhole
 import java.io.IOException
 import java.nio.charset.CharacterCodingException
 import java.nio.file.Files

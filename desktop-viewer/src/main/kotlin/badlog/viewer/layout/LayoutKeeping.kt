@@ -1,6 +1,7 @@
 package badlog.viewer.layout
 
 import androidx.compose.runtime.snapshotFlow
+import badlog.plot.Span
 import badlog.viewer.app.Viewer
 import badlog.viewer.graph.GraphList
 import badlog.viewer.graph.standardGraphs
@@ -20,6 +21,15 @@ internal class LayoutKeeping(private val viewer: Viewer) {
     private val layouts = FolderLayouts(viewer.folders.settings.resolve("layouts"))
     private var folder: Path? = null
     private var remembered: Layout? = null
+    private var restoredTicks: List<Path> = emptyList()
+    private var restoredVisible: Span? = null
+    private var restoredSelection: Span? = null
+
+    /** Whether nobody has ticked, zoomed or marked anything since the log was shown: what was restored here, nobody did now. */
+    val isUntouched: Boolean
+        get() = viewer.comparison.ticked.all { it in restoredTicks } &&
+            (!viewer.viewport.isZoomed || viewer.viewport.visible == restoredVisible) &&
+            (viewer.selection == null || viewer.selection == restoredSelection)
 
     /** The graphs to show of [recording], which was just opened: as they were arranged over this folder, else the standard ones. */
     fun graphsOf(recording: OpenRecording): GraphList {
@@ -79,7 +89,10 @@ internal class LayoutKeeping(private val viewer: Viewer) {
 
     private fun restore(layout: Layout) {
         layout.panels?.let { viewer.panels = panelsOf(it, viewer.panels) }
-        if (layout.compared.files.isNotEmpty()) restoreComparison(viewer, layout.compared)
+        if (layout.compared.files.isNotEmpty()) {
+            restoreComparison(viewer, layout.compared)
+            restoredTicks = viewer.comparison.ticked
+        }
         val open = viewer.open?.takeIf(::isInFolder) ?: return
         if (hasSameGraphs(viewer.graphs, standardGraphs(open.view))) viewer.graphs = graphsOf(open)
     }
@@ -87,7 +100,11 @@ internal class LayoutKeeping(private val viewer: Viewer) {
     /** Shows what was last seen, when the recording is the one of then. Returns whether one was opened at all. */
     private fun restorePlace(layout: Layout): Boolean {
         val open = viewer.open?.takeIf(::isInFolder) ?: return false
-        if (pathText(open.file, folder) == layout.recording) applyPlace(viewer, layout)
+        if (pathText(open.file, folder) == layout.recording) {
+            applyPlace(viewer, layout)
+            restoredVisible = viewer.viewport.visible
+            restoredSelection = viewer.selection
+        }
         return true
     }
 

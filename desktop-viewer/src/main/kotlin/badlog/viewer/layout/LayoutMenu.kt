@@ -5,8 +5,8 @@ import androidx.compose.ui.input.key.Key
 import badlog.viewer.app.Command
 import badlog.viewer.app.KeyPress
 import badlog.viewer.app.Viewer
-import badlog.viewer.takeaway.Menu
-import badlog.viewer.takeaway.MenuEntry
+import badlog.viewer.menu.Menu
+import badlog.viewer.menu.MenuEntry
 import badlog.viewer.theme.Icons
 
 /** The menu that keeps and brings back how the window is arranged. */

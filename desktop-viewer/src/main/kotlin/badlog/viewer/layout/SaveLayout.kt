@@ -1,9 +1,9 @@
 package badlog.viewer.layout
 
 import badlog.viewer.app.Viewer
-import badlog.viewer.takeaway.askToWrite
-import badlog.viewer.takeaway.fileNameOf
-import badlog.viewer.takeaway.sayNoLog
+import badlog.viewer.files.askToWrite
+import badlog.viewer.files.fileNameOf
+import badlog.viewer.files.sayNoLog
 
 /** Asks for a file, and writes to it how the window is arranged. */
 internal fun saveLayout(viewer: Viewer) {

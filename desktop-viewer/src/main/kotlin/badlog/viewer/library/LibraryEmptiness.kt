@@ -34,6 +34,6 @@ private fun emptinessOf(library: LibraryState): String = when {
     !library.hasLooked -> "Looking for logs…"
     library.reading != null -> "Reading the first logs…"
     library.trouble != null -> "No log is to be seen here."
-    else -> "No logs here yet. badlog lists .bag, .badbag and .csv files, also when they are compressed (.gz), in this folder " +
-        "and the folders in it. A new one appears by itself."
+    else -> "No logs here yet. Bags (.bag, .badbag) and tables (.csv) of this folder and the folders in it are listed, also when they " +
+        "are compressed (.gz). A new one appears by itself."
 }

@@ -16,6 +16,7 @@ import kotlinx.coroutines.withContext
 internal class LibraryFolder(private val viewer: Viewer) {
     private var job: Job? = null
     private var indexing: Indexing? = null
+    private val newest = NewestShowing(viewer)
 
     /**
      * Shows the logs of [folder] and its sub-folders from now on.
@@ -57,7 +58,7 @@ internal class LibraryFolder(private val viewer: Viewer) {
     }
 
     private suspend fun publish(indexing: Indexing, showsNewest: Boolean) {
-        val newest = if (showsNewest) NewestShowing(viewer) else null
+        newest.begin()
         var shownQueue: IndexQueue? = null
         var shownChanges = -1
         while (true) {
@@ -74,7 +75,7 @@ internal class LibraryFolder(private val viewer: Viewer) {
             shownQueue = queue
             shownChanges = state.changes
             if (library != viewer.library) viewer.library = library
-            if (hasLooked) newest?.update(queue, isComplete = state.waiting == 0)
+            if (hasLooked && showsNewest) newest.update(queue, isComplete = state.waiting == 0)
             // Sorting many logs again takes time that the window needs for other things.
             delay(if (state.entries.size > MANY) PERIOD * 5 else PERIOD)
         }

@@ -17,6 +17,7 @@ import androidx.compose.ui.input.key.KeyEventType
 import androidx.compose.ui.input.key.key
 import androidx.compose.ui.input.key.onPreviewKeyEvent
 import androidx.compose.ui.input.key.type
+import androidx.compose.ui.platform.LocalFocusManager
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.viewer.app.Viewer
@@ -43,10 +44,11 @@ internal fun LibraryHead(viewer: Viewer) {
     }
 }
 
-/** The field that filters the logs; Enter opens the first that is left, Escape lists all again. */
+/** The field that filters the logs; Enter opens the first that is left and gives the keyboard back, Escape lists all again. */
 @Composable
 internal fun LogSearch(viewer: Viewer, modifier: Modifier = Modifier) {
     val focus = remember { FocusRequester() }
+    val keyboard = LocalFocusManager.current
     val asked = viewer.library.searchesAsked
     val before = remember { intArrayOf(asked) }
     LaunchedEffect(asked) {
@@ -56,19 +58,17 @@ internal fun LogSearch(viewer: Viewer, modifier: Modifier = Modifier) {
     }
     val keyed = modifier
         .focusRequester(focus)
-        .onPreviewKeyEvent { it.type == KeyEventType.KeyDown && onSearchKey(viewer, it.key) }
+        .onPreviewKeyEvent {
+            val opens = it.type == KeyEventType.KeyDown && (it.key == Key.Enter || it.key == Key.NumPadEnter)
+            if (opens) {
+                viewer.library.visible.firstOrNull()?.let(viewer::openLog)
+                keyboard.clearFocus()
+            }
+            opens
+        }
     SearchField(viewer.library.listing.filter, "Search logs", keyed) {
         viewer.library = viewer.library.filtered(it)
     }
-}
-
-private fun onSearchKey(viewer: Viewer, key: Key): Boolean {
-    when (key) {
-        Key.Enter, Key.NumPadEnter -> viewer.library.visible.firstOrNull()?.let { viewer.openLog(it) }
-        Key.Escape -> viewer.library = viewer.library.filtered("")
-        else -> return false
-    }
-    return true
 }
 
 /** How many logs are listed. */

@@ -6,7 +6,6 @@ import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
-import androidx.compose.foundation.layout.widthIn
 import androidx.compose.material3.DropdownMenu
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.Icon
@@ -18,7 +17,6 @@ import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.graphics.vector.ImageVector
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
@@ -26,6 +24,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import badlog.viewer.app.Viewer
+import badlog.viewer.menu.MenuLine
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Tip
@@ -93,23 +92,6 @@ internal fun SortMenu(viewer: Viewer) {
                 MenuLine(column.title, mark) { viewer.library = viewer.library.sorted(column) }
             }
         }
-    }
-}
-
-/** A line of a menu, which [mark] marks as chosen. */
-@Composable
-internal fun MenuLine(text: String, mark: ImageVector? = null, onClick: () -> Unit) {
-    val palette = LocalPalette.current
-    Row(
-        Modifier
-            .widthIn(min = 180.dp, max = 420.dp)
-            .clickable(role = Role.Button, onClick = onClick)
-            .padding(horizontal = 12.dp, vertical = 6.dp),
-        horizontalArrangement = Arrangement.spacedBy(8.dp),
-        verticalAlignment = Alignment.CenterVertically,
-    ) {
-        Text(text, Modifier.weight(1f), maxLines = 1, overflow = TextOverflow.MiddleEllipsis)
-        if (mark != null) Icon(mark, contentDescription = "chosen", Modifier.size(14.dp), palette.accent)
     }
 }
 

@@ -1,6 +1,7 @@
 package badlog.viewer.library
 
 import badlog.viewer.library.index.LogEntry
+import badlog.viewer.library.index.isNamedAsLog
 import java.nio.file.Path
 
 /**
@@ -31,9 +32,16 @@ internal data class LibraryState(
     /** The logs that are listed, in their order. */
     val visible: List<LogEntry> get() = listing.visible
 
-    /** The log that began last, of those where something happened, or else of all that can be read; null without any. */
+    /**
+     * The log that began last, of those where something happened, or else of all that can be read; null without any. A table of
+     * numbers is one only where there is no robot's log: it may be of anything, and mostly only its file's time tells its age.
+     */
     val newest: LogEntry?
-        get() = entries.filter { !it.isGrey }.maxWithOrNull(AGE) ?: entries.filter { it.isReadable }.maxWithOrNull(AGE)
+        get() {
+            val readable = entries.filter { it.isReadable }
+            val logs = readable.filter { isNamedAsLog(it.fileName) }.ifEmpty { readable }
+            return logs.filter { !it.isGrey }.maxWithOrNull(AGE) ?: logs.maxWithOrNull(AGE)
+        }
 
     /** Another [folder], of which nothing is known yet, listed as this one was. */
     fun opening(folder: Path): LibraryState =

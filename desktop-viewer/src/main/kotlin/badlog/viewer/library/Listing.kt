@@ -2,6 +2,7 @@ package badlog.viewer.library
 
 import badlog.viewer.library.index.Content
 import badlog.viewer.library.index.LogEntry
+import badlog.viewer.text.wordsOf
 import java.nio.file.Path
 
 /**
@@ -24,7 +25,7 @@ internal data class Listing(
 ) {
     /** What is listed, in its order. */
     val visible: List<LogEntry> by lazy {
-        val words = filter.lowercase().split(' ').filter { it.isNotEmpty() }
+        val words = wordsOf(filter.lowercase())
         entries
             .filter { it.content != Content.NO_LOG && !(hidesEmpty && it.isGrey) && hasAll(it, words) }
             .sortedWith(order())

@@ -58,17 +58,19 @@ internal fun LogTable(viewer: Viewer, modifier: Modifier = Modifier) {
 
 @Composable
 private fun TableTools(viewer: Viewer) {
-    Row(
-        Modifier.fillMaxWidth().padding(8.dp),
-        horizontalArrangement = Arrangement.spacedBy(6.dp),
-        verticalAlignment = Alignment.CenterVertically,
-    ) {
-        FolderMenu(viewer, Modifier.widthIn(max = 220.dp))
-        LogSearch(viewer, Modifier.weight(1f).widthIn(max = 320.dp))
-        LogCount(viewer)
-        PreviewMenu(viewer)
-        HideEmptyButton(viewer)
-        ToolButton("Back to the graphs", Icons.Graph, text = "Graphs") { viewer.toggleTable() }
+    BoxWithConstraints(Modifier.fillMaxWidth().padding(8.dp)) {
+        val isNarrow = maxWidth < NARROW
+        Column(verticalArrangement = Arrangement.spacedBy(6.dp)) {
+            Row(horizontalArrangement = Arrangement.spacedBy(6.dp), verticalAlignment = Alignment.CenterVertically) {
+                FolderMenu(viewer, if (isNarrow) Modifier.weight(1f) else Modifier.widthIn(max = 220.dp))
+                if (!isNarrow) LogSearch(viewer, Modifier.weight(1f))
+                LogCount(viewer)
+                PreviewMenu(viewer)
+                HideEmptyButton(viewer)
+                ToolButton("Back to the graphs", Icons.Graph, text = if (isNarrow) null else "Graphs") { viewer.toggleTable() }
+            }
+            if (isNarrow) LogSearch(viewer, Modifier.fillMaxWidth())
+        }
     }
 }
 
@@ -142,5 +144,6 @@ private fun openFromTable(viewer: Viewer, entry: LogEntry) {
 }
 
 private const val PAGE = 15
+private val NARROW = 560.dp
 
 private val tableWidth: Dp get() = (TICK_WIDTH + PREVIEW_WIDTH + LogColumn.entries.sumOf { it.width }).dp

@@ -3,9 +3,9 @@ package badlog.viewer.library
 import badlog.viewer.library.index.LogDate
 import badlog.viewer.library.index.LogEntry
 import badlog.viewer.library.index.secondsOf
+import badlog.viewer.text.minutesText
 import java.time.format.DateTimeFormatter
 import java.util.Locale
-import kotlin.math.roundToLong
 
 /** The window's language. */
 internal val ENGLISH: Locale = Locale.ENGLISH
@@ -24,10 +24,7 @@ internal fun durationText(entry: LogEntry): String? {
     val seconds = secondsOf(duration, entry.xUnit) ?: return "%.4g %s".format(ENGLISH, duration, entry.xUnit)
     if (!(seconds < 1e9)) return null
     if (seconds < 10) return "%.1f s".format(ENGLISH, seconds)
-    val whole = seconds.roundToLong()
-    val (hours, minutes) = whole / 3600 to whole / 60 % 60
-    return if (hours > 0) "%d:%02d:%02d".format(ENGLISH, hours, minutes, whole % 60)
-    else "%d:%02d".format(ENGLISH, minutes, whole % 60)
+    return minutesText(seconds, decimals = 0)
 }
 
 /** `1.8 MB`. */

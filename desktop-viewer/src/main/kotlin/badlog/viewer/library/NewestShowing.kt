@@ -12,12 +12,17 @@ import kotlin.time.TimeSource
  * has done anything with that. To be used on the window's thread only.
  */
 internal class NewestShowing(private val viewer: Viewer) {
-    private val since = TimeSource.Monotonic.markNow()
+    private var since = TimeSource.Monotonic.markNow()
     private var shown: Path? = null
+
+    /** Another folder is looked at from now on. */
+    fun begin() {
+        since = TimeSource.Monotonic.markNow()
+    }
 
     /** Shows it, if it is known; [isComplete] says whether all logs of [queue] are. */
     fun update(queue: IndexQueue, isComplete: Boolean) {
-        if (viewer.tasks.all.isNotEmpty()) return
+        if (viewer.loading.isReading) return
         val newest = when {
             isComplete -> viewer.library.newest
             since.elapsedNow() > PATIENCE && viewer.open == null -> queue.newestKnown().firstOrNull { !it.isGrey }
@@ -34,8 +39,7 @@ internal class NewestShowing(private val viewer: Viewer) {
 
     private fun mayChange(): Boolean {
         val open = viewer.open ?: return true
-        return open.file == shown && !viewer.viewport.isZoomed && viewer.selection == null && !viewer.playback.isPlaying &&
-            viewer.comparison.ticked.isEmpty() && viewer.panels.main == MainView.GRAPHS
+        return open.file == shown && viewer.layouts.isUntouched && !viewer.playback.isPlaying && viewer.panels.main == MainView.GRAPHS
     }
 
     private companion object {

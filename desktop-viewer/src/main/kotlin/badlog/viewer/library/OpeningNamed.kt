@@ -12,3 +12,13 @@ internal fun Viewer.openNamed(files: List<Path>) {
     if (library.folder == null) file.parent?.let { libraryFolder.open(it, showsNewest = false) }
     openRecording(file)
 }
+
+/** Asks for a folder and opens it. */
+internal fun chooseFolder(viewer: Viewer) {
+    viewer.files.folder("Open a folder of logs", viewer.library.folder)?.let { viewer.libraryFolder.open(it) }
+}
+
+/** Asks for a log and opens it, and its folder where there is none yet. */
+internal fun chooseFile(viewer: Viewer) {
+    viewer.files.toRead("Open a log", viewer.library.folder)?.let { viewer.openNamed(listOf(it)) }
+}

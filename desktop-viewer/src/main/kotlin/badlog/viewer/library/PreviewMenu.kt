@@ -16,6 +16,7 @@ import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import badlog.viewer.app.Viewer
+import badlog.viewer.menu.MenuLine
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.SearchField
 import badlog.viewer.theme.ToolButton

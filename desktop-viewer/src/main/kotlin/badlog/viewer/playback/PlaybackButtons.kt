@@ -4,7 +4,7 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import badlog.viewer.app.Viewer
-import badlog.viewer.graph.text.numberText
+import badlog.viewer.text.exactText
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.ToolButton
 
@@ -22,7 +22,7 @@ internal fun PlaybackButtons(viewer: Viewer) {
         ToolButton("Slower (<)", text = "‹", isEnabled = playback.speed > Playback.SPEEDS.first()) {
             viewer.playback = playback.faster(-1)
         }
-        ToolButton("Speed: ${numberText(playback.speed)} times; click for 1", text = "${numberText(playback.speed)}×") {
+        ToolButton("Speed: ${exactText(playback.speed)} times; click for 1", text = "${exactText(playback.speed)}×") {
             viewer.playback = playback.copy(speed = 1.0)
         }
         ToolButton("Faster (>)", text = "›", isEnabled = playback.speed < Playback.SPEEDS.last()) {

@@ -6,6 +6,7 @@ import androidx.compose.runtime.withFrameNanos
 import badlog.analysis.XAxis
 import badlog.plot.Span
 import badlog.viewer.app.Viewer
+import badlog.viewer.recording.secondsPer
 
 /** Lets the cursor run, frame by frame, while it is to. */
 @Composable
@@ -61,14 +62,7 @@ private fun follow(viewer: Viewer, x: Double) {
 }
 
 /** How much of x passes in a second at speed 1: what its unit says, or else all of it in a minute. */
-internal fun perSecond(axis: XAxis, full: Span): Double = when (axis.unit.trim().lowercase()) {
-    "s", "sec", "seconds" -> 1.0
-    "ms" -> 1e3
-    "us", "µs" -> 1e6
-    "ns" -> 1e9
-    "min" -> 1.0 / SECONDS_OF_MINUTE
-    else -> full.width / SECONDS_OF_MINUTE
-}
+internal fun perSecond(axis: XAxis, full: Span): Double = secondsPer(axis.unit)?.let { 1 / it } ?: (full.width / SECONDS_OF_MINUTE)
 
 private const val NANOS = 1e9
 private const val LONGEST_STEP = 0.25

@@ -17,7 +17,7 @@ import kotlinx.coroutines.runInterruptible
  */
 internal class RecordingFollowing(
     private val viewer: Viewer,
-    private val read: (OpenRecording, isGrowing: Boolean) -> OpenRecording,
+    private val read: (OpenRecording, isGrowing: Boolean) -> OpenRecording = { shown, isGrowing -> OpenRecording.read(shown.file, isGrowing) },
 ) {
     /** Follows [opened], which was read when its file was as [stamp], until cancelled. */
     suspend fun follow(opened: OpenRecording, stamp: FileStamp) {
@@ -38,8 +38,15 @@ internal class RecordingFollowing(
             known = now
             isSettled = !hasChanged
             val began = TimeSource.Monotonic.markNow()
-            shown = readAgain(shown, isGrowing = hasChanged) ?: continue
+            shown = try {
+                readAgain(shown, isGrowing = hasChanged) ?: continue
+            } catch (_: OutOfMemoryError) {
+                val name = shown.file.fileName
+                viewer.notices.complain("$name has grown larger than the memory there is; what was read of it stays here.")
+                return
+            }
             viewer.open = shown
+            viewer.comparisonLoading.share(shown)
             viewer.viewport = viewer.viewport.grown(shown.span)
             delay(restAfter(began.elapsedNow()))
         }

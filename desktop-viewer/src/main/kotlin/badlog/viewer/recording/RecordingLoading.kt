@@ -1,7 +1,5 @@
 package badlog.viewer.recording
 
-import badlog.analysis.LogView
-import badlog.file.readRecording
 import badlog.viewer.app.FrontPart
 import badlog.viewer.app.Viewer
 import badlog.viewer.view.Viewport
@@ -11,30 +9,37 @@ import kotlinx.coroutines.launch
 
 /** Opens recordings in a window and keeps the open one as its file is. A file asked for takes the place of the one before. */
 internal class RecordingLoading(private val viewer: Viewer) {
-    private var job: Job? = null
-    private val following = RecordingFollowing(viewer) { shown, isGrowing -> read(shown.file, isGrowing) {} }
+    private val following = RecordingFollowing(viewer)
+    private var reading: Job? = null
+    private var keeping: Job? = null
+
+    /** Whether a recording is on its way. */
+    val isReading: Boolean get() = reading?.isActive == true
 
     /** Reads [file] and shows it; what is shown now stays until then, and when [file] cannot be read. */
     fun open(file: Path) {
         val path = file.toAbsolutePath().normalize()
-        val stamp = FileStamp.of(path) ?: FileStamp(0, 0)
-        job?.cancel()
-        job = viewer.tasks.run("Opening ${path.fileName}", { progress -> read(path, false, progress) }) { recording ->
-            show(recording)
-            job = viewer.scope.launch { following.follow(recording, stamp) }
+        reading?.cancel()
+        reading = viewer.tasks.run("Opening ${path.fileName}", { progress -> Stamped.read(path, progress) }) { read ->
+            show(read.recording)
+            keeping?.cancel()
+            keeping = viewer.scope.launch { following.follow(read.recording, read.stamp) }
         }
     }
 
-    private fun read(file: Path, isGrowing: Boolean, progress: (Float) -> Unit): OpenRecording {
-        val recording = readRecording(file, untilLastLineEnd = isGrowing) { done, total ->
-            if (total > 0) progress(done.toFloat() / total)
+    private class Stamped(val recording: OpenRecording, val stamp: FileStamp) {
+        companion object {
+            fun read(file: Path, progress: (Float) -> Unit): Stamped {
+                // Before it is read: what is written meanwhile is a change.
+                val stamp = FileStamp.of(file) ?: FileStamp(0, 0)
+                return Stamped(OpenRecording.read(file, progress = progress), stamp)
+            }
         }
-        // When it was enabled is drawn in the first frame; the window's thread must not have to look for it.
-        return OpenRecording(file, LogView.of(recording)).also { it.enabled }
     }
 
     private fun show(recording: OpenRecording) {
         viewer.open = recording
+        viewer.comparisonLoading.share(recording)
         viewer.graphs = viewer.layouts.graphsOf(recording)
         viewer.viewport = Viewport(recording.span)
         viewer.cursor = null
@@ -42,5 +47,6 @@ internal class RecordingLoading(private val viewer: Viewer) {
         viewer.gesture = null
         viewer.selection = null
         viewer.panels = viewer.panels.copy(front = FrontPart.GRAPHS)
+        viewer.library = viewer.library.copy(selected = recording.file)
     }
 }

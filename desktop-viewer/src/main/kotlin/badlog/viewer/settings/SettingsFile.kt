@@ -34,7 +34,11 @@ internal class SettingsFile(private val file: Path) {
     fun write(settings: Settings) {
         Files.createDirectories(file.parent)
         val draft = Files.createTempFile(file.parent, "settings", ".json")
-        Files.writeString(draft, json.encodeToString(Settings.serializer(), settings))
-        Files.move(draft, file, StandardCopyOption.REPLACE_EXISTING)
+        try {
+            Files.writeString(draft, json.encodeToString(Settings.serializer(), settings))
+            Files.move(draft, file, StandardCopyOption.REPLACE_EXISTING)
+        } finally {
+            Files.deleteIfExists(draft)
+        }
     }
 }

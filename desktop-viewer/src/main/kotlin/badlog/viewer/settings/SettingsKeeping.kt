@@ -6,14 +6,14 @@ import java.io.IOException
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.FlowPreview
 import kotlinx.coroutines.flow.collectLatest
-import kotlinx.coroutines.flow.drop
+import kotlinx.coroutines.flow.dropWhile
 import kotlinx.coroutines.flow.debounce
 import kotlinx.coroutines.withContext
 
-/** Writes the settings of [viewer] into [file] a moment after each change, until cancelled. */
+/** Writes the settings of [viewer] into [file], which holds [kept], a moment after each change, until cancelled. */
 @OptIn(FlowPreview::class)
-internal suspend fun keepSettings(viewer: Viewer, file: SettingsFile) {
-    snapshotFlow { viewer.settings }.drop(1).debounce(QUIET_MILLIS).collectLatest { settings ->
+internal suspend fun keepSettings(viewer: Viewer, file: SettingsFile, kept: Settings) {
+    snapshotFlow { viewer.settings }.dropWhile { it == kept }.debounce(QUIET_MILLIS).collectLatest { settings ->
         try {
             withContext(Dispatchers.IO) { file.write(settings) }
         } catch (e: IOException) {

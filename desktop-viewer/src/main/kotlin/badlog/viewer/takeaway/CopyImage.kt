@@ -4,6 +4,7 @@ import androidx.compose.ui.graphics.ImageBitmap
 import androidx.compose.ui.graphics.toAwtImage
 import badlog.viewer.app.Viewer
 import badlog.viewer.compare.drawnRecordings
+import badlog.viewer.files.sayNoLog
 import badlog.viewer.graph.GraphSpec
 import badlog.viewer.takeaway.figure.FigureBuilder
 import badlog.viewer.takeaway.figure.FigureOptions

@@ -6,6 +6,8 @@ import badlog.recording.RecordingFormat
 import badlog.viewer.app.Command
 import badlog.viewer.app.KeyPress
 import badlog.viewer.app.Viewer
+import badlog.viewer.menu.Menu
+import badlog.viewer.menu.MenuEntry
 import badlog.viewer.takeaway.cut.saveCut
 import badlog.viewer.takeaway.figure.FigurePanel
 import badlog.viewer.takeaway.pages.savePage

@@ -16,16 +16,31 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.graphics.SolidColor
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.input.key.KeyEventType
+import androidx.compose.ui.input.key.key
+import androidx.compose.ui.input.key.onPreviewKeyEvent
+import androidx.compose.ui.input.key.type
+import androidx.compose.ui.platform.LocalFocusManager
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 
-/** A field of one line to search with; [hint] stands in it while it is empty. */
+/** A field of one line to search with; [hint] stands in it while it is empty. Escape empties it and gives the keyboard back. */
 @Composable
 internal fun SearchField(text: String, hint: String, modifier: Modifier = Modifier, onChange: (String) -> Unit) {
     val palette = LocalPalette.current
+    val focus = LocalFocusManager.current
     Row(
         modifier
+            .onPreviewKeyEvent {
+                val leaves = it.type == KeyEventType.KeyDown && it.key == Key.Escape
+                if (leaves) {
+                    onChange("")
+                    focus.clearFocus()
+                }
+                leaves
+            }
             .background(palette.raised, RoundedCornerShape(5.dp))
             .border(1.dp, palette.border, RoundedCornerShape(5.dp))
             .padding(horizontal = 8.dp, vertical = 5.dp),

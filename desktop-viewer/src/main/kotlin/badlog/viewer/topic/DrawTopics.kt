@@ -15,7 +15,7 @@ internal fun OpenRecording.isEvents(signal: Signal): Boolean =
 internal fun toggleDrawn(viewer: Viewer, signal: Signal) {
     if (viewer.open?.isEvents(signal) == true) {
         viewer.eventFilter = EventFilter(topics = setOf(signal.name))
-        viewer.panels = viewer.panels.copy(inspector = InspectorTab.EVENTS)
+        viewer.panels = viewer.panels.inspecting(InspectorTab.EVENTS)
     } else {
         viewer.graphs = viewer.graphs.withOwnToggled(signal.name)
     }

@@ -15,6 +15,7 @@ import badlog.analysis.Series
 import badlog.viewer.app.Viewer
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.recording.Signal
+import badlog.viewer.recording.valueText
 import badlog.viewer.theme.LocalPalette
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext

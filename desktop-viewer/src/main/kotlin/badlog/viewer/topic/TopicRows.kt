@@ -1,7 +1,7 @@
 package badlog.viewer.topic
 
-import badlog.viewer.inspector.wordsOf
 import badlog.viewer.recording.Signal
+import badlog.viewer.text.wordsOf
 
 /**
  * The lines that the list of topics has for [signals]: in each folder its signals in their order, then its folders by name.

@@ -64,7 +64,8 @@ internal data class Viewport(
     fun grown(grown: Span): Viewport = when {
         !isZoomed -> copy(full = grown, visible = grown)
         visible.to >= full.to -> copy(full = grown).moved(grown.to - visible.width, grown.to)
-        else -> copy(full = grown)
+        // A program that begins its log anew makes it shorter.
+        else -> copy(full = grown).moved(visible.from, visible.to)
     }
 
     companion object {

@@ -1,12 +1,15 @@
 package badlog.viewer.app
 
+import androidx.compose.foundation.clickable
 import androidx.compose.foundation.focusable
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.text.BasicTextField
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.input.key.onKeyEvent
+import androidx.compose.ui.input.key.onPreviewKeyEvent
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.onNodeWithContentDescription
@@ -18,6 +21,7 @@ import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.requestFocus
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import androidx.compose.ui.test.withKeyDown
+import androidx.compose.ui.unit.dp
 import badlog.viewer.settings.UserFolders
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
@@ -65,6 +69,37 @@ class KeyboardSpec : FunSpec({
             waitForIdle()
             press("elsewhere")
             done shouldContainExactly listOf("T", "Shift+T", "Ctrl+S", "Esc")
+        }
+    }
+
+    test("Space does what its command says after a button was clicked, Enter presses the button, and a field takes both") {
+        val done = ArrayList<String>()
+        val commands = listOf(Command("", "", listOf(KeyPress(Key.Spacebar, "Space"))) { done += "Space" })
+        val keyboard = Keyboard()
+        runDesktopComposeUiTest(300, 300) {
+            setContent {
+                keyboard.Watch {
+                    Column(
+                        Modifier
+                            .onPreviewKeyEvent { keyboard.dispatchFirst(it, commands) }
+                            .onKeyEvent { keyboard.dispatch(it, commands) },
+                    ) {
+                        BasicTextField("", {}, Modifier.testTag("field"))
+                        Box(Modifier.testTag("button").size(20.dp).clickable { done += "button" })
+                    }
+                }
+            }
+            onNodeWithTag("button").performClick()
+            onNodeWithTag("button").requestFocus()
+            onNodeWithTag("button").performKeyInput {
+                pressKey(Key.Spacebar)
+                pressKey(Key.Enter)
+            }
+            done shouldContainExactly listOf("button", "Space", "button")
+            onNodeWithTag("field").requestFocus()
+            waitForIdle()
+            onNodeWithTag("field").performKeyInput { pressKey(Key.Spacebar) }
+            done.size shouldBe 3
         }
     }
 

@@ -1,7 +1,8 @@
 package badlog.viewer.graph
 
-import badlog.analysis.Event
 import badlog.plot.Span
+import badlog.viewer.bagOf
+import badlog.viewer.recordingOf
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.ints.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
@@ -10,11 +11,10 @@ import java.awt.datatransfer.StringSelection
 import java.awt.datatransfer.Transferable
 
 class EventMarksSpec : FunSpec({
-    fun timeline(vararg places: Double) = EventTimeline(places.mapIndexed { row, x -> Event(x, row, "at $x") })
+    fun events(places: List<Double>) =
+        recordingOf(bagOf(listOf("Time|xaxis", "Log|log"), places.map { "$it,at $it" })).events.all
 
-    test("events stand in the order of x, and those without a place are left out") {
-        timeline(3.0, Double.NaN, 1.0).events.map { it.x } shouldBe listOf(1.0, 3.0)
-    }
+    fun timeline(vararg places: Double) = events(places.toList())
 
     test("the nearest event is read, if it is near enough") {
         timeline(1.0, 2.0).nearest(1.4, 1.0)?.x shouldBe 1.0
@@ -24,7 +24,7 @@ class EventMarksSpec : FunSpec({
     }
 
     test("many events cost no more marks than there are pixels") {
-        val many = EventTimeline(List(100_000) { Event(it / 1000.0, it, "") })
+        val many = events(List(100_000) { it / 1000.0 })
         many.pixels(Span(0.0, 100.0), 50).size shouldBeLessThanOrEqual 51
         many.pixels(Span(0.0, 100.0), 50).toList().distinct().size shouldBe many.pixels(Span(0.0, 100.0), 50).size
         timeline(1.0, 2.0, 9.0).pixels(Span(0.0, 4.0), 100).toList() shouldBe listOf(25, 50)

@@ -1,6 +1,9 @@
 package badlog.viewer.library
 
 import badlog.viewer.app.Viewer
+import badlog.viewer.layout.FolderLayouts
+import badlog.viewer.layout.Layout
+import badlog.viewer.layout.LayoutComparison
 import badlog.viewer.library.index.Content
 import badlog.viewer.library.index.IndexQueue
 import badlog.viewer.settings.UserFolders
@@ -20,6 +23,8 @@ import java.util.concurrent.TimeUnit
 import kotlin.time.Duration.Companion.seconds
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.MainScope
+import kotlinx.coroutines.cancel
+import kotlinx.coroutines.launch
 import kotlinx.coroutines.withContext
 
 class LibraryFolderSpec : FunSpec({
@@ -78,6 +83,37 @@ class LibraryFolderSpec : FunSpec({
             withContext(Dispatchers.Main) { NewestShowing(viewer).update(IndexQueue(), isComplete = true) }
             viewer.open.shouldNotBeNull().file shouldBe folder.resolve("2.bag")
         }
+    }
+
+    test("what a layout ticks does not keep the newest log from being shown, nor a newer one") {
+        val folder = tempdir().toPath()
+        val home = tempdir().toPath()
+        for (number in 1..2) folder.put("$number.bag", bag(values = matchValues(number)))
+        FolderLayouts(home.resolve("layouts")).write(folder, Layout(Layout.VERSION, compared = LayoutComparison(listOf("1.bag"))))
+        val viewer = newViewer(home)
+        watching(folder, viewer) {
+            withContext(Dispatchers.Main) { viewer.scope.launch { viewer.layouts.keep() } }
+            eventually(longest) { viewer.open.shouldNotBeNull().file shouldBe folder.resolve("2.bag") }
+            eventually(longest) { viewer.comparison.loaded.keys shouldBe setOf(folder.resolve("1.bag")) }
+            folder.put("3.bag", bag(values = matchValues(3)))
+            eventually(longest) { viewer.open.shouldNotBeNull().file shouldBe folder.resolve("3.bag") }
+        }
+        viewer.scope.cancel()
+    }
+
+    test("a file that cannot be opened leaves the one that is shown, which is followed on") {
+        val folder = tempdir().toPath()
+        val file = folder.put("1.bag", bag(100))
+        val viewer = newViewer()
+        watching(folder, viewer) {
+            eventually(longest) { viewer.open.shouldNotBeNull().file shouldBe file }
+            withContext(Dispatchers.Main) { viewer.openNamed(listOf(folder.put("picture.png", "\u0089PNG\r\n\u001a\n\u0000\u0000"))) }
+            eventually(longest) { viewer.notices.all.single().isError shouldBe true }
+            Files.writeString(file, "9999,5.5,1\n".repeat(50), StandardOpenOption.APPEND)
+            eventually(longest) { viewer.open.shouldNotBeNull().view.recording.rowCount shouldBe 150 }
+            viewer.open.shouldNotBeNull().file shouldBe file
+        }
+        viewer.scope.cancel()
     }
 
     test("the second time, what is known is there without reading a file") {

@@ -44,6 +44,13 @@ class LibraryStateSpec : FunSpec({
         LibraryState().newest.shouldBeNull()
     }
 
+    test("a table of numbers is the newest log only where there is no robot's log") {
+        val table = entry("elevator-bench.csv", second = 900)
+        LibraryState().knowing(listOf(table, match9, bench)).newest shouldBe match9
+        LibraryState().knowing(listOf(table, reboot)).newest shouldBe reboot
+        LibraryState().knowing(listOf(table, bench)).newest shouldBe table
+    }
+
     test("match 9 comes before match 10, and what is no match comes last either way round") {
         val byNumber = state.sorted(LogColumn.NUMBER)
         names(byNumber) shouldContainExactly listOf("a.bag", "b.bag", "reboot.bag", "bench.csv")

@@ -13,6 +13,7 @@ import badlog.plot.Span
 import badlog.viewer.app.Viewer
 import badlog.viewer.app.ViewerScreen
 import badlog.viewer.compare.Comparison
+import badlog.viewer.files.ChosenFiles
 import badlog.viewer.graph.standardGraphs
 import badlog.viewer.library.LibraryState
 import badlog.viewer.settings.UserFolders

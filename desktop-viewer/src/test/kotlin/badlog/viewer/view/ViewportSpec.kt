@@ -51,4 +51,9 @@ class ViewportSpec : FunSpec({
         whole.showing(90.0, 100.0).grown(Span(0.0, 110.0)).visible.from shouldBe (100.0 plusOrMinus 1e-9)
         whole.showing(10.0, 20.0).grown(Span(0.0, 110.0)).visible shouldBe Span(10.0, 20.0)
     }
+
+    test("when the recording begins anew and is shorter, what is seen stays within it") {
+        whole.showing(50.0, 60.0).grown(Span(0.0, 30.0)).visible shouldBe Span(20.0, 30.0)
+        whole.showing(50.0, 60.0).grown(Span(0.0, 5.0)).visible shouldBe Span(0.0, 5.0)
+    }
 })

@@ -11,10 +11,16 @@ import androidx.compose.ui.window.application
 import badlog.viewer.app.StartPlace
 import badlog.viewer.app.Viewer
 import badlog.viewer.app.ViewerWindow
+import badlog.viewer.compare.drawnRecordings
+import badlog.viewer.settings.Settings
+import badlog.viewer.settings.SettingsFile
 import badlog.viewer.settings.UserFolders
+import badlog.viewer.settings.WindowPlace
+import java.awt.MouseInfo
 import java.awt.Rectangle
 import java.awt.Robot
 import java.awt.event.InputEvent
+import java.awt.event.KeyEvent
 import java.awt.event.WindowEvent
 import java.awt.image.BufferedImage
 import java.nio.file.Files
@@ -33,9 +39,17 @@ import kotlin.math.roundToInt
  */
 @OptIn(ExperimentalComposeUiApi::class, ComposeToolingApi::class)
 internal class RealWindow(home: Path, opened: Path, width: Int = 1400, height: Int = 860) : AutoCloseable {
+    // Never asked to wait until all is quiet: something always moves.
     private val robot = Robot().apply { autoDelay = 15 }
     @Volatile private var shown: ComposeWindow? = null
     @Volatile private var state: Viewer? = null
+
+    init {
+        // As if the window had been in the corner the last time: elsewhere, without a window manager, Java may mistake its place.
+        val settings = home.resolve("settings.json")
+        if (!Files.exists(settings)) SettingsFile(settings).write(Settings(window = WindowPlace(0, 0, width, height, false)))
+        robot.mouseMove(FAR, FAR)
+    }
 
     private val application = thread(name = "viewer under test") {
         application(exitProcessOnExit = false) {
@@ -44,10 +58,7 @@ internal class RealWindow(home: Path, opened: Path, width: Int = 1400, height: I
                 start = { StartPlace.of(opened.toString(), it.settings, samples = null) },
             ) { viewer ->
                 state = viewer
-                LaunchedEffect(Unit) {
-                    window.setBounds(20, 20, width, height)
-                    shown = window
-                }
+                LaunchedEffect(Unit) { shown = window }
             }
         }
     }
@@ -76,14 +87,29 @@ internal class RealWindow(home: Path, opened: Path, width: Int = 1400, height: I
     /** Waits until something is described by, or says, [text]. */
     fun awaitText(text: String) = await("“$text”") { shows(text) }
 
-    /** Clicks what is described by, or says, [text]. */
-    fun click(text: String) {
-        awaitText(text)
-        val place = checkNotNull(placeOf(text))
-        robot.mouseMove(place.centerX.toInt(), place.centerY.toInt())
-        robot.mousePress(InputEvent.BUTTON1_DOWN_MASK)
-        robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK)
-        robot.waitForIdle()
+    /** Waits until nothing is described by, or says, [text]. */
+    fun awaitNo(text: String) = await("no “$text”") { !shows(text) }
+
+    /** Waits until what is described by, or says, [text] is there and has not moved for a while: a window is drawn bit by bit. */
+    private fun awaitRest(text: String) {
+        var before: Rectangle? = null
+        var since = System.nanoTime()
+        await("“$text” to stand still") {
+            val now = placeOf(text)
+            if (now != before) since = System.nanoTime()
+            before = now
+            now != null && System.nanoTime() - since > REST_MILLIS * 1_000_000
+        }
+    }
+
+    /** Clicks [times] times what is described by, or says, [text]. */
+    fun click(text: String, times: Int = 1) {
+        awaitRest(text)
+        point(text, 0.5, 0.5)
+        repeat(times) {
+            robot.mousePress(InputEvent.BUTTON1_DOWN_MASK)
+            robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK)
+        }
     }
 
     /** Presses the mouse at ([fromX], [fromY]) and lets it go at ([toX], [toY]), in shares of what is described by [text]. */
@@ -97,20 +123,36 @@ internal class RealWindow(home: Path, opened: Path, width: Int = 1400, height: I
         for (step in 1..10) move(fromX + (toX - fromX) * step / 10, fromY + (toY - fromY) * step / 10)
         robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK)
         for (key in held) robot.keyRelease(key)
-        robot.waitForIdle()
+    }
+
+    /** Takes what is described by [text] to the middle of what is described by [target]. */
+    fun dragTo(text: String, target: String) {
+        val to = checkNotNull(placeOf(target)) { "There is no “$target” to drag to." }
+        point(text, 0.5, 0.5)
+        val from = MouseInfo.getPointerInfo().location
+        robot.mousePress(InputEvent.BUTTON1_DOWN_MASK)
+        for (step in 1..20) {
+            robot.mouseMove(
+                (from.x + (to.centerX - from.x) * step / 20).roundToInt(),
+                (from.y + (to.centerY - from.y) * step / 20).roundToInt(),
+            )
+            // A drag between programs is talked over with the screen; who lets go before that has begun drops nothing.
+            if (step == 5 || step == 20) robot.delay(HOLD_MILLIS)
+        }
+        robot.mouseMove(to.centerX.roundToInt() + 1, to.centerY.roundToInt() + 1)
+        robot.delay(HOLD_MILLIS)
+        robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK)
     }
 
     /** Points at the share ([x], [y]) of what is described by [text], without a click. */
     fun point(text: String, x: Double, y: Double) {
         val place = checkNotNull(placeOf(text)) { "There is no “$text” to point at." }
         robot.mouseMove((place.x + place.width * x).roundToInt(), (place.y + place.height * y).roundToInt())
-        robot.waitForIdle()
     }
 
     /** Turns the wheel by [notches], towards the person when positive. */
     fun wheel(notches: Int) {
         robot.mouseWheel(notches)
-        robot.waitForIdle()
     }
 
     /** Presses [key] of [java.awt.event.KeyEvent] while [held] are down. */
@@ -119,15 +161,19 @@ internal class RealWindow(home: Path, opened: Path, width: Int = 1400, height: I
         robot.keyPress(key)
         robot.keyRelease(key)
         for (other in held) robot.keyRelease(other)
-        robot.waitForIdle()
     }
 
-    /** Makes the window so large, in pixels. */
-    fun resize(width: Int, height: Int) = SwingUtilities.invokeAndWait { window.setSize(width, height) }
+    /** Types the small letters, digits and signs of [text], as they are on an American keyboard, once a field takes them. */
+    fun type(text: String) {
+        awaitState("a field to type into") { it.keyboard.isTyping }
+        for (letter in text) press(KeyEvent.getExtendedKeyCodeForChar(letter.code))
+    }
+
+    /** Waits until every graph in sight is drawn. */
+    fun awaitGraphs() = awaitState("the graphs") { it.plots.areReady(it.drawnRecordings(), it.viewport.visible) }
 
     /** Keeps a picture of the window under build/screenshots, and returns it. */
     fun picture(name: String): BufferedImage {
-        robot.waitForIdle()
         Thread.sleep(PICTURE_MILLIS)
         val picture = robot.createScreenCapture(Rectangle(window.locationOnScreen, window.size))
         val folder = Files.createDirectories(Path.of("build/screenshots"))
@@ -177,6 +223,15 @@ internal class RealWindow(home: Path, opened: Path, width: Int = 1400, height: I
     private companion object {
         const val WAIT_MILLIS = 20_000L
         const val POLL_MILLIS = 20L
+
+        /** So long a person holds what is dragged, before and after it is carried. */
+        const val HOLD_MILLIS = 300
+
+        /** Beyond any window. */
+        const val FAR = 5000
+
+        /** What has not moved for so long can be clicked. */
+        const val REST_MILLIS = 150L
 
         /** So long a picture may still be on its way to the screen. */
         const val PICTURE_MILLIS = 400L

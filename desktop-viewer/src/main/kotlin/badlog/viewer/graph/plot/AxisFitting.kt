@@ -2,7 +2,7 @@ package badlog.viewer.graph.plot
 
 import badlog.plot.Span
 import badlog.plot.YLimits
-import badlog.viewer.graph.text.axisTexts
+import badlog.viewer.text.axisTexts
 
 /**
  * The scales of y for [units], each so that the points [pointsOf] gives for it fill the graph. A person's choice of y is of the

@@ -34,7 +34,7 @@ internal fun drawnLines(spec: GraphSpec, recordings: List<DrawnRecording>): List
                 recording = drawn.recording,
                 offset = drawn.offset,
                 colour = place * recordings.size + index,
-                label = if (isCompared) drawn.recording.label else null,
+                label = if (isCompared) drawn.name else null,
             )
         }
     }

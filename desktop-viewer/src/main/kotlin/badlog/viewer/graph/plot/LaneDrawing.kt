@@ -12,7 +12,6 @@ import androidx.compose.ui.text.drawText
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Constraints
 import androidx.compose.ui.unit.sp
-import badlog.plot.LaneBlock
 import badlog.plot.Span
 import badlog.viewer.theme.Palette
 
@@ -31,7 +30,7 @@ internal fun DrawScope.drawLanes(picture: PlotPicture, visible: Span, palette: P
                 val right = (block.right * stretch + shift).toFloat().coerceAtMost(size.width)
                 if (right <= left) continue
                 val narrow = right - left < NARROW * made.density
-                drawRect(laneColour(lane, block, palette, narrow), Offset(left, top), Size(right - left, height))
+                drawRect(laneColour(lane.states, block.state, palette, narrow), Offset(left, top), Size(right - left, height))
                 drawName(lane.states.getOrElse(block.state) { "?" }, left, right, top, height, palette, letters)
             }
         }
@@ -44,13 +43,16 @@ internal val PlotPicture.laneHeight: Float get() = (request.height - plotHeight)
 /** Where lane [index] begins, in pixels from the graph's top. */
 internal fun PlotPicture.laneTop(index: Int): Float = plotHeight + index * laneHeight
 
-/** The colour of [block]: quiet enough for a name upon it, unless it is too [narrow] for one and would not be seen. */
-internal fun laneColour(lane: LanePicture, block: LaneBlock, palette: Palette, narrow: Boolean): Color {
-    val isOff = lane.isSwitch && block.state == 0
+/**
+ * The colour of [state], one of [states]: quiet enough for a name upon it, unless its block is too [narrow] for one and would not be
+ * seen. Of a switch, off is the quiet one: where it is pressed has to be seen at a glance.
+ */
+internal fun laneColour(states: List<String>, state: Int, palette: Palette, narrow: Boolean): Color {
+    val isOff = state == 0 && states.size == 2 && states[0] == "false"
     return when {
         isOff -> palette.stateOff
-        narrow -> palette.line(block.state)
-        else -> palette.line(block.state).copy(alpha = if (palette.isDark) 0.5f else 0.35f).compositeOver(palette.surface)
+        narrow -> palette.line(state)
+        else -> palette.line(state).copy(alpha = if (palette.isDark) 0.5f else 0.35f).compositeOver(palette.surface)
     }
 }
 

@@ -10,7 +10,4 @@ import badlog.plot.LaneBlock
  * @property states what each number means.
  * @property blocks what is drawn, from left to right, the short ones last.
  */
-internal class LanePicture(val line: DrawnLine, val series: Series, val states: List<String>, val blocks: List<LaneBlock>) {
-    /** Whether state 0 is the quiet one: where a switch is pressed has to be seen at a glance. */
-    val isSwitch: Boolean get() = states.size == 2 && states[0] == "false"
-}
+internal class LanePicture(val line: DrawnLine, val series: Series, val states: List<String>, val blocks: List<LaneBlock>)

@@ -6,6 +6,7 @@ import androidx.compose.runtime.setValue
 import androidx.compose.ui.unit.IntSize
 import badlog.plot.Span
 import badlog.viewer.compare.DrawnRecording
+import badlog.viewer.graph.OVERVIEW
 
 /** What a graph on the screen has: its size, and its latest picture. */
 internal class PlotState {
@@ -32,10 +33,18 @@ internal class Plots {
         if (isOnScreen) onScreen += id else onScreen -= id
     }
 
-    /** Forgets the graphs that are not among [ids]. */
-    fun keep(ids: Set<Int>) {
+    /**
+     * Forgets the graphs that are not among [ids], and what those out of sight show of others than [recordings]: it would keep all
+     * their samples in memory.
+     */
+    fun keep(ids: Set<Int>, recordings: List<DrawnRecording>) {
         states.keys.retainAll(ids)
         onScreen.retainAll(ids)
+        for ((id, state) in states) {
+            val drawn = state.picture?.request?.recordings.orEmpty()
+            val isOld = drawn.any { old -> recordings.none { it.recording === old.recording } }
+            if (isOld && id !in onScreen && id != OVERVIEW) state.picture = null
+        }
     }
 
     /** Whether every graph in sight has the picture of [recordings] for [visible]; false when none is in sight. */

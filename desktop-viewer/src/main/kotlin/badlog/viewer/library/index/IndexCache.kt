@@ -1,18 +1,17 @@
 package badlog.viewer.library.index
 
+import badlog.viewer.files.writeWhole
+import badlog.viewer.settings.keyOf
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
-import java.nio.file.StandardCopyOption
-import java.security.MessageDigest
-import java.util.HexFormat
 
 /**
  * Keeps what is known of the logs of [folder], so that they need not be read again: in one file of [cache], which may be
  * deleted at any time. What is damaged, or of another version, is as nothing.
  */
-internal class IndexCache(private val cache: Path, folder: Path) {
-    private val file = cache.resolve("logs-${nameOf(folder)}.index")
+internal class IndexCache(cache: Path, folder: Path) {
+    private val file = cache.resolve("logs-${keyOf(folder)}.index")
 
     /** What was kept. */
     fun load(): List<LogEntry> = try {
@@ -29,20 +28,7 @@ internal class IndexCache(private val cache: Path, folder: Path) {
      * @throws IOException when they cannot be written.
      */
     fun save(entries: Collection<LogEntry>) {
-        Files.createDirectories(cache)
-        val draft = Files.createTempFile(cache, "logs-", ".draft")
-        try {
-            Files.write(draft, IndexFormat.encode(entries))
-            Files.move(draft, file, StandardCopyOption.REPLACE_EXISTING)
-        } finally {
-            Files.deleteIfExists(draft)
-        }
-    }
-
-    private companion object {
-        fun nameOf(folder: Path): String {
-            val digest = MessageDigest.getInstance("SHA-256").digest(folder.toString().encodeToByteArray())
-            return HexFormat.of().formatHex(digest, 0, 12)
-        }
+        val bytes = IndexFormat.encode(entries)
+        writeWhole(file) { it.write(bytes) }
     }
 }

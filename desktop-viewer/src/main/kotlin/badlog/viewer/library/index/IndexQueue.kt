@@ -91,10 +91,15 @@ internal class IndexQueue(cached: Collection<LogEntry> = emptyList()) {
         changes = changes,
     ).also { if (it.waiting == 0) read = 0 }
 
-    /** The readable logs among the newest files, up to the first file that is not known yet; the newest first. */
+    /**
+     * What is known of the newest files, up to the first that is not known yet; the newest first. Where there are files that can
+     * only be logs, only of those.
+     */
     @Synchronized
-    fun newestKnown(): List<LogEntry> =
-        present.values.sortedWith(NEWEST_FIRST).takeWhile { it.path in known }.mapNotNull { known[it.path] }
+    fun newestKnown(): List<LogEntry> {
+        val files = present.values.filter { isNamedAsLog(it.name) }.ifEmpty { present.values }
+        return files.sortedWith(NEWEST_FIRST).takeWhile { it.path in known }.mapNotNull { known[it.path] }
+    }
 
     private companion object {
         val SHORTEST_REST = 0.9.seconds

@@ -8,6 +8,8 @@ import badlog.recording.PathName
 import badlog.recording.Recording
 import badlog.recording.Severity
 import badlog.recording.Topic
+import badlog.viewer.recording.batteryAmong
+import badlog.viewer.recording.finiteSpan
 import java.io.IOException
 import java.util.concurrent.CancellationException
 
@@ -51,8 +53,8 @@ private fun summaryOf(file: LogFile, view: LogView): LogEntry {
     val topics = recording.topics.filter { it.samples.isNotEmpty() }.map { summaryOf(it, view) }
     val match = MatchFacts.of(recording.values, file.name)
     val time = view.xAxis.topic ?: timeTopic(recording)
-    val duration = time?.let { lengthOf(it.samples) }
-    val battery = batteryTopic(topics)
+    val duration = time?.let { finiteSpan(it.samples)?.width }
+    val battery = batteryAmong(topics.filter { it.statistics.count > 0 }, { it.name }, { it.unit })
     val trouble = if (recording.isReadable) null else recording.problems.last().message
     return LogEntry(
         source = file,
@@ -85,17 +87,6 @@ private fun summaryOf(topic: Topic, view: LogView): TopicSummary {
 /** A file of comma-separated values alone has no x axis, but mostly a column of the time. */
 private fun timeTopic(recording: Recording): Topic? = recording.topics.firstOrNull {
     it.samples.isNotEmpty() && PathName.baseNameOf(it.name).lowercase() in setOf("time", "timestamp", "match time")
-}
-
-private fun lengthOf(positions: DoubleArray): Double? {
-    var from = Double.POSITIVE_INFINITY
-    var to = Double.NEGATIVE_INFINITY
-    for (x in positions) {
-        if (!x.isFinite()) continue
-        if (x < from) from = x
-        if (x > to) to = x
-    }
-    return if (from <= to) to - from else null
 }
 
 /** Before a sensor has been read the first time it gives 0, which no battery that feeds a robot has. */

@@ -3,8 +3,8 @@ package badlog.viewer.takeaway.cut
 import badlog.bag.RecordingWriter
 import badlog.plot.Span
 import badlog.recording.RecordingFormat
+import badlog.viewer.files.writeWhole
 import badlog.viewer.recording.OpenRecording
-import badlog.viewer.takeaway.writeWhole
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path

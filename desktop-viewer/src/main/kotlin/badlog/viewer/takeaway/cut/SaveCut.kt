@@ -3,8 +3,8 @@ package badlog.viewer.takeaway.cut
 import badlog.plot.Span
 import badlog.recording.RecordingFormat
 import badlog.viewer.app.Viewer
-import badlog.viewer.takeaway.askToWrite
-import badlog.viewer.takeaway.stemOf
+import badlog.viewer.files.askToWrite
+import badlog.viewer.files.stemOf
 
 /** The part of x that a cut takes: the selection, or else what is visible. */
 internal fun cutSpan(viewer: Viewer): Span = viewer.selection ?: viewer.viewport.visible

@@ -54,7 +54,7 @@ internal class FigurePiece(val x: List<Double>, val y: List<Double>)
  * A lane of a [FigureFrame].
  *
  * @property label what stands beside it.
- * @property blocks the states it shows, in the order of x.
+ * @property blocks the states it shows, in the order in which they are drawn: the short ones last.
  */
 internal class FigureLane(val label: String, val blocks: List<FigureBlock>)
 

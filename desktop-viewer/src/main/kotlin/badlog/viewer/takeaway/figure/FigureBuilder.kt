@@ -8,6 +8,7 @@ import badlog.plot.YLimits
 import badlog.recording.PathName
 import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.graph.GraphSpec
+import badlog.viewer.graph.plot.drawnLines
 import badlog.viewer.recording.Signal
 import badlog.viewer.theme.Palette
 
@@ -19,7 +20,7 @@ import badlog.viewer.theme.Palette
  * @param width how many pixels wide the figure will be.
  */
 internal class FigureBuilder(private val recordings: List<DrawnRecording>, private val x: Span, private val width: Int) {
-    private val names = distinctNames()
+    private val names = recordings.map { it.name }
     private val frameLetters = width / FRAME_LETTER
 
     /** One line of one recording. */
@@ -45,12 +46,10 @@ internal class FigureBuilder(private val recordings: List<DrawnRecording>, priva
 
     private fun shareOf(all: Int, count: Int) = (all / maxOf(count, 1)).coerceIn(FEWEST_COLUMNS, maxOf(width, FEWEST_COLUMNS))
 
-    // The colours are those of the window: of several recordings, they tell the recording in the first place.
-    private fun sourcesOf(graph: GraphSpec): List<Source> = graph.lines.flatMapIndexed { line, spec ->
-        recordings.mapIndexedNotNull { place, drawn ->
-            val signal = drawn.recording.signal(spec.signal) ?: return@mapIndexedNotNull null
-            Source(drawn, signal, labelOf(signal, names[place], graph), line * recordings.size + place)
-        }
+    // The colours are those of the window.
+    private fun sourcesOf(graph: GraphSpec): List<Source> = drawnLines(graph, recordings).map { line ->
+        val place = recordings.indexOfFirst { it.recording === line.recording && it.offset == line.offset }
+        Source(recordings[place], line.signal, labelOf(line.signal, names[place], graph), line.colour)
     }
 
     private fun labelOf(signal: Signal, recording: String, graph: GraphSpec): String = when {
@@ -113,19 +112,12 @@ internal class FigureBuilder(private val recordings: List<DrawnRecording>, priva
         hasLegend = false,
         lines = emptyList(),
         lanes = sources.map { source ->
-            FigureLane(plainLine(label(source), LANE_LETTERS), laneBlocks(source.signal, source.drawn, x, columns))
+            FigureLane(plainLine(label(source), LANE_LETTERS), figureBlocks(source.signal, source.drawn, x, columns))
         },
     )
 
     private fun isNamed(graph: GraphSpec, signal: Signal) =
         graph.title == signal.name || PathName.baseNameOf(graph.title) == signal.title
-
-    // Matches of one name, as two recordings of it, are told apart by their files.
-    private fun distinctNames(): List<String> {
-        val labels = recordings.map { it.recording.label }
-        val isDistinct = labels.toSet().size == labels.size
-        return if (isDistinct) labels else recordings.map { "${it.recording.label} (${it.recording.file.fileName})" }
-    }
 
     private companion object {
         /** So many points make about one megabyte of SVG. */

@@ -23,12 +23,5 @@ internal fun plainLine(text: String, longest: Int): String {
 /** [colour] as SVG writes it: `#rrggbb`. */
 internal fun hexOf(colour: Color): String = "#%06x".format(colour.toArgb() and 0xFFFFFF)
 
-/** [colour] as it looks on white when it covers [share] of it. */
-internal fun onWhite(colour: Color, share: Float): Color = Color(
-    red = 1 - (1 - colour.red) * share,
-    green = 1 - (1 - colour.green) * share,
-    blue = 1 - (1 - colour.blue) * share,
-)
-
 private val SURROGATES = 0xD800..0xDFFF
 private val NO_LETTERS = 0xFFFE..0xFFFF

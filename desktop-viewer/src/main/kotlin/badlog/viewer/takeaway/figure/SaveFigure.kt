@@ -2,11 +2,11 @@ package badlog.viewer.takeaway.figure
 
 import badlog.viewer.app.Viewer
 import badlog.viewer.compare.drawnRecordings
+import badlog.viewer.files.askToWrite
+import badlog.viewer.files.fileNameOf
+import badlog.viewer.files.writeWhole
 import badlog.viewer.graph.GraphSpec
-import badlog.viewer.takeaway.askToWrite
-import badlog.viewer.takeaway.fileNameOf
 import badlog.viewer.takeaway.openAction
-import badlog.viewer.takeaway.writeWhole
 import java.io.IOException
 import java.nio.file.Path
 import javax.imageio.ImageIO

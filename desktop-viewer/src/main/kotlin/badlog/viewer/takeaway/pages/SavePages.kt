@@ -1,13 +1,12 @@
 package badlog.viewer.takeaway.pages
 
+import badlog.file.reading
 import badlog.viewer.app.Viewer
-import badlog.viewer.takeaway.askToWrite
+import badlog.viewer.files.askToWrite
+import badlog.viewer.files.sayNoLog
+import badlog.viewer.library.index.Content
+import badlog.viewer.library.index.FolderScan
 import badlog.viewer.takeaway.openAction
-import badlog.viewer.takeaway.sayNoLog
-import java.io.IOException
-import java.io.UncheckedIOException
-import java.nio.file.FileVisitOption
-import java.nio.file.Files
 import java.nio.file.Path
 
 /** Asks for a file, and makes the page of the open recording. */
@@ -29,7 +28,8 @@ internal fun savePagesOfTicked(viewer: Viewer) {
 internal fun savePagesOfFolder(viewer: Viewer) {
     val library = viewer.library.folder ?: return
     val folder = viewer.files.folder("Export the pages of all logs into", library) ?: return
-    makePages(viewer, "Making the pages of all logs") { pageJobs(logsIn(library), folder) }
+    val others = viewer.library.entries.filter { it.content == Content.NO_LOG }.mapTo(HashSet()) { it.file }
+    makePages(viewer, "Making the pages of all logs") { pageJobs(logsIn(library).filter { it !in others }, folder) }
 }
 
 private fun makePages(viewer: Viewer, title: String, jobs: () -> List<PageJob>) {
@@ -52,15 +52,5 @@ private fun tell(viewer: Viewer, pages: PagesMade) {
     viewer.notices.complain(pages.failures.first() + others)
 }
 
-/** The files below [folder] whose names end as those of logs do, in the order of their paths. */
-internal fun logsIn(folder: Path): List<Path> = try {
-    Files.walk(folder, FileVisitOption.FOLLOW_LINKS).use { paths ->
-        paths.filter { path -> LOGS.any { path.fileName.toString().endsWith(it, ignoreCase = true) } && Files.isRegularFile(path) }
-            .sorted()
-            .toList()
-    }
-} catch (e: UncheckedIOException) {
-    throw IOException("$folder cannot be read in full (${e.cause?.message}); no page was made.", e)
-}
-
-private val LOGS = listOf(".bag", ".badbag", ".csv", ".bag.gz", ".badbag.gz", ".csv.gz")
+/** What may be logs in [folder] and the folders in it, in the order of their paths. */
+internal fun logsIn(folder: Path): List<Path> = reading(folder) { FolderScan.of(folder) }.files.map { it.path }.sorted()

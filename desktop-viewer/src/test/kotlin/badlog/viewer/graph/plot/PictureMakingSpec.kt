@@ -84,7 +84,7 @@ class PictureMakingSpec : FunSpec({
         alone.lanes.single().blocks.map { it.left to it.right } shouldBe listOf(0.0 to 50.0, 50.0 to 100.0)
         val mixed = picture(recordings, listOf("Gear", "V"), Span(0.0, 4.0))
         mixed.plotHeight shouldBe 28f
-        readingOf(mixed, mixed.lanes.single().line, 1.9) shouldBe "HIGH"
+        readingOf(mixed, mixed.lanes.single().line, 1.9) shouldBe "LOW"
         readingOf(mixed, mixed.lines.single().line, 1.9) shouldBe "3 V"
     }
 

@@ -60,11 +60,6 @@ class FigureSpec : FunSpec({
         figure.frames.last().lanes.map { it.label } shouldBe listOf("Match 8", "Match 9")
     }
 
-    test("matches of the same name are told apart by their files") {
-        val again = recordingOf(armBag(10), Path.of("again.bag").toAbsolutePath())
-        build(listOf(joint), arm.span, arm, again).title shouldBe "Match 8 (match.bag) · Match 8 (again.bag)"
-    }
-
     test("a recording is drawn where its offset puts it") {
         val moved = FigureBuilder(listOf(DrawnRecording(arm), DrawnRecording(arm, 100.0)), Span(0.0, 200.0), 900).build(listOf(joint))
         moved.frames[0].lines[1].pieces.single().x.first() shouldBe 100.0

@@ -1,4 +1,4 @@
-package badlog.viewer.takeaway
+package badlog.viewer.files
 
 import java.nio.file.Path
 

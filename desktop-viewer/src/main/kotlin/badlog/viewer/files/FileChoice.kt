@@ -1,4 +1,4 @@
-package badlog.viewer.takeaway
+package badlog.viewer.files
 
 import java.nio.file.Path
 
@@ -7,9 +7,9 @@ internal interface FileChoice {
     /** A file to write, called [name] if the person likes, in [folder] to begin with; overwriting was agreed to. */
     fun toWrite(title: String, folder: Path?, name: String): Path?
 
-    /** A file to read whose name ends in [ending], in [folder] to begin with. */
-    fun toRead(title: String, folder: Path?, ending: String): Path?
+    /** A file to read whose name ends in [ending], empty for any, in [folder] to begin with. */
+    fun toRead(title: String, folder: Path?, ending: String = ""): Path?
 
-    /** A folder to write into, [folder] to begin with. */
+    /** A folder, [folder] to begin with. */
     fun folder(title: String, folder: Path?): Path?
 }

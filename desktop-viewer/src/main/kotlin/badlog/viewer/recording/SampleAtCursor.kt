@@ -1,7 +1,10 @@
-package badlog.viewer.topic
+package badlog.viewer.recording
 
 import badlog.analysis.Series
 import badlog.viewer.recording.Signal
+import badlog.viewer.text.exactText
+import badlog.viewer.text.figureText
+import badlog.viewer.text.withUnit
 
 /** The index of the last sample at or before [position]; of the last of all for null; -1 when there is none. */
 internal fun Series.lastAtOrBefore(position: Double?): Int {
@@ -21,9 +24,16 @@ internal fun Series.lastAtOrBefore(position: Double?): Int {
     return low - 1
 }
 
+/**
+ * The index of the sample of [series], this signal's, that a cursor at [position] reads, the last one for null; -1 when there is
+ * none. Of numbers that is the nearest one, on which the cursor's dot stands; a state lasts until the next.
+ */
+internal fun Signal.indexAt(series: Series, position: Double?): Int =
+    if (states != null || position == null) series.lastAtOrBefore(position) else series.nearest(position)
+
 /** What [signal] says at [position], or at its end for null: a number with its unit or the name of a state; `–` for a gap. */
 internal fun valueText(signal: Signal, series: Series, position: Double?): String {
-    val index = series.lastAtOrBefore(position)
+    val index = signal.indexAt(series, position)
     if (index < 0) return "–"
     val value = series.y[index]
     val states = signal.states ?: return if (value.isNaN()) "–" else withUnit(sampleText(signal, value), signal.unit)

@@ -1,4 +1,4 @@
-package badlog.viewer.takeaway
+package badlog.viewer.menu
 
 import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Arrangement
@@ -73,7 +73,7 @@ internal fun Menu(
                     panel(close)
                 } else {
                     for (entry in entries { showsPanel = true }) {
-                        MenuLine(entry) {
+                        EntryLine(entry) {
                             if (!entry.keepsMenu) close()
                             entry.action()
                         }
@@ -85,7 +85,7 @@ internal fun Menu(
 }
 
 @Composable
-private fun MenuLine(entry: MenuEntry, onClick: () -> Unit) {
+private fun EntryLine(entry: MenuEntry, onClick: () -> Unit) {
     val palette = LocalPalette.current
     val isEnabled = entry.whyNot == null
     Row(

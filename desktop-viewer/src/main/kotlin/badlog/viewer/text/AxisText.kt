@@ -1,4 +1,4 @@
-package badlog.viewer.graph.text
+package badlog.viewer.text
 
 import java.math.BigDecimal
 import java.math.MathContext

@@ -1,4 +1,4 @@
-package badlog.viewer.topic
+package badlog.viewer.text
 
 import badlog.analysis.Units
 import java.math.BigDecimal

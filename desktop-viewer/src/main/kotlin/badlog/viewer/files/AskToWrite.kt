@@ -1,4 +1,4 @@
-package badlog.viewer.takeaway
+package badlog.viewer.files
 
 import badlog.viewer.app.Viewer
 import java.nio.file.Files

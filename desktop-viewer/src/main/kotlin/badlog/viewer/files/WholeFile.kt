@@ -1,4 +1,4 @@
-package badlog.viewer.takeaway
+package badlog.viewer.files
 
 import java.io.BufferedOutputStream
 import java.io.IOException
@@ -13,6 +13,9 @@ import java.nio.file.NoSuchFileException
 import java.nio.file.Path
 import java.nio.file.StandardCopyOption.ATOMIC_MOVE
 import java.nio.file.StandardCopyOption.REPLACE_EXISTING
+import java.nio.file.StandardOpenOption.CREATE_NEW
+import java.nio.file.StandardOpenOption.WRITE
+import java.util.UUID
 
 /**
  * Writes [target] by [write], so that it is there whole or not at all: an older one is replaced only in the end.
@@ -23,9 +26,10 @@ internal fun writeWhole(target: Path, write: (OutputStream) -> Unit) {
     val file = target.toAbsolutePath().normalize()
     try {
         Files.createDirectories(file.parent)
-        val draft = Files.createTempFile(file.parent, ".badlog-", ".part")
+        // No temporary file of the system's kind: of those nobody else may read what becomes of them.
+        val draft = file.resolveSibling(".badlog-${UUID.randomUUID()}.part")
         try {
-            BufferedOutputStream(Files.newOutputStream(draft)).use(write)
+            BufferedOutputStream(Files.newOutputStream(draft, CREATE_NEW, WRITE)).use(write)
             move(draft, file)
         } finally {
             Files.deleteIfExists(draft)

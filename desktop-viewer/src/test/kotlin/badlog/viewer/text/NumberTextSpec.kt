@@ -1,4 +1,4 @@
-package badlog.viewer.graph.text
+package badlog.viewer.text
 
 import badlog.analysis.EnabledSpan
 import badlog.plot.Span
@@ -6,18 +6,30 @@ import badlog.viewer.graph.bagOf
 import badlog.viewer.graph.recordingOf
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.double
+import io.kotest.property.checkAll
 
 class NumberTextSpec : FunSpec({
-    test("samples read as on the exported page") {
-        numberText(12.0) shouldBe "12"
-        numberText(-0.0) shouldBe "0"
-        numberText(6.7300000001) shouldBe "6.73"
-        numberText(1.0 / 3) shouldBe "0.3333333"
-        numberText(123456789.5) shouldBe "1.234568e+8"
-        numberText(1.5e-7) shouldBe "1.5e-7"
-        numberText(1.5e300) shouldBe "1.5e+300"
-        numberText(Double.NaN) shouldBe "–"
-        numberText(Double.NEGATIVE_INFINITY) shouldBe "-∞"
+    test("a sample is written so that it can be read back, whatever it is") {
+        checkAll(Arb.double()) { value -> if (value.isFinite()) exactText(value).toDouble() shouldBe value + 0.0 }
+        exactText(12.0) shouldBe "12"
+        exactText(-0.0) shouldBe "0"
+        exactText(1.2345e7) shouldBe "12345000"
+        exactText(1e-9) shouldBe "1e-9"
+        exactText(Double.NaN) shouldBe "–"
+        exactText(Double.NEGATIVE_INFINITY) shouldBe "-∞"
+    }
+
+    test("a figure has six digits, and none that a calculation makes up") {
+        figureText(1 / 3.0) shouldBe "0.333333"
+        figureText(0.1 + 0.2) shouldBe "0.3"
+    }
+
+    test("a number has its unit behind it, and no number has none") {
+        withUnit("12", "V") shouldBe "12 V"
+        withUnit("12", "ul") shouldBe "12"
+        withUnit("–", "V") shouldBe "–"
     }
 
     test("the numbers of an axis are as long as tells them apart, and no longer than there is room") {
@@ -31,6 +43,7 @@ class NumberTextSpec : FunSpec({
         minutesText(93.74) shouldBe "1:33.7"
         minutesText(59.99) shouldBe "1:00.0"
         minutesText(-61.0, 0) shouldBe "-1:01"
+        minutesText(3725.0) shouldBe "1:02:05.0"
     }
 
     test("the cursor tells its place and how long the robot was enabled then") {

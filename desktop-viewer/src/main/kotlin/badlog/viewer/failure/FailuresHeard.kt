@@ -1,0 +1,46 @@
+package badlog.viewer.failure
+
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.CompositionLocalProvider
+import androidx.compose.runtime.SideEffect
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.snapshotFlow
+import androidx.compose.ui.ExperimentalComposeUiApi
+import androidx.compose.ui.window.LocalWindowExceptionHandlerFactory
+import androidx.compose.ui.window.WindowExceptionHandler
+import androidx.compose.ui.window.WindowExceptionHandlerFactory
+import javax.swing.JOptionPane
+import kotlin.time.Duration.Companion.seconds
+import kotlinx.coroutines.delay
+import kotlinx.coroutines.flow.collectLatest
+
+/** The windows of [content] tell [failures] what fails in them, rather than to close. */
+@OptIn(ExperimentalComposeUiApi::class)
+@Composable
+internal fun FailuresHeard(failures: Failures, content: @Composable () -> Unit) {
+    val factory = remember(failures) { WindowExceptionHandlerFactory { WindowExceptionHandler(failures::hear) } }
+    CompositionLocalProvider(LocalWindowExceptionHandlerFactory provides factory, content = content)
+}
+
+/** Proves to [failures] that the window still shows what it is told. */
+@Composable
+internal fun FailuresSeen(failures: Failures) {
+    val count = failures.count
+    SideEffect { failures.seen = count }
+}
+
+/**
+ * A failure while a window is composed leaves a picture of it that hears nothing any more. Says so where [failures] are not seen
+ * though the window [isInSight], and then calls [end]. Suspends until cancelled.
+ */
+internal suspend fun endWhenStuck(failures: Failures, isInSight: () -> Boolean, end: () -> Unit) {
+    snapshotFlow { failures.count }.collectLatest { count ->
+        delay(PATIENCE)
+        if (failures.seen >= count || !isInSight()) return@collectLatest
+        val sentence = "badlog stumbled and cannot go on; please start it again, and send us ${failures.file}."
+        JOptionPane.showMessageDialog(null, sentence, "badlog", JOptionPane.ERROR_MESSAGE)
+        end()
+    }
+}
+
+private val PATIENCE = 3.seconds

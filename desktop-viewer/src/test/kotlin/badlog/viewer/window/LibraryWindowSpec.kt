@@ -1,0 +1,93 @@
+package badlog.viewer.window
+
+import badlog.viewer.app.MainView
+import badlog.viewer.library.bag
+import badlog.viewer.library.put
+import badlog.viewer.library.putSamples
+import badlog.viewer.library.samples
+import badlog.viewer.settings.Theme
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.shouldBe
+import java.awt.event.KeyEvent
+import java.nio.file.Files
+import java.nio.file.Path
+
+class LibraryWindowSpec : FunSpec({
+    test("a folder shows its newest log, its logs as rows and as a table, and the sheet of keys").config(
+        enabledOrReasonIf = { needsDisplay },
+    ) {
+        val folder = tempdir().toPath().also { it.putSamples() }
+        RealWindow(tempdir().toPath(), folder).use { window ->
+            window.awaitState("all logs, and one of them") { it.library.entries.size == 4 && it.open != null }
+            window.awaitGraphs()
+            window.click("Theme: system")
+            window.click("Theme: light")
+            window.awaitState("the dark theme") { it.settings.theme == Theme.DARK }
+            window.awaitGraphs()
+            window.picture("dark")
+            window.press(KeyEvent.VK_T)
+            window.awaitText("Table of logs")
+            window.picture("table-dark")
+            window.click("Theme: dark")
+            window.click("Theme: system")
+            window.picture("table")
+            window.press(KeyEvent.VK_T)
+            window.awaitState("the graphs") { it.panels.main == MainView.GRAPHS }
+            window.press(KeyEvent.VK_F1)
+            window.awaitText("Keys and gestures sheet")
+            window.picture("help")
+            window.press(KeyEvent.VK_ESCAPE)
+            window.awaitState("no sheet") { !it.panels.help }
+        }
+    }
+
+    test("an empty folder says what it waits for, and a log that comes is shown").config(enabledOrReasonIf = { needsDisplay }) {
+        val folder = tempdir().toPath()
+        RealWindow(tempdir().toPath(), folder).use { window ->
+            window.awaitState("a look at the folder") { it.library.hasLooked }
+            window.picture("empty-folder")
+            folder.put("first.bag", bag())
+            window.awaitText("Log first.bag")
+            window.awaitState("the log") { it.open?.file == folder.resolve("first.bag") }
+            folder.put("later.bag", bag(300))
+            window.awaitText("Log later.bag")
+        }
+    }
+
+    test("a folder of broken files is listed, and each says what is wrong with it").config(enabledOrReasonIf = { needsDisplay }) {
+        val folder = brokenFolder(tempdir().toPath())
+        RealWindow(tempdir().toPath(), folder).use { window ->
+            window.awaitState("all that can be listed") { viewer ->
+                viewer.library.reading == null && viewer.library.entries.map { it.fileName }.toSet() ==
+                    setOf("random.bag", "half.bag.gz", "empty.bag", "cut.bag", "inside.bag")
+            }
+            window.click("Log random.bag")
+            window.awaitState("a sentence") { viewer -> viewer.notices.all.any { it.isError } }
+            window.picture("broken-folder")
+            window.click("Log half.bag.gz")
+            window.awaitState("half a log") { it.open?.file == folder.resolve("half.bag.gz") }
+            for (name in listOf("random.bag", "directory.bag", "nowhere.bag")) {
+                window.look { viewer ->
+                    viewer.notices.all.toList().forEach { viewer.notices.dismiss(it.id) }
+                    viewer.loading.open(folder.resolve(name))
+                }
+                window.awaitState("a sentence") { viewer -> viewer.notices.all.any { it.isError && name in it.text } }
+            }
+            window.look { it.open?.file } shouldBe folder.resolve("half.bag.gz")
+        }
+    }
+})
+
+/** Puts into [folder] what logs must not be like. */
+private fun brokenFolder(folder: Path): Path {
+    Files.write(folder.resolve("random.bag"), ByteArray(5000) { (it * 31 + it / 7).toByte() })
+    val packed = Files.readAllBytes(samples.resolve("qualification-57.bag.gz"))
+    Files.write(folder.resolve("half.bag.gz"), packed.copyOf(packed.size / 2))
+    folder.put("empty.bag", "")
+    folder.put("cut.bag", bag(50).dropLast(20))
+    folder.put("directory.bag/inside.bag", bag())
+    // Reading a pipe that nobody writes into would never end.
+    if (Files.exists(Path.of("/usr/bin/mkfifo"))) ProcessBuilder("mkfifo", "$folder/pipe.bag").start().waitFor()
+    return folder
+}

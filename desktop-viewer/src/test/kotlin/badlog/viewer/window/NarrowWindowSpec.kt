@@ -1,0 +1,53 @@
+package badlog.viewer.window
+
+import badlog.viewer.app.FrontPart
+import badlog.viewer.app.InspectorTab
+import badlog.viewer.library.putSamples
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.shouldBe
+import java.awt.event.KeyEvent
+
+class NarrowWindowSpec : FunSpec({
+    test("a window as narrow as a phone shows one part at a time").config(enabledOrReasonIf = { needsDisplay }) {
+        val folder = tempdir().toPath().also { it.putSamples() }
+        RealWindow(tempdir().toPath(), folder.resolve("qualification-42.bag"), width = 420, height = 800).use { window ->
+            window.awaitState("the match") { it.open != null && it.library.entries.size == 4 && it.library.reading == null }
+            window.awaitGraphs()
+            window.picture("narrow-graphs")
+            window.click("Show the logs")
+            window.awaitText("Log practice.bag")
+            window.picture("narrow-logs")
+            window.click("Show the topics")
+            window.awaitText("Topic Arm/Angle")
+            window.picture("narrow-topics")
+            window.click("Show the details")
+            window.awaitText("Search events")
+            window.picture("narrow-details")
+
+            window.click("Close the panel")
+            window.awaitState("the graphs again") { it.panels.front == FrontPart.GRAPHS }
+            window.press(KeyEvent.VK_3, KeyEvent.VK_CONTROL)
+            window.awaitState("the problems") { it.panels.front == FrontPart.DETAILS }
+            window.look { it.panels.inspector } shouldBe InspectorTab.PROBLEMS
+            window.picture("narrow-problems")
+
+            window.press(KeyEvent.VK_F1)
+            window.awaitText("Keys and gestures sheet")
+            window.picture("narrow-help")
+            window.press(KeyEvent.VK_ESCAPE)
+            window.press(KeyEvent.VK_S)
+            window.awaitText("Back to the graphs")
+            window.picture("narrow-statistics")
+            window.press(KeyEvent.VK_T)
+            window.awaitText("Table of logs")
+            window.picture("narrow-table")
+            window.click("Show the logs")
+            window.awaitNo("Table of logs")
+            window.click("Log practice.bag")
+            window.awaitState("the other log in front") {
+                it.open?.file == folder.resolve("practice.bag") && it.panels.front == FrontPart.GRAPHS
+            }
+        }
+    }
+})
