@@ -21,6 +21,7 @@ rootProject.name = "badlog"
 include(":core")
 include(":jvm-robot")
 include(":html-export")
+include(":command-line")
 include(":desktop-viewer")
 include(":replay")
 include(":samples")

@@ -1,5 +1,6 @@
 package badlog.bag
 
+import badlog.recording.Loss
 import badlog.recording.ProblemKind
 import badlog.recording.ProblemList
 import badlog.recording.Recording
@@ -100,6 +101,7 @@ public class BagParser(
             ProblemKind.NUL_HOLE,
             "$holeBytes NUL bytes stand where data should be, as after a loss of power; what was there is lost.",
             pending.line,
+            loss = Loss(bytes = holeBytes),
         )
         holeBytes = 0L
         pending.holeLine = pending.line

@@ -1,5 +1,6 @@
 package badlog.bag
 
+import badlog.recording.Loss
 import badlog.recording.ProblemKind
 import badlog.recording.ProblemList
 
@@ -89,6 +90,7 @@ internal class HeaderReader(
                 "Line ${pending.line} is cut or is not JSON, so units, attributes and values are lost; " +
                     "the rest was read as CSV.",
                 pending.line,
+                loss = Loss(bytes = (lineEnd - pending.start).toLong()),
             )
         }
         if (next > lineEnd) pending.line++

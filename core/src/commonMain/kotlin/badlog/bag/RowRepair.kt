@@ -1,6 +1,7 @@
 package badlog.bag
 
 import badlog.bag.RowSplitter.Quotes
+import badlog.recording.Loss
 import badlog.recording.ProblemKind
 import badlog.recording.ProblemList
 
@@ -222,6 +223,7 @@ internal class RowRepair(
                 ProblemKind.ROW_LONG,
                 "A row has $count cells instead of $wanted; the extra ones were dropped: $extra.",
                 line,
+                loss = Loss(cells = count - wanted, bytes = (end - splitter.starts[wanted]).toLong()),
             )
         }
         return take(bytes, isStrict, next, count)
@@ -233,6 +235,7 @@ internal class RowRepair(
             ProblemKind.ROW_CUT,
             "The end of a row whose beginning is lost was dropped; it held ${quotation(bytes, from, end)}.",
             line,
+            loss = Loss(rows = 1, cells = splitter.split(bytes, from, end, Quotes.STRICT), bytes = (end - from).toLong()),
         )
         return next
     }
@@ -264,6 +267,7 @@ internal class RowRepair(
                 "A row is cut off after $count of $wanted cells and was dropped; " +
                     "it held ${quotation(bytes, from, until)}.",
                 line,
+                loss = Loss(rows = 1, cells = count, bytes = (until - from).toLong()),
             )
             return until
         }
@@ -283,6 +287,7 @@ internal class RowRepair(
             "The last row lacks its newline, so its last cell may be cut and was left empty; it held $held.",
             line,
             columns[last].name,
+            loss = Loss(cells = 1, bytes = (splitter.ends[last] - splitter.starts[last]).toLong()),
         )
     }
 

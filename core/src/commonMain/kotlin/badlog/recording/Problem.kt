@@ -9,6 +9,7 @@ package badlog.recording
  * @property line the physical line of the file, from 1, or null where the problem has no line.
  * @property topic the name of the topic concerned, or null.
  * @property count how often it was met; [line] and [message] speak of the first.
+ * @property loss what it cost, in all of its occurrences.
  */
 public data class Problem(
     public val kind: ProblemKind,
@@ -16,6 +17,7 @@ public data class Problem(
     public val line: Int? = null,
     public val topic: String? = null,
     public val count: Int = 1,
+    public val loss: Loss = Loss.NONE,
 ) {
     /** How much it matters. */
     public val severity: Severity get() = kind.severity

@@ -6,16 +6,23 @@ internal class ProblemList {
     private val seen = HashMap<Pair<ProblemKind, String?>, Int>()
     private val overflow = LinkedHashMap<Pair<ProblemKind, String?>, Problem>()
 
-    fun add(kind: ProblemKind, message: String, line: Int? = null, topic: String? = null, count: Int = 1) {
+    fun add(
+        kind: ProblemKind,
+        message: String,
+        line: Int? = null,
+        topic: String? = null,
+        count: Int = 1,
+        loss: Loss = Loss.NONE,
+    ) {
         val key = kind to topic
         val times = (seen[key] ?: 0) + 1
         seen[key] = times
-        val problem = Problem(kind, message, line, topic, count)
+        val problem = Problem(kind, message, line, topic, count, loss)
         if (times <= LISTED) {
             problems += problem
         } else {
-            val first = overflow[key] ?: problem.copy(count = 0)
-            overflow[key] = first.copy(count = first.count + count)
+            val first = overflow[key] ?: problem.copy(count = 0, loss = Loss.NONE)
+            overflow[key] = first.copy(count = first.count + count, loss = first.loss + loss)
         }
     }
 

@@ -18,7 +18,7 @@ import java.util.UUID
  *
  * @throws IOException when the folder cannot be written to.
  */
-internal class NewFile(private val target: Path) : AutoCloseable {
+class NewFile(private val target: Path) : AutoCloseable {
     private val draft = target.resolveSibling(".badlog-${UUID.randomUUID()}.part")
 
     /** Where the content goes. */

@@ -9,7 +9,7 @@ import java.io.PrintStream
  * @param label what is exported.
  * @param patience nanoseconds for which nothing is shown.
  */
-internal class ProgressBar(
+class ProgressBar(
     label: String,
     private val err: PrintStream,
     private val isShown: Boolean,

@@ -1,0 +1,37 @@
+package badlog.cli
+
+import com.github.ajalt.clikt.core.CliktError
+import com.github.ajalt.clikt.core.parse
+
+/** The command line: understands what is asked for, then does it. */
+internal class Badlog(private val console: Console) {
+    /** Does what [arguments] ask for. */
+    fun run(arguments: List<String>): ExitCode {
+        val command = BadlogCommand()
+        val task = try {
+            command.parse(arguments)
+            command.task ?: return ExitCode.USAGE
+        } catch (e: CliktError) {
+            return say(command, command.explained(e, arguments), arguments)
+        }
+        return task.run(console)
+    }
+
+    private fun say(command: BadlogCommand, what: CliktError, arguments: List<String>): ExitCode {
+        val text = command.getFormattedHelp(what).orEmpty().trim()
+        if (what.statusCode == 0) {
+            console.out.println(text)
+            return ExitCode.WHOLE
+        }
+        // The line of usage before it tells nothing that the help does not tell better.
+        val reason = text.substringAfter(ERROR).replaceFirstChar(Char::uppercase)
+        val inside = arguments.first().takeIf { it in command.registeredSubcommandNames() }
+        val help = listOfNotNull(BadlogCommand.NAME, "help", inside).joinToString(" ")
+        console.err.println("$reason${if (reason.last() in ".?") "" else "."} Try: $help")
+        return ExitCode.USAGE
+    }
+
+    private companion object {
+        const val ERROR = "Error: "
+    }
+}

@@ -1,0 +1,65 @@
+package badlog.cli
+
+import badlog.cli.convert.ConvertCommand
+import badlog.cli.cut.CutCommand
+import badlog.cli.export.ExportCommand
+import badlog.cli.info.InfoCommand
+import badlog.cli.merge.MergeCommand
+import badlog.cli.recover.RecoverCommand
+import badlog.html.BADLOG_VERSION
+import com.github.ajalt.clikt.core.CliktError
+import com.github.ajalt.clikt.core.Context
+import com.github.ajalt.clikt.core.CoreCliktCommand
+import com.github.ajalt.clikt.core.NoSuchSubcommand
+import com.github.ajalt.clikt.core.UsageError
+import com.github.ajalt.clikt.core.context
+import com.github.ajalt.clikt.core.subcommands
+import com.github.ajalt.clikt.parameters.options.versionOption
+
+/** `badlog` and its sub-commands. A new one is added here and nowhere else. */
+internal class BadlogCommand : CoreCliktCommand(NAME) {
+    private val logCommands = listOf(
+        InfoCommand(),
+        RecoverCommand(),
+        ConvertCommand(),
+        CutCommand(),
+        MergeCommand(),
+        ExportCommand(),
+    )
+
+    /** What was asked for, or null when nothing was. */
+    val task: Task? get() = logCommands.firstNotNullOfOrNull { it.task }
+
+    override val printHelpOnEmptyArgs: Boolean get() = true
+
+    init {
+        subcommands(logCommands)
+        subcommands(HelpCommand())
+        versionOption(BADLOG_VERSION, names = setOf("-V", "--version"), message = { "$NAME $it" })
+        context { readArgumentFile = null }
+    }
+
+    override fun help(context: Context): String =
+        paragraph(
+            "Works on the logs of robots: bags and CSV files, also gzipped, also damaged. The content decides what a file is, " +
+                "never its name. No log is ever changed.",
+        )
+
+    override fun helpEpilog(context: Context): String =
+        paragraph("“$NAME help cut” tells more about cut, and so on. $EXIT_CODES")
+
+    override fun run() = Unit
+
+    /** [error], or that the first of [arguments] is no sub-command, where this is what is wrong with them. */
+    fun explained(error: CliktError, arguments: List<String>): CliktError {
+        val first = arguments.firstOrNull()
+        val names = registeredSubcommandNames()
+        if (error !is UsageError || first == null || first.startsWith("-") || first in names) return error
+        return NoSuchSubcommand(first, currentContext.suggestTypoCorrection(first, names)).also { it.context = currentContext }
+    }
+
+    companion object {
+        /** What a person types. */
+        const val NAME = "badlog"
+    }
+}

@@ -1,0 +1,20 @@
+package badlog.cli
+
+/**
+ * How `badlog` ended, as scripts see it.
+ *
+ * @property code what the process returns.
+ */
+internal enum class ExitCode(val code: Int) {
+    /** All was done, and every log is whole. */
+    WHOLE(0),
+
+    /** Nothing could be done. */
+    NOTHING(1),
+
+    /** The arguments make no sense. */
+    USAGE(2),
+
+    /** Something was done, but something of the logs is lost or was left out. */
+    SALVAGED(3),
+}

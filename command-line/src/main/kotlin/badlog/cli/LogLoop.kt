@@ -1,0 +1,55 @@
+package badlog.cli
+
+import badlog.cli.input.LogInput
+import badlog.cli.input.LogSearch
+import badlog.cli.input.NotALog
+import badlog.file.UnreadableFileException
+import badlog.html.ExportException
+import badlog.html.ExportProgress
+import java.nio.file.Path
+
+/**
+ * Does the same to each of many logs, one at a time, so that memory is bounded by the largest. What fails costs the others
+ * nothing.
+ *
+ * @param isJson whether each log is one line of JSON.
+ */
+internal class LogLoop(command: String, private val console: Console, isJson: Boolean) {
+    private val report = Report(command, console, isJson)
+
+    /** Does [work] to every log below [paths], in their order; says what came of it. */
+    fun run(paths: List<Path>, work: (LogInput, ExportProgress) -> Outcome): ExitCode {
+        val found = LogSearch().find(paths)
+        for (failure in found.failures) report.failed(failure.file, failure.message)
+        found.inputs.forEachIndexed { index, input ->
+            val label = (if (found.inputs.size > 1) "${index + 1}/${found.inputs.size} " else "") + input.file.fileName
+            attempt(input, label, work)
+        }
+        return report.end()
+    }
+
+    private fun attempt(input: LogInput, label: String, work: (LogInput, ExportProgress) -> Outcome) {
+        val file = input.file
+        try {
+            report.done(file, console.progress(label).use { work(input, it) })
+        } catch (e: NotALog) {
+            if (input.isFound) report.skipped(file) else report.failed(file, e.message)
+        } catch (e: Throwable) {
+            report.failed(file, sentenceOf(e, file))
+        }
+    }
+
+    companion object {
+        /** What to tell about [failure], which ended the work on [file]. */
+        fun sentenceOf(failure: Throwable, file: Path): String = when (failure) {
+            is Failure -> failure.message
+            is UnreadableFileException -> failure.message
+            is ExportException -> failure.message.orEmpty()
+            is OutOfMemoryError -> "$file is too large for the memory at hand; set JAVA_OPTS=-Xmx8g or so and try again."
+            else -> {
+                val defect = failure.toString().lineSequence().first()
+                "$file: this is a defect of badlog; please report it with the file ($defect)."
+            }
+        }
+    }
+}

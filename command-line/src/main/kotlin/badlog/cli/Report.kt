@@ -1,0 +1,74 @@
+package badlog.cli
+
+import java.nio.file.Path
+import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
+
+/** Says what came of each log, and counts it for the exit code. */
+internal class Report(private val command: String, private val console: Console, private val isJson: Boolean) {
+    private var whole = 0
+    private var salvaged = 0
+    private var failed = 0
+    private var skipped = 0
+
+    /** [file] was worked on. */
+    fun done(file: Path, outcome: Outcome) {
+        if (outcome.isSalvaged) salvaged++ else whole++
+        if (isJson) {
+            line(file, if (outcome.isSalvaged) "salvaged" else "whole", outcome.json)
+        } else if (outcome.text.isNotEmpty()) {
+            console.out.println(outcome.text)
+        }
+    }
+
+    /** Nothing could be done with [file], for the reason of [message]. */
+    fun failed(file: Path, message: String) {
+        failed++
+        if (isJson) line(file, "failed", mapOf("error" to JsonPrimitive(message))) else console.err.println(message)
+    }
+
+    /** [file], which nobody named, is no log. */
+    fun skipped(file: Path) {
+        skipped++
+        if (isJson) line(file, "skipped", emptyMap())
+    }
+
+    /** Says what there is to say about all; how the program ends. */
+    fun end(): ExitCode {
+        if (!isJson) {
+            if (skipped == 1) console.err.println("1 file is no log and was skipped.")
+            if (skipped > 1) console.err.println("$skipped files are no logs and were skipped.")
+        }
+        val done = whole + salvaged
+        if (done + failed == 0) console.err.println("No log was found. Name a log, or the folder it is in.")
+        return when {
+            done == 0 -> ExitCode.NOTHING
+            salvaged + failed > 0 -> ExitCode.SALVAGED
+            else -> ExitCode.WHOLE
+        }
+    }
+
+    /** The same JSON in plain ASCII, which comes through whatever encoding the standard output has. */
+    private fun asciiOf(json: String): String {
+        if (json.all { it.code < ASCII }) return json
+        return buildString {
+            for (char in json) {
+                if (char.code < ASCII) append(char) else append("\\u").append(char.code.toString(16).padStart(4, '0'))
+            }
+        }
+    }
+
+    private fun line(file: Path, status: String, rest: Map<String, JsonElement>) {
+        val start = mapOf(
+            "command" to JsonPrimitive(command),
+            "file" to JsonPrimitive(file.toString()),
+            "status" to JsonPrimitive(status),
+        )
+        console.out.println(asciiOf(JsonObject(start + rest).toString()))
+    }
+
+    private companion object {
+        const val ASCII = 0x7F
+    }
+}

@@ -1,0 +1,53 @@
+package badlog.cli.cut
+
+import badlog.cli.SubCommand
+import badlog.cli.Task
+import badlog.cli.output.OutputOptions
+import com.github.ajalt.clikt.core.UsageError
+import com.github.ajalt.clikt.parameters.groups.provideDelegate
+import com.github.ajalt.clikt.parameters.options.RawOption
+import com.github.ajalt.clikt.parameters.options.convert
+import com.github.ajalt.clikt.parameters.options.flag
+import com.github.ajalt.clikt.parameters.options.help
+import com.github.ajalt.clikt.parameters.options.option
+import com.github.ajalt.clikt.parameters.types.double
+
+/** `badlog cut`. */
+internal class CutCommand : SubCommand(
+    "cut",
+    "Writes a part of each log.",
+    "Rows are kept when they meet all of --from, --to, --enabled and --around that are given. A position is a number in the " +
+        "unit of the x axis, or 1:32.5 in minutes and seconds. Without --out, the part of match.bag is match.cut.bag.",
+) {
+    private val from by option("--from", metavar = "X").position().help("Leave out what comes before this position.")
+    private val to by option("--to", metavar = "X").position().help("Leave out what comes after this position.")
+    private val isEnabled by option("--enabled").flag().help("Keep what the robot did while it was enabled.")
+    private val margin by option("--margin", metavar = "LENGTH").double()
+        .help("With --enabled: so much more at both ends. Default: 0.")
+    private val event by option("--around", metavar = "TEXT")
+        .help("Keep what is around events and states that contain this.")
+    private val before by option("--before", metavar = "LENGTH").double().help("With --around: so much before. Default: 5.")
+    private val after by option("--after", metavar = "LENGTH").double().help("With --around: so much after. Default: 5.")
+    private val xTopic by option("--x", metavar = "TOPIC").help("Take this topic as x axis.")
+    private val output by OutputOptions()
+
+    override fun makeTask(): Task {
+        if (margin != null && !isEnabled) throw UsageError("--margin belongs to --enabled")
+        if ((before ?: after) != null && event == null) throw UsageError("--before and --after belong to --around")
+        if (listOfNotNull(margin, before, after).any { !(it >= 0) }) throw UsageError("a length is a number from 0 on")
+        val choices = buildList {
+            if (from != null || to != null) add(RangeChoice(from, to))
+            if (isEnabled) add(EnabledChoice(margin ?: 0.0))
+            event?.let { add(EventChoice(it, before ?: AROUND, after ?: AROUND)) }
+        }
+        if (choices.isEmpty()) throw UsageError("say what to keep: --from, --to, --enabled or --around")
+        return CutTask(paths, choices, output.plan(paths), xTopic, isJson)
+    }
+
+    private fun RawOption.position() =
+        convert { Position.of(it) ?: fail("“$it” is neither a number nor a time such as 1:32.5") }
+
+    private companion object {
+        const val AROUND = 5.0
+    }
+}

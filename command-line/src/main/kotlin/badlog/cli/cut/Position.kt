@@ -1,0 +1,37 @@
+package badlog.cli.cut
+
+import badlog.analysis.XAxis
+import badlog.cli.Failure
+import badlog.cli.text.XTime
+
+/** Where on an x axis, as it was typed. */
+internal class Position private constructor(private val text: String, private val number: Double, private val isClock: Boolean) {
+    /**
+     * Where that is on [axis].
+     *
+     * @throws Failure when it is a time, and the axis is none.
+     */
+    fun on(axis: XAxis): Double {
+        if (!isClock) return number
+        val secondsPerX = XTime.secondsPer(axis.unit)
+            ?: throw Failure(
+                "$text is a time, but the x axis ${axis.title} has no unit of time; name the topic of time by --x, " +
+                    "or give a number.",
+            )
+        return number / secondsPerX
+    }
+
+    override fun toString(): String = text
+
+    companion object {
+        private val CLOCK = Regex("""(-?)(?:(\d+):)?(\d+):(\d\d(?:\.\d*)?)""")
+
+        /** Reads a number, `m:ss` or `h:mm:ss`; null for anything else. */
+        fun of(text: String): Position? {
+            text.toDoubleOrNull()?.let { return if (it.isNaN()) null else Position(text, it, isClock = false) }
+            val (sign, hours, minutes, seconds) = CLOCK.matchEntire(text)?.destructured ?: return null
+            val total = ((hours.toDoubleOrNull() ?: 0.0) * 60 + minutes.toDouble()) * 60 + seconds.toDouble()
+            return Position(text, if (sign.isEmpty()) total else -total, isClock = true)
+        }
+    }
+}

@@ -1,0 +1,23 @@
+package badlog.cli.export
+
+import badlog.cli.SubCommand
+import badlog.cli.Task
+import badlog.cli.output.OutputOptions
+import com.github.ajalt.clikt.parameters.groups.provideDelegate
+import com.github.ajalt.clikt.parameters.options.help
+import com.github.ajalt.clikt.parameters.options.multiple
+import com.github.ajalt.clikt.parameters.options.option
+import com.github.ajalt.clikt.parameters.types.path
+
+/** `badlog export`. */
+internal class ExportCommand : SubCommand(
+    "export",
+    "Makes a web page of each log.",
+    "A page opens from disk and needs nothing else. Without --out, match.bag.html stands beside match.bag.",
+) {
+    private val output by OutputOptions()
+    private val attachments by option("-a", "--attach", metavar = "FILE").path().multiple()
+        .help("Include this file in each page; may be given again.")
+
+    override fun makeTask(): Task = ExportTask(paths, output.plan(paths), attachments, isJson)
+}

@@ -1,0 +1,41 @@
+package badlog.cli.info
+
+import badlog.analysis.LogView
+import badlog.cli.Console
+import badlog.cli.ExitCode
+import badlog.cli.LogLoop
+import badlog.cli.Outcome
+import badlog.cli.Task
+import badlog.cli.input.readLog
+import java.nio.file.Files
+import java.nio.file.Path
+
+/**
+ * Says what is in logs.
+ *
+ * @param parts what to show; empty for all of one log, and for one line of each of several.
+ * @param xTopic the topic to take as x axis, or null.
+ */
+internal class InfoTask(
+    private val paths: List<Path>,
+    private val parts: Set<InfoPart>,
+    private val xTopic: String?,
+    private val isJson: Boolean,
+) : Task {
+    override fun run(console: Console): ExitCode {
+        val isOverview = !isJson && parts.isEmpty() && (paths.size > 1 || Files.isDirectory(paths[0]))
+        val shown = parts.ifEmpty { setOf(InfoPart.TOPICS, InfoPart.VALUES, InfoPart.WORST) }
+        var isFirst = true
+        return LogLoop("info", console, isJson).run(paths) { input, progress ->
+            val recording = readLog(input.file, progress, xTopic)
+            val summary = LogSummary(input.file, Files.size(input.file), LogView.of(recording))
+            val text = when {
+                isJson -> ""
+                isOverview -> (if (isFirst) OverviewText.titles() + "\n" else "") + OverviewText.line(summary)
+                else -> (if (isFirst) "" else "\n") + InfoText(summary, shown).text()
+            }
+            isFirst = false
+            Outcome(recording.isSalvaged, text, if (isJson) infoJson(summary) else emptyMap())
+        }
+    }
+}

@@ -1,0 +1,119 @@
+package badlog.cli.info
+
+import badlog.cli.text.TextTable
+import badlog.cli.text.TextTable.Column
+import badlog.cli.text.XTime
+import badlog.cli.text.counted
+import badlog.cli.text.grouped
+import badlog.cli.text.printable
+import badlog.cli.text.problemLines
+import badlog.cli.text.shortNumber
+import badlog.cli.text.sizeText
+import badlog.cli.text.wrapped
+import badlog.recording.Severity
+import badlog.recording.Topic
+import badlog.recording.TopicKind
+import kotlin.math.roundToLong
+
+/**
+ * All about one log, for a person, in lines that fit a terminal.
+ *
+ * @param parts what to show below its summary.
+ */
+internal class InfoText(private val summary: LogSummary, private val parts: Set<InfoPart>) {
+    private val view = summary.view
+    private val recording = view.recording
+
+    /** The lines, without a newline at their end. */
+    fun text(): String = listOf(
+        summaryLines(),
+        if (InfoPart.VALUES in parts) valueLines() else emptyList(),
+        if (InfoPart.TOPICS in parts) topicLines() else emptyList(),
+        when {
+            InfoPart.PROBLEMS in parts -> problemLines(view.problems)
+            InfoPart.WORST in parts -> worstLines()
+            else -> emptyList()
+        },
+    ).filter { it.isNotEmpty() }.joinToString("\n\n") { it.joinToString("\n") }
+
+    /** What a person has to know who asked for something else; that all is well is said on demand. */
+    private fun worstLines(): List<String> {
+        val (notes, others) = view.problems.partition { it.severity == Severity.NOTE }
+        val more = if (notes.isEmpty()) emptyList() else listOf("${counted(notes.size.toLong(), "note")}: see --problems")
+        return problemLines(others) + more
+    }
+
+    private fun summaryLines(): List<String> = buildList {
+        add(summary.file.toString())
+        view.title?.let { add(wrapped("  match   ", it)) }
+        add("  format  ${recording.format.name.lowercase()}, ${sizeText(summary.bytes)}")
+        val sizes = listOf(
+            counted(recording.rowCount.toLong(), "row"),
+            counted(recording.topics.size.toLong(), "topic"),
+            counted(recording.values.size.toLong(), "value"),
+        )
+        add("  holds   ${sizes.joinToString()}")
+        add(wrapped("  x       ", xText()))
+    }
+
+    private fun xText(): String {
+        val range = summary.range ?: return view.xAxis.title
+        val text = "${view.xAxis.title} from ${shortNumber(range.start)} to ${shortNumber(range.endInclusive)}"
+        return summary.seconds?.let { "$text, ${XTime.clock(it)} long" } ?: text
+    }
+
+    private fun valueLines(): List<String> {
+        val width = minOf(VALUE_NAME, recording.values.maxOfOrNull { it.name.length } ?: 0)
+        return recording.values.map { wrapped(printable(it.name).padEnd(width) + "  ", it.text, width + 2) }
+    }
+
+    private fun topicLines(): List<String> {
+        if (summary.topics.isEmpty()) return emptyList()
+        val lines = TOPICS.lines(summary.topics.map(::cellsOf))
+        if (InfoPart.ATTRIBUTES !in parts) return lines
+        return lines.take(1) + summary.topics.flatMapIndexed { index, topic ->
+            val attributes = topic.topic.attributes.joinToString()
+            listOfNotNull(lines[index + 1], wrapped("    ", attributes).takeIf { attributes.isNotBlank() })
+        }
+    }
+
+    private fun cellsOf(summary: TopicSummary): List<String> {
+        val topic = summary.topic
+        return listOf(
+            topic.name,
+            if (topic.unit == Topic.UNITLESS) "" else topic.unit,
+            topic.kind.name.lowercase(),
+            grouped(summary.count.toLong()),
+            summary.rate?.let(::rateText).orEmpty(),
+            rangeText(summary),
+            summary.gaps?.takeIf { it > 0 }?.let { grouped(it.toLong()) }.orEmpty(),
+        )
+    }
+
+    private fun rateText(rate: Double) =
+        if (rate >= 10) rate.roundToLong().toString() else shortNumber((rate * 100).roundToLong() / 100.0)
+
+    private fun rangeText(summary: TopicSummary): String = when {
+        summary.hasTexts -> counted(summary.topic.texts.dictionary.size.toLong(), "text")
+        summary.topic.kind == TopicKind.BOOLEAN -> setOf(summary.min, summary.max).joinToString(" … ") { "${it != 0.0}" }
+        summary.count == 0 -> ""
+        summary.min == summary.max -> shortNumber(summary.min, DIGITS)
+        else -> "${shortNumber(summary.min, DIGITS)} … ${shortNumber(summary.max, DIGITS)}"
+    }
+
+    private companion object {
+        const val VALUE_NAME = 32
+        const val DIGITS = 4
+        val TOPICS = TextTable(
+            listOf(
+                Column("TOPIC", 23),
+                Column("UNIT", 5),
+                Column("KIND", 7),
+                Column("COUNT", 7, isNumber = true),
+                Column("HZ", 4, isNumber = true),
+                Column("RANGE", 18),
+                Column("GAPS", 4, isNumber = true),
+            ),
+        )
+    }
+}

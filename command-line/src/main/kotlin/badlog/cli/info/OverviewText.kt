@@ -1,0 +1,34 @@
+package badlog.cli.info
+
+import badlog.cli.text.TextTable
+import badlog.cli.text.TextTable.Column
+import badlog.cli.text.XTime
+import badlog.cli.text.grouped
+import badlog.recording.Severity
+
+/** One line about each log. */
+internal object OverviewText {
+    private val TABLE = TextTable(
+        listOf(
+            Column("LOG", 27),
+            Column("MATCH", 24),
+            Column("LENGTH", 7, isNumber = true),
+            Column("ROWS", 8, isNumber = true),
+            Column("ERRORS", 6, isNumber = true),
+        ),
+    )
+
+    /** What stands above the lines. */
+    fun titles(): String = TABLE.titles()
+
+    /** The line of [summary]. */
+    fun line(summary: LogSummary): String = TABLE.line(
+        listOf(
+            summary.file.toString(),
+            summary.view.title.orEmpty(),
+            summary.seconds?.let(XTime::clock).orEmpty(),
+            grouped(summary.view.recording.rowCount.toLong()),
+            summary.view.problems.filter { it.severity == Severity.ERROR }.sumOf { it.count }.let { if (it == 0) "" else "$it" },
+        ),
+    )
+}

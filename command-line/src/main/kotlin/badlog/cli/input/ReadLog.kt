@@ -1,0 +1,20 @@
+package badlog.cli.input
+
+import badlog.file.readRecording
+import badlog.html.ExportProgress
+import badlog.recording.ProblemKind
+import badlog.recording.Recording
+import java.nio.file.Path
+
+/**
+ * Reads [file] with its samples, and with the topic [xTopic] as x axis when it is not null.
+ *
+ * @throws NotALog when there is nothing to show.
+ * @throws badlog.cli.Failure when there is no such topic.
+ * @throws badlog.file.UnreadableFileException when it cannot be read.
+ */
+internal fun readLog(file: Path, progress: ExportProgress, xTopic: String? = null): Recording {
+    val recording = readRecording(file, progress = progress::advanced)
+    recording.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }?.let { throw NotALog("$file: ${it.message}") }
+    return if (xTopic == null) recording else recording.withX(xTopic, file)
+}

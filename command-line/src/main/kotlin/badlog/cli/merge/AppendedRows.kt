@@ -1,0 +1,87 @@
+package badlog.cli.merge
+
+/**
+ * The rows of several logs in one sequence: in the order of x where they have one, but never against the order of their own
+ * log, whose clock may have been set. A row that several logs have, cell by cell, stands there once.
+ *
+ * @param logs the logs; without x they stay in this order.
+ */
+internal class AppendedRows(logs: List<LogPart>) {
+    /** The logs, in the order in which they begin. */
+    val parts: List<LogPart> = if (logs.any { it.xTopic == null }) logs else logs.sortedBy { it.firstX }
+    private val total = parts.sumOf { it.recording.rowCount }
+    private val rowParts = IntArray(total)
+    private val rows = IntArray(total)
+
+    /** How many rows there are. */
+    var size = 0
+        private set
+
+    /** How many rows were left out because another log has them, too. */
+    var repeated = 0
+        private set
+
+    init {
+        if (parts.any { it.xTopic == null }) {
+            for (part in parts.indices) for (row in 0 until parts[part].recording.rowCount) add(part, row)
+        } else {
+            interleave()
+        }
+    }
+
+    /** Which of [parts] row [index] comes from. */
+    fun partOf(index: Int): Int = rowParts[index]
+
+    /** Which row of its part row [index] is. */
+    fun rowOf(index: Int): Int = rows[index]
+
+    /** The x of row [index]; may be NaN. */
+    fun x(index: Int): Double = parts[rowParts[index]].x[rows[index]]
+
+    /** Where two of the logs that follow each other both have rows, as from and to. */
+    fun overlaps(): List<Overlap> = parts.zipWithNext { one, other ->
+        val isOverlap = one.xTopic != null && other.firstX <= one.lastX
+        if (isOverlap) Overlap(one, other, other.firstX, minOf(one.lastX, other.lastX)) else null
+    }.filterNotNull()
+
+    private fun interleave() {
+        val next = IntArray(parts.size)
+        val identities = HashMap<Pair<Int, Int>, RowIdentity>()
+        while (true) {
+            val part = earliest(next)
+            if (part < 0) return
+            val row = next[part]++
+            add(part, row)
+            val x = parts[part].x[row]
+            for (other in parts.indices) {
+                if (other == part || next[other] == parts[other].recording.rowCount || parts[other].x[next[other]] != x) continue
+                val identity = identities.getOrPut(part to other) { RowIdentity(parts[part], parts[other]) }
+                if (identity.isSame(row, next[other])) {
+                    next[other]++
+                    repeated++
+                }
+            }
+        }
+    }
+
+    private fun earliest(next: IntArray): Int {
+        var best = -1
+        var bestX = Double.POSITIVE_INFINITY
+        for (part in parts.indices) {
+            if (next[part] == parts[part].recording.rowCount) continue
+            val x = parts[part].x[next[part]]
+            // A row without x stays behind the one before it.
+            if (x.isNaN()) return part
+            if (best < 0 || x < bestX) {
+                best = part
+                bestX = x
+            }
+        }
+        return best
+    }
+
+    private fun add(part: Int, row: Int) {
+        rowParts[size] = part
+        rows[size++] = row
+    }
+}

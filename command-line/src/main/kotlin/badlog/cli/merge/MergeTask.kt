@@ -1,0 +1,62 @@
+package badlog.cli.merge
+
+import badlog.cli.Console
+import badlog.cli.ExitCode
+import badlog.cli.Failure
+import badlog.cli.LogLoop
+import badlog.cli.Report
+import badlog.cli.Task
+import badlog.cli.input.LogInput
+import badlog.cli.input.LogSearch
+import badlog.cli.input.NotALog
+import badlog.cli.input.readLog
+import badlog.cli.output.LogFormat
+import badlog.cli.output.OutputPlan
+import badlog.cli.output.writeLog
+import java.io.IOException
+import java.nio.file.Path
+
+/** Makes one log, [out], of several. */
+internal class MergeTask(
+    private val paths: List<Path>,
+    private val mode: MergeMode,
+    private val out: Path,
+    private val plan: OutputPlan,
+    private val xTopic: String?,
+    private val isJson: Boolean,
+) : Task {
+    override fun run(console: Console): ExitCode {
+        val report = Report("merge", console, isJson)
+        try {
+            // Before any work, so that nobody waits for a refusal.
+            val target = plan.checked(out)
+            val found = LogSearch().find(paths)
+            for (failure in found.failures) report.failed(failure.file, failure.message)
+            val parts = found.inputs.mapNotNull { read(it, console, report) }
+            if (parts.size < 2) {
+                throw Failure("Merging needs two logs or more, and there is ${if (parts.isEmpty()) "none" else "one"}.")
+            }
+            val merge = Merge(parts, mode)
+            val recording = merge.recording()
+            val format = LogFormat.ofName(target) ?: LogFormat.of(recording)
+            console.progress(target.fileName.toString()).use { writeLog(recording, format, target, progress = it) }
+            report.done(target, mergeOutcome(merge, parts, recording, target, format))
+        } catch (e: Throwable) {
+            report.failed(out, LogLoop.sentenceOf(e, out))
+        }
+        return report.end()
+    }
+
+    private fun read(input: LogInput, console: Console, report: Report): LogPart? {
+        try {
+            return LogPart(input.file, console.progress(input.file.fileName.toString()).use { readLog(input.file, it, xTopic) })
+        } catch (e: NotALog) {
+            if (input.isFound) report.skipped(input.file) else report.failed(input.file, e.message)
+        } catch (e: Failure) {
+            report.failed(input.file, e.message)
+        } catch (e: IOException) {
+            report.failed(input.file, LogLoop.sentenceOf(e, input.file))
+        }
+        return null
+    }
+}

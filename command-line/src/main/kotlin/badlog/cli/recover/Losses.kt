@@ -1,0 +1,72 @@
+package badlog.cli.recover
+
+import badlog.cli.Outcome
+import badlog.cli.text.counted
+import badlog.cli.text.json
+import badlog.cli.text.problemLines
+import badlog.recording.Loss
+import badlog.recording.Problem
+import badlog.recording.ProblemKind
+import badlog.recording.Recording
+import badlog.recording.Severity
+import java.nio.file.Path
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonPrimitive
+
+/** What a damaged log has lost, and what was mended in it. */
+internal class Losses(private val recording: Recording) {
+    private val problems: List<Problem> =
+        recording.problems.filter { it.severity == Severity.ERROR || it.kind in MENDED }
+
+    /** Whether a clean log would differ from this one. */
+    val isDamaged: Boolean get() = problems.isNotEmpty()
+
+    private val total: Loss = problems.map { it.loss }.fold(Loss.NONE, Loss::plus)
+
+    /** Whether more is lost than stands in the file, nobody knows how much. */
+    private val isOpenEnded: Boolean = problems.any { it.kind in OPEN_ENDED }
+
+    /** What to say about [file], whose clean log is [target], or which needs none. */
+    fun outcome(file: Path, target: Path?): Outcome {
+        val json = mapOf(
+            "output" to JsonPrimitive(target?.toString()),
+            "rows" to JsonPrimitive(recording.rowCount),
+            "lost" to json(total),
+            "lostMore" to JsonPrimitive(isOpenEnded),
+            "problems" to JsonArray(problems.map { json(it) }),
+        )
+        return Outcome(recording.isSalvaged, text(file, target), json)
+    }
+
+    private fun text(file: Path, target: Path?): String {
+        val lines = ArrayList<String>()
+        lines += if (target == null) "$file: whole; nothing to recover" else "$file -> $target"
+        if (target != null) lines += "  kept ${counted(recording.rowCount.toLong(), "row")}, lost ${lostText()}"
+        return (lines + problemLines(problems, indent = "  ")).joinToString("\n")
+    }
+
+    private fun lostText(): String {
+        val parts = listOf(total.rows.toLong() to "row", total.cells.toLong() to "cell", total.bytes to "byte")
+            .filter { it.first > 0 }
+            .joinToString { (count, noun) -> counted(count, noun) }
+        return when {
+            !isOpenEnded -> parts.ifEmpty { "nothing" }
+            parts.isEmpty() -> "what came after the damage"
+            else -> "$parts, and what came after the damage"
+        }
+    }
+
+    private companion object {
+        /** Nothing is lost by these, but a clean log has none of them. */
+        val MENDED = setOf(
+            ProblemKind.LINES_JOINED,
+            ProblemKind.QUOTES_REPAIRED,
+            ProblemKind.ROW_SHORT,
+            ProblemKind.NOT_UTF8,
+            ProblemKind.DECIMAL_COMMA,
+        )
+
+        /** What followed was never written, or cannot be read. */
+        val OPEN_ENDED = setOf(ProblemKind.GZIP_CUT)
+    }
+}

@@ -1,0 +1,35 @@
+package badlog.cli.text
+
+import java.math.BigDecimal
+import java.math.MathContext
+import kotlin.math.abs
+
+/** [number] as a person reads it: at most [digits] digits that count, no zeros that do not; nothing when it is NaN. */
+internal fun shortNumber(number: Double, digits: Int = DIGITS): String = when {
+    number.isNaN() -> ""
+    number.isInfinite() -> if (number > 0) "Infinity" else "-Infinity"
+    number == 0.0 -> "0"
+    else -> {
+        val rounded = BigDecimal(number).round(MathContext(digits)).stripTrailingZeros()
+        if (abs(number) in PLAIN_FROM..PLAIN_TO) rounded.toPlainString() else rounded.toString().lowercase()
+    }
+}
+
+/** [count] in groups of three digits, parted by commas. */
+internal fun grouped(count: Long): String = count.toString().reversed().chunked(3).joinToString(",").reversed()
+
+/** [count] things, called [noun] when it is one. */
+internal fun counted(count: Long, noun: String, nouns: String = noun + "s"): String =
+    "${grouped(count)} ${if (count == 1L) noun else nouns}"
+
+/** [bytes] as file managers show them. */
+internal fun sizeText(bytes: Long): String = when {
+    bytes < 1_000 -> counted(bytes, "byte")
+    bytes < 1_000_000 -> "${shortNumber(bytes / 100 / 10.0)} kB"
+    bytes < 1_000_000_000 -> "${shortNumber(bytes / 100_000 / 10.0)} MB"
+    else -> "${shortNumber(bytes / 100_000_000 / 10.0)} GB"
+}
+
+private const val DIGITS = 6
+private const val PLAIN_FROM = 1e-4
+private const val PLAIN_TO = 1e9

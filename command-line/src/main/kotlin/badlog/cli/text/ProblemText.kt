@@ -1,0 +1,20 @@
+package badlog.cli.text
+
+import badlog.recording.Problem
+import badlog.recording.Severity
+
+/** A line or more for each of [problems], the worst first, after [indent]. */
+internal fun problemLines(problems: List<Problem>, indent: String = ""): List<String> =
+    problems.sortedByDescending { it.severity }.map { lineOf(it, indent) }
+
+/** A line or more for each loss among [problems], after two blanks: what one has to know who made something of the log. */
+internal fun lossLines(problems: List<Problem>): List<String> =
+    problemLines(problems.filter { it.severity == Severity.ERROR }, indent = "  ")
+
+private fun lineOf(problem: Problem, indent: String): String {
+    val line = problem.line?.let { "line $it: " }.orEmpty()
+    val times = if (problem.count > 1) " (${grouped(problem.count.toLong())} times)" else ""
+    return wrapped(indent + problem.severity.name.lowercase().padEnd(SEVERITY), line + problem.message + times)
+}
+
+private const val SEVERITY = 9

@@ -1,0 +1,63 @@
+package badlog.cli
+
+import badlog.html.BADLOG_VERSION
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+
+class BadlogSpec : FunSpec({
+    val commands = listOf("info", "recover", "convert", "cut", "merge", "export")
+
+    test("without arguments, and asked for help, it lists its sub-commands") {
+        for (asked in listOf(badlog(), badlog("--help"), badlog("help"))) {
+            asked.code shouldBe ExitCode.WHOLE
+            for (command in commands) asked.out shouldContain "  $command "
+        }
+    }
+
+    test("each sub-command has help, asked for in either way, that fits a terminal") {
+        for (command in commands) {
+            val help = badlog("help", command)
+            help.code shouldBe ExitCode.WHOLE
+            help.out shouldBe badlog(command, "--help").out
+            help.out shouldContain "Exit code: 0"
+            help.out.lines().filter { it.length > 80 }.shouldBeEmpty()
+        }
+    }
+
+    test("it tells its version") {
+        badlog("--version").out shouldBe "badlog $BADLOG_VERSION\n"
+    }
+
+    test("a mistyped sub-command is told with the one that was meant, before its arguments are looked at") {
+        for (arguments in listOf(listOf("cutt"), listOf("cutt", "a", "b"), listOf("help", "cutt"), listOf("cutt", "--from", "1"))) {
+            val ended = badlog(*arguments.toTypedArray())
+            ended.code shouldBe ExitCode.USAGE
+            ended.err shouldContain "cutt"
+            ended.err shouldContain "cut?"
+            ended.err.lines().size shouldBe 2
+        }
+    }
+
+    test("wrong usage is one sentence that names the help to read") {
+        val wrong = listOf(
+            listOf("info"), listOf("info", "--nix", "a"), listOf("recover", "a", "--out"), listOf("convert", "a"),
+            listOf("convert", "a", "--to", "pdf"), listOf("cut", "a"), listOf("cut", "a", "--from", "x"),
+            listOf("cut", "a", "--from", "1", "--margin", "1"), listOf("cut", "a", "--from", "1", "--after", "1"),
+            listOf("cut", "a", "--enabled", "--margin", "-1"), listOf("merge", "a", "b"),
+            listOf("merge", "a", "b", "-o", "c", "--append", "--join"),
+        )
+        for (arguments in wrong) {
+            val ended = badlog(*arguments.toTypedArray())
+            ended.code shouldBe ExitCode.USAGE
+            ended.out shouldBe ""
+            ended.err shouldContain "Try: badlog help ${arguments[0]}\n"
+            ended.err.lines().size shouldBe 2
+        }
+    }
+
+    test("a file whose name begins with @ or - is a file") {
+        inFolder { folder -> badlog("info", "--", folder.with("@a.bag", BAG)).code shouldBe ExitCode.WHOLE }
+    }
+})

@@ -1,0 +1,136 @@
+package badlog.cli
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.attribute.PosixFilePermissions
+import kotlin.io.path.div
+import kotlin.io.path.readBytes
+import kotlin.random.Random
+import kotlinx.serialization.json.jsonPrimitive
+
+/** What every sub-command does with files that are no whole logs. */
+class BrokenFilesSpec : FunSpec({
+    fun each(folder: Path, log: Path, check: (List<Any>) -> Unit) {
+        val other = folder.with("other.bag", BAG)
+        val commands = listOf(
+            listOf("info", log),
+            listOf("recover", log, "-o", folder / "out/"),
+            listOf("convert", log, "--to", "csv", "-o", folder / "out.csv"),
+            listOf("cut", log, "--from", "0", "-o", folder / "out.bag"),
+            listOf("export", log, "-o", folder / "out.html"),
+        )
+        commands.forEach(check)
+        Files.delete(other)
+    }
+
+    fun status(ended: Ended) = ended.json.map { it.getValue("status").jsonPrimitive.content }
+
+    test("what is no log, missing, empty or a folder without logs: nothing could be done, in one sentence") {
+        inFolder { folder ->
+            val nothing = listOf(
+                folder.with("random.bag", Random(1).nextBytes(5000)),
+                folder.with("prose.csv", "There is nothing here\nbut words\n"),
+                folder / "missing.bag",
+                Files.createDirectories(folder / "none/deeper"),
+            )
+            for (log in nothing) {
+                each(folder, log) { arguments ->
+                    val ended = badlog(*arguments.toTypedArray())
+                    ended.code shouldBe ExitCode.NOTHING
+                    ended.err.lines().size shouldBe 2
+                    val json = badlogJson(*arguments.toTypedArray())
+                    json.code shouldBe ExitCode.NOTHING
+                }
+            }
+            folder.names() shouldContainExactly listOf("none", "prose.csv", "random.bag")
+        }
+    }
+
+    test("an empty file is no log to make anything of, but a finding") {
+        inFolder { folder ->
+            val empty = folder.with("empty.bag", "")
+            badlog("info", empty).code shouldBe ExitCode.SALVAGED
+            badlog("recover", empty).code shouldBe ExitCode.NOTHING
+            badlog("cut", empty, "--from", "0").code shouldBe ExitCode.NOTHING
+        }
+    }
+
+    test("what is cut is salvaged: exit code 3") {
+        inFolder { folder ->
+            val gz = gzip(BAG.repeat(1) + "0.1,6,false,x\n".repeat(10_000))
+            for (log in listOf(folder.with("cut.bag", CUT_BAG), folder.with("cut.bag.gz", gz.copyOf(gz.size / 2)))) {
+                each(folder, log) { arguments ->
+                    val ended = badlogJson(*arguments.toTypedArray(), *(if (arguments[0] == "info") arrayOf() else arrayOf("--force")))
+                    ended.code shouldBe ExitCode.SALVAGED
+                    status(ended) shouldContainExactly listOf("salvaged")
+                }
+            }
+        }
+    }
+
+    test("in a folder what is no log is skipped, and what fails costs the others nothing") {
+        inFolder { folder ->
+            folder.with("a.bag", BAG)
+            folder.with("sub/b.csv", "Time,x\n0,1\n")
+            folder.with("sub/photo.gz", Random(2).nextBytes(100))
+            folder.with("sub/deep/c.badbag", CUT_BAG)
+            folder.with("notes.txt", "hello")
+            folder.with(".hidden/d.bag", BAG)
+            val ended = badlogJson("info", folder, folder / "missing.bag")
+            ended.code shouldBe ExitCode.SALVAGED
+            status(ended) shouldContainExactly listOf("whole", "whole", "salvaged", "skipped", "failed")
+            badlog("info", folder).err shouldBe "1 file is no log and was skipped.\n"
+        }
+    }
+
+    test("a folder that leads back to itself is looked into once") {
+        inFolder { folder ->
+            folder.with("sub/a.bag", BAG)
+            Files.createSymbolicLink(folder / "sub/back", folder)
+            badlogJson("info", folder).json.size shouldBe 1
+        }
+    }
+
+    test("a folder or file without permission is told, and the rest is done") {
+        inFolder { folder ->
+            folder.with("a.bag", BAG)
+            val locked = folder.with("locked/b.bag", BAG).parent
+            Files.setPosixFilePermissions(locked, PosixFilePermissions.fromString("---------"))
+            try {
+                // The administrator may look anywhere.
+                if (!Files.isReadable(locked)) {
+                    val ended = badlog("info", folder)
+                    ended.code shouldBe ExitCode.SALVAGED
+                    ended.err shouldContain "no permission"
+                }
+            } finally {
+                Files.setPosixFilePermissions(locked, PosixFilePermissions.fromString("rwxr-xr-x"))
+            }
+        }
+    }
+
+    test("no sub-command writes over what it reads, by force neither, nor over what is there without it") {
+        inFolder { folder ->
+            val log = folder.with("a.bag", CUT_BAG)
+            val before = log.readBytes().toList()
+            each(folder, log) { arguments ->
+                if (arguments[0] == "info") return@each
+                val onto = arguments.dropLast(1).toTypedArray()
+                val ended = badlog(*onto, log, "--force")
+                ended.code shouldBe ExitCode.NOTHING
+                ended.err shouldContain "would overwrite a log that is read"
+                val target = folder.with("there", "old")
+                badlog(*onto, target).err shouldContain "exists already; give --force"
+                target.readBytes().decodeToString() shouldBe "old"
+                badlog(*onto, target, "--force").code shouldBe ExitCode.SALVAGED
+                Files.delete(target)
+                log.readBytes().toList() shouldBe before
+            }
+            folder.names() shouldContainExactly listOf("a.bag")
+        }
+    }
+})

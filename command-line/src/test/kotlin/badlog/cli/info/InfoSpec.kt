@@ -1,0 +1,84 @@
+package badlog.cli.info
+
+import badlog.cli.BAG
+import badlog.cli.CUT_BAG
+import badlog.cli.ExitCode
+import badlog.cli.SAMPLES
+import badlog.cli.badlog
+import badlog.cli.badlogJson
+import badlog.cli.inFolder
+import badlog.cli.with
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldNotContain
+import kotlin.io.path.div
+import kotlinx.serialization.json.JsonNull
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.int
+import kotlinx.serialization.json.jsonArray
+import kotlinx.serialization.json.jsonObject
+import kotlinx.serialization.json.jsonPrimitive
+
+class InfoSpec : FunSpec({
+    fun topic(json: JsonObject, name: String) =
+        json.getValue("topics").jsonArray.first { it.jsonObject["name"]?.jsonPrimitive?.content == name }.jsonObject
+
+    test("every sample fits a terminal, in every form") {
+        for (options in listOf(listOf(), listOf("--topics"), listOf("--attributes", "--values", "--problems"))) {
+            for (log in listOf("practice.bag", "qualification-42.bag", "qualification-57.bag.gz", "elevator-bench.csv", "")) {
+                val ended = badlog("info", SAMPLES / log, *options.toTypedArray())
+                ended.err shouldBe ""
+                ended.out.lines().filter { it.length > 80 }.shouldBeEmpty()
+            }
+        }
+    }
+
+    test("a topic's count, rate, range and gaps") {
+        inFolder { folder ->
+            val json = badlogJson("info", folder.with("a.bag", BAG)).json.single()
+            val speed = topic(json, "Speed")
+            speed.getValue("count").jsonPrimitive.int shouldBe 4
+            speed.getValue("min").jsonPrimitive.content shouldBe "1.5"
+            speed.getValue("max").jsonPrimitive.content shouldBe "5.5"
+            speed.getValue("gaps").jsonPrimitive.int shouldBe 1
+            topic(json, "Time").getValue("rate").jsonPrimitive.content.toDouble() shouldBe 50.0
+            topic(json, "Log").getValue("kind").jsonPrimitive.content shouldBe "event"
+            topic(json, "Log").getValue("gaps") shouldBe JsonNull
+            json.getValue("match").jsonPrimitive.content shouldBe "Match 42"
+            json.getValue("x").jsonObject.getValue("to").jsonPrimitive.content shouldBe "0.08"
+        }
+    }
+
+    test("plain CSV has rates once its x axis is named, in any case of letters") {
+        val json = badlogJson("info", SAMPLES / "elevator-bench.csv", "--x", "time").json.single()
+        json.getValue("x").jsonObject.getValue("topic").jsonPrimitive.content shouldBe "Time"
+        badlog("info", SAMPLES / "elevator-bench.csv", "--x", "nix").err shouldContain "elevator-bench.csv has no topic “nix”"
+    }
+
+    test("problems have their losses") {
+        inFolder { folder ->
+            val ended = badlogJson("info", folder.with("a.bag", CUT_BAG))
+            ended.code shouldBe ExitCode.SALVAGED
+            val cut = ended.json.single().getValue("problems").jsonArray.first().jsonObject
+            cut.getValue("kind").jsonPrimitive.content shouldBe "ROW_CUT"
+            cut.getValue("lost").jsonObject.getValue("rows").jsonPrimitive.int shouldBe 1
+        }
+    }
+
+    test("JSON is plain ASCII, whatever the log holds") {
+        inFolder { folder ->
+            val ended = badlogJson("info", folder.with("a.bag", BAG.replace("Speed", "Größe \uD83E\uDD16")))
+            ended.out.all { it.code < 0x7F } shouldBe true
+            topic(ended.json.single(), "Größe \uD83E\uDD16").getValue("count").jsonPrimitive.int shouldBe 4
+        }
+    }
+
+    test("nothing that a log holds moves the cursor") {
+        inFolder { folder ->
+            val hostile = BAG.replace("\"42\"", "\"4\\u001b[2J\\n2\"").replace("Speed", "Sp\u001b[31meed")
+            badlog("info", folder.with("a.bag", hostile)).out shouldNotContain "\u001b"
+        }
+    }
+})
