@@ -1,5 +1,7 @@
 package badlog.cli.convert
 
+import badlog.analysis.periodicTimes
+import badlog.analysis.resampled
 import badlog.cli.Console
 import badlog.cli.ExitCode
 import badlog.cli.LogLoop
@@ -15,6 +17,7 @@ import badlog.cli.text.counted
 import badlog.cli.text.json
 import badlog.cli.text.lossLines
 import badlog.html.ExportProgress
+import badlog.recording.RecordingFormat
 import java.nio.file.Path
 import kotlinx.serialization.json.JsonPrimitive
 
@@ -23,6 +26,7 @@ import kotlinx.serialization.json.JsonPrimitive
  *
  * @param isGzip whether results are compressed though their logs were not.
  * @param xTopic the topic to make the x axis, or null.
+ * @param period how far apart the rows are that a log without rows gets, in the unit of its x axis.
  */
 internal class ConvertTask(
     private val paths: List<Path>,
@@ -30,12 +34,14 @@ internal class ConvertTask(
     private val plan: OutputPlan,
     private val isGzip: Boolean,
     private val xTopic: String?,
+    private val period: Double,
     private val isJson: Boolean,
 ) : Task {
     override fun run(console: Console): ExitCode = LogLoop("convert", console, isJson).run(paths, ::convert)
 
     private fun convert(input: LogInput, progress: ExportProgress): Outcome {
-        val recording = readLog(input.file, progress, xTopic)
+        val read = readLog(input.file, progress, xTopic)
+        val recording = if (read.format == RecordingFormat.WPILOG) resampled(read, periodicTimes(read, period)) else read
         val name = FileName.of(input.file)
         val converted = name.with(format.ending, isGzip || name.isGzip)
         val target = plan.place(input, converted, converted)

@@ -8,7 +8,7 @@ import badlog.cli.LogLoop
 import badlog.cli.Outcome
 import badlog.cli.Task
 import badlog.cli.input.LogInput
-import badlog.cli.input.readLog
+import badlog.cli.input.readRows
 import badlog.cli.output.FileName
 import badlog.cli.output.LogFormat
 import badlog.cli.output.OutputPlan
@@ -41,7 +41,7 @@ internal class CutTask(
     override fun run(console: Console): ExitCode = LogLoop("cut", console, isJson).run(paths, ::cut)
 
     private fun cut(input: LogInput, progress: ExportProgress): Outcome {
-        val view = LogView.of(readLog(input.file, progress, xTopic))
+        val view = LogView.of(readRows(input.file, progress, xTopic))
         val recording = view.recording
         val runs = try {
             choose(view).runs()

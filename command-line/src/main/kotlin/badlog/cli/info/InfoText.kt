@@ -48,7 +48,7 @@ internal class InfoText(private val summary: LogSummary, private val parts: Set<
         view.title?.let { add(wrapped("  match   ", it)) }
         add("  format  ${recording.format.name.lowercase()}, ${sizeText(summary.bytes)}")
         val sizes = listOf(
-            counted(recording.rowCount.toLong(), "row"),
+            if (recording.format == RecordingFormat.WPILOG) counted(recording.sampleCount, "sample") else counted(recording.rowCount.toLong(), "row"),
             counted(recording.topics.size.toLong(), "topic"),
             counted(recording.values.size.toLong(), "value"),
         )

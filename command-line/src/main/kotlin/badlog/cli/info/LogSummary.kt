@@ -11,7 +11,7 @@ import java.nio.file.Path
  */
 internal class LogSummary(val file: Path, val bytes: Long, val view: LogView) {
     /** The smallest and the largest x, or null without any. */
-    val range: ClosedFloatingPointRange<Double>? = rangeOf(view.xAxis.positions)
+    val range: ClosedFloatingPointRange<Double>? = view.xAxis.range
 
     /** How many seconds one unit of x is, or null when x is no time. */
     val secondsPerX: Double? = XTime.secondsPer(view.xAxis.unit)
@@ -21,15 +21,4 @@ internal class LogSummary(val file: Path, val bytes: Long, val view: LogView) {
 
     /** Each topic, in the order of the file. */
     val topics: List<TopicSummary> = view.recording.topics.map { TopicSummary.of(it, view.xAxis, secondsPerX) }
-
-    private fun rangeOf(positions: DoubleArray): ClosedFloatingPointRange<Double>? {
-        var min = Double.POSITIVE_INFINITY
-        var max = Double.NEGATIVE_INFINITY
-        for (x in positions) {
-            if (!x.isFinite()) continue
-            if (x < min) min = x
-            if (x > max) max = x
-        }
-        return if (min <= max) min..max else null
-    }
 }

@@ -27,7 +27,7 @@ internal class TopicSummary private constructor(
     companion object {
         /** Looks at all samples of [topic] over [xAxis], whose unit is [secondsPerX] seconds. */
         fun of(topic: Topic, xAxis: XAxis, secondsPerX: Double?): TopicSummary {
-            val x = xAxis.positions
+            val x = topic.times ?: xAxis.positions
             val isText = isText(topic.kind)
             var min = Double.POSITIVE_INFINITY
             var max = Double.NEGATIVE_INFINITY

@@ -9,7 +9,7 @@ import badlog.cli.Task
 import badlog.cli.input.LogInput
 import badlog.cli.input.LogSearch
 import badlog.cli.input.NotALog
-import badlog.cli.input.readLog
+import badlog.cli.input.readRows
 import badlog.cli.output.LogFormat
 import badlog.cli.output.OutputPlan
 import badlog.cli.output.writeLog
@@ -49,7 +49,7 @@ internal class MergeTask(
 
     private fun read(input: LogInput, console: Console, report: Report): LogPart? {
         try {
-            return LogPart(input.file, console.progress(input.file.fileName.toString()).use { readLog(input.file, it, xTopic) })
+            return LogPart(input.file, console.progress(input.file.fileName.toString()).use { readRows(input.file, it, xTopic) })
         } catch (e: NotALog) {
             if (input.isFound) report.skipped(input.file) else report.failed(input.file, e.message)
         } catch (e: Failure) {

@@ -7,7 +7,7 @@ import badlog.cli.LogLoop
 import badlog.cli.Outcome
 import badlog.cli.Task
 import badlog.cli.input.LogInput
-import badlog.cli.input.readLog
+import badlog.cli.input.readRows
 import badlog.cli.output.FileName
 import badlog.cli.output.LogFormat
 import badlog.cli.output.OutputPlan
@@ -24,7 +24,7 @@ internal class RecoverTask(
     override fun run(console: Console): ExitCode = LogLoop("recover", console, isJson).run(paths, ::recover)
 
     private fun recover(input: LogInput, progress: ExportProgress): Outcome {
-        val recording = readLog(input.file, progress)
+        val recording = readRows(input.file, progress)
         val losses = Losses(recording)
         if (!plan.isGiven && !losses.isDamaged) return losses.outcome(input.file, target = null)
         if (recording.topics.isEmpty() || losses.isDamaged && recording.rowCount == 0) {
