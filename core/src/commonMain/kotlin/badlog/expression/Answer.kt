@@ -1,0 +1,50 @@
+package badlog.expression
+
+import badlog.analysis.Units
+import badlog.plot.Span
+
+/**
+ * What an [Expression] came to over one recording.
+ *
+ * @property outcome whether it holds.
+ * @property spans when it holds, in the order of time and apart from each other: of a condition over time, and of those that
+ *   `any`, `count` and `total` speak of. Something that happens at a moment has a span without width. Empty for a
+ *   figure of the whole recording.
+ * @property figures the numbers that were compared, in the order of the expression; of one over time the most telling while
+ *   the expression holds: the smallest for `<`, the largest for `>`, else the first. Of an expression that is a number, the
+ *   number; of one over time, its smallest and its largest.
+ * @property timeUnit the unit of all times, empty where x has none.
+ */
+public class Answer internal constructor(
+    public val outcome: Outcome,
+    public val spans: List<Span>,
+    public val figures: List<Figure>,
+    public val timeUnit: String,
+) {
+    /** Whether the expression holds. */
+    public val matches: Boolean get() = outcome == Outcome.HOLDS
+
+    /** Where to look first: the begin of the first span, else where the first figure was found; NaN when neither tells. */
+    public val time: Double
+        get() = if (spans.isNotEmpty()) spans[0].from else figures.firstOrNull { !it.time.isNaN() }?.time ?: Double.NaN
+
+    /** In a line, such as `yes, min(Battery Voltage) = 6.7 V at 93.74 s` or `yes, from 92 s to 97.2 s`. */
+    override fun toString(): String {
+        val parts = ArrayList<String>()
+        when (outcome) {
+            Outcome.HOLDS -> parts += "yes"
+            Outcome.FAILS -> parts += "no"
+            Outcome.UNKNOWN -> parts += "not known"
+            Outcome.NO_QUESTION -> {}
+        }
+        figures.mapTo(parts) { if (it.time.isNaN()) it.toString() else "$it at ${timed(it.time)}" }
+        if (spans.isNotEmpty()) {
+            val first = spans[0]
+            parts += if (first.width == 0.0) "at ${timed(first.from)}" else "from ${timed(first.from)} to ${timed(first.to)}"
+            if (spans.size > 1) parts += if (spans.size == 2) "and once more" else "and ${spans.size - 1} times more"
+        }
+        return parts.joinToString(", ")
+    }
+
+    private fun timed(time: Double) = if (Units.isNone(timeUnit)) readable(time) else "${readable(time)} $timeUnit"
+}

@@ -1,0 +1,19 @@
+package badlog.expression
+
+/** What sort of mistake an [ExpressionError] is. */
+public enum class ExpressionErrorKind {
+    /** It cannot be read as an expression. */
+    SYNTAX,
+
+    /** It names a topic that this recording does not have; another one may. */
+    UNKNOWN_TOPIC,
+
+    /** It names a topic by an end of its path that several share. */
+    AMBIGUOUS_TOPIC,
+
+    /** It uses something where something else is needed, such as a number as a condition. */
+    TYPE,
+
+    /** It is longer, deeper or costlier than expressions may be. */
+    LIMIT,
+}

@@ -1,0 +1,64 @@
+package badlog.expression
+
+import badlog.analysis.EnabledSpan
+import badlog.analysis.GraphSeries
+import badlog.analysis.LogView
+import badlog.analysis.Series
+import badlog.analysis.enabledSpans
+import badlog.plot.Span
+import badlog.recording.Topic
+import badlog.recording.TopicKind
+
+/** The topics of [view] as expressions see them. Not for several threads at once. */
+public class LogViewSignals(private val view: LogView) : Signals {
+    private val topics = view.recording.topics.associateBy { it.name }
+    private val lines = HashMap<String, GraphSeries>()
+
+    override val vocabulary: Vocabulary = Vocabulary(view.recording.topics.map { Signal(it.name, kindOf(it), it.unit) })
+
+    override fun series(name: String): Series {
+        val topic = topics.getValue(name)
+        return if (kindOf(topic) == SignalKind.EVENT) eventsOf(topic) else lineOf(topic).data
+    }
+
+    override fun states(name: String): List<String> = topics.getValue(name).texts.dictionary
+
+    override val enabled: List<EnabledSpan> by lazy { view.enabledSpans() }
+
+    override val range: Span? by lazy { rangeOf(view.xAxis.positions) }
+
+    override val timeUnit: String get() = view.xAxis.unit
+
+    private fun lineOf(topic: Topic) = lines.getOrPut(topic.name) { view.seriesOf(topic) }
+
+    /** The texts alone, at the times of their rows. */
+    private fun eventsOf(topic: Topic): Series {
+        val texts = topic.texts
+        val positions = view.xAxis.positions
+        val kept = (0 until texts.size).filter { positions.getOrElse(texts.rows[it]) { Double.NaN }.isFinite() }
+        return Series(
+            DoubleArray(kept.size) { positions[texts.rows[kept[it]]] },
+            DoubleArray(kept.size) { texts.ids[kept[it]].toDouble() },
+        )
+    }
+
+    private companion object {
+        fun kindOf(topic: Topic) = when (topic.kind) {
+            TopicKind.EMPTY, TopicKind.NUMERIC -> SignalKind.NUMBER
+            TopicKind.BOOLEAN -> SignalKind.CONDITION
+            TopicKind.STATE -> if ("log" in topic.attributes) SignalKind.EVENT else SignalKind.STATE
+            TopicKind.EVENT -> SignalKind.EVENT
+        }
+
+        fun rangeOf(positions: DoubleArray): Span? {
+            var from = Double.POSITIVE_INFINITY
+            var to = Double.NEGATIVE_INFINITY
+            for (position in positions) {
+                if (!position.isFinite()) continue
+                if (position < from) from = position
+                if (position > to) to = position
+            }
+            return if (from <= to) Span(from, to) else null
+        }
+    }
+}
