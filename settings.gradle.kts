@@ -21,6 +21,7 @@ rootProject.name = "badlog"
 include(":core")
 include(":jvm-robot")
 include(":html-export")
+include(":report")
 include(":desktop-viewer")
 include(":samples")
 include(":benchmarks:jvm")
