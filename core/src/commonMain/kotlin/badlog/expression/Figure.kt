@@ -14,6 +14,9 @@ public data class Figure(
     public val unit: String,
     public val time: Double,
 ) {
+    /** The number with its unit, in six digits at most: `6.7 V`. */
+    public val text: String get() = readable(value) + if (unit.isEmpty() || !value.isFinite()) "" else " $unit"
+
     /** Such as `min(Battery Voltage) = 6.7 V`. */
-    override fun toString(): String = "$name = ${readable(value)}${if (unit.isEmpty() || !value.isFinite()) "" else " $unit"}"
+    override fun toString(): String = "$name = $text"
 }

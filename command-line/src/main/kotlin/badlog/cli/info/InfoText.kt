@@ -10,6 +10,7 @@ import badlog.cli.text.problemLines
 import badlog.cli.text.shortNumber
 import badlog.cli.text.sizeText
 import badlog.cli.text.wrapped
+import badlog.recording.RecordingFormat
 import badlog.recording.Severity
 import badlog.recording.Topic
 import badlog.recording.TopicKind

@@ -1,0 +1,66 @@
+package badlog.benchmarks;
+
+import badlog.report.Find;
+import badlog.report.FindTextKt;
+import badlog.report.FolderScan;
+import badlog.report.LogFile;
+import badlog.report.Report;
+import badlog.report.ReportTextKt;
+import badlog.report.rules.RuleSet;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Supplier;
+import kotlin.Unit;
+
+/** Measures a question and a report over a folder of logs: without a cache, while one is filled, and from it. */
+public final class ReportBenchmark {
+    private static final String QUESTION = "min(System/Battery Voltage) < 7";
+
+    private ReportBenchmark() {
+    }
+
+    public static void main(String[] arguments) throws IOException {
+        List<LogFile> files = FolderScan.Companion.of(Path.of(arguments[0]), () -> Unit.INSTANCE).getFiles();
+        long bytes = files.stream().mapToLong(LogFile::getSize).sum();
+        System.out.printf(Locale.ROOT, "%d logs, %.2f GB%n", files.size(), bytes / 1e9);
+        Path cache = Files.createTempDirectory("badlog-report-benchmark");
+        try {
+            for (String run : List.of("read", "from the cache")) {
+                measure("find, " + run, () -> FindTextKt.findText(
+                    new Find(QUESTION, cache).over(files, ReportBenchmark::ignore, result -> Unit.INSTANCE)));
+                measure("report, " + run, () -> ReportTextKt.reportText(
+                        new Report(RuleSet.Companion.getDEFAULT(), cache).over(files, ReportBenchmark::ignore, log -> Unit.INSTANCE)));
+            }
+        } finally {
+            try (var kept = Files.list(cache)) {
+                for (Path file : kept.toList()) {
+                    System.out.printf(Locale.ROOT, "cache of %d kB%n", Files.size(file) / 1000);
+                    Files.delete(file);
+                }
+            }
+            Files.delete(cache);
+        }
+        System.out.printf("peak memory: %s%n", peakMemory());
+    }
+
+    private static void measure(String name, Supplier<String> work) {
+        long begin = System.nanoTime();
+        String text = work.get();
+        System.out.printf(Locale.ROOT, "%s: %.2f s (%d lines)%n", name, (System.nanoTime() - begin) / 1e9, text.lines().count());
+    }
+
+    private static Unit ignore(int done, int total) {
+        return Unit.INSTANCE;
+    }
+
+    private static String peakMemory() throws IOException {
+        Path status = Path.of("/proc/self/status");
+        if (Files.notExists(status)) {
+            return "not known here";
+        }
+        return Files.readAllLines(status).stream().filter(line -> line.startsWith("VmHWM")).findFirst().orElse("not known here");
+    }
+}

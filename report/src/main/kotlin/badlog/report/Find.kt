@@ -1,0 +1,96 @@
+package badlog.report
+
+import badlog.expression.Answer
+import badlog.expression.Expression
+import badlog.expression.ExpressionError
+import badlog.expression.LogViewSignals
+import badlog.expression.ParsedExpression
+import badlog.expression.Vocabulary
+import kotlinx.serialization.Serializable
+import java.nio.file.Path
+
+/**
+ * A question to many logs: an expression, see `docs/expressions.md`.
+ *
+ * @property question the expression.
+ * @param cache a folder for what was found out before, so that a file that did not change is not read again; null for none.
+ */
+public class Find(public val question: String, private val cache: Path? = null) {
+    private val parsed = Remembered<Vocabulary, ParsedExpression>(MOST_VOCABULARIES) { Expression.parse(question, it) }
+
+    @Serializable
+    internal class Stored(val title: String?, val reply: Reply)
+
+    /**
+     * Asks each of [files], on all cores.
+     *
+     * @param progress hears on this thread how many files are done.
+     * @param each gets each result on this thread, as soon as it and those before it are there. What it or [progress] throws stops
+     *   the work and is passed on.
+     * @return all results, in the order of [files].
+     * @throws InterruptedException when the thread was interrupted.
+     */
+    public fun over(
+        files: List<LogFile>,
+        progress: (done: Int, total: Int) -> Unit = { _, _ -> },
+        each: (FindResult) -> Unit = {},
+    ): List<FindResult> {
+        val results = ArrayList<FindResult>(files.size)
+        val known = cache?.let { ResultCache(it, "find\n$question", Stored.serializer()) }
+        runCached(files, known, ::ask) { file, stored ->
+            val result = FindResult(file, stored.title, stored.reply)
+            results += result
+            each(result)
+            progress(results.size, files.size)
+        }
+        return results
+    }
+
+    private fun ask(file: LogFile): Found<Stored> = try {
+        ask(LogContent.of(file))
+    } catch (_: OutOfMemoryError) {
+        ask(LogContent.tooLarge())
+    }
+
+    private fun ask(content: LogContent): Found<Stored> = when (content) {
+        is LogContent.None -> Found(Stored(null, Reply.Unreadable(content.message)), content.isOfFile)
+        is LogContent.Log -> {
+            val signals = LogViewSignals(content.view)
+            val reply = when (val expression = parsed[signals.vocabulary]) {
+                is ExpressionError -> notAsked(expression)
+                is Expression -> answered(expression.answer(signals))
+            }
+            Found(Stored(content.view.title, reply), isLasting = true)
+        }
+    }
+
+    private companion object {
+        const val MOST_SPANS = 100
+        const val MOST_VOCABULARIES = 64
+
+        fun answered(answer: Answer) = Reply.Answered(
+            answer.outcome, answer.spans.take(MOST_SPANS), answer.spans.size, answer.figures, answer.time, answer.timeUnit,
+            answer.toString(),
+        )
+
+        fun notAsked(error: ExpressionError) =
+            Reply.NotAsked(error.kind, error.text.substring(error.from, error.until), error.message, error.pointed())
+    }
+}
+
+/** Does [work] on those of [files] that [cache] does not know, and keeps there what lasts. */
+internal fun <R : Any> runCached(
+    files: List<LogFile>,
+    cache: ResultCache<R>?,
+    work: (LogFile) -> Found<R>,
+    each: (LogFile, R) -> Unit,
+) {
+    try {
+        FolderRun().forEach(files, { file -> cache?.get(file)?.let { Found(it, isLasting = false) } ?: work(file) }) { file, found ->
+            if (found.isLasting) cache?.set(file, found.result)
+            each(file, found.result)
+        }
+    } finally {
+        cache?.save()
+    }
+}

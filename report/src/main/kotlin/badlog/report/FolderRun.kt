@@ -1,0 +1,71 @@
+package badlog.report
+
+import java.util.concurrent.ExecutionException
+import java.util.concurrent.Executors
+import java.util.concurrent.Future
+import java.util.concurrent.Semaphore
+import kotlin.math.ceil
+
+/** What was found out about a file; [isLasting] when it stays so as long as the file is the same. */
+internal class Found<out R>(val result: R, val isLasting: Boolean)
+
+/**
+ * Works on many files on all cores at once, and gives the results in the order of the files.
+ *
+ * Few files are under way at a time, so the memory does not grow with their number. A file that is large for the heap is worked on
+ * alone.
+ */
+internal class FolderRun(private val threads: Int = Runtime.getRuntime().availableProcessors()) {
+    private val room = Semaphore(ROOM, true)
+
+    /**
+     * Does [work] on each of [files], and gives what comes of it to [each] on this thread. What [work] or [each] throws stops
+     * all and is passed on.
+     */
+    fun <R> forEach(files: List<LogFile>, work: (LogFile) -> R, each: (LogFile, R) -> Unit) {
+        val pool = Executors.newFixedThreadPool(threads) { Thread(it, "badlog-report").apply { isDaemon = true } }
+        try {
+            val underWay = ArrayDeque<Pair<LogFile, Future<R>>>()
+            for (file in files) {
+                underWay += file to pool.submit<R> { withRoom(file) { work(file) } }
+                if (underWay.size >= threads * AHEAD) finishFirst(underWay, each)
+            }
+            while (underWay.isNotEmpty()) finishFirst(underWay, each)
+        } finally {
+            pool.shutdownNow()
+        }
+    }
+
+    private fun <R> finishFirst(underWay: ArrayDeque<Pair<LogFile, Future<R>>>, each: (LogFile, R) -> Unit) {
+        val (file, future) = underWay.removeFirst()
+        val result = try {
+            future.get()
+        } catch (e: ExecutionException) {
+            throw e.cause ?: e
+        }
+        each(file, result)
+    }
+
+    private fun <R> withRoom(file: LogFile, work: () -> R): R {
+        val growth = if (file.name.endsWith(".gz", ignoreCase = true)) GROWTH_OF_GZIP else GROWTH
+        val needed = ceil(ROOM * minOf(1.0, file.size * growth / (Runtime.getRuntime().maxMemory() * SHARE))).toInt()
+        room.acquire(needed)
+        try {
+            return work()
+        } finally {
+            room.release(needed)
+        }
+    }
+
+    private companion object {
+        const val AHEAD = 4
+        const val ROOM = 1000
+
+        /** How much of the heap the logs under way may fill, by a guess. */
+        const val SHARE = 0.6
+
+        /** How much more memory a log needs than its file has bytes: the samples, and what expressions make of them. */
+        const val GROWTH = 3.0
+        const val GROWTH_OF_GZIP = 15.0
+    }
+}

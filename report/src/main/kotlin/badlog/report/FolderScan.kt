@@ -1,0 +1,80 @@
+package badlog.report
+
+import java.io.IOException
+import java.nio.file.FileVisitOption
+import java.nio.file.FileVisitResult
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.SimpleFileVisitor
+import java.nio.file.attribute.BasicFileAttributes
+import java.util.EnumSet
+
+/**
+ * What a look at a folder found.
+ *
+ * @property files what may be logs, in the order of their paths, numbers in them by their size: `Q9` before `Q10`.
+ * @property unreadable the folders that could not be looked into.
+ */
+public class FolderScan private constructor(public val files: List<LogFile>, public val unreadable: List<Path>) {
+    public companion object {
+        /** No robot's logs are nested deeper. */
+        private const val DEEPEST = 16
+
+        /**
+         * Looks at [folder] and all folders in it, without reading a file. Follows links, but into no folder twice. Passes over
+         * what is hidden, and what programs build.
+         *
+         * @param checkpoint is called for each file, and may throw to give up.
+         * @throws IOException when [folder] itself cannot be looked into.
+         */
+        public fun of(folder: Path, checkpoint: () -> Unit = {}): FolderScan {
+            val look = Look(folder, checkpoint)
+            Files.walkFileTree(folder, EnumSet.of(FileVisitOption.FOLLOW_LINKS), DEEPEST, look)
+            return FolderScan(look.files.sortedWith(compareBy(NATURAL) { it.path.toString() }), look.unreadable)
+        }
+    }
+
+    private class Look(private val root: Path, private val checkpoint: () -> Unit) : SimpleFileVisitor<Path>() {
+        val files = ArrayList<LogFile>()
+        val unreadable = ArrayList<Path>()
+        private val seen = HashSet<Any>()
+
+        override fun preVisitDirectory(folder: Path, attributes: BasicFileAttributes): FileVisitResult {
+            val isNew = seen.add(attributes.fileKey() ?: folder.toRealPath())
+            val isWanted = isNew && (folder == root || !isPassedOver(folder))
+            return if (isWanted) FileVisitResult.CONTINUE else FileVisitResult.SKIP_SUBTREE
+        }
+
+        override fun visitFile(file: Path, attributes: BasicFileAttributes): FileVisitResult {
+            checkpoint()
+            // Reading a pipe or a device may never end.
+            if (attributes.isRegularFile && isNamedLikeLog(file.fileName.toString())) {
+                files += LogFile(file, attributes.size(), attributes.lastModifiedTime().toMillis())
+            }
+            return FileVisitResult.CONTINUE
+        }
+
+        override fun visitFileFailed(file: Path, e: IOException): FileVisitResult {
+            if (file == root) throw e
+            // A loop of links, or something that went away meanwhile, is nothing to speak of.
+            if (Files.isDirectory(file) && !Files.isReadable(file)) unreadable.add(file)
+            return FileVisitResult.CONTINUE
+        }
+
+        override fun postVisitDirectory(folder: Path, e: IOException?): FileVisitResult = FileVisitResult.CONTINUE
+    }
+}
+
+private val ENDINGS = listOf(".bag", ".badbag", ".csv", ".gz", ".wpilog")
+
+/** Whether [name] may be that of a log; what is in the file decides later. */
+private fun isNamedLikeLog(name: String): Boolean {
+    val lower = name.lowercase()
+    return !lower.startsWith(".") && ENDINGS.any { lower.endsWith(it) } && !lower.endsWith(".tar.gz")
+}
+
+private fun isPassedOver(folder: Path): Boolean {
+    val name = folder.fileName.toString()
+    return name.startsWith(".") || name == "node_modules" || name == "\$RECYCLE.BIN" ||
+        name == "build" && listOf("build.gradle", "build.gradle.kts").any { Files.exists(folder.resolveSibling(it)) }
+}

@@ -1,0 +1,37 @@
+package badlog.report
+
+/**
+ * All findings as CSV (RFC 4180): one line for each, with the file, the match, the rule, its severity, the topic, the text, the time to
+ * look at first, the end of the first span, how many spans there are, and the unit of the times. A file that cannot be read has a
+ * line too, with the rule `unreadable`.
+ */
+public fun reportCsv(result: ReportResult): String {
+    val out = StringBuilder()
+    fun line(vararg cells: String) {
+        cells.joinTo(out, ",", transform = ::cell)
+        out.append("\r\n")
+    }
+    line("file", "match", "rule", "severity", "topic", "text", "time", "until", "spans", "time unit")
+    for (log in result.logs) {
+        val file = log.file.path.toString()
+        val title = log.title.orEmpty()
+        log.unreadable?.let { line(file, title, "unreadable", "error", "", it, "", "", "", "") }
+        for (finding in log.findings) {
+            line(
+                file, title, finding.rule, finding.severity.name.lowercase(), finding.topic.orEmpty(), finding.text,
+                plain(finding.time), plain(finding.spans.firstOrNull()?.to ?: Double.NaN), finding.spanCount.toString(),
+                finding.timeUnit,
+            )
+        }
+    }
+    return out.toString()
+}
+
+private fun plain(number: Double) = if (number.isFinite()) number.toBigDecimal().stripTrailingZeros().toPlainString() else ""
+
+private fun cell(text: String): String {
+    // A spreadsheet would calculate what begins so; names and texts come from files.
+    val safe = if (text.isNotEmpty() && text[0] in "=+-@\t\r" && text.toDoubleOrNull() == null) "'$text" else text
+    val needsQuotes = safe.any { it in "\",\r\n" } || safe != safe.trim()
+    return if (needsQuotes) "\"${safe.replace("\"", "\"\"")}\"" else safe
+}

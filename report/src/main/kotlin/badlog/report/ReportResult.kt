@@ -1,0 +1,58 @@
+package badlog.report
+
+import badlog.recording.Severity
+import badlog.report.rules.Finding
+
+/**
+ * What rules found in many logs.
+ *
+ * @property logs every file, in the order in which they were given.
+ * @property skipped the rules that could not be asked of some logs, in the order of the rules.
+ */
+public class ReportResult internal constructor(
+    public val logs: List<LogReport>,
+    public val skipped: List<SkippedRule>,
+) {
+    /** How many findings there are of [severity]. */
+    public fun count(severity: Severity): Int = logs.sumOf { log -> log.findings.count { it.severity == severity } }
+}
+
+/**
+ * What rules found in one log.
+ *
+ * @property file the file.
+ * @property title what match it is, from its values; null when they do not tell or it cannot be read.
+ * @property findings in the order of the rules.
+ * @property unreadable why the file cannot be read or is no log, as a sentence; null when all is well.
+ */
+public class LogReport internal constructor(
+    public val file: LogFile,
+    public val title: String?,
+    public val findings: List<Finding>,
+    public val unreadable: String?,
+) {
+    /** What a person would call it: the match's title, else the file's name. */
+    public val name: String get() = title ?: file.name
+}
+
+/**
+ * A rule that could not be asked of some logs.
+ *
+ * @property rule its name.
+ * @property logs of how many.
+ * @property message why not in the first of them.
+ * @property isMistake whether the rule itself is wrong; [message] then points at the mistake in the file of rules.
+ */
+public class SkippedRule internal constructor(
+    public val rule: String,
+    public val logs: Int,
+    public val message: String,
+    public val isMistake: Boolean,
+) {
+    /** As a sentence, or more where the rule is wrong. */
+    override fun toString(): String = if (isMistake) {
+        "The rule “$rule” is wrong. $message"
+    } else {
+        "The rule “$rule” was not asked of ${count(logs, "log")}: $message."
+    }
+}

@@ -1,0 +1,128 @@
+package badlog.report
+
+import badlog.expression.ExpressionErrorKind
+import badlog.expression.Outcome
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.ints.shouldBeLessThanOrEqual
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.types.shouldBeInstanceOf
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.jsonArray
+import kotlinx.serialization.json.jsonObject
+import kotlinx.serialization.json.jsonPrimitive
+import java.nio.file.Files
+
+class FindSpec : FunSpec({
+    test("results come in the order of the files, however many there are") {
+        inFolder { folder ->
+            for (i in 1..60) folder.put("Q$i.bag", batteryBag(12.0, 12.0 - i / 10.0, match = i))
+            val heard = ArrayList<Int>()
+            val results = Find("min(Battery Voltage) < 7").over(logsIn(folder), { done, _ -> heard += done })
+            results.map { it.title } shouldContainExactly (1..60).map { "Mill Creek Qualification $it" }
+            heard shouldContainExactly (1..60).toList()
+            results.filter { (it.reply as Reply.Answered).outcome == Outcome.HOLDS }.map { it.file.name } shouldContainExactly
+                (51..60).map { "Q$it.bag" }
+        }
+    }
+
+    test("logs without the topic and files that are no logs are told apart") {
+        inFolder { folder ->
+            folder.put("1.bag", batteryBag(6.0))
+            folder.put("2.bag", batteryBag(6.0, name = "Volts"))
+            folder.put("3.csv", "just some words\nand more of them\n")
+            folder.put("4.bag", batteryBag(6.0))
+            val files = logsIn(folder)
+            Files.delete(folder.resolve("4.bag"))
+            val replies = Find("Battery Voltage < 7").over(files).map { it.reply }
+            replies[0].shouldBeInstanceOf<Reply.Answered>().time shouldBe 0.0
+            replies[1].shouldBeInstanceOf<Reply.NotAsked>().run {
+                kind shouldBe ExpressionErrorKind.UNKNOWN_TOPIC
+                topic shouldBe "Battery Voltage"
+            }
+            replies[2].shouldBeInstanceOf<Reply.Unreadable>()
+            replies[3].shouldBeInstanceOf<Reply.Unreadable>().message shouldContain "There is no file"
+        }
+    }
+
+    test("the text says what was found, what is missing, and where a mistake is") {
+        inFolder { folder ->
+            folder.put("1.bag", batteryBag(6.0))
+            folder.put("long ${"x".repeat(120)}.bag", batteryBag(5.0))
+            val files = logsIn(folder)
+            findText(Find("Battery Voltage < 7").over(files)).lines().run {
+                maxOf { it.length } shouldBeLessThanOrEqual 100
+                last() shouldBe "Found in 2 of 2 logs."
+            }
+            findText(Find("Batery Voltage < 7").over(files)) shouldContain
+                "did you mean “System/Battery Voltage”?\nBatery Voltage < 7\n^^^"
+            findText(Find("Battery Voltage <").over(files)) shouldContain "Something is missing here"
+            findText(emptyList()) shouldBe "Found in 0 of 0 logs."
+        }
+    }
+
+    test("the JSON has every file, and null for what is not known") {
+        inFolder { folder ->
+            folder.put("1.bag", batteryBag(6.0))
+            folder.put("2.bag", batteryBag(6.0, name = "Volts"))
+            val results = Json.parseToJsonElement(findJson("q", Find("Battery Voltage < 7").over(logsIn(folder)))).jsonObject
+            val first = results.getValue("results").jsonArray[0].jsonObject
+            first.getValue("outcome").jsonPrimitive.content shouldBe "holds"
+            first.getValue("figures").jsonArray[0].jsonObject.getValue("value").jsonPrimitive.content shouldBe "6.0"
+            results.getValue("results").jsonArray[1].jsonObject.getValue("topic").jsonPrimitive.content shouldBe "Battery Voltage"
+            findJson("q", Find("Battery Voltage / 0").over(logsIn(folder))) shouldContain "\"value\": null"
+        }
+    }
+
+    test("a file that did not change is not read again, one that did is") {
+        inFolder { folder ->
+            val cache = folder.resolve("cache")
+            val one = folder.put("logs/1.bag", batteryBag(6.0))
+            val two = folder.put("logs/2.bag", batteryBag(8.0, match = 2))
+            fun ask(question: String = "min(Battery Voltage) < 7") =
+                Find(question, cache).over(logsIn(folder.resolve("logs"))).map { (it.reply as? Reply.Answered)?.text }
+            val first = ask()
+            spoil(one)
+            ask() shouldBe first
+            Files.writeString(two, batteryBag(6.5, 6.6))
+            ask()[1] shouldBe "yes, min(Battery Voltage) = 6.5 V at 0 s"
+            ask("max(Battery Voltage) < 7")[0] shouldBe null
+        }
+    }
+
+    test("a damaged cache is as none") {
+        inFolder { folder ->
+            val cache = folder.resolve("cache")
+            folder.put("logs/1.bag", batteryBag(6.0))
+            val files = logsIn(folder.resolve("logs"))
+            fun ask() = Find("min(Battery Voltage) < 7", cache).over(files).map { (it.reply as Reply.Answered).text }
+            val first = ask()
+            val kept = Files.list(cache).use { it.toList() }.single()
+            val bytes = Files.readAllBytes(kept)
+            for (at in listOf(0, 31, 32, bytes.size / 2, bytes.size - 1)) {
+                Files.write(kept, bytes.copyOf().also { it[at] = (it[at] + 1).toByte() })
+                ask() shouldBe first
+                Files.write(kept, bytes.copyOf(at))
+                ask() shouldBe first
+            }
+            Files.readAllBytes(kept).size shouldBe bytes.size
+        }
+    }
+
+    test("a cache that cannot be written is no fault") {
+        inFolder { folder ->
+            val cache = folder.put("a file", "x").resolve("cache")
+            folder.put("1.bag", batteryBag(6.0))
+            Find("min(Battery Voltage) < 7", cache).over(logsIn(folder)).size shouldBe 1
+        }
+    }
+
+    test("what the listener throws stops the work") {
+        inFolder { folder ->
+            for (i in 1..20) folder.put("Q$i.bag", batteryBag(12.0))
+            shouldThrow<IllegalStateException> { Find("true").over(logsIn(folder), { done, _ -> check(done < 3) }) }
+        }
+    }
+})

@@ -1,0 +1,30 @@
+package badlog.report
+
+import badlog.report.rules.RuleSet
+import badlog.report.rules.RulesException
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+import java.io.File
+
+private val BLOCK = Regex("```([a-z-]+) ?(.*)\n((?:.*\n)*?)```")
+
+class GuideSpec : FunSpec({
+    test("each example in docs/rules.md is as the program has it") {
+        val guide = File(ROOT, "docs/rules.md").readText()
+        val written = BLOCK.findAll(guide).associate { it.groupValues[1] to it.groupValues[3] }
+        val asItIs = BLOCK.replace(guide) { block ->
+            val (kind, argument, content) = block.destructured
+            val shown = when (kind) {
+                "find" -> findText(Find(argument).over(SAMPLES))
+                "report" -> reportText(Report().over(SAMPLES))
+                "report-of-these-rules" -> reportText(Report(RuleSet.parse(written.getValue("rules"))).over(SAMPLES))
+                "mistake" -> shouldThrow<RulesException> { RuleSet.parse(written.getValue("mistaken-rules")) }.message
+                "default-rules" -> RuleSet.DEFAULT.source
+                else -> content
+            }
+            "```$kind${if (argument.isEmpty()) "" else " $argument"}\n${shown.trimEnd('\n')}\n```"
+        }
+        guide shouldBe asItIs
+    }
+})

@@ -1,0 +1,152 @@
+package badlog.report
+
+import badlog.recording.Severity
+import badlog.report.rules.RuleSet
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.ints.shouldBeLessThanOrEqual
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.jsonArray
+import kotlinx.serialization.json.jsonObject
+import java.nio.file.Path
+
+private fun rules(condition: String, text: String = "t", more: String = "", aliases: String = "") = RuleSet.parse(
+    "[aliases]\n$aliases\n[[rule]]\nname = \"R\"\nseverity = \"warning\"\nwhen = \"$condition\"\ntext = \"$text\"\n$more\n",
+)
+
+private fun findings(folder: Path, rules: RuleSet) =
+    Report(rules).over(logsIn(folder)).logs.flatMap { log -> log.findings.map { it.text } }
+
+class ReportSpec : FunSpec({
+    test("the text is filled with what was found") {
+        inFolder { folder ->
+            folder.put("Q1.bag", batteryBag(12.0, 6.0, 12.0, 6.5))
+            val text = "{value}|{time}|{match}|{file}|{topic}|{count}|{duration}|{{x}}"
+            findings(folder, rules("b < 7", text, aliases = "b = [\"*voltage\"]")) shouldContainExactly
+                listOf("6 V|0.1 s|Mill Creek Qualification 1|Q1.bag|System/Battery Voltage|2|0.1 s|{x}")
+        }
+    }
+
+    test("an alias finds its topic under any name, in any unit that can be converted") {
+        val rules = rules("b < 7", "{value}", aliases = "b = { names = [\"none\", \"*volt*\"], unit = \"V\" }")
+        inFolder { folder ->
+            folder.put("1.bag", batteryBag(6000.0, name = "pdp/busVoltage", unit = "mV"))
+            folder.put("2.bag", batteryBag(6.0, name = "VOLTS", unit = "ul"))
+            folder.put("3.bag", batteryBag(6.0, name = "VOLTS", unit = "A"))
+            findings(folder, rules) shouldContainExactly listOf("6 V", "6 V")
+        }
+    }
+
+    test("a rule for each topic takes those that fit by name, unit and kind") {
+        inFolder { folder ->
+            val currents = listOf("A/Current", "B/Current", "C/Current", "Limit Current", "Current State")
+            val topics = mapOf("Time" to "s") + currents.associateWith { if (it.startsWith("C/")) "V" else "A" }
+            folder.put("1.bag", bag(topics, listOf("0,50,10,50,50,on", "1,50,60,50,50,off")))
+            val more = "each = [\"*current*\"]\nexcept = [\"limit*\"]\nunit = \"a\""
+            findings(folder, rules("topic > 40", "{topic} {value}", more)) shouldContainExactly
+                listOf("A/Current 50 A", "B/Current 60 A")
+        }
+    }
+
+    test("the text of an event is its value") {
+        inFolder { folder ->
+            folder.put("1.bag", bag(mapOf("Time" to "s", "Log" to "ul"), listOf("0,", "1,CAN error", "2,")))
+            findings(folder, rules("topic contains 'can'", "{time}: {value}", "each = [\"*\"]")) shouldContainExactly
+                listOf("1 s: CAN error")
+        }
+    }
+
+    test("time is the x axis, whatever it is called") {
+        inFolder { folder ->
+            folder.put("1.bag", bag(mapOf("Uptime" to "ms", "A" to "V"), listOf("0,1", "20,1", "900,1", "920,1")))
+            findings(folder, rules("delta(time) > 0.5 s", "{value}")) shouldContainExactly listOf("880 ms")
+        }
+    }
+
+    test("a rule counts only in matches of its types") {
+        inFolder { folder ->
+            folder.put("1.bag", batteryBag(6.0))
+            findings(folder, rules("true", more = "only = [\"playoff\"]")).shouldBeEmpty()
+            findings(folder, rules("true", more = "only = [\"playoff\", \"qualification\"]")) shouldContainExactly listOf("t")
+        }
+    }
+
+    test("a rule whose topics are missing is told once, and is no mistake") {
+        inFolder { folder ->
+            for (i in 1..3) folder.put("$i.bag", batteryBag(6.0, name = "Other"))
+            val rules = rules("b < 7", aliases = "b = [\"*voltage*\"]")
+            Report(rules).over(logsIn(folder)).skipped.single().toString() shouldBe
+                "The rule “R” was not asked of 3 logs: no topic for b, called “*voltage*”."
+            folder.put("4.bag", batteryBag(6.0, name = "Total Current"))
+            Report(rules("Total Current > 5")).over(logsIn(folder)).run {
+                skipped.single().isMistake shouldBe false
+                skipped.single().logs shouldBe 3
+                logs.sumOf { it.findings.size } shouldBe 1
+            }
+        }
+    }
+
+    test("a wrong expression is told with its line in the file of rules") {
+        inFolder { folder ->
+            folder.put("1.bag", batteryBag(6.0))
+            Report(rules("Battery Voltage < 7 V")).over(logsIn(folder)).skipped.single().run {
+                isMistake shouldBe true
+                message shouldContain "Line 6: “V” is no unit of time"
+                message shouldContain "\nwhen = \"Battery Voltage < 7 V\"\n                            ^"
+            }
+            Report(rules("min(Battery Voltage)")).over(logsIn(folder)).skipped.single().message shouldContain "This is a number; compare it"
+        }
+    }
+
+    test("the default rules are all right, whatever is asked") {
+        Report().over(SAMPLES).run {
+            skipped.none { it.isMistake } shouldBe true
+            count(Severity.ERROR) shouldBe 1
+        }
+    }
+
+    test("unchanged files are not read again, until the rules change") {
+        inFolder { folder ->
+            val cache = folder.resolve("cache")
+            val file = folder.put("logs/1.bag", batteryBag(6.0))
+            fun run(rules: RuleSet) = Report(rules, cache).over(logsIn(folder.resolve("logs")))
+            val text = reportText(run(RuleSet.DEFAULT))
+            spoil(file)
+            reportText(run(RuleSet.DEFAULT)) shouldBe text
+            run(RuleSet.parse(RuleSet.DEFAULT.source + "\n")).logs.single().unreadable.isNullOrEmpty() shouldBe false
+        }
+    }
+
+    test("the text is at most 100 characters wide where it can be") {
+        inFolder { folder ->
+            folder.put("1.bag", batteryBag(6.0))
+            val text = reportText(Report(rules("true", "word ".repeat(100) + "x".repeat(300))).over(logsIn(folder)))
+            text.lines().maxOf { it.length } shouldBeLessThanOrEqual 100
+        }
+    }
+
+    test("CSV is quoted as RFC 4180 asks, and calculates nothing in a spreadsheet") {
+        inFolder { folder ->
+            folder.put("1.bag", bag(mapOf("Time" to "s", "=A,\"1\"" to "V"), listOf("0,1", "2.5,8")))
+            folder.put("2.csv", "only words here\nand there\n")
+            val csv = reportCsv(Report(rules("topic > 7", "=1+1, \\\"{value}\\\"", "each = [\"*\"]")).over(logsIn(folder)))
+            val lines = csv.split("\r\n")
+            lines[0] shouldBe "file,match,rule,severity,topic,text,time,until,spans,time unit"
+            lines[1] shouldContain ",,R,warning,\"'=A,\"\"1\"\"\",\"'=1+1, \"\"8 V\"\"\",2.5,2.5,1,s"
+            lines[2] shouldContain ",,unreadable,error,"
+            lines.size shouldBe 4
+        }
+    }
+
+    test("the JSON has every log") {
+        inFolder { folder ->
+            folder.put("1.bag", batteryBag(6.0))
+            folder.put("2.bag", batteryBag(12.0))
+            val json = Json.parseToJsonElement(reportJson(Report(rules("min(Battery Voltage) < 7")).over(logsIn(folder)))).jsonObject
+            json.getValue("logs").jsonArray.map { it.jsonObject.getValue("findings").jsonArray.size } shouldContainExactly listOf(1, 0)
+        }
+    }
+})

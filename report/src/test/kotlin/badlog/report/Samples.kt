@@ -1,0 +1,10 @@
+package badlog.report
+
+import java.io.File
+import java.nio.file.Path
+
+internal val ROOT: File = generateSequence(File("").absoluteFile) { it.parentFile }.first { File(it, "docs/rules.md").exists() }
+
+internal val SAMPLES: List<LogFile> by lazy { FolderScan.of(File(ROOT, "samples").toPath()).files }
+
+internal fun sample(name: String): Path = File(ROOT, "samples/$name").toPath()

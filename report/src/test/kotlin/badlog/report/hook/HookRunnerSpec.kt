@@ -1,0 +1,109 @@
+package badlog.report.hook
+
+import badlog.file.readRecording
+import badlog.recording.Recording
+import badlog.report.ROOT
+import badlog.report.sample
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.comparables.shouldBeLessThan
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldStartWith
+import java.io.File
+import java.io.IOException
+import kotlin.time.Duration
+import kotlin.time.Duration.Companion.milliseconds
+import kotlin.time.Duration.Companion.seconds
+import kotlin.time.measureTime
+
+private val RECORDING: Recording by lazy { readRecording(sample("qualification-42.bag")) }
+
+private val HAS_PYTHON: Boolean = try {
+    ProcessBuilder("python3", "--version").start().waitFor() == 0
+} catch (_: IOException) {
+    false
+}
+
+/** Runs a [program] in Python. */
+private fun python(program: String, limit: Duration = 30.seconds): HookResult =
+    HookRunner(listOf("python3", "-c", program, "{header}"), limit).run(RECORDING)
+
+class HookRunnerSpec : FunSpec({
+    test("the example gives what docs/hooks.md says").config(enabled = HAS_PYTHON) {
+        val hook = HookRunner(commandWords("python3 '${File(ROOT, "docs/hooks/analyse.py")}' {header}"), 30.seconds)
+        val result = hook.run(RECORDING)
+        val lines = result.values.map { (name, text) -> "$name: $text" } +
+            result.findings.map { "${it.severity.name.lowercase()} at ${it.time}: ${it.text}" } +
+            result.series.map { "series “${it.name}” in ${it.unit}, ${it.data.size} samples" } +
+            result.figures.map { "figure “${it.title}”, ${it.mediaType}" }
+        File(ROOT, "docs/hooks.md").readText() shouldContain "```hook\n${lines.joinToString("\n")}\n```"
+        result.errorOutput shouldBe ""
+    }
+
+    test("a hook gets all rows, and the header's path twice").config(enabled = HAS_PYTHON) {
+        val result = python(
+            """
+            import json, os, sys
+            lines = sys.stdin.read().splitlines()
+            header = json.load(open(sys.argv[1], encoding='utf-8'))
+            print(json.dumps({'values': {'rows': len(lines) - 1, 'topics': len(header['topics']),
+                'same': str(sys.argv[1] == os.environ['BADLOG_HEADER']), 'path': sys.argv[1]}}))
+            """.trimIndent(),
+        )
+        result.values["rows"] shouldBe RECORDING.rowCount.toString()
+        result.values["topics"] shouldBe RECORDING.topics.size.toString()
+        result.values["same"] shouldBe "True"
+        File(result.values.getValue("path")).exists() shouldBe false
+    }
+
+    test("a hook need not read its input").config(enabled = HAS_PYTHON) {
+        python("print('{}')").findings.shouldBeEmpty()
+    }
+
+    test("a hook that fails is told with its last words").config(enabled = HAS_PYTHON) {
+        val failure = shouldThrow<HookException> { python("import sys; sys.exit('no such column')") }
+        failure.message shouldBe "The hook ended with the exit code 1 and said: no such column."
+        failure.errorOutput.trim() shouldBe "no such column"
+    }
+
+    test("a hook that takes too long is killed, with what it started").config(enabled = HAS_PYTHON) {
+        val marker = File.createTempFile("hook", ".txt")
+        val program = """
+            import subprocess, sys, time
+            subprocess.Popen([sys.executable, '-c', 'import time; time.sleep(3); open(r"$marker", "w").write("alive")'])
+            time.sleep(60)
+        """.trimIndent()
+        val took = measureTime {
+            shouldThrow<HookException> { python(program, 1500.milliseconds) }.message shouldContain "took longer than 1.5s"
+        }
+        took shouldBeLessThan 10.seconds
+        Thread.sleep(3000)
+        marker.readText() shouldBe ""
+        marker.delete()
+    }
+
+    test("what outlives its hook and keeps its output open is killed at the time limit").config(enabled = HAS_PYTHON) {
+        val program = """
+            import subprocess, sys, time
+            subprocess.Popen([sys.executable, '-c', 'import time; time.sleep(60)'])
+            time.sleep(0.5)
+            print('{}')
+        """.trimIndent()
+        val took = measureTime {
+            shouldThrow<HookException> { python(program, 2.seconds) }.message shouldContain "something it started"
+        }
+        took shouldBeLessThan 10.seconds
+    }
+
+    test("more output than is bearable ends the hook").config(enabled = HAS_PYTHON) {
+        val program = "import sys\nwhile True: sys.stdout.write('x' * 1000000)"
+        shouldThrow<HookException> { python(program) }.message shouldContain "more than 64 MB"
+    }
+
+    test("a program that is not there is told") {
+        val failure = shouldThrow<HookException> { HookRunner(listOf("no-such-program-anywhere"), 1.seconds).run(RECORDING) }
+        failure.message shouldStartWith "The hook “no-such-program-anywhere” cannot be started"
+    }
+})

@@ -1,0 +1,61 @@
+package badlog.report.page
+
+import badlog.html.HtmlExporter
+import badlog.html.PageParts
+import badlog.report.Report
+import badlog.report.bag
+import badlog.report.batteryBag
+import badlog.report.inFolder
+import badlog.report.logsIn
+import badlog.report.put
+import badlog.report.rules.RuleSet
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldNotContain
+import java.nio.file.Files
+import java.security.MessageDigest
+import java.util.Base64
+import javax.xml.parsers.DocumentBuilderFactory
+
+private const val HOSTILE = "<script>alert(1)</script>\"'&"
+
+class ReportPageSpec : FunSpec({
+    test("texts from files are shown as they are, and the style is the one that is allowed") {
+        inFolder { folder ->
+            folder.put("1.bag", bag(mapOf("Time" to "s", HOSTILE to "V"), listOf("0,1"), mapOf("Event" to HOSTILE, "Match Number" to "1")))
+            val rules = RuleSet.parse("[[rule]]\nname='<b>'\nseverity='error'\neach='*'\nwhen='topic > 0'\ntext='{topic} <i> {match}'")
+            val page = reportPage(Report(rules).over(logsIn(folder)), HOSTILE) { "javascript:alert(1)/a b#?.html" }
+            page shouldNotContain "<script"
+            page shouldNotContain "<i>"
+            page shouldContain "&lt;script&gt;alert(1)&lt;/script&gt;&quot;&#39;&amp; &lt;i&gt;"
+            page shouldContain "href=\"./javascript%3Aalert%281%29/a%20b%23%3F.html#t=0\""
+            val style = page.substringAfter("<style>").substringBefore("</style>")
+            val hash = Base64.getEncoder().encodeToString(MessageDigest.getInstance("SHA-256").digest(style.encodeToByteArray()))
+            page shouldContain "default-src 'none'; style-src 'sha256-$hash'; base-uri 'none'; form-action 'none'"
+            page shouldNotContain "style=\""
+            // Apart from what HTML leaves open it is well formed.
+            val body = page.substringAfter("<body>").substringBefore("</body>").replace("<br>", "<br/>")
+            DocumentBuilderFactory.newInstance().newDocumentBuilder().parse("<body>$body</body>".byteInputStream())
+        }
+    }
+
+    test("the pages of the logs are written beside the index, each with a name of its own") {
+        inFolder { folder ->
+            folder.put("logs/a/Q1.bag", batteryBag(6.0, 6.0))
+            folder.put("logs/b/Q1.csv", "Time,Volts\n0,1\n1,2\n")
+            folder.put("logs/index.bag", batteryBag(12.0))
+            folder.put("logs/z.csv", "words\nand words\n")
+            val rules = RuleSet.parse("[[rule]]\nname='R'\nseverity='note'\nwhen='min(Battery Voltage) < 7'\ntext='low'")
+            val out = folder.resolve("out/report")
+            val exporter = HtmlExporter(parts = PageParts("", ""))
+            val written = ReportFolder(out, exporter).write(Report(rules).over(logsIn(folder.resolve("logs"))))
+            written.failures.shouldBeEmpty()
+            Files.list(out).use { files -> files.map { it.fileName.toString() }.toList() }.sorted() shouldBe
+                listOf("Q1 (2).html", "Q1.html", "index (2).html", "index.html")
+            Files.readString(written.index) shouldContain "href=\"./Q1.html#t=0\""
+            Files.readString(written.index) shouldContain "href=\"./index%20%282%29.html\""
+        }
+    }
+})

@@ -1,0 +1,67 @@
+package badlog.report.rules
+
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldStartWith
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.int
+import io.kotest.property.arbitrary.string
+import io.kotest.property.checkAll
+
+private const val RULE = "[[rule]]\nname = \"A\"\nseverity = \"note\"\nwhen = \"x > 1\"\ntext = \"t\"\n"
+
+private fun messageOf(rules: String): String = shouldThrow<RulesException> { RuleSet.parse(rules) }.message
+
+class RulesReaderSpec : FunSpec({
+    test("the rules that are built in can be read") {
+        RuleSet.DEFAULT.rules.map { it.name }.take(2) shouldBe listOf("Browned out", "Low battery")
+    }
+
+    test("no rules are fine") {
+        RuleSet.parse("").rules shouldBe emptyList()
+    }
+
+    test("what is no TOML is told with line and caret") {
+        messageOf("[aliases]\nb = \n") shouldStartWith "Line 2: This is no TOML: "
+        messageOf("[aliases]\nb = \n") shouldContain "\nb = \n    ^"
+    }
+
+    val mistakes = mapOf(
+        RULE.replace("note", "bad") to
+            "Line 3: A severity is “error”, “warning” or “note”, not “bad”.\nseverity = \"bad\"\n            ^^^",
+        RULE.replace("when", "wenn") to "Line 4: “wenn” is nothing that a rule may have",
+        RULE.replace("text = \"t\"\n", "") to "Line 1: This rule has no “text”.\n[[rule]]\n^",
+        RULE.replace("\"t\"", "\"a {b} c\"") to "Line 5: There is no place “{b}”; there are {value}, ",
+        RULE.replace("\"t\"", "\"a {b} c\"") to "\ntext = \"a {b} c\"\n          ^^^",
+        RULE.replace("\"t\"", "\"a {b\"") to "This brace is never closed",
+        RULE.replace("\"t\"", "7") to "Line 5: “text” is a text in quotes.",
+        RULE + RULE to "Line 7: There are two rules named “A”.",
+        RULE + "unit = \"A\"\n" to "Line 6: “unit” says which topics “each” means",
+        RULE + "each = [1]\n" to "Line 6: “each” is a list of texts",
+        RULE + "only = []\n" to "Line 6: “only” is a list of texts",
+        "rules = 1\n" to "Line 1: “rules” is nothing that the file may have",
+        "rule = 1\n" to "Line 1: Each rule begins with [[rule]]",
+        "aliases = 1\n" to "Line 1: “aliases” is a table",
+        "[aliases]\ntime = [\"x\"]\n" to "Line 2: “time” cannot be an alias",
+        "[aliases]\nnot = [\"x\"]\n" to "“not” cannot be an alias",
+        "[aliases]\n\"a b\" = [\"x\"]\n" to "“a b” cannot be an alias",
+        "[aliases]\na = { name = [\"x\"] }\n" to "“name” is nothing that an alias may have",
+        "[aliases]\na = { unit = \"V\" }\n" to "“names” is a list of texts",
+    )
+    for ((rules, message) in mistakes) {
+        test("refuses ${rules.replace('\n', ' ').takeLast(50)}: ${message.take(30)}") { messageOf(rules) shouldContain message }
+    }
+
+    test("whatever the text, there are rules or a sentence") {
+        val whole = RuleSet.DEFAULT.source.lines().take(20).joinToString("\n") + "\n" + RULE
+        checkAll(300, Arb.int(0, whole.length), Arb.string(0, 4)) { at, text ->
+            try {
+                RuleSet.parse(whole.take(at) + text + whole.drop(at + text.length))
+            } catch (e: RulesException) {
+                e.message shouldStartWith "Line ${e.lineNumber}: "
+            }
+        }
+    }
+})
