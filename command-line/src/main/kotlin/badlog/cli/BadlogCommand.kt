@@ -3,9 +3,12 @@ package badlog.cli
 import badlog.cli.convert.ConvertCommand
 import badlog.cli.cut.CutCommand
 import badlog.cli.export.ExportCommand
+import badlog.cli.find.FindCommand
 import badlog.cli.info.InfoCommand
 import badlog.cli.merge.MergeCommand
 import badlog.cli.recover.RecoverCommand
+import badlog.cli.replay.ReplayCommand
+import badlog.cli.report.ReportCommand
 import badlog.html.BADLOG_VERSION
 import com.github.ajalt.clikt.core.CliktError
 import com.github.ajalt.clikt.core.Context
@@ -25,6 +28,9 @@ internal class BadlogCommand : CoreCliktCommand(NAME) {
         CutCommand(),
         MergeCommand(),
         ExportCommand(),
+        FindCommand(),
+        ReportCommand(),
+        ReplayCommand(),
     )
 
     /** What was asked for, or null when nothing was. */

@@ -1,5 +1,6 @@
 package badlog.cli
 
+import badlog.report.hook.commandWords
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldNotBeEmpty
 import io.kotest.matchers.shouldBe
@@ -16,7 +17,7 @@ class GuideSpec : FunSpec({
     val example = Regex("""(?<=```console\n)(.*?)(?=```)""", RegexOption.DOT_MATCHES_ALL)
 
     fun run(command: String): String {
-        val ended = badlog(*command.removePrefix("$ badlog ").split(' ').toTypedArray())
+        val ended = badlog(*commandWords(command.removePrefix("$ badlog ")).toTypedArray())
         return "$command\n${ended.out}${ended.err}"
     }
 

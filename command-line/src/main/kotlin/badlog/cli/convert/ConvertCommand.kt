@@ -28,7 +28,7 @@ internal class ConvertCommand : SubCommand(
     private val xTopic by option("--x", metavar = "TOPIC").help("Make this topic the x axis of the bag.")
 
     private val period by option("--period", metavar = "SECONDS").double().default(USUAL_PERIOD)
-        .help("How far apart the rows of a WPILOG are, which has none; each holds the last values. $USUAL_PERIOD unless told.")
+        .help("How far apart a WPILOG's rows are; usually $USUAL_PERIOD.")
         .validate { if (!(it > 0)) fail("must be above 0") }
 
     override fun makeTask(): Task {

@@ -1,0 +1,50 @@
+package badlog.cli.find
+
+import badlog.cli.Console
+import badlog.cli.ExitCode
+import badlog.cli.Task
+import badlog.cli.input.logFiles
+import badlog.expression.ExpressionErrorKind
+import badlog.report.Find
+import badlog.report.FindResult
+import badlog.report.Reply
+import badlog.report.findJson
+import badlog.report.findText
+import java.nio.file.Path
+
+/**
+ * Asks [question] of every log below [paths].
+ *
+ * @param cache where answers are kept; null for nowhere.
+ */
+internal class FindTask(
+    private val paths: List<Path>,
+    private val question: String,
+    private val cache: Path?,
+    private val isJson: Boolean,
+) : Task {
+    override fun run(console: Console): ExitCode {
+        val files = logFiles(paths, console.err)
+        val results = console.progress("find").use { bar ->
+            Find(question, cache).over(files, { done, total -> bar.advanced(done.toLong(), total.toLong()) })
+        }
+        val mistake = mistakeIn(results)
+        if (mistake != null) {
+            console.err.println(mistake.pointed)
+            return ExitCode.USAGE
+        }
+        console.out.println(if (isJson) findJson(question, results) else findText(results).trimEnd())
+        return when {
+            results.none { it.reply is Reply.Answered } -> ExitCode.NOTHING
+            results.size < paths.size || results.any { it.reply is Reply.Unreadable } -> ExitCode.SALVAGED
+            else -> ExitCode.WHOLE
+        }
+    }
+
+    /** What is wrong with the question itself; a topic that a log lacks is no mistake as long as another has it. */
+    private fun mistakeIn(results: List<FindResult>): Reply.NotAsked? {
+        val refusals = results.map { it.reply }.filterIsInstance<Reply.NotAsked>()
+        if (results.any { it.reply is Reply.Answered }) return null
+        return refusals.firstOrNull { it.kind != ExpressionErrorKind.UNKNOWN_TOPIC } ?: refusals.firstOrNull()
+    }
+}

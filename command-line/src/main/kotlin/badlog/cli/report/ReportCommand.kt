@@ -1,0 +1,29 @@
+package badlog.cli.report
+
+import badlog.cli.SubCommand
+import badlog.cli.Task
+import badlog.cli.cacheFolder
+import com.github.ajalt.clikt.core.UsageError
+import com.github.ajalt.clikt.parameters.options.flag
+import com.github.ajalt.clikt.parameters.options.help
+import com.github.ajalt.clikt.parameters.options.option
+import com.github.ajalt.clikt.parameters.types.path
+
+/** `badlog report`. */
+internal class ReportCommand : SubCommand(
+    "report",
+    "Runs rules over every log.",
+    "Without --rules, those that badlog brings along: brownouts, slow loops, gaps, flat sensors and the like.",
+) {
+    private val rules by option("--rules", metavar = "FILE").path().help("The rules, in TOML; see docs/rules.md.")
+    private val isCsv by option("--csv").flag().help("Print a line of CSV for each finding.")
+    private val folder by option("--out", metavar = "DIR").path()
+        .help("Also make the logs' pages there, and an index.html.")
+    private val isFresh by option("--no-cache").flag().help("Read every log, and keep nothing.")
+
+    override fun makeTask(): Task {
+        if (isCsv && isJson) throw UsageError("choose one of --csv and --json")
+        val form = if (isCsv) ReportForm.CSV else if (isJson) ReportForm.JSON else ReportForm.TEXT
+        return ReportTask(paths, rules, form, folder, if (isFresh) null else cacheFolder())
+    }
+}
