@@ -11,7 +11,7 @@ import kotlin.math.sqrt
  * Selection by Floyd and Rivest ("Algorithm 489", 1975): the pivot comes from a sample around the place, so that few rounds
  * do nearly always. Where the values are such that they do not, it sorts what is left.
  */
-internal fun select(values: DoubleArray, place: Int, from: Int = 0, until: Int = values.size) {
+public fun select(values: DoubleArray, place: Int, from: Int = 0, until: Int = values.size) {
     var low = from
     var high = until - 1
     var rounds = MOST_ROUNDS

@@ -6,17 +6,17 @@ import kotlin.math.abs
  * The area under samples that come one by one, by the trapezoid rule, summed with Neumaier's compensation (1974), so that a
  * million small steps lose nothing.
  */
-internal class TrapezoidSum {
+public class TrapezoidSum {
     private var sum = 0.0
     private var compensation = 0.0
     private var lastX = Double.NaN
     private var lastY = Double.NaN
 
     /** The area so far. */
-    val value: Double get() = sum + compensation
+    public val value: Double get() = sum + compensation
 
     /** Adds the sample ([x], [y]); the area before it counts when the sample before it has a value and is not later. */
-    fun add(x: Double, y: Double) {
+    public fun add(x: Double, y: Double) {
         val area = (x - lastX) * (y / 2 + lastY / 2)
         if (x >= lastX && area.isFinite()) {
             val next = sum + area
@@ -28,7 +28,7 @@ internal class TrapezoidSum {
     }
 
     /** Says that samples are left out here, so that those before and after are no neighbours. */
-    fun interrupt() {
+    public fun interrupt() {
         lastX = Double.NaN
     }
 }

@@ -1,8 +1,7 @@
 package badlog.expression
 
 import badlog.analysis.LogView
-import badlog.bag.VARIED_BAG
-import badlog.bag.parse
+import badlog.bag.BagParser
 import badlog.plot.Span
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
@@ -68,7 +67,7 @@ class VirtualTopicSpec : FunSpec({
         }
     }
 
-    val signals = LogViewSignals(LogView.of(parse(VARIED_BAG)))
+    val signals = LogViewSignals(LogView.of(BagParser().apply { accept(VARIED_BAG.encodeToByteArray()) }.finish()))
 
     test("the topics of a bag can be named, as what they are") {
         signals.vocabulary.signals.map { it.name to it.kind } shouldBe listOf(
@@ -93,3 +92,9 @@ class VirtualTopicSpec : FunSpec({
         parsed("Low and Log contains 'ready'", all.vocabulary).answer(all).toString() shouldBe "yes, from 0.02 s to 0.04 s"
     }
 })
+
+private const val VARIED_BAG =
+    """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis","hide"]},{"name":"Arm/Angle","unit":"deg","attrs":[]},""" +
+        """{"name":"Log","unit":"ul","attrs":["log"]},{"name":"Enabled","unit":"ul","attrs":[]}],"values":[]}""" +
+        "\nTime,Arm/Angle,Log,Enabled\n0.0000,12.346,,false\n0.020000,-1.2346e+05,\"armed, ready\",false\n" +
+        "0.040000,,\"said \"\"go\"\"\ntwice\",true\n0.060000,1.0000e-05,,true\n0.080000,NaN,Ω ready,true\n0.10000,99.000,,true\n"
