@@ -6,8 +6,9 @@ import badlog.expression.ExpressionError
 import badlog.expression.LogViewSignals
 import badlog.expression.ParsedExpression
 import badlog.expression.Vocabulary
-import kotlinx.serialization.Serializable
+import badlog.file.LogFile
 import java.nio.file.Path
+import kotlinx.serialization.Serializable
 
 /**
  * A question to many logs: an expression, see `docs/expressions.md`.

@@ -3,6 +3,7 @@ package badlog.report
 import badlog.expression.ExpressionErrorKind
 import badlog.expression.Figure
 import badlog.expression.Outcome
+import badlog.file.LogFile
 import badlog.plot.Span
 import kotlinx.serialization.Serializable
 

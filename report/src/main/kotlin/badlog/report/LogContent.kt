@@ -1,6 +1,7 @@
 package badlog.report
 
 import badlog.analysis.LogView
+import badlog.file.LogFile
 import badlog.file.UnreadableFileException
 import badlog.file.readRecording
 import badlog.recording.PathName

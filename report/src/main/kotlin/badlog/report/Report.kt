@@ -1,10 +1,11 @@
 package badlog.report
 
+import badlog.file.LogFile
 import badlog.report.rules.Finding
 import badlog.report.rules.RuleRunner
 import badlog.report.rules.RuleSet
-import kotlinx.serialization.Serializable
 import java.nio.file.Path
+import kotlinx.serialization.Serializable
 
 /**
  * Runs rules over many logs.

@@ -1,5 +1,6 @@
 package badlog.report
 
+import badlog.file.LogFile
 import badlog.recording.Severity
 import badlog.report.rules.Finding
 
