@@ -85,13 +85,13 @@ internal class LogViewBuilder(private val recording: Recording, private val regi
             )
             return time
         }
-        val plan = wanted.firstOrNull() ?: return XAxis.index(recording.rowCount)
-        if (plan.isNumeric || recording.rowCount == 0) return XAxis.of(plan.topic).also { reportX(plan) }
+        val plan = wanted.firstOrNull() ?: return XAxis.index(recording)
+        if (plan.isNumeric || recording.rowCount == 0) return XAxis.of(plan.topic, recording).also { reportX(plan) }
         plan.report(
             ProblemKind.UNFIT_ATTRIBUTE,
             "“${plan.topic.name}” has no numbers and cannot be the x axis; the row index is used instead.",
         )
-        return XAxis.index(recording.rowCount)
+        return XAxis.index(recording)
     }
 
     private fun reportX(plan: TopicPlan) {

@@ -7,11 +7,11 @@ import badlog.recording.Topic
 /**
  * The common x of a recording's graphs.
  *
- * @property name what it is called: the base name of the topic with the `xaxis` attribute, `Time` where topics have times of
- *   their own, else `Index`.
+ * @property name what it is called: the base name of the topic with the `xaxis` attribute, `Time` where there are no rows and
+ *   topics have times of their own, else `Index`.
  * @property unit its unit, `ul` for none.
- * @property positions the x of each row; may hold gaps, and may go backwards. Empty where topics have times of their own. Not
- *   to be changed.
+ * @property positions the x of each row; may hold gaps, and may go backwards. Empty where there are no rows. Not to be
+ *   changed.
  * @property topic the topic it comes from, or null for the row index and for times of their own.
  */
 public class XAxis private constructor(
@@ -25,10 +25,11 @@ public class XAxis private constructor(
     public val title: String get() = if (Units.isNone(unit)) name else "$name ($unit)"
 
     /** Whether x only counts rows. */
-    public val isIndex: Boolean get() = topic == null && ownTimes.isEmpty()
+    public val isIndex: Boolean get() = topic == null && name == INDEX
 
-    /** Every x of the recording: an array of [positions], or one for each clock of its topics, in which x ascends. */
-    public val clocks: List<DoubleArray> get() = ownTimes.ifEmpty { listOf(positions) }
+    /** Every x of the recording: [positions] where there are rows, and an array for each clock of its topics, in which x ascends. */
+    public val clocks: List<DoubleArray>
+        get() = if (positions.isEmpty() && ownTimes.isNotEmpty()) ownTimes else listOf(positions) + ownTimes
 
     /** The smallest and the largest x at which there is a sample; null without any. */
     public val range: ClosedFloatingPointRange<Double>? by lazy {
@@ -48,20 +49,29 @@ public class XAxis private constructor(
     }
 
     public companion object {
-        /** The x axis that [topic] gives. */
-        internal fun of(topic: Topic): XAxis =
-            XAxis(PathName.baseNameOf(topic.name), topic.unit, topic.samples, topic, emptyList())
+        private const val INDEX = "Index"
 
-        /** The index of each of [rowCount] rows, from 0. */
-        internal fun index(rowCount: Int): XAxis =
-            XAxis("Index", Topic.UNITLESS, DoubleArray(rowCount) { it.toDouble() }, null, emptyList())
+        /** The x axis that [topic], one of those of [recording], gives. */
+        internal fun of(topic: Topic, recording: Recording): XAxis =
+            XAxis(PathName.baseNameOf(topic.name), topic.unit, topic.samples, topic, ownTimesOf(recording))
 
-        /** Time, where the topics of [recording] have times of their own; null where they have none. */
+        /** The index of each row of [recording], from 0. */
+        internal fun index(recording: Recording): XAxis {
+            val positions = DoubleArray(recording.rowCount) { it.toDouble() }
+            return XAxis(INDEX, Topic.UNITLESS, positions, null, ownTimesOf(recording))
+        }
+
+        /** Time, where [recording] has no rows but topics with times of their own; else null. */
         internal fun ofOwnTimes(recording: Recording): XAxis? {
+            val clocks = if (recording.rowCount == 0) ownTimesOf(recording) else emptyList()
+            return if (clocks.isEmpty()) null else XAxis("Time", "s", DoubleArray(0), null, clocks)
+        }
+
+        private fun ownTimesOf(recording: Recording): List<DoubleArray> {
             val clocks = ArrayList<DoubleArray>()
             // Topics that share a clock stand beside each other.
             for (topic in recording.topics) topic.times?.let { if (it !== clocks.lastOrNull()) clocks += it }
-            return if (clocks.isEmpty()) null else XAxis("Time", "s", DoubleArray(0), null, clocks)
+            return clocks
         }
     }
 }

@@ -7,7 +7,7 @@ package badlog.recording
  * @property headerLine the JSON of the file's first line as it stands there, or null where it has none.
  * @property values the values, in the order of the file.
  * @property topics the topics, in the order of the file's header.
- * @property rowCount how many samples each topic has, where they share rows; 0 where topics have
+ * @property rowCount how many samples each topic has that shares rows with the others; 0 where all topics have
  *   [times of their own][Topic.times], as in a WPILOG, which has no rows. [sampleCount] tells of either.
  * @property problems what was wrong, in the order in which it was found.
  */

@@ -1,0 +1,90 @@
+package badlog.expression
+
+import badlog.analysis.LogView
+import badlog.bag.BagParser
+import badlog.recording.Topic
+import badlog.recording.TopicKind
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.doubles.shouldBeNaN
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.types.shouldBeSameInstanceAs
+
+private const val HEADER = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis","hide"]},{"name":"PDP/Voltage","unit":"V"},""" +
+    """{"name":"PDP/Current","unit":"A"}],"values":[]}"""
+
+private fun viewOf(vararg rows: String): LogView {
+    val text = HEADER + "\nTime,PDP/Voltage,PDP/Current\n" + rows.joinToString("") { it + "\n" }
+    return LogView.of(BagParser().apply { accept(text.encodeToByteArray()) }.finish())
+}
+
+private fun LogView.topic(name: String): Topic = recording.topics.single { it.name == name }
+
+private fun LogView.points(name: String) = seriesOf(topic(name)).data.run { x.toList().zip(y.toList()) }
+
+class ViewWithVirtualTopicsSpec : FunSpec({
+    val view = viewOf("0,12,10", "1,6,100", "2,,50", "3,11,20")
+
+    test("a virtual topic is a topic like others: it has a graph in its folder, a unit, counts, and says how it is calculated") {
+        val with = view.withVirtualTopics(listOf("PDP/Power [W] = Voltage * Current"))
+        with.errors.shouldBeEmpty()
+        with.topics.single().name shouldBe "PDP/Power"
+        val power = with.view.topic("PDP/Power")
+        power.unit shouldBe "W"
+        power.kind shouldBe TopicKind.NUMERIC
+        power.metadata shouldBe "= \"PDP/Voltage\" * \"PDP/Current\""
+        power.counts.numbers shouldBe 3
+        power.counts.gaps shouldBe 1
+        with.view.folders.single { it.name == "PDP" }.graphs.map { it.name } shouldBe
+            listOf("PDP/Voltage", "PDP/Current", "PDP/Power")
+        with.view.points("PDP/Power").map { it.first } shouldBe listOf(0.0, 1.0, 2.0, 3.0)
+        power.samples[1] shouldBe 600.0
+        power.samples[2].shouldBeNaN()
+    }
+
+    test("over all rows it shares them, so that it can be written beside the others") {
+        val power = view.withVirtualTopics(listOf("Power = Voltage * Current")).view.topic("Power")
+        power.times shouldBe null
+        power.size shouldBe 4
+    }
+
+    test("a condition is a topic of truth values") {
+        val low = view.withVirtualTopics(listOf("Low = Voltage < 7")).view.topic("Low")
+        low.kind shouldBe TopicKind.BOOLEAN
+        low.samples[1] shouldBe 1.0
+    }
+
+    test("definitions use those before them, and what fails costs the others nothing") {
+        val with = view.withVirtualTopics(listOf("Double = 2 * Voltage", "Wrong = Voltag * 2", "Double = 1", "Four = 2 * Double"))
+        with.topics.map { it.name } shouldBe listOf("Double", "Four")
+        with.errors.map { it.text } shouldBe listOf("Wrong = Voltag * 2", "Double = 1")
+        with.view.points("Four").first() shouldBe (0.0 to 48.0)
+    }
+
+    test("where the rows have gaps in time, a virtual topic has times of its own, and the rows stay the x of all others") {
+        val gaps = viewOf("0,12,10", ",6,100", "2,10,50")
+        val with = gaps.withVirtualTopics(listOf("Power = Voltage * Current")).view
+        with.topic("Power").times?.toList() shouldBe listOf(0.0, 2.0)
+        with.points("Power") shouldBe listOf(0.0 to 120.0, 2.0 to 500.0)
+        with.points("PDP/Voltage") shouldBe listOf(0.0 to 12.0, 2.0 to 10.0)
+        with.xAxis.title shouldBe "Time (s)"
+        with.xAxis.topic?.name shouldBe "Time"
+        with.xAxis.clocks.size shouldBe 2
+        with.problems.map { it.kind } shouldBe gaps.problems.map { it.kind }
+    }
+
+    test("one number for the whole recording is a line from its begin to its end") {
+        view.withVirtualTopics(listOf("Lowest = min(Voltage)")).view.points("Lowest") shouldBe listOf(0.0 to 6.0, 3.0 to 6.0)
+    }
+
+    test("without any virtual topic the view is the same") {
+        view.withVirtualTopics(emptyList()).view shouldBeSameInstanceAs view
+        view.withVirtualTopics(listOf("no formula")).view shouldBeSameInstanceAs view
+    }
+
+    test("a recording without rows gives a virtual topic without samples") {
+        val with = viewOf().withVirtualTopics(listOf("Power = Voltage * Current"))
+        with.view.points("Power").shouldBeEmpty()
+        with.view.xAxis.range shouldBe null
+    }
+})
