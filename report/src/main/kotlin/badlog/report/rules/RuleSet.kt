@@ -28,6 +28,9 @@ public class RuleSet internal constructor(
          */
         public fun parse(text: String, folder: Path? = null): RuleSet = RulesReader(text, folder).read()
 
+        /** No rules. */
+        public val NONE: RuleSet = RuleSet(emptyList(), emptyList(), emptyList(), "")
+
         /** The rules that badlog brings along. */
         public val DEFAULT: RuleSet by lazy {
             val stream = checkNotNull(RuleSet::class.java.getResourceAsStream("/badlog/report/badlog-rules.toml"))
