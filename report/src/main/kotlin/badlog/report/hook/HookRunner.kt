@@ -105,7 +105,7 @@ public class HookRunner(
         }
 
         private fun lastError(): String {
-            val line = errors.text().lines().lastOrNull { it.isNotBlank() } ?: return ""
+            val line = errors.text().lines().lastOrNull { it.isNotBlank() && it.trim() != R_ENDED } ?: return ""
             return " and said: ${line.trim().trimEnd('.').take(MOST_QUOTED)}"
         }
 
@@ -142,6 +142,9 @@ public class HookRunner(
         private const val MOST_OUTPUT = 64 shl 20
         private const val MOST_ERRORS = 64 shl 10
         private const val MOST_QUOTED = 300
+
+        /** What R says last of all, whatever went wrong. */
+        private const val R_ENDED = "Execution halted"
 
         /** The line of a bag, or one that says as much of another file. */
         private fun headerOf(recording: Recording): String = recording.headerLine ?: headerText(

@@ -31,6 +31,12 @@ internal val HAS_PYTHON: Boolean = try {
     false
 }
 
+private val HAS_R: Boolean = try {
+    ProcessBuilder("Rscript", "-e", "library(jsonlite)").start().waitFor() == 0
+} catch (_: IOException) {
+    false
+}
+
 /** Runs a [program] in Python. */
 private fun python(program: String, limit: Duration = 30.seconds): HookResult =
     HookRunner(listOf("python3", "-c", program, "{header}"), limit).run(RECORDING)
@@ -45,6 +51,17 @@ class HookRunnerSpec : FunSpec({
             result.figures.map { "figure “${it.title}”, ${it.mediaType}" }
         File(ROOT, "docs/hooks.md").readText() shouldContain "```hook\n${lines.joinToString("\n")}\n```"
         result.errorOutput shouldBe ""
+    }
+
+    test("the example in R gives values and a picture").config(enabled = HAS_R) {
+        val result = HookRunner(commandWords("Rscript '${File(ROOT, "docs/hooks/analyse.R")}'"), 60.seconds).run(RECORDING)
+        result.values["Deviation of Drivetrain/Angle"] shouldBe "587.3"
+        result.figures.single().mediaType shouldBe "image/png"
+    }
+
+    test("of what R says, that counts which tells what went wrong").config(enabled = HAS_PYTHON) {
+        val failure = shouldThrow<HookException> { python("import sys; sys.exit('Error: no such column\\nExecution halted\\n')") }
+        failure.message shouldBe "The hook ended with the exit code 1 and said: Error: no such column."
     }
 
     test("a hook gets all rows, and the header's path twice").config(enabled = HAS_PYTHON) {
