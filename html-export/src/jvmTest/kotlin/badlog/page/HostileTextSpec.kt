@@ -34,7 +34,7 @@ internal class HostileTextSpec : PageSpec({
             "return [...document.querySelectorAll('img, iframe, object, [onload], [onerror], [onmouseover], b')]" +
                 ".map(e => e.outerHTML)",
         ) shouldBe emptyList<String>()
-        texts("script:not(#recording):not(#about):not(#program)") shouldBe emptyList()
+        texts("script:not(#recording):not(#about):not(#packed):not(#unpacking):not(#program)") shouldBe emptyList()
     }
 
     browserTest("hostile names, units and attributes of topics stay text") {
