@@ -58,7 +58,7 @@ public class HookRunner(
         } catch (e: HookException) {
             throw e
         } catch (e: IOException) {
-            throw HookException("The hook “${command[0]}” cannot be run: ${e.message}.", "", e)
+            throw HookException("The program “${command[0]}” cannot be run: ${e.message}.", "", e)
         } finally {
             Files.deleteIfExists(header)
         }
@@ -70,7 +70,7 @@ public class HookRunner(
             directory(folder?.toFile())
         }.start()
     } catch (e: IOException) {
-        throw HookException("The hook “${command[0]}” cannot be started; is it installed, and in the PATH?", "", e)
+        throw HookException("The program “${command[0]}” cannot be started; is it installed, and in the PATH?", "", e)
     }
 
     private inner class Run(private val process: Process, private val recording: Recording) : AutoCloseable {

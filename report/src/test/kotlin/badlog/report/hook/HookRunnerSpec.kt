@@ -142,6 +142,6 @@ class HookRunnerSpec : FunSpec({
 
     test("a program that is not there is told") {
         val failure = shouldThrow<HookException> { HookRunner(listOf("no-such-program-anywhere"), 1.seconds).run(RECORDING) }
-        failure.message shouldStartWith "The hook “no-such-program-anywhere” cannot be started"
+        failure.message shouldStartWith "The program “no-such-program-anywhere” cannot be started"
     }
 })
