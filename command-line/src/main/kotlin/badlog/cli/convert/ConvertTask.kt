@@ -18,6 +18,7 @@ import badlog.cli.output.writeLog
 import badlog.cli.text.counted
 import badlog.cli.text.json
 import badlog.cli.text.lossLines
+import badlog.cli.text.wrapped
 import badlog.html.ExportProgress
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
@@ -62,7 +63,7 @@ internal class ConvertTask(
         } else {
             "${counted(recording.sampleCount, "sample")} of ${counted(recording.topics.size.toLong(), "topic")}"
         }
-        val text = listOf("${input.file} -> $target", "  $count${leftOut.tail}") + leftOut.lines + lossLines(recording.problems)
+        val text = listOf("${input.file} -> $target", wrapped("  ", count + leftOut.tail, INDENT)) + leftOut.lines + lossLines(recording.problems)
         val json = mapOf(
             "output" to JsonPrimitive(target.toString()),
             "format" to JsonPrimitive(format.option),
@@ -79,5 +80,9 @@ internal class ConvertTask(
         val recording = if (times == null) read else resampled(read, times)
         val leftOut = if (times == null) LeftOut() else rowLosses(read, times)
         return WithRows(if (xTopic == null) recording else recording.withX(xTopic, file), leftOut)
+    }
+
+    private companion object {
+        const val INDENT = 4
     }
 }

@@ -19,6 +19,7 @@ import badlog.cli.text.counted
 import badlog.cli.text.grouped
 import badlog.cli.text.json
 import badlog.cli.text.lossLines
+import badlog.cli.text.wrapped
 import badlog.html.ExportProgress
 import badlog.recording.RecordingFormat
 import java.nio.file.Path
@@ -69,7 +70,7 @@ internal class CutTask(
         } else {
             "${grouped(part.rowCount.toLong())} of ${counted(view.recording.rowCount.toLong(), "row")}"
         }
-        val head = listOf(title, "  kept $kept${leftOut.tail}")
+        val head = listOf(title, wrapped("  ", "kept $kept${leftOut.tail}", INDENT))
         return (head + lines + more + leftOut.lines + lossLines(view.problems)).joinToString("\n")
     }
 
@@ -84,5 +85,6 @@ internal class CutTask(
 
     private companion object {
         const val LISTED = 10
+        const val INDENT = 4
     }
 }
