@@ -27,27 +27,26 @@ internal fun writeLog(
     progress: ExportProgress,
 ): LeftOut {
     format.require(recording, target)
-    return newLog(target) { draft ->
-        val gzip = if (FileName.of(target).isGzip) GZIPOutputStream(draft, 1 shl 16) else null
-        val stream = gzip ?: draft
+    return newLog(target) { stream ->
         format.write(recording, runs, changesOnly, progress::advanced) { bytes, size -> stream.write(bytes, 0, size) }
-            .also { gzip?.finish() }
     }
 }
 
 /**
- * Makes [target] a copy of [log], to the byte.
+ * Makes [target] of what [write] writes: there whole or as it was before, gzipped when its name ends so.
  *
  * @throws badlog.html.ExportException when it cannot be written.
  */
-internal fun copyLog(log: Path, target: Path) {
-    newLog(target) { Files.copy(log, it) }
-}
-
-private fun <T> newLog(target: Path, write: (OutputStream) -> T): T {
+internal fun <T> newLog(target: Path, write: (OutputStream) -> T): T {
     val file = target.toAbsolutePath().normalize()
     return writing(target) {
         Files.createDirectories(file.parent)
-        NewFile(file).use { draft -> write(draft.out).also { draft.commit() } }
+        NewFile(file).use { draft ->
+            val gzip = if (FileName.of(file).isGzip) GZIPOutputStream(draft.out, 1 shl 16) else null
+            val written = write(gzip ?: draft.out)
+            gzip?.finish()
+            draft.commit()
+            written
+        }
     }
 }

@@ -28,6 +28,9 @@ internal class Losses(private val recording: Recording) {
     /** Whether more is lost than stands in the file, nobody knows how much. */
     private val isOpenEnded: Boolean = problems.any { it.kind in OPEN_ENDED }
 
+    /** How many bytes are lost at the end, 0 when none are; null when what is lost stands elsewhere, or everywhere. */
+    val bytesAtEnd: Long? = if (problems.all { it.kind in AT_END }) total.bytes else null
+
     // A WPILOG has records instead of rows of cells.
     private val hasRows: Boolean = recording.format != RecordingFormat.WPILOG
 
@@ -73,6 +76,9 @@ internal class Losses(private val recording: Recording) {
             ProblemKind.NOT_UTF8,
             ProblemKind.DECIMAL_COMMA,
         )
+
+        /** A WPILOG has all but this. */
+        val AT_END = setOf(ProblemKind.RECORD_CUT, ProblemKind.RECORDS_LOST, ProblemKind.GZIP_CUT)
 
         /** What followed was never written, or cannot be read. */
         val OPEN_ENDED = setOf(ProblemKind.GZIP_CUT)

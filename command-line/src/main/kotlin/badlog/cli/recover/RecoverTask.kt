@@ -12,7 +12,6 @@ import badlog.cli.output.FileName
 import badlog.cli.output.LeftOut
 import badlog.cli.output.LogFormat
 import badlog.cli.output.OutputPlan
-import badlog.cli.output.copyLog
 import badlog.cli.output.writeLog
 import badlog.html.ExportProgress
 import badlog.recording.Recording
@@ -42,10 +41,10 @@ internal class RecoverTask(
 
     private fun write(file: Path, recording: Recording, losses: Losses, target: Path, progress: ExportProgress): LeftOut {
         val format = LogFormat.of(recording)
+        val lostBytes = losses.bytesAtEnd
+        if (format.hasRows || lostBytes == null) return writeLog(recording, format, target, progress = progress)
         // A WPILOG of our own has the fields of structs, not the structs.
-        val isCopy = !format.hasRows && !losses.isDamaged && FileName.of(file).isGzip == FileName.of(target).isGzip
-        if (!isCopy) return writeLog(recording, format, target, progress = progress)
-        copyLog(file, target)
+        copyBeginning(file, lostBytes, target)
         return LeftOut()
     }
 }

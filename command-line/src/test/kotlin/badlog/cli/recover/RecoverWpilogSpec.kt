@@ -18,6 +18,7 @@ import io.kotest.matchers.string.shouldContain
 import io.kotest.property.Arb
 import io.kotest.property.arbitrary.byte
 import io.kotest.property.arbitrary.byteArray
+import io.kotest.property.arbitrary.element
 import io.kotest.property.arbitrary.int
 import io.kotest.property.checkAll
 import java.io.ByteArrayOutputStream
@@ -48,6 +49,9 @@ private val LOG = listOf(
     Logged("messages", "string", "", List(12) { it / 10.0 to "message $it, \"so\"" }),
     Logged("config", "json", "", listOf(0.2 to "{\"a\":[1,2]}")),
 )
+
+/** Later than all else, so that its record is the last, of 17 and 5 bytes. */
+private val PHOTO = Logged("photo", "raw", "", listOf(9.0 to "bytes"))
 
 class RecoverWpilogSpec : FunSpec({
     fun lost(json: JsonObject, what: String) = json.getValue("lost").jsonObject.getValue(what).jsonPrimitive.int
@@ -118,16 +122,40 @@ class RecoverWpilogSpec : FunSpec({
         }
     }
 
-    test("a whole log is left alone, or copied to the byte with what would become parts of it") {
+    test("a whole log is left alone, or copied to the byte") {
         inFolder { folder ->
-            val log = folder.wpilog("a.wpilog", LOG + Logged("photo", "raw", "", listOf(1.0 to "bytes")))
+            val log = folder.wpilog("a.wpilog", LOG + PHOTO)
             badlog("recover", log).out shouldContain "whole; nothing to recover"
             folder.names() shouldContainExactly listOf("a.wpilog")
             badlog("recover", log, "-o", folder / "b.wpilog").out shouldContain "lost nothing"
             (folder / "b.wpilog").readBytes().toList() shouldBe log.readBytes().toList()
-            val gz = badlogJson("recover", log, "-o", folder / "b.wpilog.gz").json.single()
-            gz.getValue("leftOut").jsonArray.map { it.jsonPrimitive.content } shouldContainExactly
+            badlog("recover", log, "-o", folder / "c.wpilog.gz").code shouldBe ExitCode.WHOLE
+            badlog("recover", folder / "c.wpilog.gz", "-o", folder / "d.wpilog").code shouldBe ExitCode.WHOLE
+            (folder / "d.wpilog").readBytes().toList() shouldBe log.readBytes().toList()
+        }
+    }
+
+    test("what lost its end keeps its beginning to the byte, also what is not decoded") {
+        val whole = wpilogBytes(LOG + PHOTO)
+        inFolder { folder ->
+            checkAll(60, Arb.int(0, whole.size), Arb.element(0, 1, 30)) { size, noise ->
+                // Behind half a record, noise could be its other half.
+                val log = folder.with("a.wpilog", if (noise == 0) whole.copyOf(size) else whole + ByteArray(noise) { -1 })
+                if (badlog("recover", log, "-o", folder / "b.wpilog", "--force").code == ExitCode.NOTHING) return@checkAll
+                val clean = (folder / "b.wpilog").readBytes()
+                clean.toList() shouldBe whole.copyOf(clean.size).toList()
+            }
+        }
+    }
+
+    test("what lost records in its middle is written anew, without what badlog cannot decode") {
+        inFolder { folder ->
+            val unknown = byteArrayOf(0, 99, 1, 5, 1)
+            val log = folder.with("a.wpilog", wpilogBytes(LOG + PHOTO).let { it.copyOf(it.size - 22) + unknown + it.takeLast(22) })
+            val json = badlogJson("recover", log, "-o", folder / "b.wpilog").json.single()
+            json.getValue("leftOut").jsonArray.map { it.jsonPrimitive.content } shouldContainExactly
                 listOf("“photo”: Bytes that were not decoded are there by their sizes only.")
+            readRecording(folder / "b.wpilog").isSalvaged shouldBe false
         }
     }
 
