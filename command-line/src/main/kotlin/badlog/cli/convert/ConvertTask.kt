@@ -14,7 +14,9 @@ import badlog.cli.output.FileName
 import badlog.cli.output.LeftOut
 import badlog.cli.output.LogFormat
 import badlog.cli.output.OutputPlan
+import badlog.cli.output.copyBeginning
 import badlog.cli.output.writeLog
+import badlog.cli.recover.Losses
 import badlog.cli.text.counted
 import badlog.cli.text.json
 import badlog.cli.text.lossLines
@@ -57,7 +59,7 @@ internal class ConvertTask(
         val name = FileName.of(input.file)
         val converted = name.with(format.ending, isGzip || name.isGzip)
         val target = plan.place(input, converted, converted)
-        val leftOut = fit.leftOut + writeLog(recording, format, target, changesOnly = isChangesOnly, progress = progress)
+        val leftOut = fit.leftOut + write(input.file, recording, target, progress)
         val count = if (format.hasRows) {
             counted(recording.rowCount.toLong(), "row")
         } else {
@@ -72,6 +74,17 @@ internal class ConvertTask(
             "leftOut" to json(leftOut.all),
         )
         return Outcome(recording.isSalvaged, text.joinToString("\n"), json)
+    }
+
+    private fun write(file: Path, recording: Recording, target: Path, progress: ExportProgress): LeftOut {
+        val lostBytes = Losses(recording).bytesAtEnd
+        val staysAsItIs = recording.format == RecordingFormat.WPILOG && !format.hasRows && !isChangesOnly
+        if (!staysAsItIs || lostBytes == null) {
+            return writeLog(recording, format, target, changesOnly = isChangesOnly, progress = progress)
+        }
+        // A WPILOG of our own has the fields of structs, not the structs.
+        copyBeginning(file, lostBytes, target)
+        return LeftOut()
     }
 
     private fun withRows(read: Recording, file: Path): WithRows {

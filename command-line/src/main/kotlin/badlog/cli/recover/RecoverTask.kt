@@ -12,6 +12,7 @@ import badlog.cli.output.FileName
 import badlog.cli.output.LeftOut
 import badlog.cli.output.LogFormat
 import badlog.cli.output.OutputPlan
+import badlog.cli.output.copyBeginning
 import badlog.cli.output.writeLog
 import badlog.html.ExportProgress
 import badlog.recording.Recording

@@ -1,6 +1,7 @@
 package badlog.cli.convert
 
 import badlog.cli.ExitCode
+import badlog.cli.Logged
 import badlog.cli.SAMPLES
 import badlog.cli.badlog
 import badlog.cli.badlogJson
@@ -8,6 +9,7 @@ import badlog.cli.inFolder
 import badlog.cli.names
 import badlog.cli.sampleLog
 import badlog.cli.with
+import badlog.cli.wpilog
 import badlog.file.readRecording
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
@@ -30,8 +32,10 @@ import io.kotest.property.arbitrary.map
 import io.kotest.property.arbitrary.string
 import io.kotest.property.checkAll
 import java.nio.file.Path
+import java.util.zip.GZIPInputStream
 import kotlin.io.path.div
 import kotlin.io.path.fileSize
+import kotlin.io.path.inputStream
 import kotlin.io.path.readBytes
 import kotlinx.serialization.json.int
 import kotlinx.serialization.json.jsonArray
@@ -116,6 +120,10 @@ class ConvertWpilogSpec : FunSpec({
             val log = folder.sampleLog("practice.bag")
             badlog("convert", log, "-o", folder / "copy.wpilog").code shouldBe ExitCode.WHOLE
             (folder / "copy.wpilog").readBytes().toList() shouldBe log.readBytes().toList()
+            val raw = folder.wpilog("raw.wpilog", listOf(Logged("photo", "raw", "", listOf(1.0 to "bytes", 2.0 to "more"))))
+            leftOut(folder, raw, "-o", folder / "raw.wpilog.gz").shouldBeEmpty()
+            GZIPInputStream((folder / "raw.wpilog.gz").inputStream()).use { it.readBytes() }.toList() shouldBe raw.readBytes().toList()
+            leftOut(folder, raw, "--changes-only", "-o", folder / "changed.wpilog").single() shouldContain "by their sizes only"
             leftOut(folder, log, "--changes-only", "-o", folder / "changes.wpilog").single() shouldContain
                 "Samples that are the same as those before them have no record"
             ((folder / "changes.wpilog").fileSize() < log.fileSize()) shouldBe true

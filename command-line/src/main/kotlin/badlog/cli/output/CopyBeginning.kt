@@ -1,7 +1,6 @@
-package badlog.cli.recover
+package badlog.cli.output
 
 import badlog.bag.FileSignature
-import badlog.cli.output.newLog
 import badlog.file.GzipReader
 import badlog.file.reading
 import java.nio.file.Files
