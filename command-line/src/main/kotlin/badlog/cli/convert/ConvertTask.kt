@@ -83,7 +83,7 @@ internal class ConvertTask(
             return writeLog(recording, format, target, changesOnly = isChangesOnly, progress = progress)
         }
         // A WPILOG of our own has the fields of structs, not the structs.
-        copyBeginning(file, lostBytes, target)
+        copyBeginning(file, lostBytes, target, progress)
         return LeftOut()
     }
 

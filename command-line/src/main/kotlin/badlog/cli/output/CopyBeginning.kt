@@ -3,16 +3,18 @@ package badlog.cli.output
 import badlog.bag.FileSignature
 import badlog.file.GzipReader
 import badlog.file.reading
+import badlog.html.ExportProgress
 import java.nio.file.Files
 import java.nio.file.Path
 
 /**
  * Makes [target] a copy of [log], inflated and perhaps compressed again, without its last [lostBytes], to the byte.
  *
+ * @param progress hears how many bytes are copied, and how many there are.
  * @throws badlog.html.ExportException when it cannot be written.
  * @throws badlog.file.UnreadableFileException when the log cannot be read.
  */
-internal fun copyBeginning(log: Path, lostBytes: Long, target: Path) {
+internal fun copyBeginning(log: Path, lostBytes: Long, target: Path, progress: ExportProgress) {
     var size = -lostBytes
     inflate(log) { _, count -> size += count }
     newLog(target) { stream ->
@@ -21,6 +23,7 @@ internal fun copyBeginning(log: Path, lostBytes: Long, target: Path) {
             val kept = minOf(left, count.toLong()).toInt()
             stream.write(bytes, 0, kept)
             left -= kept
+            progress.advanced(size - left, size)
         }
     }
 }

@@ -45,7 +45,7 @@ internal class RecoverTask(
         val lostBytes = losses.bytesAtEnd
         if (format.hasRows || lostBytes == null) return writeLog(recording, format, target, progress = progress)
         // A WPILOG of our own has the fields of structs, not the structs.
-        copyBeginning(file, lostBytes, target)
+        copyBeginning(file, lostBytes, target, progress)
         return LeftOut()
     }
 }
