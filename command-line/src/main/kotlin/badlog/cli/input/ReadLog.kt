@@ -1,5 +1,6 @@
 package badlog.cli.input
 
+import badlog.cli.Failure
 import badlog.cli.output.FileName
 import badlog.file.readRecording
 import badlog.html.ExportProgress
@@ -12,14 +13,14 @@ import java.nio.file.Path
  * Reads [file] with its samples, and with the topic [xTopic] as x axis when it is not null.
  *
  * @throws NotALog when there is nothing to show.
- * @throws badlog.cli.Failure when there is no such topic.
+ * @throws Failure when there is no such topic, or the beginning of a WPILOG is lost.
  * @throws badlog.file.UnreadableFileException when it cannot be read.
  */
 internal fun readLog(file: Path, progress: ExportProgress, xTopic: String? = null): Recording {
     val recording = readRecording(file, progress = progress::advanced)
     recording.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }?.let { throw NotALog("$file: ${it.message}") }
     if (isFormerWpilog(file, recording)) {
-        throw NotALog(
+        throw Failure(
             "$file is named like a WPILOG, but does not begin like one; its beginning is lost, without which nothing can be read.",
         )
     }

@@ -138,7 +138,7 @@ class RecoverWpilogSpec : FunSpec({
     test("what lost its end keeps its beginning to the byte, also what is not decoded") {
         val whole = wpilogBytes(LOG + PHOTO)
         inFolder { folder ->
-            checkAll(60, Arb.int(0, whole.size), Arb.element(0, 1, 30)) { size, noise ->
+            checkAll(60, Arb.int(6, whole.size), Arb.element(0, 1, 30)) { size, noise ->
                 // Behind half a record, noise could be its other half.
                 val log = folder.with("a.wpilog", if (noise == 0) whole.copyOf(size) else whole + ByteArray(noise) { -1 })
                 if (badlog("recover", log, "-o", folder / "b.wpilog", "--force").code == ExitCode.NOTHING) return@checkAll
@@ -167,6 +167,8 @@ class RecoverWpilogSpec : FunSpec({
             ended.code shouldBe ExitCode.NOTHING
             val table = "x,y\n1,2\n3" + "\u0000".repeat(4) + "\n"
             badlog("recover", folder.with("t.wpilog", table), "-o", folder / "b.wpilog").err shouldContain "does not begin like one"
+            badlogJson("info", folder / "t.wpilog", folder.with("whole.wpilog", whole)).json.map { it.getValue("status").jsonPrimitive.content }
+                .shouldContainExactly("failed", "whole")
             badlog("recover", folder.with("t.csv", table), "-o", folder / "b.csv").code shouldBe ExitCode.SALVAGED
             (folder / "b.wpilog").exists() shouldBe false
             badlog("recover", folder.with("empty.wpilog", "")).err shouldContain "nothing can be recovered. The file is empty"
