@@ -47,7 +47,7 @@ internal class BadlogCommand : CoreCliktCommand(NAME) {
 
     override fun help(context: Context): String =
         paragraph(
-            "Works on the logs of robots: bags and CSV files, also gzipped, also damaged. The content decides what a file is, " +
+            "Works on the logs of robots: bags, WPILOGs and CSV files, also gzipped, also damaged. The content decides what a file is, " +
                 "never its name. No log is ever changed.",
         )
 

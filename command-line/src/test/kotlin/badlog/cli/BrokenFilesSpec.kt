@@ -1,9 +1,15 @@
 package badlog.cli
 
+import badlog.file.readRecording
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.byte
+import io.kotest.property.arbitrary.byteArray
+import io.kotest.property.arbitrary.int
+import io.kotest.property.checkAll
 import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.attribute.PosixFilePermissions
@@ -67,6 +73,34 @@ class BrokenFilesSpec : FunSpec({
                     val ended = badlogJson(*arguments.toTypedArray(), *(if (arguments[0] == "info") arrayOf() else arrayOf("--force")))
                     ended.code shouldBe ExitCode.SALVAGED
                     status(ended) shouldContainExactly listOf("salvaged")
+                }
+            }
+        }
+    }
+
+    test("whatever is wrong in a WPILOG, nothing is a defect, and what is written of it is whole") {
+        val whole = wpilogBytes(
+            listOf(
+                Logged("Speed", "double", "{\"unit\":\"m/s\"}", List(40) { it / 50.0 to it * 1.25 }),
+                Logged("DS:enabled", "boolean", "", listOf(0.1 to false, 0.2 to true, 0.5 to false)),
+                Logged("Mode", "string", "", List(20) { it / 20.0 to "mode ${it % 3}" }),
+            ),
+        )
+        inFolder { folder ->
+            val good = folder.with("good.wpilog", whole)
+            checkAll(100, Arb.int(12, whole.size), Arb.byteArray(Arb.int(0, 12), Arb.byte())) { at, noise ->
+                val bytes = whole.copyOf(at) + noise + whole.copyOfRange(minOf(whole.size, at + noise.size / 2), whole.size)
+                val log = folder.with("log.wpilog", if (noise.size % 3 == 0) bytes.copyOf(at) else bytes)
+                val out = folder / "out.wpilog"
+                for (command in listOf(
+                    listOf("convert", log, "-o", out),
+                    listOf("convert", log, "--rows-at", "Mode", "-o", folder / "out.bag"),
+                    listOf("cut", log, "--enabled", "-o", out),
+                    listOf("cut", log, "--around", "mode 1", "--before", "0", "-o", out),
+                    listOf("merge", log, good, "--append", "-o", out),
+                )) {
+                    val ended = badlog(*command.toTypedArray(), "--force")
+                    if (ended.code != ExitCode.NOTHING) readRecording(Path.of(command.last().toString())).isSalvaged shouldBe false
                 }
             }
         }

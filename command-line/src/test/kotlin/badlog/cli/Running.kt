@@ -1,5 +1,7 @@
 package badlog.cli
 
+import badlog.file.readRecording
+import badlog.wpilog.WpilogWriter
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldNotContain
 import java.io.ByteArrayOutputStream
@@ -11,6 +13,7 @@ import java.util.zip.GZIPOutputStream
 import kotlin.io.path.div
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
+import kotlin.io.path.outputStream
 import kotlin.io.path.writeBytes
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonObject
@@ -91,4 +94,11 @@ internal fun gzip(text: String): ByteArray {
     val out = ByteArrayOutputStream()
     GZIPOutputStream(out).use { it.write(text.encodeToByteArray()) }
     return out.toByteArray()
+}
+
+/** The sample [name] as a WPILOG in this folder, without its damage. */
+internal fun Path.sampleLog(name: String): Path = (this / "$name.wpilog").apply {
+    outputStream().use { out ->
+        WpilogWriter(readRecording(SAMPLES / name)).write { bytes, size -> out.write(bytes, 0, size) }
+    }
 }

@@ -6,12 +6,15 @@ import badlog.recording.RecordingFormat
 import badlog.recording.TextColumn
 import badlog.recording.Topic
 import badlog.recording.TopicKind
-import kotlin.math.floor
+import badlog.wpilog.X_AXIS_METADATA
+import kotlin.math.abs
+import kotlin.math.ceil
 
 /**
  * The samples of [recording] in rows, one for each of [times]: each topic has there the last value at or before that time,
  * and nothing before its first. An event stands in the first row that is not before it; several that share a row are joined by
- * `; `. A topic `Time` with these times comes first, as the x axis. What comes out can be written as a bag or as CSV.
+ * `; `. A topic `Time` with these times comes first, as the x axis; where the recording is a bag that was written as a WPILOG,
+ * the topic that was its x axis is it again. What comes out can be written as a bag or as CSV.
  *
  * @param times ascending and finite, in the unit of the recording's x axis.
  * @throws IllegalArgumentException when they are not.
@@ -22,23 +25,41 @@ public fun resampled(recording: Recording, times: DoubleArray): Recording {
         require(times[i].isFinite() && isAscending) { "Times must ascend, but ${times[i]} is at $i." }
     }
     val xAxis = LogView.of(recording).xAxis
-    val names = recording.topics.mapTo(HashSet()) { it.name }
-    val name = generateSequence(1) { it + 1 }.map { if (it == 1) "Time" else "Time ($it)" }.first { it !in names }
-    val counts = CellCounts(times.size, 0, 0, 0, 0, 0)
-    val time = Topic(name, xAxis.unit, listOf("xaxis", "hide"), times, TextColumn.EMPTY, counts)
-    val topics = recording.topics.filter { it !== xAxis.topic }.map { held(it, xAxis, times) }
+    val formerX = recording.topics.find { it.times != null && X_AXIS_METADATA in it.metadata && it.samples.isNotEmpty() }
+    val topics = recording.topics.filter { it !== xAxis.topic }.map { topic ->
+        val held = held(topic, xAxis, times)
+        if (topic === formerX) xAxisAgain(held, times) else held
+    }
     return Recording(
         RecordingFormat.BAG,
         null,
         recording.values,
-        listOf(time) + topics,
+        if (formerX == null) listOf(newXAxis(recording, xAxis.unit, times)) + topics else topics,
         times.size,
         recording.problems,
     )
 }
 
+private fun newXAxis(recording: Recording, unit: String, times: DoubleArray): Topic {
+    val names = recording.topics.mapTo(HashSet()) { it.name }
+    val name = generateSequence(1) { it + 1 }.map { if (it == 1) "Time" else "Time ($it)" }.first { it !in names }
+    return Topic(name, unit, listOf("xaxis", "hide"), times, TextColumn.EMPTY, xCounts(times))
+}
+
+/** The topic [former] with its own numbers where they tell the [times] more exactly than these do. */
+private fun xAxisAgain(former: Topic, times: DoubleArray): Topic {
+    val inSeconds = Units.microsIn(former.unit) / 1e6
+    val x = DoubleArray(times.size) { row ->
+        val own = former.samples[row]
+        if (abs(own * inSeconds - times[row]) <= MICROSECOND) own else times[row] / inSeconds
+    }
+    return Topic(former.name, former.unit, listOf("xaxis") + former.attributes, x, TextColumn.EMPTY, xCounts(times))
+}
+
+private fun xCounts(times: DoubleArray) = CellCounts(times.size, 0, 0, 0, 0, 0)
+
 /**
- * The times from the first sample of [recording] to its last, [period] apart.
+ * The times from the first sample of [recording] on, [period] apart; the last of them is not before the last sample.
  *
  * @param period in the unit of the x axis, above 0.
  * @throws IllegalArgumentException when it is not, or when there would be more than 100 million.
@@ -46,7 +67,7 @@ public fun resampled(recording: Recording, times: DoubleArray): Recording {
 public fun periodicTimes(recording: Recording, period: Double): DoubleArray {
     require(period > 0) { "A period must be above 0, but is $period." }
     val range = LogView.of(recording).xAxis.range ?: return DoubleArray(0)
-    val steps = floor((range.endInclusive - range.start) / period + ROUNDING)
+    val steps = ceil((range.endInclusive - range.start) / period - ROUNDING)
     require(steps < MOST_ROWS) { "A period of $period gives $steps rows, which are too many." }
     return DoubleArray(steps.toInt() + 1) { range.start + it * period }
 }
@@ -152,4 +173,5 @@ private class Holder(private val topic: Topic, rows: Int) {
 
 // Of the last step of a period that divides the range.
 private const val ROUNDING = 1e-9
+private const val MICROSECOND = 1e-6
 private const val MOST_ROWS = 1e8

@@ -17,5 +17,12 @@ public object Units {
     public fun ofIntegral(unit: String, xUnit: String): String =
         if (isNone(unit)) ofX(xUnit) else "$unit·${ofX(xUnit)}"
 
+    /** How many microseconds one [unit] of an x axis is; what is no unit of time counts as a second. */
+    internal fun microsIn(unit: String): Double = when (unit) {
+        "ms" -> 1e3
+        "us", "µs" -> 1.0
+        else -> 1e6
+    }
+
     private fun ofX(xUnit: String) = if (isNone(xUnit)) "Index" else xUnit
 }

@@ -1,9 +1,5 @@
 package badlog.wpilog
 
-import badlog.bag.JsonMember
-import badlog.bag.JsonReader
-import badlog.recording.Topic
-
 /**
  * What a file says of one name and type, under however many numbers it was begun.
  *
@@ -18,28 +14,11 @@ internal class Entry(val name: String, val type: String, val isValue: Boolean, v
     /** Takes each payload too, where it tells something of the whole recording. */
     var listener: EntryListener? = null
 
-    private val members: List<JsonMember> get() = JsonReader.readObject(metadata).orEmpty()
+    /** The unit of its samples. */
+    val unit: String get() = if (decoder.isUndecoded) "B" else unitIn(metadata)
 
-    /** Where loggers put a unit: beside their own remarks, or in the properties of a NetworkTables topic. */
-    val unit: String
-        get() {
-            if (decoder.isUndecoded) return "B"
-            val own = members.findLast { it.key == UNIT }
-            val property = members.findLast { it.key == "properties" }?.value?.members?.findLast { it.key == UNIT }
-            return (own ?: property)?.value?.text ?: Topic.UNITLESS
-        }
-
-    /** Those that badlog itself has written, and those that belong to what WPILib writes by itself. */
-    val attributes: List<String>
-        get() {
-            val own = members.findLast { it.key == "attrs" }?.value?.items.orEmpty().mapNotNull { it.text }
-            return when {
-                own.isNotEmpty() -> own
-                name == MESSAGES -> listOf("log")
-                name == SYSTEM_TIME || SCHEMA_FOLDER in name -> listOf("hide")
-                else -> own
-            }
-        }
+    /** What is to be done with it. */
+    val attributes: List<String> get() = attributesIn(metadata, name)
 
     companion object {
         /** The entry in which WPILib's loggers tell the time of day. */
@@ -47,10 +26,6 @@ internal class Entry(val name: String, val type: String, val isValue: Boolean, v
 
         /** The folder of everything that describes types; also below `NT:`. */
         const val SCHEMA_FOLDER = "/.schema/"
-
-        /** Where WPILib's logger puts what the program says. */
-        private const val MESSAGES = "messages"
-        private const val UNIT = "unit"
     }
 }
 

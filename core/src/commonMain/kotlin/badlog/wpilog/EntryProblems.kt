@@ -1,5 +1,6 @@
 package badlog.wpilog
 
+import badlog.recording.Loss
 import badlog.recording.ProblemKind
 import badlog.recording.ProblemList
 import badlog.recording.Topic
@@ -14,6 +15,7 @@ internal fun reportEntry(entry: Entry, problems: ProblemList) {
             "${decoder.badCount} records of “$name” do not have the bytes of a ${entry.type}; they were dropped.",
             topic = name,
             count = decoder.badCount,
+            loss = Loss(cells = decoder.badCount),
         )
     }
     if (decoder.droppedValues > 0) {
@@ -22,6 +24,7 @@ internal fun reportEntry(entry: Entry, problems: ProblemList) {
             "${decoder.droppedValues} values of “$name” were dropped: there are more than can be shown.",
             topic = name,
             count = decoder.droppedValues,
+            loss = Loss(cells = decoder.droppedValues),
         )
     }
     if (decoder.isUndecoded && decoder.clock.size > 0) {

@@ -23,15 +23,22 @@ internal class EntryWriter(
     private val payload = payloadOf(topic)
     private val positions = times.positionsOf(topic)
     private val dictionary by lazy { topic.texts.dictionary.map { it.encodeToByteArray() } }
-    private val keepsNaN = payload >= Payload.FLOAT && topic.counts.empty == 0
+    private val isFloating = payload == Payload.FLOAT || payload == Payload.DOUBLE
+    private val isNaNValue = isFloating && topic.counts.empty == 0
+    private val isNaNGap = isFloating && !isNaNValue && !topic.isSparse
     private var next = 0
     private var nextText = 0
     private var last = Double.NaN
     private var hasLast = false
     private var lastText = -1
     private var gaps = 0
+    private var empty = 0
     private var misfits = 0
     private var nowhere = 0
+
+    /** How many samples were left out because they are the same as those before them. */
+    var repeats = 0
+        private set
 
     /** Whether there are samples left. */
     val hasNext: Boolean get() = next < topic.size
@@ -53,7 +60,7 @@ internal class EntryWriter(
         val micros = times.micros(positions[index])
         when {
             micros.isNaN() -> nowhere++
-            isText != (payload == Payload.STRING) -> if (isText || hasNumber(index)) misfits++ else gaps++
+            isText != (payload == Payload.STRING) -> if (isText || hasNumber(index)) misfits++ else empty++
             isText -> writeText(out, micros, text)
             else -> writeNumber(out, micros, topic.samples.getOrElse(index) { Double.NaN })
         }
@@ -62,17 +69,25 @@ internal class EntryWriter(
     private fun hasNumber(index: Int) = topic.samples.isNotEmpty() && !topic.samples[index].isNaN()
 
     private fun writeText(out: RecordBuffer, micros: Double, text: Int) {
-        if (changesOnly && text == lastText) return
+        if (changesOnly && text == lastText) {
+            repeats++
+            return
+        }
         lastText = text
         out.string(id, micros, dictionary[text])
     }
 
     private fun writeNumber(out: RecordBuffer, micros: Double, number: Double) {
-        if (number.isNaN() && !keepsNaN) {
-            gaps++
+        if (number.isNaN() && !isNaNValue) {
+            // One NaN ends the value before, which would hold otherwise.
+            val beginsGap = isNaNGap && hasLast && !last.isNaN()
+            if (beginsGap) gaps++ else empty++
+            if (!beginsGap) return
+        }
+        if (changesOnly && hasLast && number.toBits() == last.toBits()) {
+            repeats++
             return
         }
-        if (changesOnly && hasLast && number.toBits() == last.toBits()) return
         last = number
         hasLast = true
         when (payload) {
@@ -85,10 +100,14 @@ internal class EntryWriter(
 
     /** What of the topic has not been written. */
     fun omissions(): List<Omission> = buildList {
-        if (gaps > 0) add(Omission(topic.name, "Cells without a value have no record.", gaps))
+        if (gaps > 0) add(Omission(topic.name, "Gaps begin with NaN.", gaps))
+        if (empty > 0) add(Omission(topic.name, "Cells without a value have no record.", empty))
         if (misfits > 0) {
             val what = if (payload == Payload.STRING) "Numbers among texts" else "Texts among numbers"
             add(Omission(topic.name, "$what have no record.", misfits))
+        }
+        if (payload == Payload.DOUBLE && wholeType(topic) == "int64" && topic.samples.isNotEmpty()) {
+            add(Omission(topic.name, "Whole numbers beyond 2^53 are rounded, and all are of type double.", topic.counts.numbers))
         }
         if (nowhere > 0) add(Omission(topic.name, "Samples without a place on the x axis have no record.", nowhere))
     }
@@ -100,10 +119,13 @@ internal class EntryWriter(
             topic.kind == TopicKind.STATE || topic.kind == TopicKind.EVENT -> Payload.STRING
             topic.kind == TopicKind.EMPTY -> Payload.entries.firstOrNull { it.type == topic.type } ?: Payload.DOUBLE
             topic.kind == TopicKind.BOOLEAN && topic.samples.all { it == 0.0 || it == 1.0 || it.isNaN() } -> Payload.BOOLEAN
-            topic.type == "int64" && topic.samples.all(::isWhole) -> Payload.INT64
-            topic.type == "float" && topic.samples.all { it.isNaN() || it.toFloat().toDouble() == it } -> Payload.FLOAT
+            wholeType(topic) == "int64" && topic.samples.all(::isWhole) -> Payload.INT64
+            wholeType(topic) == "float" && topic.samples.all { it.isNaN() || it.toFloat().toDouble() == it } -> Payload.FLOAT
             else -> Payload.DOUBLE
         }
+
+        /** The type of a topic, or of the array that it was an element of. */
+        private fun wholeType(topic: Topic) = topic.type.removeSuffix("[]")
 
         private fun isWhole(number: Double) = number.isNaN() || abs(number) <= LARGEST_EXACT && number == floor(number)
     }

@@ -8,11 +8,7 @@ import kotlin.math.round
 
 /** Turns places on [xAxis] into the times of records: whole µs, from 0 on. */
 internal class RecordTimes(private val xAxis: XAxis) {
-    private val scale = when (xAxis.unit) {
-        "ms" -> 1e3
-        "us", "µs" -> 1.0
-        else -> 1e6
-    }
+    private val scale = Units.microsIn(xAxis.unit)
     private val isTime = !xAxis.isIndex && (xAxis.unit in UNITS || Units.isNone(xAxis.unit))
 
     /** What is added to every x, so that none is before 0. */

@@ -1,5 +1,6 @@
 package badlog.wpilog
 
+import badlog.recording.Loss
 import badlog.recording.ProblemKind
 import badlog.recording.ProblemList
 import badlog.recording.Recording
@@ -64,11 +65,13 @@ public class WpilogParser(private val keepSamples: Boolean = true) {
             problems.add(
                 ProblemKind.RECORDS_LOST,
                 "From byte $end on there are no records; the last ${splitter.total - end} bytes cannot be read.",
+                loss = Loss(bytes = splitter.total - end),
             )
         } else if (splitter.pendingBytes > 0 || !splitter.isPastHeader) {
             problems.add(
                 ProblemKind.RECORD_CUT,
                 "The file ends inside a record, which was dropped with the ${splitter.pendingBytes} bytes there are of it.",
+                loss = Loss(cells = 1, bytes = splitter.pendingBytes.toLong()),
             )
         }
     }
@@ -80,6 +83,7 @@ public class WpilogParser(private val keepSamples: Boolean = true) {
                 "${book.unknownCount} records belong to entries that were never begun, the first to number " +
                     "${book.firstUnknown.toUInt()}; they were dropped.",
                 count = book.unknownCount,
+                loss = Loss(cells = book.unknownCount),
             )
         }
         if (book.earlyCount > 0) {
@@ -98,6 +102,7 @@ public class WpilogParser(private val keepSamples: Boolean = true) {
                 "${book.wildCount + far} records$example have times that cannot be, or are days away from all others; " +
                     "they were dropped.",
                 count = book.wildCount + far,
+                loss = Loss(cells = book.wildCount + far),
             )
         }
     }

@@ -63,6 +63,8 @@ public class WpilogWriter(
 
     private fun omissions(entries: List<EntryWriter>, times: RecordTimes): List<Omission> = buildList {
         addAll(times.omissions())
+        val repeats = entries.sumOf { it.repeats }
+        if (repeats > 0) add(Omission(null, "Samples that are the same as those before them have no record.", repeats))
         val parts = recording.topics.count { it.type.endsWith("[]") || it.type.startsWith("struct:") }
         if (parts > 0) add(Omission(null, "Parts of arrays and structs are entries of their own.", parts))
         for (topic in recording.topics) {

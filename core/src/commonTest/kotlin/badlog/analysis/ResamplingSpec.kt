@@ -7,6 +7,7 @@ import badlog.recording.TopicKind
 import badlog.wpilog.TestLog
 import badlog.wpilog.VARIED_LOG
 import badlog.wpilog.parseLog
+import badlog.wpilog.writeLog
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
@@ -56,10 +57,24 @@ class ResamplingSpec : FunSpec({
         result.topics[1].samples.toList() shouldBe listOf(1.0, 3.0, 2.0, 4.0)
     }
 
-    test("times of a period go from the first sample to the last") {
+    test("a bag that became a WPILOG has its x axis again, in its own unit and digits") {
+        for ((unit, x) in listOf("s" to listOf(0.0, 0.0200000001, 0.04), "ms" to listOf(0.0, 20.0001, 40.0))) {
+            val header = """{"topics":[{"name":"b","unit":"V"},{"name":"T","unit":"$unit","attrs":["xaxis"]}],"values":[]}""" + "\n"
+            val bag = parse(header + "b,T\n" + x.joinToString("") { "1,$it\n" })
+            val log = parseLog(writeLog(bag).first)
+            val result = resampled(log, timesOf(log, log.topics[1]))
+            result.topics.map { it.name } shouldBe listOf("b", "T")
+            result.topics[1].samples.toList() shouldBe x
+            result.topics[1].attributes shouldBe listOf("xaxis")
+            result.topics[1].unit shouldBe unit
+            resampled(log, doubleArrayOf(0.03)).topics[1].samples.single() shouldBe if (unit == "s") 0.03 else 30.0
+        }
+    }
+
+    test("times of a period go from the first sample on until none is after them") {
         val log = parseLog(TestLog().start(1, "a", "double").double(1, 1_000_000, 1.0).double(1, 1_300_000, 1.0).bytes)
         periodicTimes(log, 0.1).size shouldBe 4
-        periodicTimes(log, 1.0).toList() shouldBe listOf(1.0)
+        periodicTimes(log, 1.0).toList() shouldBe listOf(1.0, 2.0)
         periodicTimes(parseLog(TestLog().bytes), 1.0).size shouldBe 0
         shouldThrow<IllegalArgumentException> { periodicTimes(log, 0.0) }
         shouldThrow<IllegalArgumentException> { periodicTimes(log, 1e-12) }

@@ -3,6 +3,7 @@ package badlog.wpilog
 import badlog.analysis.LogView
 import badlog.bag.VARIED_BAG
 import badlog.bag.parse
+import badlog.recording.ProblemKind
 import badlog.recording.Recording
 import badlog.recording.Topic
 import badlog.recording.TopicKind
@@ -37,12 +38,13 @@ class WpilogWriterSpec : FunSpec({
         val bag = parse(VARIED_BAG)
         val (bytes, omissions) = writeLog(bag)
         val log = parseLog(bytes)
-        log.problems.map { it.kind }.shouldBeEmpty()
+        log.problems.map { it.kind } shouldBe listOf(ProblemKind.NOT_FINITE)
         log.values shouldBe bag.values
         log.topic("Arm/Angle").run {
             unit shouldBe "deg"
-            timeList() shouldBe listOf(0.0, 0.02, 0.06, 0.1)
-            samples.toList() shouldBe listOf(12.346, -1.2346e+05, 1e-5, 99.0)
+            timeList() shouldBe listOf(0.0, 0.02, 0.04, 0.06, 0.08, 0.1)
+            // As text, because NaN does not equal NaN.
+            samples.joinToString() shouldBe listOf(12.346, -1.2346e+05, Double.NaN, 1e-5, Double.NaN, 99.0).joinToString()
         }
         log.topic("Enabled").kind shouldBe TopicKind.BOOLEAN
         log.topic("Enabled").samples.toList() shouldBe listOf(0.0, 0.0, 1.0, 1.0, 1.0, 1.0)
@@ -52,7 +54,7 @@ class WpilogWriterSpec : FunSpec({
             timeList() shouldBe listOf(0.02, 0.04, 0.08)
         }
         log.topic("Time").attributes shouldBe listOf("hide")
-        omissions shouldContain Omission("Arm/Angle", "Cells without a value have no record.", 2)
+        omissions shouldContain Omission("Arm/Angle", "Gaps begin with NaN.", 2)
         LogView.of(log).title shouldBe LogView.of(bag).title
     }
 
@@ -80,9 +82,46 @@ class WpilogWriterSpec : FunSpec({
         for ((i, value) in listOf(1.0, 1.0, 2.0, 2.0, 1.0, Double.NaN, Double.NaN, -0.0, 0.0).withIndex()) {
             log.double(1, i.toLong(), value).string(2, i.toLong(), if (i < 4) "x" else "y")
         }
-        val read = parseLog(writeLog(parseLog(log.bytes), changesOnly = true).first)
+        val (bytes, omissions) = writeLog(parseLog(log.bytes), changesOnly = true)
+        omissions.single().count shouldBe 10
+        val read = parseLog(bytes)
         read.topic("a").timeList() shouldBe listOf(0, 2, 4, 5, 7, 8).map { it / 1e6 }
         read.topic("s").timeList() shouldBe listOf(0.0, 4e-6)
+    }
+
+    test("metadata stay as they were where they tell unit and attributes, even those that WPILib leaves out") {
+        val log = TestLog().start(1, "messages", "string", "no JSON").start(2, "systemTime", "int64", "{ \"source\":\"x\" }")
+            .start(3, "NT:/v", "double", "{\"properties\":{\"unit\":\"V\"}}").start(4, "a", "double[]", "{\"a\":[1, 2]}")
+            .string(1, 1, "hello").record(2, 2, longs(1_700_000_000_000_000)).double(3, 3, 1.0).record(4, 4, doubles(1.0, 2.0))
+        val before = parseLog(log.bytes)
+        val after = parseLog(writeLog(before).first)
+        after.topics.map { it.metadata } shouldBe before.topics.map { it.metadata }
+        after.topics.map { it.unit } shouldBe before.topics.map { it.unit }
+        after.topics.map { it.attributes } shouldBe before.topics.map { it.attributes }
+        after.topics.map { it.type } shouldBe listOf("string", "int64", "double", "double", "double")
+    }
+
+    test("elements of arrays keep the type of their array, and whole numbers that were rounded are told") {
+        val log = TestLog().start(1, "f", "float[]").start(2, "i", "int64[]").start(3, "large", "int64")
+            .record(1, 1, floats(0.1f)).record(2, 2, longs(7, -8)).record(3, 3, longs(Long.MAX_VALUE))
+        val (bytes, omissions) = writeLog(parseLog(log.bytes))
+        parseLog(bytes).topics.map { it.type } shouldBe listOf("float", "int64", "int64", "double")
+        omissions.single { it.topic == "large" }.what shouldBe
+            "Whole numbers beyond 2^53 are rounded, and all are of type double."
+    }
+
+    test("an element that its array has lost has a gap again") {
+        val log = TestLog().start(1, "a", "double[]").record(1, 1, doubles(1.0, 2.0)).record(1, 2, doubles(3.0))
+            .record(1, 3, doubles(4.0)).record(1, 4, doubles(5.0, 6.0))
+        val read = parseLog(writeLog(parseLog(log.bytes)).first)
+        read.topic("a[1]").samples.map { it.isNaN() } shouldBe listOf(false, true, false)
+    }
+
+    test("a sparse topic has no gaps, and what a bag shows as events stays events") {
+        val header = "{\"topics\":[{\"name\":\"t\",\"unit\":\"s\",\"attrs\":[\"xaxis\"]},{\"name\":\"n\"},{\"name\":\"e\"}]}\n"
+        val read = parseLog(writeLog(parse(header + "t,n,e\n0,1,\n1,,\n2,,boom\n3,2,\n4,,\n5,,\n")).first)
+        read.topic("n").samples.toList() shouldBe listOf(1.0, 2.0)
+        read.topic("e").attributes shouldBe listOf("log")
     }
 
     test("values stay values, however often they are written") {

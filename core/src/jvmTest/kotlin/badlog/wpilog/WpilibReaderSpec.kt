@@ -43,6 +43,12 @@ private fun Topic.texts(): Map<Int, String> = List(texts.size) { texts.rows[it] 
 
 private fun hex(text: String) = text.encodeToByteArray().joinToString("") { "%02x".format(it) }
 
+/** Whether [topic] has no value at [index], but had one before. */
+private fun beginsGap(topic: Topic, index: Int): Boolean {
+    val before = topic.samples.take(index)
+    return !topic.isSparse && before.isNotEmpty() && !before.last().isNaN()
+}
+
 /** The value as the script prints it; null where there is none. */
 private fun valueOf(topic: Topic, texts: Map<Int, String>, index: Int, type: String): Any? {
     val number = topic.samples.getOrElse(index) { Double.NaN }
@@ -50,7 +56,7 @@ private fun valueOf(topic: Topic, texts: Map<Int, String>, index: Int, type: Str
         "string", "json", "structschema" -> texts[index]?.let(::hex)
         "boolean" -> if (number.isNaN()) null else (number != 0.0).toString()
         "int64" -> if (number.isNaN()) null else number.toLong().toString()
-        else -> if (number.isNaN() && topic.counts.empty > 0) null else number
+        else -> if (number.isNaN() && topic.counts.empty > 0 && !beginsGap(topic, index)) null else number
     }
 }
 

@@ -6,7 +6,6 @@ import badlog.cli.output.LogFormat
 import badlog.cli.output.OutputOptions
 import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
-import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.help
 import com.github.ajalt.clikt.parameters.options.option
@@ -18,27 +17,32 @@ import com.github.ajalt.clikt.parameters.types.double
 internal class ConvertCommand : SubCommand(
     "convert",
     "Writes logs in another format.",
-    "Every number is kept to its last bit; what the format has no place for is listed. Without --out, match.csv stands " +
-        "beside match.bag. A name that ends in .gz is compressed.",
+    "Every number is kept to its last bit; what the format has no place for is listed. A WPILOG has no rows: a bag or CSV " +
+        "made of it has the last value of each topic in each row. Without --out, match.csv stands beside match.bag. A name " +
+        "that ends in .gz is compressed.",
 ) {
-    private val to by option("--to").choice(LogFormat.entries.associateBy { it.option })
-        .help("The format, unless the name after --out tells it.")
+    private val to by option("--to").choice(LogFormat.entries.associateBy { it.option }, metavar = "FORMAT")
+        .help("${LogFormat.entries.joinToString { it.option }}; unless the name after --out tells it.")
     private val output by OutputOptions()
     private val isGzip by option("-z", "--gzip").flag().help("Compress the results, with .gz at their names.")
     private val xTopic by option("--x", metavar = "TOPIC").help("Make this topic the x axis of the bag.")
-
-    private val period by option("--period", metavar = "SECONDS").double().default(USUAL_PERIOD)
-        .help("How far apart a WPILOG's rows are; usually $USUAL_PERIOD.")
-        .validate { if (!(it > 0)) fail("must be above 0") }
+    private val period by option("--period", metavar = "SECONDS").double()
+        .help("How far apart the rows of a WPILOG are; usually ${Rows.USUAL_PERIOD}.")
+        .validate { if (!(it > 0 && it.isFinite())) fail("must be above 0") }
+    private val rowsAt by option("--rows-at", metavar = "TOPIC")
+        .help("Make the rows of a WPILOG at this topic's times.")
+    private val isChangesOnly by option("--changes-only")
+        .flag().help("Leave out of a WPILOG what repeats the sample before.")
 
     override fun makeTask(): Task {
         val format = to ?: output.outPath?.let(LogFormat::ofName)
-            ?: throw UsageError("name the format: --to ${LogFormat.entries.joinToString(" or --to ") { it.option }}")
-        return ConvertTask(paths, format, output.plan(paths), isGzip, xTopic, period, isJson)
-    }
-
-    private companion object {
-        /** A robot's loop, in seconds. */
-        const val USUAL_PERIOD = 0.02
+            ?: throw UsageError("name the format: ${LogFormat.entries.joinToString(" or ") { "--to ${it.option}" }}")
+        if (period != null && rowsAt != null) throw UsageError("--period and --rows-at exclude each other")
+        if (!format.hasRows && (period != null || rowsAt != null)) {
+            throw UsageError("--period and --rows-at belong to --to bag and --to csv; a WPILOG has no rows")
+        }
+        if (!format.hasRows && xTopic != null) throw UsageError("--x belongs to --to bag and --to csv; a WPILOG's x is time")
+        if (format.hasRows && isChangesOnly) throw UsageError("--changes-only belongs to --to wpilog; rows have all topics in each")
+        return ConvertTask(paths, format, output.plan(paths), isGzip, xTopic, Rows(period, rowsAt), isChangesOnly, isJson)
     }
 }

@@ -1,22 +1,28 @@
 package badlog.cli.convert
 
-import badlog.analysis.periodicTimes
 import badlog.analysis.resampled
 import badlog.cli.Console
 import badlog.cli.ExitCode
+import badlog.cli.Failure
 import badlog.cli.LogLoop
 import badlog.cli.Outcome
 import badlog.cli.Task
 import badlog.cli.input.LogInput
 import badlog.cli.input.readLog
+import badlog.cli.input.withX
 import badlog.cli.output.FileName
+import badlog.cli.output.LeftOut
 import badlog.cli.output.LogFormat
 import badlog.cli.output.OutputPlan
+import badlog.cli.output.copyBeginning
 import badlog.cli.output.writeLog
+import badlog.cli.recover.Losses
 import badlog.cli.text.counted
 import badlog.cli.text.json
 import badlog.cli.text.lossLines
+import badlog.cli.text.wrapped
 import badlog.html.ExportProgress
+import badlog.recording.Recording
 import badlog.recording.RecordingFormat
 import java.nio.file.Path
 import kotlinx.serialization.json.JsonPrimitive
@@ -26,7 +32,8 @@ import kotlinx.serialization.json.JsonPrimitive
  *
  * @param isGzip whether results are compressed though their logs were not.
  * @param xTopic the topic to make the x axis, or null.
- * @param period how far apart the rows are that a log without rows gets, in the unit of its x axis.
+ * @param rows at which times a log without rows gets them, where the format needs them.
+ * @param isChangesOnly whether samples are left out that are the same as those before them.
  */
 internal class ConvertTask(
     private val paths: List<Path>,
@@ -34,28 +41,61 @@ internal class ConvertTask(
     private val plan: OutputPlan,
     private val isGzip: Boolean,
     private val xTopic: String?,
-    private val period: Double,
+    private val rows: Rows,
+    private val isChangesOnly: Boolean,
     private val isJson: Boolean,
 ) : Task {
+    private class WithRows(val recording: Recording, val leftOut: LeftOut)
+
     override fun run(console: Console): ExitCode = LogLoop("convert", console, isJson).run(paths, ::convert)
 
     private fun convert(input: LogInput, progress: ExportProgress): Outcome {
-        val read = readLog(input.file, progress, xTopic)
-        val recording = if (read.format == RecordingFormat.WPILOG) resampled(read, periodicTimes(read, period)) else read
+        val read = readLog(input.file, progress)
+        if (read.topics.isEmpty()) {
+            throw Failure("${input.file}: nothing can be converted. ${read.problems.firstOrNull()?.message.orEmpty()}".trim())
+        }
+        val fit = if (format.hasRows) withRows(read, input.file) else WithRows(read, LeftOut())
+        val recording = fit.recording
         val name = FileName.of(input.file)
         val converted = name.with(format.ending, isGzip || name.isGzip)
         val target = plan.place(input, converted, converted)
-        writeLog(recording, format, target, progress = progress)
-        val leftOut = format.leftOut(recording)
-        val rest = if (leftOut.isEmpty()) "" else "; without ${leftOut.joinToString()}"
-        val text = listOf("${input.file} -> $target", "  ${counted(recording.rowCount.toLong(), "row")}$rest") +
-            lossLines(recording.problems)
+        val leftOut = fit.leftOut + write(input.file, recording, target, progress)
+        val count = if (format.hasRows) {
+            counted(recording.rowCount.toLong(), "row")
+        } else {
+            "${counted(recording.sampleCount, "sample")} of ${counted(recording.topics.size.toLong(), "topic")}"
+        }
+        val text = listOf("${input.file} -> $target", wrapped("  ", count + leftOut.tail, INDENT)) + leftOut.lines + lossLines(recording.problems)
         val json = mapOf(
             "output" to JsonPrimitive(target.toString()),
             "format" to JsonPrimitive(format.option),
             "rows" to JsonPrimitive(recording.rowCount),
-            "leftOut" to json(leftOut),
+            "samples" to JsonPrimitive(recording.sampleCount),
+            "leftOut" to json(leftOut.all),
         )
         return Outcome(recording.isSalvaged, text.joinToString("\n"), json)
+    }
+
+    private fun write(file: Path, recording: Recording, target: Path, progress: ExportProgress): LeftOut {
+        val lostBytes = Losses(recording).bytesAtEnd
+        val staysAsItIs = recording.format == RecordingFormat.WPILOG && !format.hasRows && !isChangesOnly
+        if (!staysAsItIs || lostBytes == null) {
+            return writeLog(recording, format, target, changesOnly = isChangesOnly, progress = progress)
+        }
+        // A WPILOG of our own has the fields of structs, not the structs.
+        copyBeginning(file, lostBytes, target, progress)
+        return LeftOut()
+    }
+
+    private fun withRows(read: Recording, file: Path): WithRows {
+        val hasRows = read.format != RecordingFormat.WPILOG
+        val times = if (hasRows) null else rows.timesIn(read, file)
+        val recording = if (times == null) read else resampled(read, times)
+        val leftOut = if (times == null) LeftOut() else rowLosses(read, times)
+        return WithRows(if (xTopic == null) recording else recording.withX(xTopic, file), leftOut)
+    }
+
+    private companion object {
+        const val INDENT = 4
     }
 }

@@ -8,8 +8,9 @@ import badlog.cli.LogLoop
 import badlog.cli.Outcome
 import badlog.cli.Task
 import badlog.cli.input.LogInput
-import badlog.cli.input.readRows
+import badlog.cli.input.readLog
 import badlog.cli.output.FileName
+import badlog.cli.output.LeftOut
 import badlog.cli.output.LogFormat
 import badlog.cli.output.OutputPlan
 import badlog.cli.output.writeLog
@@ -18,9 +19,10 @@ import badlog.cli.text.counted
 import badlog.cli.text.grouped
 import badlog.cli.text.json
 import badlog.cli.text.lossLines
+import badlog.cli.text.wrapped
 import badlog.html.ExportProgress
+import badlog.recording.RecordingFormat
 import java.nio.file.Path
-import java.util.BitSet
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
@@ -28,12 +30,12 @@ import kotlinx.serialization.json.JsonPrimitive
 /**
  * Writes a part of each log.
  *
- * @param choices what to keep: the rows that all of them choose.
+ * @param choices what to keep: what all of them choose.
  * @param xTopic the topic to take as x axis, or null.
  */
 internal class CutTask(
     private val paths: List<Path>,
-    private val choices: List<RowChoice>,
+    private val choices: List<PartChoice>,
     private val plan: OutputPlan,
     private val xTopic: String?,
     private val isJson: Boolean,
@@ -41,58 +43,48 @@ internal class CutTask(
     override fun run(console: Console): ExitCode = LogLoop("cut", console, isJson).run(paths, ::cut)
 
     private fun cut(input: LogInput, progress: ExportProgress): Outcome {
-        val view = LogView.of(readRows(input.file, progress, xTopic))
-        val recording = view.recording
-        val runs = try {
-            choose(view).runs()
+        val view = LogView.of(readLog(input.file, progress, xTopic))
+        val part = try {
+            partOf(view)
         } catch (e: Failure) {
             throw Failure("${input.file}: ${e.message}")
         }
         val target = plan.place(input, FileName.of(input.file).marked("cut"), input.file.fileName.toString())
-        val format = plan.file?.let(LogFormat::ofName) ?: LogFormat.of(recording)
-        writeLog(recording, format, target, runs, progress)
-        val leftOut = format.leftOut(recording)
-        val text = text(view, "${input.file} -> $target", runs, leftOut)
-        return Outcome(recording.isSalvaged, text, json(view, target, runs) + mapOf("leftOut" to json(leftOut)))
+        val format = plan.file?.let(LogFormat::ofName) ?: LogFormat.of(view.recording)
+        val leftOut = writeLog(part.recording, format, target, part.rows, progress = progress)
+        val text = text(view, "${input.file} -> $target", part, leftOut)
+        return Outcome(view.recording.isSalvaged, text, json(view, target, part) + mapOf("leftOut" to json(leftOut.all)))
     }
 
-    private fun choose(view: LogView): BitSet {
-        val x = view.xAxis.positions
-        val rows = BitSet(x.size).apply { set(0, x.size) }
-        for (choice in choices) rows.and(rowsIn(x, choice.spans(view)))
-        if (!rows.isEmpty) return rows
-        val finite = x.filter { it.isFinite() }
-        if (finite.isEmpty()) throw Failure("it has no rows to keep any of.")
+    private fun partOf(view: LogView): CutPart {
+        val spans = choices.map { joined(it.spans(view)) }.reduce(::intersection)
+        return if (view.recording.format == RecordingFormat.WPILOG) samplePart(view, spans) else rowPart(view, spans)
+    }
+
+    private fun text(view: LogView, title: String, part: CutPart, leftOut: LeftOut): String {
         val unit = view.xAxis.unit
-        val range = "from ${XTime.text(finite.min(), unit)} to ${XTime.text(finite.max(), unit)}"
-        throw Failure("no row lies there; ${view.xAxis.name} goes $range.")
-    }
-
-    private fun text(view: LogView, title: String, runs: List<IntRange>, leftOut: List<String>): String {
-        val without = if (leftOut.isEmpty()) "" else "; without ${leftOut.joinToString()}"
-        val lines = runs.take(LISTED).map { run ->
-            val from = XTime.text(view.xAxis.positions[run.first], view.xAxis.unit)
-            "  from $from to ${XTime.text(view.xAxis.positions[run.last], view.xAxis.unit)}"
+        val lines = part.spans.take(LISTED).map { "  from ${XTime.text(it.from, unit)} to ${XTime.text(it.to, unit)}" }
+        val more = if (part.spans.size > LISTED) listOf("  and ${part.spans.size - LISTED} more") else emptyList()
+        val kept = if (view.recording.format == RecordingFormat.WPILOG) {
+            "${grouped(part.sampleCount)} of ${counted(view.recording.sampleCount, "sample")}"
+        } else {
+            "${grouped(part.rowCount.toLong())} of ${counted(view.recording.rowCount.toLong(), "row")}"
         }
-        val more = if (runs.size > LISTED) listOf("  and ${runs.size - LISTED} more") else emptyList()
-        val kept = "  kept ${grouped(countOf(runs).toLong())} of ${counted(view.recording.rowCount.toLong(), "row")}$without"
-        return (listOf(title, kept) + lines + more + lossLines(view.problems)).joinToString("\n")
+        val head = listOf(title, wrapped("  ", "kept $kept${leftOut.tail}", INDENT))
+        return (head + lines + more + leftOut.lines + lossLines(view.problems)).joinToString("\n")
     }
 
-    private fun json(view: LogView, target: Path, runs: List<IntRange>) = mapOf(
+    private fun json(view: LogView, target: Path, part: CutPart) = mapOf(
         "output" to JsonPrimitive(target.toString()),
-        "rows" to JsonPrimitive(countOf(runs)),
+        "rows" to JsonPrimitive(part.rowCount),
         "ofRows" to JsonPrimitive(view.recording.rowCount),
-        "parts" to JsonArray(
-            runs.map {
-                JsonObject(mapOf("from" to json(view.xAxis.positions[it.first]), "to" to json(view.xAxis.positions[it.last])))
-            },
-        ),
+        "samples" to JsonPrimitive(part.sampleCount),
+        "ofSamples" to JsonPrimitive(view.recording.sampleCount),
+        "parts" to JsonArray(part.spans.map { JsonObject(mapOf("from" to json(it.from), "to" to json(it.to))) }),
     )
-
-    private fun countOf(runs: List<IntRange>) = runs.sumOf { it.count() }
 
     private companion object {
         const val LISTED = 10
+        const val INDENT = 4
     }
 }

@@ -26,20 +26,6 @@ internal fun BitSet.runs(): List<IntRange> = buildList {
     }
 }
 
-/** The same places of x in spans that ascend and do not touch. */
-private fun joined(spans: List<Span>): List<Span> {
-    val joined = ArrayList<Span>()
-    for (span in spans.filter { it.from <= it.to }.sortedBy { it.from }) {
-        val last = joined.lastOrNull()
-        if (last != null && span.from <= last.to) {
-            joined[joined.size - 1] = Span(last.from, maxOf(last.to, span.to))
-        } else {
-            joined += span
-        }
-    }
-    return joined
-}
-
 private fun isInside(x: Double, spans: List<Span>): Boolean {
     // By the operators, to which 0 and -0 are the same.
     val place = spans.binarySearch { if (it.from < x) -1 else if (it.from > x) 1 else 0 }

@@ -1,6 +1,7 @@
 package badlog.cli.input
 
 import badlog.cli.Failure
+import badlog.cli.output.FileName
 import badlog.file.readRecording
 import badlog.html.ExportProgress
 import badlog.recording.ProblemKind
@@ -12,22 +13,21 @@ import java.nio.file.Path
  * Reads [file] with its samples, and with the topic [xTopic] as x axis when it is not null.
  *
  * @throws NotALog when there is nothing to show.
- * @throws badlog.cli.Failure when there is no such topic.
+ * @throws Failure when there is no such topic, or the beginning of a WPILOG is lost.
  * @throws badlog.file.UnreadableFileException when it cannot be read.
  */
 internal fun readLog(file: Path, progress: ExportProgress, xTopic: String? = null): Recording {
     val recording = readRecording(file, progress = progress::advanced)
     recording.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }?.let { throw NotALog("$file: ${it.message}") }
+    if (isFormerWpilog(file, recording)) {
+        throw Failure(
+            "$file is named like a WPILOG, but does not begin like one; its beginning is lost, without which nothing can be read.",
+        )
+    }
     return if (xTopic == null) recording else recording.withX(xTopic, file)
 }
 
-/**
- * Reads [file] as [readLog] does, for what works on rows.
- *
- * @throws badlog.cli.Failure also for a WPILOG, whose topics have times of their own.
- */
-internal fun readRows(file: Path, progress: ExportProgress, xTopic: String? = null): Recording {
-    val recording = readLog(file, progress, xTopic)
-    if (recording.format != RecordingFormat.WPILOG) return recording
-    throw Failure("$file is a WPILOG, which has no rows; make a bag of it first: badlog convert --to bag.")
-}
+/** Any bytes with line ends among them are a damaged table; those of a WPILOG make none that anyone would know. */
+private fun isFormerWpilog(file: Path, recording: Recording) =
+    recording.format == RecordingFormat.CSV && recording.isSalvaged && recording.rowCount > 0 &&
+        FileName.of(file).ending.lowercase() == ".wpilog"

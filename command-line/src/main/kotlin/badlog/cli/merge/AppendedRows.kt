@@ -38,12 +38,6 @@ internal class AppendedRows(logs: List<LogPart>) {
     /** The x of row [index]; may be NaN. */
     fun x(index: Int): Double = parts[rowParts[index]].x[rows[index]]
 
-    /** Where two of the logs that follow each other both have rows, as from and to. */
-    fun overlaps(): List<Overlap> = parts.zipWithNext { one, other ->
-        val isOverlap = one.xTopic != null && other.firstX <= one.lastX
-        if (isOverlap) Overlap(one, other, other.firstX, minOf(one.lastX, other.lastX)) else null
-    }.filterNotNull()
-
     private fun interleave() {
         val next = IntArray(parts.size)
         val identities = HashMap<Pair<Int, Int>, RowIdentity>()

@@ -16,13 +16,14 @@ internal class MergeCommand : SubCommand(
     "Makes one log of several of one run.",
     "Logs with the same topics are put one after the other, in the order of x, and rows that several have only once; logs " +
         "with different topics side by side, each with rows of its own. All need the same clock as x axis. What has the " +
-        "same name goes into a folder named like its file. All are held in memory at a time.",
+        "same name goes into a folder named like its file. With a WPILOG among them, or when the result is one, each topic " +
+        "keeps times of its own. All are held in memory at a time.",
 ) {
     private val out by option("-o", "--out", metavar = "FILE").path().required().help("Write here.")
     private val isForced by option("--force").flag().help("Replace the file if it exists, but never a log that is read.")
     private val appends by option("--append").flag().help("Put all one after the other, whatever their topics.")
     private val joins by option("--join").flag().help("Put all side by side, whatever their topics.")
-    private val xTopic by option("--x", metavar = "TOPIC").help("Take this topic as x axis, in every log.")
+    private val xTopic by option("--x", metavar = "TOPIC").help("Take this topic as x axis, in every log that has rows.")
 
     override fun makeTask(): Task {
         if (appends && joins) throw UsageError("--append and --join exclude each other")

@@ -10,4 +10,12 @@ internal enum class MergeMode {
 
     /** All side by side. */
     JOIN,
+    ;
+
+    /** Which of [parts] follow each other; those of different lists stand side by side. */
+    fun groupsOf(parts: List<LogPart>): List<List<LogPart>> = when (this) {
+        APPEND -> listOf(parts)
+        JOIN -> parts.map(::listOf)
+        BY_TOPICS -> parts.groupBy { part -> part.recording.topics.mapTo(HashSet()) { it.name } }.values.toList()
+    }
 }

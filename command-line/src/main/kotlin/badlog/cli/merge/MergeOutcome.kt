@@ -1,45 +1,47 @@
 package badlog.cli.merge
 
 import badlog.cli.Outcome
-import badlog.cli.output.LogFormat
+import badlog.cli.output.LeftOut
 import badlog.cli.text.counted
+import badlog.cli.text.grouped
 import badlog.cli.text.json
 import badlog.cli.text.shortNumber
 import badlog.cli.text.wrapped
-import badlog.recording.Recording
+import badlog.recording.RecordingFormat
 import java.nio.file.Path
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 
-/** What to say about [merge], which made [recording] of [parts] and wrote it to [target]. */
-internal fun mergeOutcome(
-    merge: Merge,
-    parts: List<LogPart>,
-    recording: Recording,
-    target: Path,
-    format: LogFormat,
-): Outcome {
+/** What to say about [merge], which was written to [target] without [leftOut]. */
+internal fun mergeOutcome(merge: Merged, target: Path, leftOut: LeftOut): Outcome {
+    val recording = merge.recording
+    val parts = merge.groups.flatMap { it.parts }
     val salvaged = parts.filter { it.recording.isSalvaged }
         .map { wrapped("  salvaged: ", "${it.file}; badlog info tells what is lost", INDENT) }
-    val text = listOf("-> $target") + textLines(merge, recording) + salvaged + listOfNotNull(
-        format.leftOut(recording).takeIf { it.isNotEmpty() }?.let { wrapped("  ", "without ${it.joinToString()}") },
-    )
+    val text = listOf("-> $target") + textLines(merge, leftOut) + leftOut.lines + salvaged
+    val repeated = merge.groups.sumOf { it.repeated }
+    val hasRows = recording.format != RecordingFormat.WPILOG
     val json = mapOf(
         "rows" to JsonPrimitive(recording.rowCount),
+        "samples" to JsonPrimitive(recording.sampleCount),
         "topics" to JsonPrimitive(recording.topics.size),
         "logs" to JsonArray(merge.groups.map { group -> json(group.parts.map { it.file.toString() }) }),
-        "overlaps" to JsonArray(merge.groups.flatMap { it.overlaps() }.map(::overlapJson)),
-        "repeatedRows" to JsonPrimitive(merge.groups.sumOf { it.repeated }),
+        "overlaps" to JsonArray(merge.groups.flatMap { it.overlaps }.map(::overlapJson)),
+        "repeatedRows" to JsonPrimitive(if (hasRows) repeated else 0),
+        "repeatedSamples" to JsonPrimitive(if (hasRows) 0 else repeated),
         "renamed" to JsonArray(merge.renamed.map(::renamingJson)),
-        "leftOut" to json(format.leftOut(recording)),
+        "leftOut" to json(leftOut.all),
     )
     return Outcome(parts.any { it.recording.isSalvaged }, text.joinToString("\n"), json)
 }
 
-private fun textLines(merge: Merge, recording: Recording): List<String> = buildList {
-    add("  " + counted(recording.rowCount.toLong(), "row") + " of " + counted(recording.topics.size.toLong(), "topic"))
+private fun textLines(merge: Merged, leftOut: LeftOut): List<String> = buildList {
+    val recording = merge.recording
+    val noun = if (recording.format == RecordingFormat.WPILOG) "sample" else "row"
+    val count = if (recording.format == RecordingFormat.WPILOG) recording.sampleCount else recording.rowCount.toLong()
+    add("  " + counted(count, noun) + " of " + counted(recording.topics.size.toLong(), "topic") + leftOut.tail)
     merge.groups.forEachIndexed { index, group ->
         val how = when {
             index > 0 -> "  beside them: "
@@ -47,15 +49,16 @@ private fun textLines(merge: Merge, recording: Recording): List<String> = buildL
             else -> "  "
         }
         add(wrapped(how, group.parts.joinToString { part -> part.file.toString() + rangeOf(part) }, INDENT))
-        for (overlap in group.overlaps()) {
+        for (overlap in group.overlaps) {
             val (one, other) = overlap.one.file to overlap.other.file
             add(wrapped("  overlap: ", "$one and $other from ${shortNumber(overlap.from)} to ${shortNumber(overlap.to)}", INDENT))
         }
-        if (group.repeated > 0) add("  ${counted(group.repeated.toLong(), "row")} that several have kept once")
+        if (group.repeated > 0) add("  ${counted(group.repeated.toLong(), noun)} that several have kept once")
     }
-    for (renaming in merge.renamed) {
+    for (renaming in merge.renamed.take(LISTED)) {
         add(wrapped("  renamed: ", "“${renaming.from}” of ${renaming.part.file} is “${renaming.to}”", INDENT))
     }
+    if (merge.renamed.size > LISTED) add("  renamed: ${grouped((merge.renamed.size - LISTED).toLong())} more in the same way")
 }
 
 private fun rangeOf(part: LogPart): String =
@@ -78,3 +81,4 @@ private fun renamingJson(renaming: Renaming): JsonElement = JsonObject(
 )
 
 private const val INDENT = 4
+private const val LISTED = 10

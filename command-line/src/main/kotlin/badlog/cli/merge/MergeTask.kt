@@ -9,10 +9,12 @@ import badlog.cli.Task
 import badlog.cli.input.LogInput
 import badlog.cli.input.LogSearch
 import badlog.cli.input.NotALog
-import badlog.cli.input.readRows
+import badlog.cli.input.readLog
+import badlog.cli.input.withX
 import badlog.cli.output.LogFormat
 import badlog.cli.output.OutputPlan
 import badlog.cli.output.writeLog
+import badlog.recording.RecordingFormat
 import java.io.IOException
 import java.nio.file.Path
 
@@ -36,20 +38,30 @@ internal class MergeTask(
             if (parts.size < 2) {
                 throw Failure("Merging needs two logs or more, and there is ${if (parts.isEmpty()) "none" else "one"}.")
             }
-            val merge = Merge(parts, mode)
-            val recording = merge.recording()
-            val format = LogFormat.ofName(target) ?: LogFormat.of(recording)
-            console.progress(target.fileName.toString()).use { writeLog(recording, format, target, progress = it) }
-            report.done(target, mergeOutcome(merge, parts, recording, target, format))
+            val wanted = LogFormat.ofName(target)
+            val merged = merged(parts, wanted)
+            val format = wanted ?: LogFormat.of(merged.recording)
+            val leftOut = console.progress(target.fileName.toString()).use { writeLog(merged.recording, format, target, progress = it) }
+            report.done(target, mergeOutcome(merged, target, leftOut))
         } catch (e: Throwable) {
             report.failed(out, LogLoop.sentenceOf(e, out))
         }
         return report.end()
     }
 
+    /** Topics keep times of their own where one log has them, or the result can. */
+    private fun merged(parts: List<LogPart>, wanted: LogFormat?): Merged =
+        if (parts.all { it.hasRows } && wanted?.hasRows != false) {
+            Merge(parts, mode).merged()
+        } else {
+            SampleMerge(parts.map { it.withOwnTimes() }, mode).merged()
+        }
+
     private fun read(input: LogInput, console: Console, report: Report): LogPart? {
         try {
-            return LogPart(input.file, console.progress(input.file.fileName.toString()).use { readRows(input.file, it, xTopic) })
+            val recording = console.progress(input.file.fileName.toString()).use { readLog(input.file, it) }
+            val needsX = xTopic != null && recording.format != RecordingFormat.WPILOG
+            return LogPart(input.file, if (needsX) recording.withX(checkNotNull(xTopic), input.file) else recording)
         } catch (e: NotALog) {
             if (input.isFound) report.skipped(input.file) else report.failed(input.file, e.message)
         } catch (e: Failure) {

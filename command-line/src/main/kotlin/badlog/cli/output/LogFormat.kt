@@ -1,9 +1,8 @@
 package badlog.cli.output
 
-import badlog.bag.RecordingWriter
+import badlog.cli.Failure
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
-import badlog.recording.Topic
 import java.nio.file.Path
 
 /**
@@ -17,45 +16,44 @@ internal enum class LogFormat(val ending: String, private val recordingFormat: R
 
     /** CSV alone. */
     CSV(".csv", RecordingFormat.CSV),
+
+    /** The log of WPILib's DataLog. */
+    WPILOG(".wpilog", RecordingFormat.WPILOG),
     ;
 
     /** What `--to` calls it. */
     val option: String get() = name.lowercase()
 
-    /**
-     * Writes the header of [recording] and the rows of [runs], which ascend.
-     *
-     * @param progress hears how many rows are written.
-     */
-    fun write(recording: Recording, runs: List<IntRange>, progress: (Int) -> Unit, sink: (ByteArray, Int) -> Unit) {
-        val writer = RecordingWriter(recording, recordingFormat)
-        var headerSize = 0
-        writer.write(0, 0) { bytes, size ->
-            headerSize += size
-            sink(bytes, size)
-        }
-        var done = 0
-        for (run in runs) {
-            // Each time the writer begins with the header, which stands there once.
-            var skipped = 0
-            val base = done
-            writer.write(run.first, run.last + 1, { rows, _ -> progress(base + rows) }) { bytes, size ->
-                val skip = minOf(headerSize - skipped, size)
-                skipped += skip
-                if (skip < size) sink(if (skip == 0) bytes else bytes.copyOfRange(skip, size), size - skip)
-            }
-            done += run.count()
-        }
-    }
+    /** Whether a log of this format has rows. */
+    val hasRows: Boolean get() = this != WPILOG
 
-    /** What of [recording] this format has no place for, each as a short text. */
-    fun leftOut(recording: Recording): List<String> {
-        if (this != CSV) return emptyList()
-        val topics = recording.topics
-        return listOfNotNull(
-            counted(topics.count { it.unit.isNotEmpty() && it.unit != Topic.UNITLESS }, "unit"),
-            counted(topics.sumOf { it.attributes.size }, "attribute"),
-            counted(recording.values.size, "value"),
+    /**
+     * Writes the rows [runs], which ascend, of [recording]; all samples of one that has no rows, which needs a format without.
+     *
+     * @param changesOnly whether a sample is left out that is the same as the one before it; only in a format without rows.
+     * @param progress hears how much is written, and how much there is.
+     * @return what this format has no place for.
+     */
+    fun write(
+        recording: Recording,
+        runs: List<IntRange>,
+        changesOnly: Boolean,
+        progress: (done: Long, total: Long) -> Unit,
+        sink: (ByteArray, Int) -> Unit,
+    ): LeftOut =
+        if (hasRows) writeRows(recording, recordingFormat, runs, progress, sink)
+        else writeSamples(recording, runs, changesOnly, progress, sink)
+
+    /**
+     * Makes sure that [recording] can be written so, to [target].
+     *
+     * @throws Failure when it has no rows, which this format needs.
+     */
+    fun require(recording: Recording, target: Path) {
+        if (!hasRows || recording.format != RecordingFormat.WPILOG) return
+        throw Failure(
+            "$target would need rows, which a WPILOG does not have; let its name end in .wpilog, and make rows of that by " +
+                "badlog convert --to $option.",
         )
     }
 
@@ -66,13 +64,6 @@ internal enum class LogFormat(val ending: String, private val recordingFormat: R
         }
 
         /** The format that is nearest to what [recording] was read from. */
-        fun of(recording: Recording): LogFormat =
-            entries.find { it.recordingFormat == recording.format } ?: BAG
-
-        private fun counted(count: Int, noun: String) = when (count) {
-            0 -> null
-            1 -> "1 $noun"
-            else -> "$count ${noun}s"
-        }
+        fun of(recording: Recording): LogFormat = entries.first { it.recordingFormat == recording.format }
     }
 }

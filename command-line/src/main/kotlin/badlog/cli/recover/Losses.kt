@@ -1,6 +1,7 @@
 package badlog.cli.recover
 
 import badlog.cli.Outcome
+import badlog.cli.output.LeftOut
 import badlog.cli.text.counted
 import badlog.cli.text.json
 import badlog.cli.text.problemLines
@@ -8,6 +9,7 @@ import badlog.recording.Loss
 import badlog.recording.Problem
 import badlog.recording.ProblemKind
 import badlog.recording.Recording
+import badlog.recording.RecordingFormat
 import badlog.recording.Severity
 import java.nio.file.Path
 import kotlinx.serialization.json.JsonArray
@@ -26,27 +28,36 @@ internal class Losses(private val recording: Recording) {
     /** Whether more is lost than stands in the file, nobody knows how much. */
     private val isOpenEnded: Boolean = problems.any { it.kind in OPEN_ENDED }
 
-    /** What to say about [file], whose clean log is [target], or which needs none. */
-    fun outcome(file: Path, target: Path?): Outcome {
+    /** How many bytes are lost at the end, 0 when none are; null when what is lost stands elsewhere, or everywhere. */
+    val bytesAtEnd: Long? = if (problems.all { it.kind in AT_END }) total.bytes else null
+
+    // A WPILOG has records instead of rows of cells.
+    private val hasRows: Boolean = recording.format != RecordingFormat.WPILOG
+
+    /** What to say about [file], whose clean log is [target], which has no place for [leftOut], or which needs none. */
+    fun outcome(file: Path, target: Path?, leftOut: LeftOut): Outcome {
         val json = mapOf(
             "output" to JsonPrimitive(target?.toString()),
             "rows" to JsonPrimitive(recording.rowCount),
+            "samples" to JsonPrimitive(recording.sampleCount),
             "lost" to json(total),
             "lostMore" to JsonPrimitive(isOpenEnded),
             "problems" to JsonArray(problems.map { json(it) }),
+            "leftOut" to json(leftOut.all),
         )
-        return Outcome(recording.isSalvaged, text(file, target), json)
+        return Outcome(recording.isSalvaged, text(file, target, leftOut), json)
     }
 
-    private fun text(file: Path, target: Path?): String {
+    private fun text(file: Path, target: Path?, leftOut: LeftOut): String {
         val lines = ArrayList<String>()
         lines += if (target == null) "$file: whole; nothing to recover" else "$file -> $target"
-        if (target != null) lines += "  kept ${counted(recording.rowCount.toLong(), "row")}, lost ${lostText()}"
-        return (lines + problemLines(problems, indent = "  ")).joinToString("\n")
+        val kept = if (hasRows) counted(recording.rowCount.toLong(), "row") else counted(recording.sampleCount, "sample")
+        if (target != null) lines += "  kept $kept, lost ${lostText()}"
+        return (lines + problemLines(problems, indent = "  ") + leftOut.lines).joinToString("\n")
     }
 
     private fun lostText(): String {
-        val parts = listOf(total.rows.toLong() to "row", total.cells.toLong() to "cell", total.bytes to "byte")
+        val parts = listOf(total.rows.toLong() to "row", total.cells.toLong() to if (hasRows) "cell" else "record", total.bytes to "byte")
             .filter { it.first > 0 }
             .joinToString { (count, noun) -> counted(count, noun) }
         return when {
@@ -65,6 +76,9 @@ internal class Losses(private val recording: Recording) {
             ProblemKind.NOT_UTF8,
             ProblemKind.DECIMAL_COMMA,
         )
+
+        /** A WPILOG has all but this. */
+        val AT_END = setOf(ProblemKind.RECORD_CUT, ProblemKind.RECORDS_LOST, ProblemKind.GZIP_CUT)
 
         /** What followed was never written, or cannot be read. */
         val OPEN_ENDED = setOf(ProblemKind.GZIP_CUT)

@@ -3,8 +3,8 @@ package badlog.cli.cut
 import badlog.analysis.LogView
 import badlog.plot.Span
 
-/** A way to choose rows of a log by their x. */
-internal fun interface RowChoice {
+/** A way to choose a part of a log by its x. */
+internal fun interface PartChoice {
     /**
      * Which stretches of x to keep; may overlap.
      *

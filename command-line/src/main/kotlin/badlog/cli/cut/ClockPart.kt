@@ -1,0 +1,58 @@
+package badlog.cli.cut
+
+import badlog.plot.Span
+import java.util.IdentityHashMap
+import kotlin.math.round
+
+/**
+ * Which samples of topics that share their times are kept.
+ *
+ * @property indices which samples; the same one may come again, where it holds in several spans.
+ * @property times when each of them stands in the part.
+ */
+internal class ClockPart private constructor(val indices: IntArray, val times: DoubleArray) {
+    /** Finds the samples in [spans], which ascend; with [holdsValues] also those that hold where a span begins. */
+    class Cache(private val spans: List<Span>, private val holdsValues: Boolean) {
+        private val known = IdentityHashMap<DoubleArray, ClockPart>()
+
+        /** Those of the samples at [times], which ascend. */
+        fun of(times: DoubleArray): ClockPart = known.getOrPut(times) { find(times) }
+
+        private fun find(times: DoubleArray): ClockPart {
+            val indices = IntArray(times.size + spans.size)
+            val kept = DoubleArray(indices.size)
+            var size = 0
+            for (span in spans) {
+                val first = firstWhere(times) { it >= span.from }
+                val until = firstWhere(times) { it > span.to }
+                val begin = round(span.from * MICROS) / MICROS
+                if (holdsValues && first > 0 && (first == until || times[first] > begin)) {
+                    indices[size] = first - 1
+                    kept[size] = if (size == 0) begin else maxOf(begin, kept[size - 1])
+                    size++
+                }
+                for (index in first until until) {
+                    indices[size] = index
+                    kept[size++] = times[index]
+                }
+            }
+            return ClockPart(indices.copyOf(size), kept.copyOf(size))
+        }
+    }
+
+    private companion object {
+        /** The times of a WPILOG are whole microseconds. */
+        const val MICROS = 1e6
+
+        /** The first index in [times], which ascend, where [isThere] is true, as it is for all that follow. */
+        inline fun firstWhere(times: DoubleArray, isThere: (Double) -> Boolean): Int {
+            var low = 0
+            var high = times.size
+            while (low < high) {
+                val middle = (low + high) ushr 1
+                if (isThere(times[middle])) high = middle else low = middle + 1
+            }
+            return low
+        }
+    }
+}

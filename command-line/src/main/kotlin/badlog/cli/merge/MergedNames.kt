@@ -1,0 +1,31 @@
+package badlog.cli.merge
+
+import badlog.recording.Value
+
+/** Gives each topic, or each value, of a merge a name of its own. */
+internal class MergedNames {
+    private val taken = HashSet<String>()
+
+    /** What is called otherwise than in its log. */
+    val renamed = ArrayList<Renaming>()
+
+    /** [name], or where that is taken, [name] in a folder that is called like the file of [part]. */
+    fun freeName(name: String, part: LogPart): String {
+        if (taken.add(name)) return name
+        val inFolder = "${part.folder}/$name"
+        val free = generateSequence(1) { it + 1 }.map { if (it == 1) inFolder else "$inFolder ($it)" }.first(taken::add)
+        renamed += Renaming(part, name, free)
+        return free
+    }
+
+    /** The values of all [parts], those that say the same once. */
+    fun values(parts: List<LogPart>): List<Value> {
+        val values = ArrayList<Value>()
+        for (part in parts) {
+            for (value in part.recording.values) {
+                if (value !in values) values += value.copy(name = freeName(value.name, part))
+            }
+        }
+        return values
+    }
+}

@@ -1,0 +1,50 @@
+package badlog.cli.output
+
+import badlog.cli.text.counted
+import badlog.cli.text.grouped
+import badlog.cli.text.wrapped
+import badlog.wpilog.Omission
+
+/**
+ * What a written file has no place for, or tells otherwise than what it was made of.
+ *
+ * @param things what is not there, each as a short text such as `38 units`.
+ * @param omissions what a WPILOG cannot carry.
+ */
+internal class LeftOut(private val things: List<String> = emptyList(), private val omissions: List<Omission> = emptyList()) {
+    /** What follows the count of what was written. */
+    val tail: String get() = if (things.isEmpty()) "" else "; without ${things.joinToString()}"
+
+    /** What stands below it: a line or more for each way in which something differs, however many topics that concerns. */
+    val lines: List<String>
+        get() = omissions.groupBy { it.what }.map { (what, alike) ->
+            wrapped("  differs: ", what.removeSuffix(".") + placeOf(alike) + ".", indent = INDENT)
+        }
+
+    /** All of it, each as a sentence or less. */
+    val all: List<String>
+        get() = things + omissions.map { omission ->
+            val topic = omission.topic?.let { "“$it”: " }.orEmpty()
+            topic + omission.what.removeSuffix(".") + (if (omission.count > 1) " (${grouped(omission.count.toLong())})" else "") + "."
+        }
+
+    operator fun plus(other: LeftOut) = LeftOut(things + other.things, omissions + other.omissions)
+
+    private fun placeOf(alike: List<Omission>): String {
+        val count = alike.sumOf { it.count.toLong() }
+        val topics = alike.mapNotNull { it.topic }.distinct()
+        return when {
+            topics.size > 1 -> " (${grouped(count)} in ${counted(topics.size.toLong(), "topic")})"
+            topics.size == 1 -> " (${grouped(count)} in “${topics[0]}”)"
+            count > 1 -> " (${grouped(count)})"
+            else -> ""
+        }
+    }
+
+    companion object {
+        private const val INDENT = 4
+
+        /** [count] of [noun] as one of the things, or null when there are none. */
+        fun thing(count: Int, noun: String): String? = if (count == 0) null else counted(count.toLong(), noun)
+    }
+}

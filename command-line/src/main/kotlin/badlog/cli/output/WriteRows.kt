@@ -1,0 +1,47 @@
+package badlog.cli.output
+
+import badlog.bag.RecordingWriter
+import badlog.recording.Recording
+import badlog.recording.RecordingFormat
+import badlog.recording.Topic
+
+/** Writes the header of [recording] and the rows [runs], as a bag or CSV; returns what that has no place for. */
+internal fun writeRows(
+    recording: Recording,
+    format: RecordingFormat,
+    runs: List<IntRange>,
+    progress: (done: Long, total: Long) -> Unit,
+    sink: (ByteArray, Int) -> Unit,
+): LeftOut {
+    val writer = RecordingWriter(recording, format)
+    val total = runs.sumOf { it.count() }.toLong()
+    var headerSize = 0
+    writer.write(0, 0) { bytes, size ->
+        headerSize += size
+        sink(bytes, size)
+    }
+    var done = 0L
+    for (run in runs) {
+        // Each time the writer begins with the header, which stands there once.
+        var skipped = 0
+        val base = done
+        writer.write(run.first, run.last + 1, { rows, _ -> progress(base + rows, total) }) { bytes, size ->
+            val skip = minOf(headerSize - skipped, size)
+            skipped += skip
+            if (skip < size) sink(if (skip == 0) bytes else bytes.copyOfRange(skip, size), size - skip)
+        }
+        done += run.count()
+    }
+    return if (format == RecordingFormat.CSV) leftOutOfCsv(recording) else LeftOut()
+}
+
+private fun leftOutOfCsv(recording: Recording): LeftOut {
+    val topics = recording.topics
+    return LeftOut(
+        listOfNotNull(
+            LeftOut.thing(topics.count { it.unit.isNotEmpty() && it.unit != Topic.UNITLESS }, "unit"),
+            LeftOut.thing(topics.sumOf { it.attributes.size }, "attribute"),
+            LeftOut.thing(recording.values.size, "value"),
+        ),
+    )
+}

@@ -1,0 +1,76 @@
+package badlog.cli.topic
+
+import badlog.recording.CellCounts
+import badlog.recording.TextColumn
+import badlog.recording.Topic
+import badlog.recording.TopicKind
+
+/**
+ * Builds a topic that is called [name] and is otherwise described as [like], sample by sample.
+ *
+ * @param most how many samples there will be at most.
+ */
+internal class TopicBuilder(private val name: String, private val like: Topic, most: Int) {
+    private val samples = DoubleArray(most)
+    private var textRows = IntArray(0)
+    private var textIds = IntArray(0)
+    private val dictionary = LinkedHashMap<String, Int>()
+    private var size = 0
+    private var numbers = 0
+    private var notFinite = 0
+    private var truthValues = 0
+    private var texts = 0
+    private var empty = 0
+    private var gaps = 0
+    private var isInGap = false
+
+    /** Adds a cell without anything. */
+    fun addEmpty() {
+        empty++
+        add(Double.NaN)
+    }
+
+    /** Adds the text that a cell holds. */
+    fun addText(text: String) {
+        if (texts == textRows.size) {
+            textRows = textRows.copyOf(maxOf(FEW, texts * 2))
+            textIds = textIds.copyOf(textRows.size)
+        }
+        textRows[texts] = size
+        textIds[texts++] = dictionary.getOrPut(text) { dictionary.size }
+        add(Double.NaN)
+    }
+
+    /** Adds the number that a cell of [topic] holds. */
+    fun addNumber(number: Double, topic: Topic) {
+        when {
+            number.isNaN() && (topic.counts.notFinite == 0 || topic.counts.empty > 0) -> empty++
+            !number.isFinite() -> notFinite++
+            topic.kind == TopicKind.BOOLEAN -> truthValues++
+            else -> numbers++
+        }
+        add(number)
+    }
+
+    /** The topic, whose samples stand at [times], one for each, or in rows. */
+    fun build(times: DoubleArray? = null): Topic {
+        val column = TextColumn(textRows.copyOf(texts), textIds.copyOf(texts), dictionary.keys.toList())
+        val counts = CellCounts(numbers, notFinite, truthValues, texts, empty, gaps)
+        val kept = when {
+            numbers + notFinite + truthValues == 0 -> DoubleArray(0)
+            size == samples.size -> samples
+            else -> samples.copyOf(size)
+        }
+        return Topic(name, like.unit, like.attributes, kept, column, counts, times, like.type, like.metadata)
+    }
+
+    private fun add(number: Double) {
+        if (number.isNaN() && !isInGap) gaps++
+        isInGap = number.isNaN()
+        samples[size++] = number
+    }
+
+    private companion object {
+        const val FEW = 16
+    }
+}

@@ -1,0 +1,27 @@
+package badlog.cli.topic
+
+import badlog.recording.Recording
+import badlog.recording.Topic
+
+/** The samples [indices] of this topic, in this order, at [times], or in rows where that is null. */
+internal fun Topic.part(indices: IntArray, times: DoubleArray? = null): Topic {
+    val source = CellSource(this)
+    val builder = TopicBuilder(name, this, indices.size)
+    for (index in indices) source.addTo(builder, index)
+    return builder.build(times)
+}
+
+/** The rows [runs] of this recording, as a recording. */
+internal fun Recording.part(runs: List<IntRange>): Recording {
+    if (runs == listOf(0 until rowCount)) return this
+    val rows = runs.flatMap { it }.toIntArray()
+    return Recording(format, headerLine, values, topics.map { it.part(rows) }, rows.size, problems)
+}
+
+/** This topic under another name. */
+internal fun Topic.called(name: String): Topic =
+    if (name == this.name) this else Topic(name, unit, attributes, samples, texts, counts, times, type, metadata)
+
+/** This topic with other [attributes]. */
+internal fun Topic.with(attributes: List<String>): Topic =
+    if (attributes == this.attributes) this else Topic(name, unit, attributes, samples, texts, counts, times, type, metadata)
