@@ -11,9 +11,9 @@ internal object OverviewText {
     private val TABLE = TextTable(
         listOf(
             Column("LOG", 27),
-            Column("MATCH", 24),
+            Column("MATCH", 22),
             Column("LENGTH", 7, isNumber = true),
-            Column("ROWS", 8, isNumber = true),
+            Column("SAMPLES", 10, isNumber = true),
             Column("ERRORS", 6, isNumber = true),
         ),
     )
@@ -27,7 +27,7 @@ internal object OverviewText {
             summary.file.toString(),
             summary.view.title.orEmpty(),
             summary.seconds?.let(XTime::clock).orEmpty(),
-            grouped(summary.view.recording.rowCount.toLong()),
+            grouped(summary.view.recording.sampleCount),
             summary.view.problems.filter { it.severity == Severity.ERROR }.sumOf { it.count }.let { if (it == 0) "" else "$it" },
         ),
     )
