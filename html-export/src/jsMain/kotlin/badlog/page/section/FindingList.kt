@@ -14,6 +14,7 @@ import badlog.page.view.Finding
 import badlog.page.view.Query
 import badlog.page.view.Scene
 import badlog.recording.Severity
+import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
 /**
@@ -143,7 +144,10 @@ internal class FindingList(private val scene: Scene, private val onJump: () -> U
 
     private companion object {
         /** So many stand on the page before a person asks for more. */
-        const val FEW = 5
+        val FEW = if (window.innerWidth > NARROW) 5 else 3
+
+        /** The widest of narrow screens in pixels, as the style sheet has it. */
+        const val NARROW = 760
 
         /** So many rows are made at a time. */
         const val PAGE = 300
