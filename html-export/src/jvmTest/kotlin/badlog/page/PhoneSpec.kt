@@ -56,7 +56,8 @@ internal class PhoneSpec : PageSpec({
 
     browserTest("a tap on a finding's mark tells what was found, on a page that is no wider than the phone") {
         val finding = PageFinding("Brownout", Severity.ERROR, "a long text of what was found ".repeat(9), 5.0, Double.NaN)
-        val hook = HookPart("a-long-name-of-a-program.py".repeat(4), series = listOf(PageSeries("Fit", "V", Series(doubleArrayOf(1.0), doubleArrayOf(1.0)))))
+        val line = PageSeries("Fit", "V", Series(doubleArrayOf(1.0), doubleArrayOf(1.0)))
+        val hook = HookPart("a-long-name-of-a-program.py".repeat(4), series = listOf(line))
         val additions = PageAdditions(listOf("Bad = " + "x".repeat(200)), listOf(finding), listOf(hook))
         onPage(TestPages.of(stepBag(graphs = 2), additions = additions), Screen.PHONE) {
             number("return document.documentElement.scrollWidth") shouldBeLessThanOrEqual 390.0

@@ -35,9 +35,11 @@ internal class PicturesSpec : PageSpec({
 
     val additions by lazy {
         val findings = List(12) { i ->
-            PageFinding("Rule ${i % 4}", Severity.entries[i % 3], "finding $i", 12.0 * i, if (i % 4 == 0) 12.0 * i + 5 else Double.NaN)
+            val until = if (i % 4 == 0) 12.0 * i + 5 else Double.NaN
+            PageFinding("Rule ${i % 4}", Severity.entries[i % 3], "finding $i", 12.0 * i, until)
         }
-        val svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 300 100\"><path d=\"M5 90L150 20L295 60\" fill=\"none\" stroke=\"black\"/></svg>"
+        val svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 300 100\">" +
+            "<path d=\"M5 90L150 20L295 60\" fill=\"none\" stroke=\"black\"/></svg>"
         val hook = HookPart(
             "analyse.py",
             values = mapOf("Energy" to "1.69 Ah"),
