@@ -1,5 +1,6 @@
 package badlog.report
 
+import badlog.file.LogFile
 import java.util.concurrent.ExecutionException
 import java.util.concurrent.Executors
 import java.util.concurrent.Future

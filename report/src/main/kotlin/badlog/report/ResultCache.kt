@@ -1,16 +1,17 @@
 package badlog.report
 
-import kotlinx.serialization.KSerializer
-import kotlinx.serialization.Serializable
-import kotlinx.serialization.SerializationException
-import kotlinx.serialization.builtins.ListSerializer
-import kotlinx.serialization.json.Json
+import badlog.file.LogFile
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.StandardCopyOption
 import java.security.MessageDigest
 import java.util.HexFormat
+import kotlinx.serialization.KSerializer
+import kotlinx.serialization.Serializable
+import kotlinx.serialization.SerializationException
+import kotlinx.serialization.builtins.ListSerializer
+import kotlinx.serialization.json.Json
 
 /**
  * What came of a question to each of many files, kept in one file of [folder], which may be deleted at any time. What is damaged,
@@ -92,7 +93,7 @@ internal class ResultCache<R : Any>(private val folder: Path, question: String, 
 
     private companion object {
         /** To be raised when the same file and question may come to something else than before. */
-        const val VERSION = 1
+        const val VERSION = 2
         const val PREFIX = "report-"
         const val SUFFIX = ".cache"
         const val DIGEST = 32

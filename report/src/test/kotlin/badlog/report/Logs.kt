@@ -1,5 +1,8 @@
 package badlog.report
 
+import badlog.file.FolderScan
+import badlog.file.LogFile
+import badlog.file.NaturalOrder
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.createDirectories
@@ -39,7 +42,7 @@ internal fun Path.put(name: String, text: String): Path = resolve(name).also {
     it.writeText(text)
 }
 
-internal fun logsIn(folder: Path): List<LogFile> = FolderScan.of(folder).files
+internal fun logsIn(folder: Path): List<LogFile> = FolderScan.of(folder).files.sortedWith(compareBy(NaturalOrder) { it.path.toString() })
 
 /** Makes [file] the same to a look at its folder, though it no longer can be read. */
 internal fun spoil(file: Path) {

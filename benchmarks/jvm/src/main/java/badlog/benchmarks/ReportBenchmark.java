@@ -1,9 +1,9 @@
 package badlog.benchmarks;
 
+import badlog.file.FolderScan;
+import badlog.file.LogFile;
 import badlog.report.Find;
 import badlog.report.FindTextKt;
-import badlog.report.FolderScan;
-import badlog.report.LogFile;
 import badlog.report.Report;
 import badlog.report.ReportTextKt;
 import badlog.report.rules.RuleSet;

@@ -1,6 +1,6 @@
 package badlog.cli.input
 
-import badlog.report.LogFile
+import badlog.file.LogFile
 import java.io.IOException
 import java.io.PrintStream
 import java.nio.file.Path

@@ -1,5 +1,7 @@
 package badlog.cli.input
 
+import badlog.file.FolderScan
+import badlog.file.NaturalOrder
 import badlog.file.UnreadableFileException
 import badlog.file.reading
 import java.io.IOException
@@ -18,37 +20,29 @@ internal class LogSearch {
 
     private val inputs = ArrayList<LogInput>()
     private val failures = ArrayList<UnreadableFileException>()
-    private val seenFolders = HashSet<Path>()
 
     /** Looks below [paths]. To be called once. */
     fun find(paths: List<Path>): Found {
-        for (path in paths) if (Files.isDirectory(path)) lookInto(path, path) else inputs += LogInput(path, null)
+        for (path in paths) if (Files.isDirectory(path)) lookInto(path) else inputs += LogInput(path, null)
         return Found(inputs.distinctBy { identityOf(it.file) }, failures)
     }
 
-    private fun lookInto(folder: Path, top: Path) {
+    private fun lookInto(folder: Path) {
         try {
-            // A link may lead back to where it stands.
-            if (!seenFolders.add(reading(folder) { folder.toRealPath() })) return
-            val entries = reading(folder) { Files.newDirectoryStream(folder).use { it.sortedBy(Path::toString) } }
-            for (entry in entries) {
-                if (entry.fileName.toString().startsWith(".")) continue
-                if (Files.isDirectory(entry)) lookInto(entry, top) else if (isNamedLikeALog(entry)) inputs += LogInput(entry, top)
+            val scan = reading(folder) { FolderScan.of(folder) }
+            val files = scan.files.map { it.path }.sortedWith(compareBy(NaturalOrder) { it.toString() })
+            files.mapTo(inputs) { LogInput(it, folder) }
+            scan.unreadable.mapTo(failures) {
+                UnreadableFileException(it, "$it cannot be read: you have no permission to; ask its owner.")
             }
         } catch (e: UnreadableFileException) {
             failures += e
         }
     }
 
-    private fun isNamedLikeALog(file: Path) = ENDINGS.any { file.toString().endsWith(it, ignoreCase = true) }
-
     private fun identityOf(file: Path): Path = try {
         file.toRealPath()
     } catch (_: IOException) {
         file.toAbsolutePath().normalize()
-    }
-
-    private companion object {
-        val ENDINGS = listOf(".bag", ".badbag", ".csv", ".gz", ".wpilog")
     }
 }

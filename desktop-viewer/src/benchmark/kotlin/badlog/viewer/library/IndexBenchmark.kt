@@ -1,6 +1,6 @@
 package badlog.viewer.library
 
-import badlog.viewer.library.index.FolderScan
+import badlog.file.FolderScan
 import badlog.viewer.library.index.IndexCache
 import badlog.viewer.library.index.Indexing
 import java.io.IOException

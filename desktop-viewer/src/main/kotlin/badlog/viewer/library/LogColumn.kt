@@ -1,5 +1,6 @@
 package badlog.viewer.library
 
+import badlog.file.NaturalOrder
 import badlog.viewer.library.index.LogEntry
 
 /**

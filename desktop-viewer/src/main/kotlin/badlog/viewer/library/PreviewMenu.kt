@@ -15,6 +15,7 @@ import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
+import badlog.file.NaturalOrder
 import badlog.viewer.app.Viewer
 import badlog.viewer.menu.MenuLine
 import badlog.viewer.theme.Icons

@@ -97,14 +97,4 @@ class LibraryStateSpec : FunSpec({
         next.listing.filter shouldBe ""
         next.visible shouldBe emptyList<LogEntry>()
     }
-
-    test("natural order is an order") {
-        val texts = Arb.string(0..6)
-        checkAll(texts, texts, texts) { a, b, c ->
-            Integer.signum(NaturalOrder.compare(a, b)) shouldBe -Integer.signum(NaturalOrder.compare(b, a))
-            val (first, second, third) = listOf(a, b, c).sortedWith(NaturalOrder)
-            (NaturalOrder.compare(first, second) <= 0 && NaturalOrder.compare(first, third) <= 0) shouldBe true
-        }
-        listOf("m10", "M9", "m09", "m", "").sortedWith(NaturalOrder) shouldContainExactly listOf("", "m", "M9", "m09", "m10")
-    }
 })

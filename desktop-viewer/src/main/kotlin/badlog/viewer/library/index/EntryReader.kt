@@ -1,6 +1,7 @@
 package badlog.viewer.library.index
 
 import badlog.analysis.SeriesStatistics
+import badlog.file.LogFile
 import badlog.recording.TopicKind
 import java.nio.ByteBuffer
 import java.nio.file.Path

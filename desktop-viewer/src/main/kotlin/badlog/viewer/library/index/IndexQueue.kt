@@ -1,5 +1,6 @@
 package badlog.viewer.library.index
 
+import badlog.file.LogFile
 import java.nio.file.Path
 import java.util.TreeSet
 import kotlin.time.Duration

@@ -1,5 +1,7 @@
 package badlog.viewer.library.index
 
+import badlog.file.FolderScan
+import badlog.file.LogFile
 import java.io.IOException
 import java.nio.file.Path
 import java.util.concurrent.atomic.AtomicInteger

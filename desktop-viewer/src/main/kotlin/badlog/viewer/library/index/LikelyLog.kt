@@ -1,6 +1,7 @@
 package badlog.viewer.library.index
 
 import badlog.bag.FileSignature
+import badlog.file.LogFile
 import badlog.file.RecordingParser
 import java.io.IOException
 import java.io.InputStream

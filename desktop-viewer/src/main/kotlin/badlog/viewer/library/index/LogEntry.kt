@@ -1,5 +1,6 @@
 package badlog.viewer.library.index
 
+import badlog.file.LogFile
 import badlog.recording.Severity
 import java.nio.file.Path
 

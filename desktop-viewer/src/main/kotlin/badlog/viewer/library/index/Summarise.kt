@@ -3,6 +3,7 @@ package badlog.viewer.library.index
 import badlog.analysis.LogView
 import badlog.analysis.matchTitle
 import badlog.analysis.statistics
+import badlog.file.LogFile
 import badlog.file.readRecording
 import badlog.recording.PathName
 import badlog.recording.Recording

@@ -1,11 +1,11 @@
 package badlog.viewer.takeaway.pages
 
+import badlog.file.FolderScan
 import badlog.file.reading
 import badlog.viewer.app.Viewer
 import badlog.viewer.files.askToWrite
 import badlog.viewer.files.sayNoLog
 import badlog.viewer.library.index.Content
-import badlog.viewer.library.index.FolderScan
 import badlog.viewer.takeaway.openAction
 import java.nio.file.Path
 

@@ -2,6 +2,7 @@ package badlog.viewer.library.index
 
 import badlog.analysis.Series
 import badlog.analysis.statistics
+import badlog.file.LogFile
 import badlog.recording.TopicKind
 import java.nio.file.Path
 import kotlin.math.sin

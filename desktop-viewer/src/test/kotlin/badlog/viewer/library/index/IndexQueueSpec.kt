@@ -1,5 +1,6 @@
 package badlog.viewer.library.index
 
+import badlog.file.LogFile
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainExactly

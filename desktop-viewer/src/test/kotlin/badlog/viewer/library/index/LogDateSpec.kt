@@ -1,5 +1,6 @@
 package badlog.viewer.library.index
 
+import badlog.file.LogFile
 import badlog.recording.Value
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe

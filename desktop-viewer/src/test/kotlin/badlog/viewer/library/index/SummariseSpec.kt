@@ -1,5 +1,6 @@
 package badlog.viewer.library.index
 
+import badlog.file.LogFile
 import badlog.recording.Topic
 import badlog.recording.Value
 import badlog.viewer.library.bag

@@ -1,7 +1,7 @@
-package badlog.viewer.library
+package badlog.file
 
 /** Orders texts as people do: regardless of case, and numbers in them by their value, so that 9 stands before 10. */
-internal object NaturalOrder : Comparator<String> {
+public object NaturalOrder : Comparator<String> {
     override fun compare(a: String, b: String): Int {
         var i = 0
         var j = 0

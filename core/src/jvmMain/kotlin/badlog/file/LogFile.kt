@@ -1,4 +1,4 @@
-package badlog.report
+package badlog.file
 
 import java.io.IOException
 import java.nio.file.Files

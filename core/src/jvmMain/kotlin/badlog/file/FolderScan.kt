@@ -1,4 +1,4 @@
-package badlog.report
+package badlog.file
 
 import java.io.IOException
 import java.nio.file.FileVisitOption
@@ -12,7 +12,7 @@ import java.util.EnumSet
 /**
  * What a look at a folder found.
  *
- * @property files what may be logs, in the order of their paths, numbers in them by their size: `Q9` before `Q10`.
+ * @property files what may be logs, in no order; [NaturalOrder] is what people expect.
  * @property unreadable the folders that could not be looked into.
  */
 public class FolderScan private constructor(public val files: List<LogFile>, public val unreadable: List<Path>) {
@@ -30,7 +30,7 @@ public class FolderScan private constructor(public val files: List<LogFile>, pub
         public fun of(folder: Path, checkpoint: () -> Unit = {}): FolderScan {
             val look = Look(folder, checkpoint)
             Files.walkFileTree(folder, EnumSet.of(FileVisitOption.FOLLOW_LINKS), DEEPEST, look)
-            return FolderScan(look.files.sortedWith(compareBy(NATURAL) { it.path.toString() }), look.unreadable)
+            return FolderScan(look.files, look.unreadable)
         }
     }
 
