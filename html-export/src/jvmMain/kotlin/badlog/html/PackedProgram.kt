@@ -5,7 +5,7 @@ import java.util.Base64
 import java.util.zip.Deflater
 import java.util.zip.GZIPOutputStream
 
-/** [program] as a page carries it: the base64 of a gzip stream, half of its size. [UNPACKING] makes a script of it again. */
+/** [program] as a page carries it: the base64 of a gzip stream, half its size. [UNPACKING] makes a script of it again. */
 internal fun packed(program: ByteArray): ByteArray {
     val gzip = ByteArrayOutputStream()
     object : GZIPOutputStream(gzip) {
@@ -27,7 +27,9 @@ internal const val UNPACKING = """/* Unpacks the program of this page, which hol
     const line = document.createElement('p');
     line.className = 'screen';
     line.textContent = text;
-    document.getElementById('page').replaceChildren(line);
+    const page = document.getElementById('page');
+    page.textContent = '';
+    page.append(line);
     document.documentElement.dataset.state = 'failed';
   };
   if (!self.DecompressionStream) {
