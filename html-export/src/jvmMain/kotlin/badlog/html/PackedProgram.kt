@@ -36,10 +36,12 @@ internal const val UNPACKING = """/* Unpacks the program of this page, which hol
     fail('This browser is too old. This page needs Chrome 80, Edge 80, Firefox 113, Safari 16.4 or newer.');
     return;
   }
-  const text = atob(document.getElementById('packed').textContent);
-  const bytes = new Uint8Array(text.length);
-  for (let i = 0; i < bytes.length; i++) bytes[i] = text.charCodeAt(i);
-  new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).text().then(program => {
+  Promise.resolve().then(() => {
+    const text = atob(document.getElementById('packed').textContent);
+    const bytes = new Uint8Array(text.length);
+    for (let i = 0; i < bytes.length; i++) bytes[i] = text.charCodeAt(i);
+    return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).text();
+  }).then(program => {
     const script = document.createElement('script');
     script.id = 'program';
     script.textContent = program;
