@@ -2,17 +2,12 @@ package badlog.html
 
 import java.io.ByteArrayOutputStream
 import java.util.Base64
-import java.util.zip.Deflater
 import java.util.zip.GZIPOutputStream
 
-/** [program] as a page carries it: the base64 of a gzip stream, half of its size. [UNPACKING] makes a script of it again. */
+/** [program] as a page carries it: the base64 of a gzip stream, half its size. [UNPACKING] makes a script of it again. */
 internal fun packed(program: ByteArray): ByteArray {
     val gzip = ByteArrayOutputStream()
-    object : GZIPOutputStream(gzip) {
-        init {
-            def.setLevel(Deflater.BEST_COMPRESSION)
-        }
-    }.use { it.write(program) }
+    GZIPOutputStream(gzip).use { it.write(program) }
     return Base64.getEncoder().encode(gzip.toByteArray())
 }
 
@@ -27,17 +22,21 @@ internal const val UNPACKING = """/* Unpacks the program of this page, which hol
     const line = document.createElement('p');
     line.className = 'screen';
     line.textContent = text;
-    document.getElementById('page').replaceChildren(line);
+    const page = document.getElementById('page');
+    page.textContent = '';
+    page.append(line);
     document.documentElement.dataset.state = 'failed';
   };
   if (!self.DecompressionStream) {
     fail('This browser is too old. This page needs Chrome 80, Edge 80, Firefox 113, Safari 16.4 or newer.');
     return;
   }
-  const text = atob(document.getElementById('packed').textContent);
-  const bytes = new Uint8Array(text.length);
-  for (let i = 0; i < bytes.length; i++) bytes[i] = text.charCodeAt(i);
-  new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).text().then(program => {
+  Promise.resolve().then(() => {
+    const text = atob(document.getElementById('packed').textContent);
+    const bytes = new Uint8Array(text.length);
+    for (let i = 0; i < bytes.length; i++) bytes[i] = text.charCodeAt(i);
+    return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).text();
+  }).then(program => {
     const script = document.createElement('script');
     script.id = 'program';
     script.textContent = program;

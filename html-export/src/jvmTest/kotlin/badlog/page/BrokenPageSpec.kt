@@ -1,5 +1,6 @@
 package badlog.page
 
+import badlog.html.PageAdditions
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import java.nio.file.Files
@@ -31,6 +32,37 @@ internal class BrokenPageSpec : PageSpec({
         val page = TestPages.ofSample("practice.bag")
         OpenPage.open(cut(page, (Files.size(page) - 100).toInt()), Screen.WIDE, null).use {
             it.await("a word about the cut") { "the file is incomplete" in it.text }
+        }
+    }
+
+    fun changed(page: Path, mark: String, change: (String) -> String): Path {
+        val text = Files.readString(page)
+        val from = text.indexOf(mark) + mark.length
+        val until = text.indexOf("</script>", from)
+        val file = Files.createTempFile("badlog-changed", ".html")
+        file.toFile().deleteOnExit()
+        return Files.writeString(file, text.substring(0, from) + change(text.substring(from, until)) + text.substring(until))
+    }
+
+    val damages = mapOf<String, (String) -> String>(
+        "a changed letter" to { it.replaceRange(5000, 5004, it.substring(5000, 5004).reversed()) },
+        "a letter that is none" to { it.replaceRange(5000, 5001, "!") },
+        "a missing half" to { it.take(it.length / 2) },
+    )
+    for ((damage, change) in damages) {
+        browserTest("a page whose program has $damage says so") {
+            val page = changed(TestPages.of(stepBag(graphs = 1)), "id=\"packed\">", change)
+            onPage(page, state = "failed") { text shouldContain "This page is not complete" }
+        }
+    }
+
+    browserTest("a page whose findings cannot be read shows the recording, and says so") {
+        val bag = stepBag(graphs = 1)
+        val page = TestPages.of(bag, additions = PageAdditions(listOf("Twice = Step 1 * 2")))
+        OpenPage.open(changed(page, "id=\"additions\">") { it.dropLast(3) }, Screen.WIDE, null).use {
+            it.awaitState("ready")
+            it.graphNames shouldBe listOf("Step 1")
+            it.texts(".problem-text").single() shouldContain "cannot read the findings"
         }
     }
 

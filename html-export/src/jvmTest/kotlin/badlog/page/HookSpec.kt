@@ -53,6 +53,8 @@ internal class HookSpec : PageSpec({
             val columns = graph("Fit").lineColumns()
             val height = graph("Fit").picture.height
             columns.max() shouldBeLessThan height / 4
+            graph("Fit").frame.x shouldBe graph("Step 1").frame.x
+            graph("Fit").frame.width shouldBe graph("Step 1").frame.width
             visibleRange shouldBe 0.0..10.0
         }
     }

@@ -98,6 +98,8 @@ internal class FormulaDialog(
         pointer.showText(mistake?.pointed()?.substringAfter('\n').orEmpty())
         for (part in listOf(message, pointer)) part.isHidden = mistake == null
         message.classList.toggle("is-error", isFinal)
+        // A long one does not fit, and its mistake mostly is at its end.
+        pointer.scrollLeft = maxOf(0, (mistake?.from ?: 0) - LETTERS_BEFORE) * LETTER_WIDTH
         suggest()
         if (isFinal) input.focus()
         return mistake == null && text.isNotEmpty()
@@ -130,5 +132,10 @@ internal class FormulaDialog(
                 }
             }
         }
+    }
+
+    private companion object {
+        const val LETTERS_BEFORE = 8
+        const val LETTER_WIDTH = 7.2
     }
 }

@@ -36,6 +36,7 @@ private class FindingPaths(private val frame: PlotFrame, private val severity: S
     private val lines = Path2D()
     private val heads = Path2D()
     private val taken = HashSet<Int>()
+    private var lastLine = Double.NEGATIVE_INFINITY
 
     fun add(scene: Scene, span: Span) {
         for (finding in scene.findings.placed) {
@@ -54,8 +55,12 @@ private class FindingPaths(private val frame: PlotFrame, private val severity: S
     }
 
     private fun addMark(pixel: Double) {
-        lines.moveTo(pixel, frame.top)
-        lines.lineTo(pixel, frame.bottom)
+        // A crowd of lines would hide the graph; their heads tell enough.
+        if (pixel - lastLine >= APART * ratio) {
+            lines.moveTo(pixel, frame.top)
+            lines.lineTo(pixel, frame.bottom)
+            lastLine = pixel
+        }
         val size = HEAD * ratio
         val middle = frame.bottom - size - ratio
         when (severity) {
@@ -103,6 +108,7 @@ private class FindingPaths(private val frame: PlotFrame, private val severity: S
         const val HEAD = 4.5
         const val FOOT = 3.0
         const val DASH = 3.0
+        const val APART = 9
         const val RING = 1.8
         const val BAND_OPACITY = 0.13
         const val LINE_OPACITY = 0.6

@@ -44,9 +44,9 @@ internal class FolderNavigation(private val folders: FolderList) {
         choice.textContent = ""
         choice.add("option", "", "Go to folder…")
         for (section in folders.sections) {
-            choice.add("option", "", section.caption)
+            choice.add("option", "", section.shortCaption)
             val link = list.addButton("folder-link", "", section.folder.name) { section.reveal() }.apply {
-                add("span", "folder-link-name", section.caption)
+                add("span", "folder-link-name", section.shortCaption)
                 counts += add("span", "count", countText(section.count)) to section
             }
             links += link to section

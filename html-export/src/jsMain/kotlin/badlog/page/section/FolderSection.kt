@@ -5,6 +5,7 @@ import badlog.analysis.Graph
 import badlog.page.dom.Icon
 import badlog.page.dom.add
 import badlog.page.dom.addButton
+import badlog.page.dom.bringIntoSight
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.dom.showText
@@ -51,6 +52,9 @@ internal class FolderSection(
     val caption: String =
         if (hook == null) folder.name.split('/').joinToString(" / ").ifEmpty { "Top level" } else folder.name
 
+    /** The same where there is little room. */
+    val shortCaption: String get() = if (hook == null) caption else "Hook ${hook.name}"
+
     private val size get() = cards.size + tables.size + (hook?.figures?.size ?: 0)
 
     /** How much there is in it; while something is searched for, how much of that. */
@@ -76,7 +80,7 @@ internal class FolderSection(
             values?.let { appendChild(it.element) }
             for (table in tables) appendChild(table.element)
             for (card in cards) appendChild(card.element)
-            if (hook != null) for (picture in picturesOf(hook)) appendChild(picture)
+            if (hook != null) for (figure in hook.figures) appendChild(hookPicture(figure))
         }
     }
 
@@ -105,7 +109,7 @@ internal class FolderSection(
             isClosed = false
             onToggle()
         }
-        part.scrollIntoView()
+        part.bringIntoSight()
     }
 
     /** Adds [card] below its others. */

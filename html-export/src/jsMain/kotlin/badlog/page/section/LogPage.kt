@@ -4,6 +4,7 @@ import badlog.page.dom.Icon
 import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.addIconButton
+import badlog.page.dom.bringIntoSight
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.embedded.About
@@ -121,7 +122,7 @@ internal class LogPage(
     private fun showAnyGraph() {
         val boxes = folders.cards.map { it.element to it.element.getBoundingClientRect() }.filter { it.second.height > 0 }
         if (boxes.any { (_, box) -> box.bottom > LEAST_SEEN && box.top < window.innerHeight - LEAST_SEEN }) return
-        boxes.firstOrNull()?.first?.scrollIntoView()
+        boxes.firstOrNull()?.first?.bringIntoSight()
     }
 
     private companion object {
