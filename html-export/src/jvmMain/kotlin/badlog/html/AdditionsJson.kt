@@ -39,6 +39,8 @@ internal class AdditionsJson(private val out: OutputStream) {
         text("{\"source\":${quoteJson(finding.source)},\"severity\":\"$severity\",\"text\":${quoteJson(finding.text)}")
         if (finding.time.isFinite()) text(",\"time\":${finding.time}")
         if (finding.until.isFinite()) text(",\"until\":${finding.until}")
+        val further = finding.further.filter { it.from.isFinite() && it.to.isFinite() }
+        if (further.isNotEmpty()) text(further.joinToString(",", ",\"further\":[", "]") { "[${it.from},${it.to}]" })
         text("}")
     }
 

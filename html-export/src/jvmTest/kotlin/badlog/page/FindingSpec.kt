@@ -3,6 +3,7 @@ package badlog.page
 import badlog.bag.BagTopic
 import badlog.html.PageAdditions
 import badlog.html.PageFinding
+import badlog.plot.Span
 import badlog.recording.Severity
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.doubles.shouldBeGreaterThan
@@ -112,6 +113,23 @@ internal class FindingSpec : PageSpec({
             graph("Angle").hover(0.4)
             press("n")
             cursor() shouldBe 5.0
+        }
+    }
+
+    browserTest("what was found several times is listed once, marked everywhere, and gone through place by place") {
+        val further = listOf(Span(4.0, 4.5), Span(9.0, 9.0))
+        onPage(pageWith(listOf(PageFinding("Brownout", Severity.ERROR, "three times", 1.0, 1.2, further)))) {
+            texts(".finding .event-go") shouldBe listOf("1.000 – 1.200")
+            graph("Angle").hover(0.42)
+            graph("Angle").label shouldBe "error · Brownout: three times"
+            graph("Angle").hover(0.9)
+            graph("Angle").label shouldBe "error · Brownout: three times"
+            graph("Angle").hover(0.05)
+            listOf("n", "n", "n", "p").map {
+                press(it)
+                cursor()
+            } shouldBe listOf(1.0, 4.0, 9.0, 4.0)
+            element(".finding[aria-current]").text shouldContain "three times"
         }
     }
 

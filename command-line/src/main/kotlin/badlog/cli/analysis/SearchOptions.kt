@@ -19,7 +19,7 @@ internal class SearchOptions : OptionGroup() {
         .help("Rules in TOML, or “${Search.DEFAULT_RULES}”, those of badlog.")
     private val hooks by option("--hook", metavar = "COMMAND").convert { text ->
         try {
-            text to commandWords(text)
+            commandWords(text)
         } catch (e: IllegalArgumentException) {
             fail(e.message.orEmpty())
         }
@@ -31,6 +31,6 @@ internal class SearchOptions : OptionGroup() {
     /** What they ask for, where logs also have the topics of [virtualTopics]. */
     fun search(virtualTopics: List<String>): Search {
         val limit = hookSeconds?.seconds ?: HookRunner.USUAL_TIME_LIMIT
-        return Search(rules, hooks.map { (text, words) -> HookRunner(words, limit, text) }, virtualTopics)
+        return Search(rules, hooks.map { HookRunner(it, limit) }, virtualTopics)
     }
 }

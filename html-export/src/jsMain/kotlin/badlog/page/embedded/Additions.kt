@@ -2,6 +2,7 @@ package badlog.page.embedded
 
 import badlog.analysis.Series
 import badlog.page.view.Finding
+import badlog.plot.Span
 import badlog.recording.Severity
 import badlog.recording.Value
 import kotlinx.browser.document
@@ -53,6 +54,7 @@ internal class Additions(
             text = json.text as String,
             time = json.time as Double? ?: Double.NaN,
             until = json.until as Double? ?: Double.NaN,
+            further = if (json.further == null) emptyList() else list(json.further) { Span(it[0] as Double, it[1] as Double) },
         )
 
         // Every machine that runs a browser has the little end first, as they are written.

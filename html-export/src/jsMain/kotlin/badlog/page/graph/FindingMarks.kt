@@ -18,7 +18,7 @@ internal fun drawFindingMarks(
     scene: Scene,
     span: Span = scene.range.now,
 ) {
-    if (scene.findings.placed.isEmpty()) return
+    if (scene.findings.places.isEmpty()) return
     context.save()
     context.beginPath()
     context.rect(frame.left, frame.top, frame.width, frame.height)
@@ -39,12 +39,14 @@ private class FindingPaths(private val frame: PlotFrame, private val severity: S
     private var lastLine = Double.NEGATIVE_INFINITY
 
     fun add(scene: Scene, span: Span) {
-        for (finding in scene.findings.placed) {
-            if (finding.time > span.to) break
-            if (finding.severity != severity || finding.end < span.from) continue
-            val pixel = frame.pixelOfX(finding.time)
-            if (finding.end > finding.time) addBand(maxOf(pixel, frame.left), minOf(frame.pixelOfX(finding.end), frame.right))
-            if (finding.time >= span.from && taken.add((pixel / ratio).toInt())) addMark(pixel)
+        for (place in scene.findings.places) {
+            val from = place.span.from
+            val to = place.span.to
+            if (from > span.to) break
+            if (place.finding.severity != severity || to < span.from) continue
+            val pixel = frame.pixelOfX(from)
+            if (to > from) addBand(maxOf(pixel, frame.left), minOf(frame.pixelOfX(to), frame.right))
+            if (from >= span.from && taken.add((pixel / ratio).toInt())) addMark(pixel)
         }
     }
 

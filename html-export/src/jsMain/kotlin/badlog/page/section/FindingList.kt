@@ -8,6 +8,7 @@ import badlog.page.dom.showText
 import badlog.page.text.countText
 import badlog.page.text.decimalsFor
 import badlog.page.view.Finding
+import badlog.page.view.FindingPlace
 import badlog.page.view.Query
 import badlog.page.view.Scene
 import badlog.recording.Severity
@@ -26,7 +27,7 @@ internal class FindingList(private val scene: Scene, private val onJump: () -> U
     private val rows = HashMap<Finding, HTMLElement>()
     private var found = all
     private var listed = 0
-    private var current: Finding? = null
+    private var current: FindingPlace? = null
     private lateinit var count: HTMLElement
     private lateinit var list: HTMLElement
     private lateinit var body: HTMLElement
@@ -84,7 +85,7 @@ internal class FindingList(private val scene: Scene, private val onJump: () -> U
             rows.clear()
             listed = 0
         }
-        for (i in listed until until) body.appendChild(findingRow(found[i], decimals, ::go, ::zoom).also { rows[found[i]] = it })
+        for (i in listed until until) body.appendChild(findingRow(found[i], decimals, { go(it.places[0]) }, { zoom(it.places[0]) }).also { rows[found[i]] = it })
         listed = until
         more.isHidden = listed == found.size
         val left = found.size - listed
@@ -97,23 +98,23 @@ internal class FindingList(private val scene: Scene, private val onJump: () -> U
         mark()
     }
 
-    private fun go(finding: Finding) {
-        current = finding
-        scene.goTo(finding.time)
+    private fun go(place: FindingPlace) {
+        current = place
+        scene.goTo(place.span.from)
         mark()
         onJump()
     }
 
-    private fun zoom(finding: Finding) {
-        current = finding
-        scene.zoomTo(finding.time, finding.end)
+    private fun zoom(place: FindingPlace) {
+        current = place
+        scene.zoomTo(place.span.from, place.span.to)
         mark()
         onJump()
     }
 
     private fun mark() {
         for ((finding, row) in rows) {
-            if (finding == current) row.setAttribute("aria-current", "true") else row.removeAttribute("aria-current")
+            if (finding == current?.finding) row.setAttribute("aria-current", "true") else row.removeAttribute("aria-current")
         }
     }
 

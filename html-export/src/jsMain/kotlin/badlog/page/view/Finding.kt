@@ -1,6 +1,7 @@
 package badlog.page.view
 
 import badlog.page.text.countText
+import badlog.plot.Span
 import badlog.recording.Severity
 
 /**
@@ -9,6 +10,7 @@ import badlog.recording.Severity
  * @property source the rule or the hook that found it.
  * @property time where, NaN when it is about the whole.
  * @property until where it ends, NaN when it is a moment or about the whole.
+ * @param further where else it was found.
  */
 internal class Finding(
     val source: String,
@@ -16,12 +18,16 @@ internal class Finding(
     val text: String,
     val time: Double,
     val until: Double,
+    further: List<Span> = emptyList(),
 ) {
     /** Whether it has a place on the x axis. */
     val isPlaced: Boolean get() = time.isFinite()
 
     /** Where it ends, or stands. */
     val end: Double get() = if (until > time) until else time
+
+    /** Everywhere it was found, the first place first; none when it is about the whole. */
+    val places: List<FindingPlace> = if (isPlaced) (listOf(Span(time, end)) + further).map { FindingPlace(this, it) } else emptyList()
 
     /** Its severity as a word, which is also the name of its style. */
     val word: String get() = severity.name.lowercase()

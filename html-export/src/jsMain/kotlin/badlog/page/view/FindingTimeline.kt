@@ -8,26 +8,26 @@ internal class FindingTimeline(all: List<Finding>) {
     val worstFirst: List<Finding> =
         all.sortedWith(compareBy<Finding> { -it.severity.ordinal }.thenBy { if (it.isPlaced) it.time else Double.NEGATIVE_INFINITY })
 
-    /** Those with a place, in the order of x. */
-    val placed: List<Finding> = all.filter { it.isPlaced }.sortedBy { it.time }
+    /** All places of all of them, in the order of x. */
+    val places: List<FindingPlace> = all.flatMap { it.places }.sortedBy { it.span.from }
 
     /** How many are of [severity]. */
     fun count(severity: Severity): Int = worstFirst.count { it.severity == severity }
 
     /** Those that are no further than [distance] from [x], or last over it, the worst first. */
     fun at(x: Double, distance: Double): List<Finding> =
-        if (placed.isEmpty()) placed else worstFirst.filter { x >= it.time - distance && x <= it.end + distance }
+        worstFirst.filter { finding -> finding.places.any { x >= it.span.from - distance && x <= it.span.to + distance } }
 
     /**
-     * The one [steps] after [current] while the cursor at [x] still is at that, else the first after x; before them when [steps]
+     * The place [steps] after [current] while the cursor at [x] still is at that, else the first after x; before them when [steps]
      * is negative. Null beyond the last one.
      */
-    fun beside(current: Finding?, x: Double, steps: Int): Finding? {
-        val index = if (current?.time == x) placed.indexOf(current) else -1
+    fun beside(current: FindingPlace?, x: Double, steps: Int): FindingPlace? {
+        val index = if (current?.span?.from == x) places.indexOf(current) else -1
         return when {
-            index >= 0 -> placed.getOrNull(index + steps)
-            steps > 0 -> if (x.isNaN()) placed.firstOrNull() else placed.firstOrNull { it.time > x }
-            else -> if (x.isNaN()) placed.lastOrNull() else placed.lastOrNull { it.time < x }
+            index >= 0 -> places.getOrNull(index + steps)
+            steps > 0 -> if (x.isNaN()) places.firstOrNull() else places.firstOrNull { it.span.from > x }
+            else -> if (x.isNaN()) places.lastOrNull() else places.lastOrNull { it.span.from < x }
         }
     }
 }

@@ -33,7 +33,8 @@ internal class Scene(val view: LogView, findings: List<Finding> = emptyList()) {
     /** The same without those that began before the last event at or before [x]: that is the news then. */
     fun newsAt(x: Double): List<Finding> {
         val last = lastEventAt(x) ?: return findingsAt(x)
-        return findingsAt(x).filter { it.time >= last.x - range.now.width * REACH }
+        val from = last.x - range.now.width * REACH
+        return findingsAt(x).filter { finding -> finding.places.any { it.span.from >= from } }
     }
 
     /** Takes the cursor to [x], and the view where that is out of sight. */

@@ -24,13 +24,13 @@ import kotlin.time.Duration.Companion.seconds
  *
  * @property command the program and its arguments; in an argument `{header}` becomes the path of the header's file.
  * @property timeLimit how long the program may take for one recording before it and all it started are killed.
- * @property name what to call it.
+ * @property name what to call it; usually the script, or the program where no script is among its arguments.
  * @property folder where it runs; null for where this program runs.
  */
 public class HookRunner(
     public val command: List<String>,
     public val timeLimit: Duration = USUAL_TIME_LIMIT,
-    public val name: String = command.joinToString(" "),
+    public val name: String = nameOf(command),
     public val folder: Path? = null,
 ) {
     init {
@@ -137,6 +137,12 @@ public class HookRunner(
     public companion object {
         /** How long a program may take where nobody says otherwise. */
         public val USUAL_TIME_LIMIT: Duration = 30.seconds
+
+        // The first argument that looks like a file's name is the script, as in `python3 -u tools/analyse.py`.
+        private fun nameOf(command: List<String>): String {
+            val script = command.drop(1).firstOrNull { !it.startsWith("-") && '.' in it && ' ' !in it && '{' !in it }
+            return (script ?: command[0]).substringAfterLast('/').substringAfterLast('\\')
+        }
 
         private const val POLL = 50L
         private const val MOST_OUTPUT = 64 shl 20

@@ -16,8 +16,9 @@ public fun pageAdditions(
 ): PageAdditions = PageAdditions(virtualTopics, findings.filter { !it.isOfHook }.map(::pageFinding), hooks.map(::hookPart))
 
 private fun pageFinding(finding: Finding): PageFinding {
-    val span = finding.spans.firstOrNull()?.takeIf { it.from == finding.time && it.width > 0 }
-    return PageFinding(finding.rule, finding.severity, finding.text, finding.time, span?.to ?: Double.NaN)
+    val first = finding.spans.firstOrNull()
+    val until = if (first != null && first.width > 0) first.to else Double.NaN
+    return PageFinding(finding.rule, finding.severity, finding.text, finding.time, until, finding.spans.drop(1))
 }
 
 private fun hookPart(outcome: HookOutcome): HookPart {

@@ -14,7 +14,7 @@ import java.util.UUID
 /**
  * A folder with a report: `index.html`, and a page for each log that was added. Pages that were there are replaced, others stay.
  *
- * @param virtualTopics definitions of topics that the pages show beside the logs' own.
+ * @param virtualTopics definitions of topics that the pages show beside the logs' own, where a log can be given them.
  * @param exporter makes the pages of the logs.
  */
 public class ReportFolder(
@@ -34,7 +34,8 @@ public class ReportFolder(
     public fun add(log: LogReport, hooks: List<HookOutcome> = emptyList()) {
         if (log.unreadable != null) return
         val name = freeName(log)
-        exporter.export(log.file.path, folder.resolve(name), pageAdditions(virtualTopics, log.findings, hooks))
+        val defined = virtualTopics - log.undefined.mapTo(HashSet()) { it.definition }
+        exporter.export(log.file.path, folder.resolve(name), pageAdditions(defined, log.findings, hooks))
         pages[log] = name
     }
 

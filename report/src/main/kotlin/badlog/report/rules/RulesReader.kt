@@ -77,7 +77,8 @@ internal class RulesReader(private val source: String, private val folder: Path?
             else -> Duration.ZERO
         }
         if (!seconds.isPositive()) fail(placeOf(table, "seconds"), "“seconds” is a number above 0: how long the hook may take.")
-        HookRunner(words, seconds, string(table, "name") ?: command, folder)
+        val name = string(table, "name")
+        if (name == null) HookRunner(words, seconds, folder = folder) else HookRunner(words, seconds, name, folder)
     }
 
     /** Every table of the list [key], and where it begins. */

@@ -86,7 +86,7 @@ class HookRunnerSpec : FunSpec({
         val recording = Recording(RecordingFormat.WPILOG, null, emptyList(), listOf(topic), 0, emptyList())
         val program = "import json, sys; print(json.dumps({'values': {'csv': sys.stdin.read().strip()}}))"
         HookRunner(listOf("python3", "-c", program)).run(recording).values.getValue("csv").lines() shouldBe
-            listOf("Time,volts", "0,12", "0.02,12", "0.04,12")
+            listOf("Time,volts", "0,12", "0.02,12", "0.04,12", "0.06,6")
     }
 
     test("a hook runs in its folder").config(enabled = HAS_PYTHON) {

@@ -26,9 +26,9 @@ class RulesReaderSpec : FunSpec({
     }
 
     test("hooks have a command, and may have a name and a time limit") {
-        val hooks = RuleSet.parse("[[hook]]\ncommand = \"python3 'a b.py'\"\n[[hook]]\nname = \"B\"\ncommand = \"b\"\nseconds = 1.5\n").hooks
-        hooks.map { it.name } shouldBe listOf("python3 'a b.py'", "B")
-        hooks.map { it.command } shouldBe listOf(listOf("python3", "a b.py"), listOf("b"))
+        val hooks = RuleSet.parse("[[hook]]\ncommand = \"python3 x/a.py -v\"\n[[hook]]\nname = \"B\"\ncommand = \"b\"\nseconds = 1.5\n").hooks
+        hooks.map { it.name } shouldBe listOf("a.py", "B")
+        hooks.map { it.command } shouldBe listOf(listOf("python3", "x/a.py", "-v"), listOf("b"))
         hooks.map { it.timeLimit } shouldBe listOf(30.seconds, 1500.milliseconds)
     }
 
