@@ -28,10 +28,16 @@ class HtmlExporter(
      *
      * To cancel, interrupt the calling thread or throw from [progress].
      *
+     * @param additions what the page shows besides the recording.
      * @throws ExportException when there is nothing to show, or a file cannot be read or written.
      * @throws InterruptedException when the thread was interrupted.
      */
-    fun export(input: Path, output: Path, progress: ExportProgress = ExportProgress { _, _ -> }): ExportReport {
+    fun export(
+        input: Path,
+        output: Path,
+        additions: PageAdditions = PageAdditions(),
+        progress: ExportProgress = ExportProgress { _, _ -> },
+    ): ExportReport {
         val page = output.toAbsolutePath().normalize()
         val files = attachments.plusElement(input)
         files.forEach(::checkReadable)
@@ -41,7 +47,7 @@ class HtmlExporter(
             val head = FileHead.of(first)
             if (head.refusal != null) throw ExportException.NotARecording(input, "$input: ${head.refusal}")
             val source = ReadGuard(input, SequenceInputStream(ByteArrayInputStream(first), stream))
-            passingOn(progress) { heard -> writing(page) { write(input, source, head, page, heard) } }
+            passingOn(progress) { heard -> writing(page) { write(input, source, head, page, additions, heard) } }
         }
     }
 
@@ -50,6 +56,7 @@ class HtmlExporter(
         source: InputStream,
         head: FileHead,
         page: Path,
+        additions: PageAdditions,
         progress: ExportProgress,
     ): ExportReport {
         val name = input.fileName.toString()
@@ -76,6 +83,7 @@ class HtmlExporter(
             recording.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }?.let { problem ->
                 throw ExportException.NotARecording(input, "$input: ${problem.message}")
             }
+            writer.additions(additions)
             writer.end(name, embedded, head.isGzip)
             file.commit()
             ExportReport(page, recording, embedded.originalBytes, embedded.inflatedBytes)

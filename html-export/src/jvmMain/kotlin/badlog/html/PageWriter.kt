@@ -38,7 +38,15 @@ internal class PageWriter(private val out: OutputStream, private val parts: Page
     fun <T> attachment(name: String, embed: (Base64Stream) -> T): T =
         base64("class=\"attachment\" data-name=\"${escapeHtml(name)}\"", embed)
 
-    /** Everything after the attachments, about the recording that came from the file [name]. */
+    /** What the page shows besides the recording; no byte when that is nothing. */
+    fun additions(additions: PageAdditions) {
+        if (additions.isEmpty) return
+        text("<script type=\"application/json\" id=\"additions\">")
+        AdditionsJson(out).write(additions)
+        text("</script>\n")
+    }
+
+    /** Everything after the additions, about the recording that came from the file [name]. */
     fun end(name: String, file: EmbeddedFile, isGzip: Boolean) {
         val cut = if (file.isCut) ",\"cut\":true" else ""
         text(

@@ -41,7 +41,7 @@ internal class ExportTask(
         val name = "${input.file.fileName}.html"
         val target = plan.place(input, name, name)
         val report = try {
-            exporter.export(input.file, target, progress)
+            exporter.export(input.file, target, progress = progress)
         } catch (e: ExportException.NotARecording) {
             throw NotALog(e.message.orEmpty())
         }

@@ -26,7 +26,11 @@ internal class BadlogHtml(
     private val out: PrintStream,
     private val err: PrintStream,
     private val isTerminal: Boolean,
-    private val exporterOf: (attachments: List<Path>) -> Export = { HtmlExporter(it)::export },
+    private val exporterOf: (attachments: List<Path>) -> Export = { attachments ->
+        val exporter = HtmlExporter(attachments)
+        val export: Export = { input, page, progress -> exporter.export(input, page, progress = progress) }
+        export
+    },
     private val open: (Path) -> Boolean,
 ) {
     private val made = ArrayList<ExportReport>()

@@ -35,11 +35,12 @@ class BadlogHtmlSpec : FunSpec({
 
     // Makes pages, but of a file named so it fails as no exporter should.
     fun failingOn(name: String) = { attachments: List<Path> ->
-        val export = HtmlExporter(attachments)::export
-        { input: Path, page: Path, progress: ExportProgress ->
+        val exporter = HtmlExporter(attachments)
+        val export: Export = { input, page, progress ->
             check(input.name != name) { "Out of cheese\n+++" }
-            export(input, page, progress)
+            exporter.export(input, page, progress = progress)
         }
+        export
     }
 
     fun run(vararg arguments: Any, canOpen: Boolean = true, failsOn: String = ""): Ended {
