@@ -1,6 +1,7 @@
 package badlog.viewer.app
 
 import androidx.compose.ui.input.key.Key
+import badlog.viewer.findings.findingCommands
 import badlog.viewer.graph.giveUpGesture
 import badlog.viewer.graph.graphCommands
 import badlog.viewer.inspector.title
@@ -11,8 +12,8 @@ import badlog.viewer.takeaway.takeAwayCommands
 
 /** All that the keyboard does, in the order of the help sheet. */
 internal fun allCommands(viewer: Viewer): List<Command> =
-    libraryCommands(viewer) + graphCommands(viewer) + playbackCommands(viewer) + takeAwayCommands(viewer) +
-        layoutCommands(viewer) + windowCommands(viewer)
+    libraryCommands(viewer) + graphCommands(viewer) + findingCommands(viewer) + playbackCommands(viewer) +
+        takeAwayCommands(viewer) + layoutCommands(viewer) + windowCommands(viewer)
 
 /** What the keyboard does with the window's parts. */
 internal fun windowCommands(viewer: Viewer): List<Command> = listOf(
@@ -33,4 +34,4 @@ internal fun windowCommands(viewer: Viewer): List<Command> = listOf(
 
 private const val GROUP = "Window"
 private val QUESTION_MARK = KeyPress(Key.Slash, "?", shift = true)
-private val DIGITS = listOf(Key.One, Key.Two, Key.Three, Key.Four)
+private val DIGITS = listOf(Key.One, Key.Two, Key.Three, Key.Four, Key.Five)

@@ -23,6 +23,7 @@ import androidx.compose.ui.input.pointer.isMetaPressed
 import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
+import badlog.viewer.findings.FindingLabel
 import badlog.viewer.graph.plot.drawnLines
 import badlog.viewer.theme.LocalPalette
 
@@ -46,6 +47,7 @@ internal fun GraphColumn(scene: GraphScene) {
         }
         VerticalScrollbar(rememberScrollbarAdapter(scroll), Modifier.align(Alignment.CenterEnd).fillMaxHeight())
         EventLabel(scene)
+        FindingLabel(scene, Modifier.align(Alignment.BottomStart))
         SelectionChip(scene, maxWidth)
     }
 }

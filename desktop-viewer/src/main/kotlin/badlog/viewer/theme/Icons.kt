@@ -28,6 +28,7 @@ internal object Icons {
     val Up = icon("M4 10 L8 6 L12 10")
     val Down = icon("M4 6 L8 10 L12 6")
     val Right = icon("M6 4 L10 8 L6 12")
+    val Left = icon("M10 4 L6 8 L10 12")
     val More = icon("M8 3.5 V3.6 M8 8 V8.1 M8 12.5 V12.6", width = 2f)
     val Add = icon("M8 3 V13 M3 8 H13")
     val Remove = icon("M3 8 H13")
@@ -44,6 +45,7 @@ internal object Icons {
     val Wave = icon("M1.5 9.5 L4.5 4.5 L8 11 L11 6 L14.5 9.5")
     val Lanes = icon("M1.5 5.5 H6.5 V10.5 H11 V5.5 H14.5")
     val Flag = icon("M4 14 V2.5 H12.5 L10 5.5 L12.5 8.5 H4")
+    val Diamond = icon("M8 2 L14 8 L8 14 L2 8 Z M8 5.5 V8.5 M8 10.5 V10.6")
     val Sigma = icon("M12.5 4.5 V3 H4 L8.5 8 L4 13 H12.5 V11.5")
     val Info = icon("M8 2 A6 6 0 1 0 8 14 A6 6 0 1 0 8 2 M8 7.5 V11 M8 5 V5.1")
 
