@@ -12,6 +12,8 @@ import badlog.viewer.files.FileChoice
 import badlog.viewer.files.SystemFileChoice
 import badlog.viewer.findings.Findings
 import badlog.viewer.findings.RuleRunning
+import badlog.viewer.formula.FormulaKeeping
+import badlog.viewer.formula.FormulaSheet
 import badlog.viewer.graph.GraphList
 import badlog.viewer.graph.PlotGesture
 import badlog.viewer.graph.plot.Plots
@@ -90,6 +92,12 @@ internal class Viewer(
     /** The events of the open recording that [eventFilter] lets through. */
     val matchingEvents: MatchingEvents by derivedStateOf { open?.events?.matching(eventFilter) ?: MatchingEvents.NONE }
 
+    /** The definitions of topics that are calculated from others, in the order in which they may use each other. */
+    var formulas by mutableStateOf<List<String>>(emptyList())
+
+    /** The formula that a person is writing, or null. */
+    var formulaSheet by mutableStateOf<FormulaSheet?>(null)
+
     /** What rules found in the open recording. */
     var findings by mutableStateOf(Findings())
 
@@ -107,6 +115,9 @@ internal class Viewer(
 
     /** Runs the rules over the open recording. */
     val ruleRunning = RuleRunning(this)
+
+    /** Calculates the formulas. */
+    val formulaKeeping = FormulaKeeping(this)
 
     /** Remembers how the window is arranged. */
     val layouts = LayoutKeeping(this)

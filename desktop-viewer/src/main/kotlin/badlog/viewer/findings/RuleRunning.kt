@@ -34,7 +34,7 @@ internal class RuleRunning(
             viewer.findings = viewer.findings.unknown()
             if (wanted.file == null) return@collectLatest
             awaitGraphs()
-            snapshotFlow { viewer.open?.takeIf { it.file == wanted.file }?.view }.filterNotNull().conflate().collect { view ->
+            snapshotFlow { viewer.open?.takeIf { it.file == wanted.file }?.logged }.filterNotNull().conflate().collect { view ->
                 val began = TimeSource.Monotonic.markNow()
                 val list = runInterruptible(Dispatchers.IO) { find(view, wanted.file, wanted.library) }
                 viewer.findings = viewer.findings.knowing(list)
