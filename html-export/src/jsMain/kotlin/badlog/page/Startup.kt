@@ -2,7 +2,9 @@ package badlog.page
 
 import badlog.analysis.LogView
 import badlog.page.embedded.About
+import badlog.page.embedded.Additions
 import badlog.page.embedded.Inflation
+import badlog.page.formula.Formulas
 import badlog.page.reading.Reading
 import badlog.page.section.Downloads
 import badlog.page.section.LoadingScreen
@@ -59,7 +61,9 @@ internal class Startup {
             fail("There is nothing to show of ${about.name}", unreadable.message, downloads.element)
             return
         }
-        val shown = LogPage(LogView.of(read), about, downloads, theme)
+        val additions = Additions.find()
+        val formulas = Formulas(LogView.of(read), additions.virtualTopics, about.fileKey)
+        val shown = LogPage(formulas, about, additions, downloads, theme)
         page = shown
         show(shown.element)
         shown.start()

@@ -8,22 +8,23 @@ import java.util.Base64
  *
  * @param program the text of one classic script.
  * @param style the text of one style sheet.
- * @throws IllegalArgumentException when a text cannot stand inside its element as it is.
+ * @throws IllegalArgumentException when the style cannot stand inside its element as it is.
  */
 class PageParts(program: String, style: String) {
     internal val program: ByteArray = lines(program).encodeToByteArray()
     internal val style: ByteArray = lines(style).encodeToByteArray()
 
+    /** The program as it stands in a page. */
+    internal val packedProgram: ByteArray = packed(this.program)
+
     init {
-        // "<!--" does not end a script, but makes the next "<script" in it hide the real end.
-        requireAbsent("</script", program)
-        requireAbsent("<!--", program)
-        requireAbsent("</style", style)
+        require(!style.contains("</style", ignoreCase = true)) { "\"</style\" stands in the page's style." }
     }
 
     /** The Content-Security-Policy of a page with these parts: nothing from the network, no other script or style. */
     internal val policy: String
-        get() = "default-src 'none'; script-src '${hash(program)}'; worker-src blob:; style-src '${hash(style)}'; " +
+        get() = "default-src 'none'; script-src '${hash(UNPACKING.encodeToByteArray())}' '${hash(program)}'; worker-src blob:; " +
+            "style-src '${hash(style)}'; " +
             "img-src data: blob:; base-uri 'none'; form-action 'none'"
 
     companion object {
@@ -38,9 +39,6 @@ class PageParts(program: String, style: String) {
 
         // A browser reads every end of line as LF, and takes its hash of that.
         private fun lines(text: String) = text.replace("\r\n", "\n").replace('\r', '\n')
-
-        private fun requireAbsent(mark: String, text: String) =
-            require(!text.contains(mark, ignoreCase = true)) { "\"$mark\" stands in the page's program or style." }
 
         private fun hash(bytes: ByteArray): String {
             val digest = MessageDigest.getInstance("SHA-256").digest(bytes)

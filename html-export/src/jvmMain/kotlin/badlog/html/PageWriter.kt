@@ -52,10 +52,11 @@ internal class PageWriter(private val out: OutputStream, private val parts: Page
         text(
             "<script type=\"application/json\" id=\"about\">{\"name\":${quoteJson(name)}," +
                 "\"original\":\"${if (isGzip) "gzip" else "raw"}\",\"inflatedBytes\":${file.inflatedBytes}$cut," +
-                "\"version\":${quoteJson(BADLOG_VERSION)}}</script>\n<script id=\"program\">",
+                "\"version\":${quoteJson(BADLOG_VERSION)}}</script>\n" +
+                "<script type=\"application/octet-stream\" id=\"packed\">",
         )
-        out.write(parts.program)
-        text("</script>\n</body>\n</html>\n")
+        out.write(parts.packedProgram)
+        text("</script>\n<script id=\"unpacking\">$UNPACKING</script>\n</body>\n</html>\n")
     }
 
     private fun <T> base64(attributes: String, embed: (Base64Stream) -> T): T {

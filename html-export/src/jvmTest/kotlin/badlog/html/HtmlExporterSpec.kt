@@ -116,7 +116,7 @@ class HtmlExporterSpec : FunSpec({
             page.about.getValue("name").jsonPrimitive.content shouldBe name
             page.title shouldContain "&lt;/title&gt;&lt;/script&gt;"
             page.attachments.getValue("&lt;!--'&quot;&amp;&lt;\\script&gt;\u0001ü").decodeToString() shouldBe header
-            page.count("script") shouldBe 4
+            page.count("script") shouldBe 5
             page.count("img") shouldBe 0
             page.html shouldNotContain "<!--"
         }

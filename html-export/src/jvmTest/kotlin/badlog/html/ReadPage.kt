@@ -15,7 +15,8 @@ internal class ReadPage(file: Path) {
     val title: String = between("<title>", "</title>")
     val policy: String = between("Content-Security-Policy\" content=\"", "\"")
     val style: String = between("<style>", "</style>")
-    val program: String = between("<script id=\"program\">", "</script>")
+    private val packed: String = between("id=\"packed\">", "</script>")
+    val unpacking: String = between("<script id=\"unpacking\">", "</script>")
     val about: JsonObject =
         Json.parseToJsonElement(between("<script type=\"application/json\" id=\"about\">", "</script>")).jsonObject
 
@@ -26,10 +27,12 @@ internal class ReadPage(file: Path) {
     val attachments: Map<String, ByteArray> = Regex("class=\"attachment\" data-name=\"([^\"]*)\">([^<]*)</script>")
         .findAll(html).associate { (it.groupValues[1]) to inflate(decode(it.groupValues[2])) }
 
+    val program: String = inflate(decode(packed)).decodeToString()
+
     fun inflated(): ByteArray = inflate(recording)
 
     /** How many start tags of [name] a browser meets outside of scripts and styles. */
-    fun count(name: String): Int = Regex("<$name[ >]").findAll(html.replace(program, "").replace(style, "")).count()
+    fun count(name: String): Int = Regex("<$name[ >]").findAll(html.replace(unpacking, "").replace(style, "")).count()
 
     private fun between(start: String, end: String): String {
         val from = html.indexOf(start) + start.length

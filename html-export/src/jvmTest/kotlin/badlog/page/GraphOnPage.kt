@@ -82,6 +82,10 @@ internal class GraphOnPage(private val page: OpenPage, private val name: String)
     fun value(line: String): String =
         page.script("return arguments[0].querySelector('.value').textContent", legend(line)) as String
 
+    /** What it says of the finding at the cursor. */
+    val label: String
+        get() = page.script("return arguments[0].querySelector('.finding-label:not([hidden])')?.textContent ?? ''", card) as String
+
     /** The legend's button of [line]. */
     fun legend(line: String): WebElement = page.script(
         "return [...arguments[0].querySelectorAll('.legend-entry')].find(e => e.dataset.series === arguments[1])",

@@ -1,6 +1,12 @@
 package badlog.page
 
+import badlog.analysis.Series
 import badlog.bag.BagTopic
+import badlog.html.HookPart
+import badlog.html.PageAdditions
+import badlog.html.PageFinding
+import badlog.html.PageSeries
+import badlog.recording.Severity
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainAll
 import io.kotest.matchers.shouldBe
@@ -34,7 +40,7 @@ internal class HostileTextSpec : PageSpec({
             "return [...document.querySelectorAll('img, iframe, object, [onload], [onerror], [onmouseover], b')]" +
                 ".map(e => e.outerHTML)",
         ) shouldBe emptyList<String>()
-        texts("script:not(#recording):not(#about):not(#program)") shouldBe emptyList()
+        texts("script:not(#recording):not(#additions):not(#about):not(#packed):not(#unpacking):not(#program)") shouldBe emptyList()
     }
 
     browserTest("hostile names, units and attributes of topics stay text") {
@@ -88,6 +94,51 @@ internal class HostileTextSpec : PageSpec({
             }
             checkTame()
             press("/")
+            press(HOSTILE[0])
+            checkTame()
+        }
+    }
+
+    browserTest("hostile findings stay text, in the list, on the graphs and in the bar") {
+        val findings = HOSTILE.mapIndexed { i, text -> PageFinding(text, Severity.entries[i % 3], text, i.toDouble(), Double.NaN) }
+        val bag = bagOf(listOf(TIME, BagTopic("A")), HOSTILE.size) { row, _ -> row }
+        onPage(TestPages.of(bag, additions = PageAdditions(findings = findings)), script = alarm) {
+            click(".findings-more button")
+            texts(".finding-source") shouldContainAll HOSTILE
+            for (row in HOSTILE.indices) {
+                graph("A").scrollTo().hover(row * 0.9995 / (HOSTILE.size - 1))
+                graph("A").label shouldContain HOSTILE[row]
+                texts(".event-readout").single() shouldContain HOSTILE[row]
+            }
+            checkTame()
+        }
+    }
+
+    browserTest("hostile names, values, errors and lines of hooks stay text") {
+        val line = Series(doubleArrayOf(0.0, 1.0), doubleArrayOf(0.0, 1.0))
+        val hooks = HOSTILE.map { text ->
+            HookPart(text, text, mapOf(text to text), listOf(PageFinding(text, Severity.NOTE, text, 1.0, 2.0)), listOf(PageSeries(text, text, line)))
+        }
+        val bag = bagOf(listOf(TIME, BagTopic("A")), 5) { row, _ -> row }
+        onPage(TestPages.of(bag, additions = PageAdditions(hooks = hooks)), script = alarm) {
+            texts(".hook .folder-name") shouldBe HOSTILE.map { "From the hook $it" }
+            texts(".hook .values dd") shouldBe HOSTILE
+            texts(".hook .origin") shouldBe HOSTILE.map { "from $it" }
+            if (!element(".problem-list").isDisplayed) click(".problems-toggle")
+            texts(".problem-text").joinToString("\n").let { listed -> HOSTILE.forEach { listed shouldContain it } }
+            for (graph in graphNames) graph(graph).scrollTo()
+            checkTame()
+        }
+    }
+
+    browserTest("hostile formulas stay text where they are told to be wrong, and where they are not") {
+        val bag = bagOf(listOf(TIME, BagTopic("A")), 5) { row, _ -> row }
+        val definitions = HOSTILE + HOSTILE.map { "\"${it.replace("\"", "\"\"")}\" = A * 2" }
+        onPage(TestPages.of(bag, additions = PageAdditions(definitions)), script = alarm) {
+            graphNames.size shouldBe HOSTILE.size + 1
+            if (!element(".problem-list").isDisplayed) click(".problems-toggle")
+            texts(".problem-text").joinToString("\n") shouldContain HOSTILE[0]
+            press("f")
             press(HOSTILE[0])
             checkTame()
         }

@@ -1,6 +1,7 @@
 package badlog.page
 
 import badlog.html.HtmlExporter
+import badlog.html.PageAdditions
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -19,18 +20,21 @@ internal object TestPages {
     /** The page of the sample [name]. */
     fun ofSample(name: String): Path = samples.getOrPut(name) { ofFile(SAMPLES.resolve(name)) }
 
-    /** The page of a file with these [bytes] and this [name]. */
-    fun of(bytes: ByteArray, name: String = "test.bag"): Path {
+    /** The page of a file with these [bytes] and this [name], with [additions]. */
+    fun of(bytes: ByteArray, name: String = "test.bag", additions: PageAdditions = PageAdditions()): Path {
         val file = Files.createDirectory(folder.resolve("${count++}")).resolve(name)
-        return ofFile(Files.write(file, bytes))
+        return ofFile(Files.write(file, bytes), additions)
     }
+
+    /** The page of the sample [name] with [additions]. */
+    fun ofSample(name: String, additions: PageAdditions): Path = ofFile(SAMPLES.resolve(name), additions)
 
     /** The page of a file with this [text]. */
     fun of(text: String, name: String = "test.bag"): Path = of(text.encodeToByteArray(), name)
 
-    private fun ofFile(file: Path): Path {
+    private fun ofFile(file: Path, additions: PageAdditions = PageAdditions()): Path {
         val page = folder.resolve("page-${count++}.html")
-        exporter.export(file, page)
+        exporter.export(file, page, additions)
         return page
     }
 }

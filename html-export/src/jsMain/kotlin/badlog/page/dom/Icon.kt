@@ -20,6 +20,7 @@ internal enum class Icon(private val path: String) {
     RESET("M2.5 3v10M13.5 3v10M5 8h6M6.5 6.3 4.8 8l1.7 1.7M9.5 6.3 11.2 8 9.5 9.7"),
     PLUS("M8 3v10M3 8h10"),
     MINUS("M3 8h10"),
+    FORMULA("M11.5 3.3c-1.9-.9-2.9.1-3.2 1.9l-1.5 6c-.4 1.7-1.3 2.3-3 1.6M5 7h5.5"),
     CLOSE("M4 4l8 8M12 4l-8 8"),
     ;
 

@@ -8,6 +8,7 @@ internal external class IntersectionObserver(
     options: dynamic,
 ) {
     fun observe(target: Element)
+    fun unobserve(target: Element)
 }
 
 /** What an [IntersectionObserver] tells about one element. */

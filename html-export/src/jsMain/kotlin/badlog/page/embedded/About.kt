@@ -18,6 +18,9 @@ internal class About(
     val isCut: Boolean,
     val version: String,
 ) {
+    /** Tells this file from others, for what the browser remembers of it. */
+    val fileKey: String get() = "$name:$inflatedBytes"
+
     companion object {
         /** Reads it from the page, or null when the page was cut before its end. */
         fun find(): About? {

@@ -6,9 +6,10 @@ import badlog.page.dom.isHidden
 import badlog.page.dom.showText
 import badlog.page.view.Palette
 import badlog.page.view.Scene
+import badlog.page.view.findingText
 import org.w3c.dom.HTMLElement
 
-/** The cursor over one plot: its line, a dot on each curve, and the event it points at. */
+/** The cursor over one plot: its line, a dot on each curve, and the event and the finding it points at. */
 internal class CursorOverlay(
     private val graph: Graph,
     private val scene: Scene,
@@ -16,7 +17,8 @@ internal class CursorOverlay(
     private val over: HTMLElement,
 ) {
     private val line = over.add("div", "cursor-line")
-    private val label = over.add("div", "event-label")
+    private val eventLabel = over.add("div", "event-label")
+    private val findingLabel = over.add("div", "finding-label")
     private val dots = graph.series.indices.map { over.add("div", "cursor-dot line-${it % Palette.LINES}") }
 
     init {
@@ -29,7 +31,8 @@ internal class CursorOverlay(
         val x = scene.cursor.x
         val isSeen = scene.cursor.isPlaced && x >= now.from && x <= now.to
         line.isHidden = !isSeen
-        label.isHidden = true
+        eventLabel.isHidden = true
+        findingLabel.isHidden = true
         if (!isSeen) {
             for (dot in dots) dot.isHidden = true
             return
@@ -38,9 +41,16 @@ internal class CursorOverlay(
         val pixel = (x - now.from) / now.width * width
         line.style.transform = "translateX(${pixel}px)"
         dots.forEachIndexed { index, dot -> place(dot, index, x, width) }
-        val event = scene.eventAt(x) ?: return
+        scene.eventAt(x)?.let { show(eventLabel, it.text, pixel, width) }
+        val findings = scene.findingsAt(x)
+        if (findings.isEmpty()) return
+        findingLabel.className = "finding-label is-${findings[0].word}"
+        show(findingLabel, findingText(findings), pixel, width)
+    }
+
+    private fun show(label: HTMLElement, text: String, pixel: Double, width: Int) {
         label.isHidden = false
-        label.showText(event.text)
+        label.showText(text)
         label.classList.toggle("at-left", pixel > width / 2)
         label.style.transform =
             if (pixel > width / 2) "translateX(calc(${pixel - GAP}px - 100%))" else "translateX(${pixel + GAP}px)"

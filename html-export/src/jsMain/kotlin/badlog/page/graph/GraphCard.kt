@@ -15,8 +15,10 @@ import org.w3c.dom.HTMLElement
 /**
  * A graph with its title, legend and tools. It is drawn while it is near the screen, and its samples are not touched
  * before: derived ones are calculated when they are first looked at.
+ *
+ * @param origin what calculated it, where that was not the recording's own attributes; else empty.
  */
-internal class GraphCard(val graph: Graph, private val scene: Scene) {
+internal class GraphCard(val graph: Graph, private val scene: Scene, origin: String = "") {
     private val isShown = BooleanArray(graph.series.size) { true }
     private val legend = Legend(graph, isShown, ::redraw)
     private val statistics = StatisticsTable(graph, scene)
@@ -36,6 +38,7 @@ internal class GraphCard(val graph: Graph, private val scene: Scene) {
         add("header", "graph-head") {
             add("h3", "graph-title", graph.title).title = hintOf(graph)
             add("span", "unit graph-unit", unitText(graph.unit))
+            if (origin.isNotEmpty()) add("span", "origin", origin).title = hintOf(graph)
             appendChild(legend.element)
             add("div", "graph-tools") {
                 if (!graph.showsStates) {

@@ -11,9 +11,16 @@ import org.w3c.dom.Element
 /**
  * All graphs of the page: draws those near the screen, and lets all of them follow the visible range and the cursor.
  */
-internal class GraphDeck(private val scene: Scene, private val cards: List<GraphCard>) {
+internal class GraphDeck(private val scene: Scene) {
     private val cardOf = HashMap<Element, GraphCard>()
     private val near = LinkedHashSet<GraphCard>()
+    private val observer = IntersectionObserver({ entries ->
+        for (entry in entries) {
+            // One that was taken away may still be told of.
+            val card = cardOf[entry.target] ?: continue
+            if (entry.isIntersecting) meet(card) else part(card)
+        }
+    }, json("rootMargin" to MARGIN))
     private val zoomFrame = Frame(::drawZoom)
     private val restFrame = Frame(::drawRest)
     private val cursorFrame = Frame { for (card in near) card.updateCursor() }
@@ -30,22 +37,26 @@ internal class GraphDeck(private val scene: Scene, private val cards: List<Graph
         window.addEventListener("dppxchange", { repaint() })
     }
 
-    /** Draws what is on the screen at once, and from now on whatever comes near it. */
-    fun start() {
+    /** Draws what of [cards] is on the screen at once, and from now on whatever comes near it. */
+    fun start(cards: List<GraphCard>) {
         for (card in cards) {
             val box = card.element.getBoundingClientRect()
             if (box.height > 0 && box.top < window.innerHeight) meet(card)
         }
-        val observer = IntersectionObserver({ entries ->
-            for (entry in entries) {
-                val card = cardOf.getValue(entry.target)
-                if (entry.isIntersecting) meet(card) else part(card)
-            }
-        }, json("rootMargin" to MARGIN))
-        for (card in cards) {
-            cardOf[card.element] = card
-            observer.observe(card.element)
-        }
+        for (card in cards) add(card)
+    }
+
+    /** Draws [card] from now on whenever it comes near the screen. */
+    fun add(card: GraphCard) {
+        cardOf[card.element] = card
+        observer.observe(card.element)
+    }
+
+    /** Forgets [card]. */
+    fun remove(card: GraphCard) {
+        observer.unobserve(card.element)
+        cardOf.remove(card.element)
+        part(card)
     }
 
     /** Draws everything again with the colours and the screen of now. */

@@ -79,6 +79,7 @@ internal class Plot(
     private fun draw(plot: UPlot) {
         val frame = frameOf(plot)
         figure.draw(plot.ctx, frame)
+        drawFindingMarks(plot.ctx, frame, scene)
         drawEventMarks(plot.ctx, frame, scene)
     }
 

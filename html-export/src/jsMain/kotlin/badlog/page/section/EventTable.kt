@@ -87,32 +87,16 @@ internal class EventTable(private val log: EventLog, private val scene: Scene) {
     private fun row(event: Event): HTMLElement = element("tr", "event") {
         val time = if (event.x.isFinite()) fixedText(event.x, decimals) else "–"
         setAttribute("data-x", event.x.toString())
-        add("td", "event-time").addButton("event-go", time, "Move the cursor here") { go(event) }
+        add("td", "event-time").addButton("event-go", time, "Move the cursor here") { scene.goTo(event.x) }
         add("td", "event-text") {
             add("span", "", event.text)
-            addIconButton("event-zoom", Icon.SEARCH, "Zoom in on this event") { zoom(event) }
+            addIconButton("event-zoom", Icon.SEARCH, "Zoom in on this event") { scene.zoomTo(event.x, event.x) }
         }
-        addEventListener("click", { go(event) })
-    }
-
-    private fun go(event: Event) {
-        if (!event.x.isFinite()) return
-        scene.range.reveal(event.x)
-        scene.cursor.place(event.x)
-    }
-
-    private fun zoom(event: Event) {
-        if (!event.x.isFinite()) return
-        val half = scene.range.full.width / ZOOM_PARTS
-        scene.range.show(event.x - half, event.x + half)
-        scene.cursor.place(event.x)
+        addEventListener("click", { scene.goTo(event.x) })
     }
 
     private companion object {
         /** So many rows are made at a time; a browser lays out more than some thousands only slowly. */
         const val PAGE = 300
-
-        /** A zoom to an event shows two of so many parts. */
-        const val ZOOM_PARTS = 30
     }
 }

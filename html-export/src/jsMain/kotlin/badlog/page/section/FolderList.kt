@@ -1,8 +1,11 @@
 package badlog.page.section
 
+import badlog.analysis.Folder
+import badlog.analysis.Graph
 import badlog.analysis.LogView
 import badlog.page.dom.Remembered
 import badlog.page.dom.element
+import badlog.page.embedded.Hook
 import badlog.page.graph.GraphCard
 import badlog.page.view.Hits
 import badlog.page.view.Query
@@ -10,21 +13,31 @@ import badlog.page.view.Scene
 import org.w3c.dom.HTMLElement
 
 /**
- * All folders, the root folder first. Which ones are closed is remembered for the file.
+ * All folders, the root folder first, then one for each hook. Which ones are closed is remembered for the file.
  *
  * @param fileKey tells this file from others.
+ * @param origin what calculated a graph, if it was not logged; else empty.
  */
-internal class FolderList(view: LogView, scene: Scene, fileKey: String) {
+internal class FolderList(
+    view: LogView,
+    private val scene: Scene,
+    fileKey: String,
+    hooks: List<Hook>,
+    private val origin: (Graph) -> String,
+) {
     private val key = "closed:$fileKey"
     private val closedBefore = Remembered[key].orEmpty().split('\n')
-
-    /** The folders, in their order. */
-    val sections: List<FolderSection> = view.folders.map { folder ->
-        FolderSection(folder, scene, folder.name in closedBefore, ::remember)
+    private val own = view.folders.mapTo(ArrayList(), ::sectionOf)
+    private val ofHooks = hooks.filter(::hasSection).map { hook ->
+        val folder = folderOf(hook)
+        FolderSection(folder, scene, folder.name in closedBefore, ::remember, { "from ${hook.name}" }, hook)
     }
 
+    /** The folders, in their order. */
+    val sections: List<FolderSection> get() = own + ofHooks
+
     /** All graphs, in their order. */
-    val cards: List<GraphCard> = sections.flatMap { it.cards }
+    val cards: List<GraphCard> get() = sections.flatMap { it.cards }
 
     val element: HTMLElement = element("div", "folders") {
         for (section in sections) appendChild(section.element)
@@ -42,6 +55,38 @@ internal class FolderList(view: LogView, scene: Scene, fileKey: String) {
         for (section in sections) hits += section.filter(query)
         return hits
     }
+
+    /** Adds [graph] to its folder, which is made if need be and opened, and brings it into sight. */
+    fun add(graph: Graph): GraphCard {
+        val section = own.find { it.folder.name == graph.folder } ?: newSection(graph.folder)
+        val card = GraphCard(graph, scene, origin(graph))
+        section.add(card)
+        section.reveal(card.element)
+        return card
+    }
+
+    /** Takes away the graph called [name], and its folder if that is empty then. */
+    fun remove(name: String): GraphCard? {
+        val section = own.find { section -> section.cards.any { it.graph.name == name } } ?: return null
+        val card = section.cards.first { it.graph.name == name }
+        section.remove(card)
+        if (section.count == 0 && section.folder.values.isEmpty()) {
+            own -= section
+            section.element.remove()
+        }
+        return card
+    }
+
+    private fun newSection(name: String): FolderSection {
+        val section = sectionOf(Folder(name, emptyList(), emptyList(), emptyList()))
+        val next = own.indexOfFirst { it.folder.name.lowercase() > name.lowercase() }.let { if (it < 0) own.size else it }
+        val following = sections.getOrNull(next)
+        own.add(next, section)
+        element.insertBefore(section.element, following?.element)
+        return section
+    }
+
+    private fun sectionOf(folder: Folder) = FolderSection(folder, scene, folder.name in closedBefore, ::remember, origin)
 
     private fun setAll(isClosed: Boolean) {
         for (section in sections) section.isClosed = isClosed

@@ -21,19 +21,10 @@ internal class FolderNavigation(private val folders: FolderList) {
             addButton("text-button", "open all") { folders.openAll() }.id = "expand-all"
             addButton("text-button", "close all") { folders.closeAll() }.id = "collapse-all"
         }
-        for (section in folders.sections) {
-            val link = addButton("folder-link", "", section.folder.name) { section.reveal() }.apply {
-                add("span", "folder-link-name", nameOf(section))
-                counts += add("span", "count", countText(section.count)) to section
-            }
-            links += link to section
-        }
     }
 
     val choice: HTMLElement = element("select", "folder-choice") {
         setAttribute("aria-label", "Go to a folder")
-        add("option", "", "Go to folder…")
-        for (section in folders.sections) add("option", "", nameOf(section))
         addEventListener("change", {
             val select = unsafeCast<HTMLSelectElement>()
             folders.sections.getOrNull(select.selectedIndex - 1)?.reveal()
@@ -41,11 +32,30 @@ internal class FolderNavigation(private val folders: FolderList) {
         })
     }
 
+    init {
+        list()
+    }
+
+    /** Lists the folders that there are now. */
+    fun list() {
+        for ((link, _) in links) link.remove()
+        links.clear()
+        counts.clear()
+        choice.textContent = ""
+        choice.add("option", "", "Go to folder…")
+        for (section in folders.sections) {
+            choice.add("option", "", section.shortCaption)
+            val link = list.addButton("folder-link", "", section.folder.name) { section.reveal() }.apply {
+                add("span", "folder-link-name", section.shortCaption)
+                counts += add("span", "count", countText(section.count)) to section
+            }
+            links += link to section
+        }
+    }
+
     /** Shows only the ways to folders that are shown themselves, and how much is in them. */
     fun update() {
         for ((link, section) in links) link.isHidden = section.element.isHidden
         for ((count, section) in counts) count.showText(countText(section.count))
     }
-
-    private fun nameOf(section: FolderSection) = section.folder.name.ifEmpty { "Top level" }
 }

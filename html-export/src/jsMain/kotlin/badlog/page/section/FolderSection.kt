@@ -1,12 +1,15 @@
 package badlog.page.section
 
 import badlog.analysis.Folder
+import badlog.analysis.Graph
 import badlog.page.dom.Icon
 import badlog.page.dom.add
 import badlog.page.dom.addButton
+import badlog.page.dom.bringIntoSight
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.dom.showText
+import badlog.page.embedded.Hook
 import badlog.page.graph.GraphCard
 import badlog.page.text.countText
 import badlog.page.text.unitText
@@ -18,6 +21,8 @@ import org.w3c.dom.HTMLElement
 /**
  * A folder: its values, its event logs, its graphs. All but the root folder can be closed.
  *
+ * @param origin what calculated a graph, if it was not logged; else empty.
+ * @param hook the program that all in it comes from; null for a folder of the recording.
  * @param isClosed whether it is closed to begin with.
  * @param onToggle is told when a person opens or closes it.
  */
@@ -26,25 +31,34 @@ internal class FolderSection(
     scene: Scene,
     isClosed: Boolean,
     private val onToggle: () -> Unit,
+    private val origin: (Graph) -> String = { "" },
+    private val hook: Hook? = null,
 ) {
     private val values = folder.values.takeIf { it.isNotEmpty() }?.let(::ValueList)
-    private val haystacks = folder.graphs.map { graph ->
-        val lines = graph.series.joinToString(" ") { "${it.topic.name} ${unitText(it.unit)}" }
-        "${graph.name} ${unitText(graph.unit)} $lines".lowercase()
-    }
     private var toggle: HTMLElement? = null
     private var countLabel: HTMLElement? = null
     private lateinit var body: HTMLElement
+    private val drawn = folder.graphs.mapTo(ArrayList()) { GraphCard(it, scene, origin(it)) }
+    private val haystacks = drawn.associateWithTo(HashMap(), ::haystackOf)
     private var isSearching = false
 
     /** The event logs, in their order. */
     val tables: List<EventTable> = folder.eventLogs.map { EventTable(it, scene) }
 
     /** The graphs, in their order. */
-    val cards: List<GraphCard> = folder.graphs.map { GraphCard(it, scene) }
+    val cards: List<GraphCard> get() = drawn
+
+    /** What it is called. */
+    val caption: String =
+        if (hook == null) folder.name.split('/').joinToString(" / ").ifEmpty { "Top level" } else folder.name
+
+    /** The same where there is little room. */
+    val shortCaption: String get() = if (hook == null) caption else "Hook ${hook.name}"
+
+    private val size get() = cards.size + tables.size + (hook?.figures?.size ?: 0)
 
     /** How much there is in it; while something is searched for, how much of that. */
-    var count: Int = cards.size + tables.size
+    var count: Int = size
         private set(value) {
             field = value
             countLabel?.showText(countText(value))
@@ -59,11 +73,14 @@ internal class FolderSection(
 
     val element: HTMLElement = element("section", "folder") {
         setAttribute("data-name", folder.name)
+        if (hook != null) classList.add("hook")
         if (folder.name.isEmpty()) setAttribute("aria-label", "Top level") else addHeading()
         body = add("div", "folder-body") {
+            if (hook != null) add("p", "hook-note", "Calculated by a program, not logged by the robot.")
             values?.let { appendChild(it.element) }
             for (table in tables) appendChild(table.element)
             for (card in cards) appendChild(card.element)
+            if (hook != null) for (picture in picturesOf(hook)) appendChild(picture)
         }
     }
 
@@ -75,12 +92,12 @@ internal class FolderSection(
     fun filter(query: Query): Hits {
         isSearching = !query.isEmpty
         var graphs = 0
-        cards.forEachIndexed { i, card ->
-            card.element.isHidden = !query.matches(haystacks[i])
+        for (card in cards) {
+            card.element.isHidden = !query.matches(haystacks.getValue(card))
             if (!card.element.isHidden) graphs++
         }
         val hits = Hits(graphs, values?.filter(query) ?: 0, tables.sumOf { it.filter(query) })
-        count = if (isSearching) hits.sum else cards.size + tables.size
+        count = if (isSearching) hits.sum else size
         element.isHidden = isSearching && hits.isEmpty
         showOpenness()
         return hits
@@ -92,7 +109,29 @@ internal class FolderSection(
             isClosed = false
             onToggle()
         }
-        part.scrollIntoView()
+        part.bringIntoSight()
+    }
+
+    /** Adds [card] below its others. */
+    fun add(card: GraphCard) {
+        drawn += card
+        haystacks[card] = haystackOf(card)
+        body.appendChild(card.element)
+        count = size
+    }
+
+    /** Takes [card] away. */
+    fun remove(card: GraphCard) {
+        drawn -= card
+        haystacks.remove(card)
+        card.element.remove()
+        count = size
+    }
+
+    private fun haystackOf(card: GraphCard): String {
+        val graph = card.graph
+        val lines = graph.series.joinToString(" ") { "${it.topic.name} ${unitText(it.unit)}" }
+        return "${graph.name} ${unitText(graph.unit)} $lines".lowercase()
     }
 
     private fun HTMLElement.addHeading() {
@@ -102,7 +141,7 @@ internal class FolderSection(
                 onToggle()
             }.apply {
                 appendChild(Icon.CHEVRON.draw())
-                add("span", "folder-name", folder.name.split('/').joinToString(" / "))
+                add("span", "folder-name", caption)
                 countLabel = add("span", "count", countText(count))
             }
         }

@@ -47,6 +47,8 @@ internal class HelpOverlay {
             "+ −" to "zoom around the cursor",
             "0 or Home" to "show everything",
             "Backspace" to "back to the zoom before",
+            "N and P" to "the next finding, and the one before",
+            "F" to "add a formula",
             "/" to "search",
             "Escape" to "clear the search, take the cursor away, give up a drag",
             "?" to "this help",

@@ -1,5 +1,6 @@
 package badlog.page.section
 
+import badlog.page.formula.FormulaDialog
 import badlog.page.view.Scene
 import kotlinx.browser.document
 import org.w3c.dom.Element
@@ -10,6 +11,8 @@ internal class Keyboard(
     private val scene: Scene,
     private val zoomBar: ZoomBar,
     private val search: SearchBox,
+    private val findings: FindingList,
+    private val formulas: FormulaDialog,
     private val help: HelpOverlay,
 ) {
     init {
@@ -26,6 +29,9 @@ internal class Keyboard(
             "-", "−" -> zoomBar.scaleBy(ZoomBar.ZOOM)
             "0", "Home" -> scene.range.reset()
             "Backspace" -> scene.range.back()
+            "n", "N" -> findings.step(1)
+            "p", "P" -> findings.step(-1)
+            "f", "F" -> formulas.open()
             "/" -> search.focus()
             "?" -> help.toggle()
             "Escape" -> escape()

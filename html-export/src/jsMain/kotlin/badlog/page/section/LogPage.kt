@@ -1,33 +1,54 @@
 package badlog.page.section
 
-import badlog.analysis.LogView
 import badlog.page.dom.Icon
 import badlog.page.dom.add
+import badlog.page.dom.addButton
 import badlog.page.dom.addIconButton
+import badlog.page.dom.bringIntoSight
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.embedded.About
+import badlog.page.embedded.Additions
+import badlog.page.formula.FormulaDialog
+import badlog.page.formula.Formulas
 import badlog.page.graph.GraphDeck
 import badlog.page.view.Hits
 import badlog.page.view.Query
 import badlog.page.view.Scene
+import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
 /** The page of a recording, put together. */
 internal class LogPage(
-    view: LogView,
+    private val formulas: Formulas,
     about: About,
+    additions: Additions,
     downloads: Downloads,
     theme: ThemeSwitch,
 ) {
-    private val scene = Scene(view)
-    private val folders = FolderList(view, scene, "${about.name}:${about.inflatedBytes}")
+    private val view = formulas.view
+    private val scene = Scene(view, additions.findings + additions.hooks.flatMap { it.findings })
+    private val folders = FolderList(view, scene, about.fileKey, additions.hooks) { graph ->
+        if (formulas.formulaOf(graph) == null) "" else "formula"
+    }
     private val navigation = FolderNavigation(folders)
     private val search = SearchBox(::filter)
     private val eventsLink = EventsLink(folders)
-    private val zoomBar = ZoomBar(scene, listOf(search.element, navigation.choice, eventsLink.element))
+    private val formulaDialog = FormulaDialog(formulas, ::addFormula, ::removeFormula)
+    private val formulaButton = element("div", "formula-button") {
+        addButton("", "", "Add a formula (F)") { formulaDialog.open() }.apply {
+            id = "add-formula"
+            setAttribute("aria-label", "Add a formula")
+            appendChild(Icon.FORMULA.draw())
+            add("span", "", "Formula")
+        }
+    }
+    private val ways = listOf(search.element, navigation.choice, eventsLink.element, formulaButton)
+    private val zoomBar = ZoomBar(scene, ways)
     private val help = HelpOverlay()
-    private val deck = GraphDeck(scene, folders.cards)
+    private val deck = GraphDeck(scene)
+    private val findings = FindingList(scene, ::showAnyGraph)
+    private val timeLink = TimeLink(scene, ::showAnyGraph)
     private val nothingFound = element("p", "nothing-found", "Nothing matches. Escape clears the search.")
 
     private lateinit var content: HTMLElement
@@ -42,7 +63,8 @@ internal class LogPage(
 
     val element: HTMLElement = element("div", "log-page") {
         appendChild(pageHeader(scene, about, tools))
-        appendChild(ProblemStrip(view).element)
+        appendChild(ProblemStrip(view, additionProblems(formulas, additions)).element)
+        appendChild(findings.element)
         appendChild(zoomBar.element)
         add("div", "columns") {
             appendChild(navigation.list)
@@ -53,15 +75,19 @@ internal class LogPage(
             }
         }
         appendChild(help.element)
+        appendChild(formulaDialog.element)
     }
 
     init {
         nothingFound.isHidden = true
-        Keyboard(scene, zoomBar, search, help)
+        Keyboard(scene, zoomBar, search, findings, formulaDialog, help)
     }
 
-    /** Draws the graphs; to be called when [element] is on the page. */
-    fun start() = deck.start()
+    /** Draws the graphs, and goes to the time that the address names; to be called when [element] is on the page. */
+    fun start() {
+        deck.start(folders.cards)
+        timeLink.start()
+    }
 
     /** Draws everything that has colours of its own again. */
     fun repaint() {
@@ -70,12 +96,37 @@ internal class LogPage(
     }
 
     private fun filter(query: Query): Hits {
-        val hits = folders.filter(query)
+        val hits = folders.filter(query) + Hits(findings = findings.filter(query))
         nothingFound.isHidden = query.isEmpty || !hits.isEmpty
         navigation.update()
         eventsLink.update()
         // What was found begins above the screen when the page was scrolled before.
         if (!query.isEmpty && content.getBoundingClientRect().top < 0) content.scrollIntoView()
         return hits
+    }
+
+    private fun addFormula(definition: String) {
+        search.clear()
+        deck.add(folders.add(formulas.add(definition)))
+        navigation.list()
+    }
+
+    private fun removeFormula(definition: String) {
+        val name = formulas.nameOf(definition)
+        formulas.remove(definition)
+        name?.let(folders::remove)?.let(deck::remove)
+        navigation.list()
+    }
+
+    /** Scrolls to the first graph where none is on the screen, so that the cursor is seen. */
+    private fun showAnyGraph() {
+        val boxes = folders.cards.map { it.element to it.element.getBoundingClientRect() }.filter { it.second.height > 0 }
+        if (boxes.any { (_, box) -> box.bottom > LEAST_SEEN && box.top < window.innerHeight - LEAST_SEEN }) return
+        boxes.firstOrNull()?.first?.bringIntoSight()
+    }
+
+    private companion object {
+        /** So many pixels of a graph are enough to see its cursor. */
+        const val LEAST_SEEN = 120
     }
 }

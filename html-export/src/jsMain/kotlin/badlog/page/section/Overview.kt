@@ -7,7 +7,9 @@ import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.graph.PlotFrame
 import badlog.page.graph.drawEventMarks
+import badlog.page.graph.drawFindingMarks
 import badlog.page.view.Scene
+import badlog.page.view.findingText
 import badlog.plot.Span
 import kotlin.math.abs
 import kotlinx.browser.window
@@ -17,7 +19,7 @@ import org.w3c.dom.HTMLElement
 import org.w3c.dom.pointerevents.PointerEvent
 
 /**
- * The whole recording as a strip, with its events and the part that is visible; dragging moves that part, or chooses
+ * The whole recording as a strip, with its events and findings and the part that is visible; dragging moves that part, or chooses
  * one.
  */
 internal class Overview(private val scene: Scene) {
@@ -50,7 +52,7 @@ internal class Overview(private val scene: Scene) {
         update()
     }
 
-    /** Draws the marks of the events, in the colours of now. */
+    /** Draws the marks of the events and findings, in the colours of now. */
     fun drawMarks() {
         val ratio = window.devicePixelRatio
         val width = element.clientWidth * ratio
@@ -59,6 +61,7 @@ internal class Overview(private val scene: Scene) {
         marks.height = height.toInt()
         val context = marks.getContext("2d").unsafeCast<CanvasRenderingContext2D>()
         val frame = PlotFrame(0.0, 0.0, width, height, full.from, full.to, 0.0, 1.0)
+        drawFindingMarks(context, frame, scene, full)
         drawEventMarks(context, frame, scene, full)
     }
 
@@ -90,7 +93,10 @@ internal class Overview(private val scene: Scene) {
     }
 
     private fun drag(event: PointerEvent) {
-        if (grip.isNaN() && anchor.isNaN()) return
+        if (grip.isNaN() && anchor.isNaN()) {
+            element.title = findingText(scene.findings.at(xAt(event), full.width * REACH))
+            return
+        }
         if (!startX.isNaN()) {
             if (abs(event.clientX - startX) < FEWEST_PIXELS) return
             startX = Double.NaN
@@ -127,5 +133,8 @@ internal class Overview(private val scene: Scene) {
 
     private companion object {
         const val FEWEST_PIXELS = 3.0
+
+        /** Which part of the strip may lie between the pointer and a mark that it points at. */
+        const val REACH = 0.005
     }
 }

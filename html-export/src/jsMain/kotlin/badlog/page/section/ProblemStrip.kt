@@ -11,10 +11,14 @@ import badlog.recording.Problem
 import badlog.recording.Severity
 import org.w3c.dom.HTMLElement
 
-/** What was wrong in the file: one line that says how much, which unfolds to a list. What is lost is listed at once. */
-internal class ProblemStrip(private val view: LogView) {
+/**
+ * What was wrong in the file: one line that says how much, which unfolds to a list. What is lost is listed at once.
+ *
+ * @param additions what is wrong with what the page shows besides, which is listed at once, too.
+ */
+internal class ProblemStrip(private val view: LogView, private val additions: List<AdditionProblem> = emptyList()) {
     private val errors = view.count(Severity.ERROR)
-    private val warnings = view.count(Severity.WARNING)
+    private val warnings = view.count(Severity.WARNING) + additions.size
     private val notes = view.count(Severity.NOTE)
     private lateinit var list: HTMLElement
     private lateinit var toggle: HTMLElement
@@ -31,7 +35,7 @@ internal class ProblemStrip(private val view: LogView) {
                 else -> "has-notes"
             },
         )
-        isHidden = view.problems.isEmpty()
+        isHidden = errors + warnings + notes == 0
         setAttribute("aria-label", "Problems of this file")
         toggle = addButton("problems-toggle", "") { open(list.isHidden) }.apply {
             appendChild(Icon.CHEVRON.draw())
@@ -41,7 +45,7 @@ internal class ProblemStrip(private val view: LogView) {
     }
 
     init {
-        open(errors in 1..MOST_OPENED)
+        open(errors + additions.size in 1..MOST_OPENED)
     }
 
     private fun summary(): String {
@@ -60,8 +64,9 @@ internal class ProblemStrip(private val view: LogView) {
 
     private fun fill() {
         list.addRows(Severity.ERROR)
+        for (problem in additions) list.appendChild(row(problem))
         list.addRows(Severity.WARNING)
-        if (notes == view.problems.size) {
+        if (notes == view.problems.size && additions.isEmpty()) {
             list.addRows(Severity.NOTE)
         } else if (notes > 0) {
             list.add("li").add("details", "notes") {
@@ -90,6 +95,15 @@ internal class ProblemStrip(private val view: LogView) {
             problem.topic?.let { places += it }
             if (problem.count > 1) places += "${countText(problem.count)} times"
             if (places.isNotEmpty()) add("span", "problem-place", places.joinToString(" · "))
+        }
+    }
+
+    private fun row(problem: AdditionProblem): HTMLElement = element("li", "problem") {
+        setAttribute("data-kind", "ADDITION")
+        add("span", "severity is-warning", "warning")
+        add("div", "problem-text") {
+            add("span", "", problem.message)
+            if (problem.pointer != null) add("pre", "pointer", problem.pointer)
         }
     }
 

@@ -10,6 +10,7 @@ import badlog.page.dom.isHidden
 import badlog.page.dom.showText
 import badlog.page.view.Frame
 import badlog.page.view.Scene
+import badlog.page.view.findingText
 import org.w3c.dom.HTMLElement
 
 /**
@@ -31,7 +32,8 @@ internal class ZoomBar(private val scene: Scene, ways: List<HTMLElement>) {
             for (way in ways) appendChild(way)
             add("div", "place") {
                 add("div", "readout") {
-                    cursor = add("output", "cursor-readout")
+                    cursor = add("a", "cursor-readout")
+                    cursor.title = "A link to this time, to be copied"
                     event = add("output", "event-readout")
                 }
                 add("div", "range-readout") {
@@ -81,6 +83,15 @@ internal class ZoomBar(private val scene: Scene, ways: List<HTMLElement>) {
         event.isHidden = true
         if (!scene.cursor.isPlaced) return
         cursor.showText(scene.xText(x))
+        cursor.setAttribute("href", TimeLink.to(x))
+        val findings = scene.newsAt(x)
+        event.className = "event-readout" + if (findings.isEmpty()) "" else " is-${findings[0].word}"
+        if (findings.isNotEmpty()) {
+            event.isHidden = false
+            event.showText(findingText(findings))
+            event.title = findings.joinToString("\n") { "${it.source}: ${it.text}" }
+            return
+        }
         val last = scene.lastEventAt(x) ?: return
         event.isHidden = false
         event.showText("${scene.xNumber(last.x)}  ${last.text}")

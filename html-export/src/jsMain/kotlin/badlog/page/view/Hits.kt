@@ -3,13 +3,14 @@ package badlog.page.view
 import badlog.page.text.countText
 
 /** How much of the page a [Query] found. */
-internal data class Hits(val graphs: Int = 0, val values: Int = 0, val events: Int = 0) {
+internal data class Hits(val graphs: Int = 0, val values: Int = 0, val events: Int = 0, val findings: Int = 0) {
     val isEmpty: Boolean get() = sum == 0
 
     /** How many there are in all. */
-    val sum: Int get() = graphs + values + events
+    val sum: Int get() = graphs + values + events + findings
 
-    operator fun plus(other: Hits): Hits = Hits(graphs + other.graphs, values + other.values, events + other.events)
+    operator fun plus(other: Hits): Hits =
+        Hits(graphs + other.graphs, values + other.values, events + other.events, findings + other.findings)
 
     /** As a person reads it: `3 graphs, 1 event`. */
     fun text(): String {
@@ -17,6 +18,7 @@ internal data class Hits(val graphs: Int = 0, val values: Int = 0, val events: I
         if (graphs > 0) parts += countText(graphs, "graph")
         if (values > 0) parts += countText(values, "value")
         if (events > 0) parts += countText(events, "event")
+        if (findings > 0) parts += countText(findings, "finding")
         return if (parts.isEmpty()) "nothing matches" else parts.joinToString()
     }
 }

@@ -1,5 +1,6 @@
 package badlog.page.view
 
+import badlog.recording.Severity
 import kotlinx.browser.document
 import kotlinx.browser.window
 
@@ -7,6 +8,7 @@ import kotlinx.browser.window
 internal class Palette {
     private var lines = emptyList<String>()
     private var stateOpacity = ""
+    private var severities = emptyList<String>()
 
     var text = ""
         private set
@@ -33,11 +35,15 @@ internal class Palette {
     /** The colour of a block in state [index], from 0: a line's colour, quiet enough for text upon it. */
     fun state(index: Int): String = line(index) + stateOpacity
 
+    /** The colour of what is of [severity]. */
+    fun severity(severity: Severity): String = severities[severity.ordinal]
+
     /** Reads the colours again, after a change of theme. */
     fun read() {
         val style = window.getComputedStyle(checkNotNull(document.documentElement))
         fun colour(name: String) = style.getPropertyValue(name).trim()
         lines = List(LINES) { colour("--line-$it") }
+        severities = listOf(colour("--muted"), colour("--warning"), colour("--error"))
         text = colour("--muted")
         strong = colour("--text")
         grid = colour("--grid")

@@ -7,10 +7,11 @@ import badlog.page.text.decimalsFor
 import badlog.page.text.fixedText
 import badlog.page.text.withUnit
 
-/** What all parts of the page share: the recording, what of it is seen, and the cursor. */
-internal class Scene(val view: LogView) {
+/** What all parts of the page share: the recording, what was found in it, what of it is seen, and the cursor. */
+internal class Scene(val view: LogView, findings: List<Finding> = emptyList()) {
     val xAxis: XAxis = view.xAxis
     val events: EventTimeline = EventTimeline(view)
+    val findings: FindingTimeline = FindingTimeline(findings)
     val range: VisibleRange
     val cursor: Cursor = Cursor(xAxis.clocks)
     val palette: Palette = Palette()
@@ -26,6 +27,31 @@ internal class Scene(val view: LogView) {
     /** The last event at or before [x], as exactly as a pixel is; null before the first. */
     fun lastEventAt(x: Double): Event? = events.lastBefore(x + range.now.width * ONE_PIXEL)
 
+    /** The findings that are pointed at when the cursor is at [x], the worst first. */
+    fun findingsAt(x: Double): List<Finding> = findings.at(x, range.now.width * REACH)
+
+    /** The same without those that began before the last event at or before [x]: that is the news then. */
+    fun newsAt(x: Double): List<Finding> {
+        val last = lastEventAt(x) ?: return findingsAt(x)
+        return findingsAt(x).filter { it.time >= last.x - range.now.width * REACH }
+    }
+
+    /** Takes the cursor to [x], and the view where that is out of sight. */
+    fun goTo(x: Double) {
+        if (!x.isFinite() || xAxis.range == null) return
+        val place = x.coerceIn(range.full.from, range.full.to)
+        range.reveal(place)
+        cursor.place(place)
+    }
+
+    /** Shows what is around [from] to [to], and takes the cursor to [from]. */
+    fun zoomTo(from: Double, to: Double) {
+        if (!from.isFinite()) return
+        val margin = range.full.width / ZOOM_PARTS
+        range.show(from - margin, to + margin)
+        goTo(from)
+    }
+
     /** A place on the x axis as text, as exact as the screen is, with the unit of x. */
     fun xText(x: Double): String = withUnit(xNumber(x), xAxis.unit)
 
@@ -37,6 +63,9 @@ internal class Scene(val view: LogView) {
     }
 
     private companion object {
+        /** A zoom to a moment shows two of so many parts. */
+        const val ZOOM_PARTS = 30
+
         /** Which part of the screen's width may lie between the cursor and what it points at. */
         const val REACH = 0.008
 

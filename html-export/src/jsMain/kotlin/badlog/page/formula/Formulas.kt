@@ -1,0 +1,80 @@
+package badlog.page.formula
+
+import badlog.analysis.Graph
+import badlog.analysis.LogView
+import badlog.expression.ExpressionError
+import badlog.expression.LogViewSignals
+import badlog.expression.VirtualTopic
+import badlog.expression.Vocabulary
+import badlog.expression.withVirtualTopics
+import badlog.page.dom.Remembered
+
+/**
+ * The topics of the page that are calculated from others: those it came with, and those of the person who reads it, which the
+ * browser remembers for the file.
+ *
+ * @param logged the recording as it is.
+ * @param given the definitions that the page came with.
+ * @param fileKey tells this file from others.
+ */
+internal class Formulas(logged: LogView, given: List<String>, fileKey: String) {
+    private val key = "formulas:$fileKey"
+    private val remembered = Remembered[key].orEmpty().split('\n').filter { it.isNotBlank() && it !in given }.toMutableList()
+    private val calculated = HashMap<String, String>()
+
+    /** The recording with the topics that could be calculated. */
+    var view: LogView = logged
+        private set
+
+    /** What the recording's topics and the calculated ones are called in formulas. */
+    var vocabulary: Vocabulary = LogViewSignals(logged).vocabulary
+        private set
+
+    /** Why some of what was given or remembered could not be calculated. */
+    val errors: List<ExpressionError> = extend(given + remembered)
+
+    /** The person's definitions, in the order in which they were made. */
+    val own: List<String> get() = remembered
+
+    /** The formula that [graph] is calculated by, or null when it was logged. */
+    fun formulaOf(graph: Graph): String? = calculated[graph.name]
+
+    /** The name of the topic that [definition], one of [own], makes; null when it makes none. */
+    fun nameOf(definition: String): String? = calculated.entries.find { it.value == definition }?.key
+
+    /** Why [text] is no definition, or null when it is one. */
+    fun mistakeIn(text: String): ExpressionError? = VirtualTopic.parse(text, vocabulary) as? ExpressionError
+
+    /** Calculates [definition], which has no mistake, and remembers it. Returns its graph. */
+    fun add(definition: String): Graph {
+        val before = calculated.keys.toSet()
+        extend(listOf(definition))
+        remembered += definition
+        remember()
+        val name = calculated.keys.first { it !in before }
+        return view.folders.flatMap { it.graphs }.first { it.name == name }
+    }
+
+    /** Forgets [definition]. What was calculated from it stays until the page is opened again. */
+    fun remove(definition: String) {
+        nameOf(definition)?.let { calculated.remove(it) }
+        remembered -= definition
+        remember()
+    }
+
+    private fun extend(definitions: List<String>): List<ExpressionError> {
+        if (definitions.isEmpty()) return emptyList()
+        val extended = view.withVirtualTopics(definitions)
+        view = extended.view
+        vocabulary = LogViewSignals(view).vocabulary
+        val failed = extended.errors.mapTo(ArrayList()) { it.text }
+        // Those that failed are missing in the topics, which keep the order of the others.
+        val made = definitions.filterNot { failed.remove(it) }
+        extended.topics.forEachIndexed { index, topic -> calculated[topic.name] = made[index] }
+        return extended.errors
+    }
+
+    private fun remember() {
+        Remembered[key] = remembered.joinToString("\n")
+    }
+}

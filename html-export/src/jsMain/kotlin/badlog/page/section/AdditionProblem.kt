@@ -1,0 +1,28 @@
+package badlog.page.section
+
+import badlog.page.embedded.Additions
+import badlog.page.formula.Formulas
+
+/**
+ * What is wrong with something that the page shows besides the recording; nothing of the recording is lost by it.
+ *
+ * @property message a sentence.
+ * @property pointer lines that point at the mistake, one character as wide as another, or null.
+ */
+internal class AdditionProblem(val message: String, val pointer: String? = null)
+
+/** All that is wrong with [additions], and with what [formulas] were to calculate. */
+internal fun additionProblems(formulas: Formulas, additions: Additions): List<AdditionProblem> {
+    val problems = ArrayList<AdditionProblem>()
+    if (additions.isUnreadable) {
+        problems += AdditionProblem("This browser cannot read the findings and calculations in this page; try another one.")
+    }
+    for (error in formulas.errors) {
+        val kind = if (error.text in formulas.own) "Your formula" else "A formula of this page"
+        problems += AdditionProblem("$kind cannot be calculated: ${error.message}", error.pointed().substringAfter('\n'))
+    }
+    for (hook in additions.hooks) {
+        if (hook.error != null) problems += AdditionProblem("The hook ${hook.name} failed: ${hook.error}")
+    }
+    return problems
+}

@@ -1,0 +1,67 @@
+package badlog.page.section
+
+import badlog.analysis.Attribute
+import badlog.analysis.AttributeRegistry
+import badlog.analysis.Folder
+import badlog.analysis.Graph
+import badlog.analysis.GraphSeries
+import badlog.analysis.LogView
+import badlog.analysis.TopicPlan
+import badlog.page.dom.add
+import badlog.page.dom.element
+import badlog.page.embedded.Hook
+import badlog.page.embedded.HookFigure
+import badlog.page.embedded.HookSeries
+import badlog.recording.CellCounts
+import badlog.recording.Recording
+import badlog.recording.RecordingFormat
+import badlog.recording.TextColumn
+import badlog.recording.Topic
+import org.w3c.dom.HTMLElement
+
+/** What [hook] calculated, as a folder of its own. */
+internal fun folderOf(hook: Hook): Folder = Folder(
+    "From the hook ${hook.name}",
+    hook.values,
+    emptyList(),
+    hook.series.map { Graph(it.name, it.unit, isVirtual = true, isFilled = false, includesZero = false, listOf(lineOf(it))) },
+)
+
+/** Whether [hook] returned something that has a section. */
+internal fun hasSection(hook: Hook): Boolean = hook.values.isNotEmpty() || hook.series.isNotEmpty() || hook.figures.isNotEmpty()
+
+/** The pictures of [hook]. */
+internal fun picturesOf(hook: Hook): List<HTMLElement> = hook.figures.map(::pictureOf)
+
+private fun pictureOf(figure: HookFigure): HTMLElement = element("figure", "picture card") {
+    add("figcaption", "picture-title", figure.title)
+    // As an image, whatever scripts or addresses stand in it stay without effect.
+    val image = add("img")
+    image.setAttribute("alt", figure.title)
+    image.addEventListener("error", {
+        image.remove()
+        add("p", "unit", "This picture cannot be drawn.")
+    })
+    if (figure.mediaType == "image/png" || figure.mediaType == "image/svg+xml") {
+        image.setAttribute("src", "data:${figure.mediaType};base64,${figure.base64}")
+    }
+}
+
+/** A calculated line: unlike a logged topic with times of its own, it goes straight from one sample to the next. */
+private fun lineOf(series: HookSeries): GraphSeries {
+    val samples = series.data.y
+    val values = samples.count { it.isFinite() }
+    val counts = CellCounts(values, 0, 0, 0, samples.size - values, 0)
+    val topic = Topic(series.name, series.unit, listOf(CALCULATED.name), samples, TextColumn.EMPTY, counts, series.data.x)
+    val recording = Recording(RecordingFormat.BAG, null, emptyList(), listOf(topic), 0, emptyList())
+    return LogView.of(recording, AttributeRegistry(listOf(CALCULATED))).folders.single().graphs.single().series.single()
+}
+
+private val CALCULATED = object : Attribute {
+    override val name get() = "calculated"
+
+    override fun apply(topic: TopicPlan, argument: String?) {
+        topic.hide()
+        topic.derive(name, { unit, _ -> unit }, { it })
+    }
+}

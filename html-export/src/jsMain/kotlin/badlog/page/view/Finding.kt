@@ -1,0 +1,35 @@
+package badlog.page.view
+
+import badlog.page.text.countText
+import badlog.recording.Severity
+
+/**
+ * Something that was found in the recording.
+ *
+ * @property source the rule or the hook that found it.
+ * @property time where, NaN when it is about the whole.
+ * @property until where it ends, NaN when it is a moment or about the whole.
+ */
+internal class Finding(
+    val source: String,
+    val severity: Severity,
+    val text: String,
+    val time: Double,
+    val until: Double,
+) {
+    /** Whether it has a place on the x axis. */
+    val isPlaced: Boolean get() = time.isFinite()
+
+    /** Where it ends, or stands. */
+    val end: Double get() = if (until > time) until else time
+
+    /** Its severity as a word, which is also the name of its style. */
+    val word: String get() = severity.name.lowercase()
+}
+
+/** The first of [findings], and how many more there are. */
+internal fun findingText(findings: List<Finding>): String {
+    val first = findings.firstOrNull() ?: return ""
+    val others = if (findings.size > 1) " (and ${countText(findings.size - 1)} more)" else ""
+    return "${first.word} · ${first.source}: ${first.text}$others"
+}

@@ -1,0 +1,173 @@
+package badlog.page
+
+import badlog.bag.BagTopic
+import badlog.html.PageAdditions
+import badlog.html.PageFinding
+import badlog.recording.Severity
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.doubles.shouldBeGreaterThan
+import io.kotest.matchers.doubles.shouldBeLessThan
+import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.ints.shouldBeLessThan
+import io.kotest.matchers.ranges.shouldBeIn
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import java.nio.file.Path
+
+private const val NEVER = Double.NaN
+
+internal class FindingSpec : PageSpec({
+    fun pageWith(findings: List<PageFinding>): Path {
+        val topics = listOf(TIME, BagTopic("Angle", "deg"), BagTopic("Log", attributes = listOf("log")))
+        val bag = bagOf(topics, 1001) { row, column ->
+            when (column) {
+                0 -> row / 100.0
+                1 -> 0
+                else -> "autonomous".takeIf { row == 150 }
+            }
+        }
+        return TestPages.of(bag, additions = PageAdditions(findings = findings))
+    }
+
+    val page by lazy {
+        pageWith(
+            listOf(
+                PageFinding("Gap in time", Severity.NOTE, "no sample for 0.1 s", 2.0, NEVER),
+                PageFinding("Over current", Severity.WARNING, "200 A for too long", 5.0, 6.5),
+                PageFinding("Brownout", Severity.ERROR, "the voltage fell", 8.0, NEVER),
+                PageFinding("No vision", Severity.WARNING, "there was no target", NEVER, NEVER),
+            ),
+        )
+    }
+
+    fun OpenPage.cursor() = texts(".cursor-readout").single().substringBefore(' ').toDouble()
+
+    browserTest("findings are listed with severity, time, rule and text, the worst first") {
+        onPage(page) {
+            texts("#findings .unit").single() shouldBe "1 error, 2 warnings, 1 note"
+            texts(".finding .severity") shouldBe listOf("error", "warning", "warning", "note")
+            texts(".finding-source") shouldBe listOf("Brownout", "No vision", "Over current", "Gap in time")
+            texts(".finding .event-go, .finding-whole") shouldBe listOf("8.000", "whole log", "5.000 – 6.500", "2.000")
+            texts(".finding-text")[0] shouldContain "the voltage fell"
+        }
+    }
+
+    browserTest("a finding takes the cursor and the view to its time, and is zoomed to with its end") {
+        onPage(page) {
+            graph("Angle").drag(0.0, 0.4)
+            elements(".finding .event-go")[0].click()
+            settle()
+            cursor() shouldBe (8.0 plusOrMinus 0.001)
+            8.0 shouldBeIn visibleRange
+            element(".finding[aria-current]").text shouldContain "Brownout"
+            act { moveToElement(elements(".finding")[2]) }
+            elements(".finding .event-zoom")[1].click()
+            settle()
+            visibleRange.start shouldBeLessThan 5.0
+            visibleRange.endInclusive shouldBeGreaterThan 6.5
+            visibleRange.endInclusive - visibleRange.start shouldBeLessThan 3.0
+        }
+    }
+
+    for (isDark in listOf(false, true)) {
+        browserTest("each is marked at the foot of a graph, where no event is, ${if (isDark) "dark" else "light"}") {
+            onPage(page, Screen.WIDE.copy(isDark = isDark)) {
+                val picture = graph("Angle").picture
+                fun pixels(colour: String, across: Double): Int {
+                    val middle = (picture.width * across).toInt()
+                    return picture.columnsOf(colour(colour)).subList(middle - 6, middle + 6).sum()
+                }
+                pixels("--error", 0.8) shouldBeGreaterThan 20
+                pixels("--warning", 0.5) shouldBeGreaterThan 20
+                pixels("--error", 0.3) shouldBe 0
+                val rows = picture.rowsOf(colour("--error"))
+                rows.drop(10).dropLast(20).max() shouldBeLessThan 3
+                rows.takeLast(12).max() shouldBeGreaterThan 6
+                val foot = picture.rowsOf(colour("--warning")).takeLast(4).max()
+                foot shouldBeGreaterThan (picture.width * 0.14).toInt()
+            }
+        }
+    }
+
+    browserTest("pointing at a mark, or into a band, tells what was found there, also in the bar") {
+        onPage(page) {
+            graph("Angle").hover(0.8)
+            graph("Angle").label shouldBe "error · Brownout: the voltage fell"
+            texts(".event-readout").single() shouldContain "Brownout"
+            graph("Angle").hover(0.6)
+            graph("Angle").label shouldContain "200 A for too long"
+            graph("Angle").hover(0.35)
+            graph("Angle").label shouldBe ""
+            texts(".event-readout").single() shouldContain "autonomous"
+        }
+    }
+
+    browserTest("N goes to the next finding, P to the one before, and both stop at the last one") {
+        onPage(page) {
+            val times = listOf("n", "n", "n", "n", "p", "p", "p").map {
+                press(it)
+                cursor()
+            }
+            times shouldBe listOf(2.0, 5.0, 8.0, 8.0, 5.0, 2.0, 2.0)
+            graph("Angle").hover(0.4)
+            press("n")
+            cursor() shouldBe 5.0
+        }
+    }
+
+    browserTest("findings at one time are gone through one by one") {
+        val twins = listOf("A", "B").map { PageFinding(it, Severity.NOTE, it, 3.0, NEVER) }
+        onPage(pageWith(twins)) {
+            press("n")
+            element(".finding[aria-current]").text shouldContain "A"
+            press("n")
+            element(".finding[aria-current]").text shouldContain "B"
+            graph("Angle").hover(0.3)
+            graph("Angle").label shouldBe "note · A: A (and 1 more)"
+        }
+    }
+
+    browserTest("of many the worst are shown, the others when asked for") {
+        onPage(pageWith(List(60) { PageFinding("R", if (it == 59) Severity.ERROR else Severity.NOTE, "$it", it / 10.0, NEVER) })) {
+            elements(".finding").size shouldBe 5
+            texts(".finding .severity").first() shouldBe "error"
+            val folded = element("#findings").size.height
+            elements(".findings-more button").first { it.isDisplayed }.click()
+            settle()
+            elements(".finding").size shouldBe 60
+            element("#findings").size.height shouldBeLessThan 600
+            elements(".findings-more button").first { it.isDisplayed }.click()
+            settle()
+            element("#findings").size.height shouldBe folded
+        }
+    }
+
+    browserTest("findings are searched like events") {
+        onPage(page) {
+            press("/")
+            press("brownout")
+            texts(".finding-source") shouldBe listOf("Brownout")
+            texts(".search-count").single() shouldBe "1 finding"
+            press("xyz")
+            element("#findings").isDisplayed shouldBe false
+        }
+    }
+
+    browserTest("without findings there is no list, and the keys for them do nothing") {
+        onPage(TestPages.of(stepBag(graphs = 1))) {
+            element("#findings").isDisplayed shouldBe false
+            press("n", "p")
+            texts(".cursor-readout").single() shouldBe ""
+        }
+    }
+
+    browserTest("one beyond the recording leads to its end, and hurts nothing") {
+        onPage(pageWith(listOf(-1e300, 1e300).map { PageFinding("R", Severity.ERROR, "far", it, 1e301) })) {
+            press("n")
+            cursor() shouldBe 0.0
+            elements(".finding .event-zoom")[1].click()
+            settle()
+            10.0 shouldBeIn visibleRange
+        }
+    }
+})

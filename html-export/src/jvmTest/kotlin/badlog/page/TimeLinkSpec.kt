@@ -1,0 +1,62 @@
+package badlog.page
+
+import io.kotest.matchers.ranges.shouldBeIn
+import io.kotest.matchers.shouldBe
+
+internal class TimeLinkSpec : PageSpec({
+    fun OpenPage.follow(fragment: String) {
+        script("location.hash = arguments[0]", fragment)
+        settle()
+    }
+
+    fun OpenPage.cursor() = texts(".cursor-readout").single()
+
+    browserTest("an address with a time takes the cursor there, when the page opens and when the address changes") {
+        onPage(TestPages.of(stepBag(graphs = 2))) {
+            follow("t=2.5")
+            cursor() shouldBe "2.500 s"
+            graph("Step 1").value("Step 1") shouldBe "0"
+            reload()
+            cursor() shouldBe "2.500 s"
+            follow("t=7")
+            cursor() shouldBe "7.000 s"
+            graph("Step 1").value("Step 1") shouldBe "1"
+        }
+    }
+
+    browserTest("the view follows where the time is out of sight, and so does the page") {
+        onPage(TestPages.of(stepBag(graphs = 20))) {
+            graph("Step 1").drag(0.0, 0.3)
+            script("window.scrollTo(0, 1e6)")
+            settle()
+            follow("t=9")
+            9.0 shouldBeIn visibleRange
+            (1..20).any { graph("Step $it").isOnScreen } shouldBe true
+        }
+    }
+
+    browserTest("what is no time is left alone, and beyond the recording its end is meant") {
+        onPage(TestPages.of(stepBag(graphs = 1))) {
+            for (garbage in listOf("t=", "t=NaN", "t=Infinity", "t=1,5", "t=%22", "t=<img src=x>", "x=3", "t=1&t=2")) {
+                follow(garbage)
+                cursor() shouldBe ""
+            }
+            follow("t=1e308")
+            cursor() shouldBe "10.000 s"
+            follow("t=-5")
+            cursor() shouldBe "0.000 s"
+            visibleRange shouldBe 0.0..10.0
+        }
+        onPage(TestPages.of("Time,A\n", "empty.csv")) {
+            follow("t=3")
+            cursor() shouldBe ""
+        }
+    }
+
+    browserTest("the time at the cursor is a link to itself") {
+        onPage(TestPages.of(stepBag(graphs = 1))) {
+            follow("t=4.5")
+            element(".cursor-readout").getDomAttribute("href") shouldBe "#t=4.5"
+        }
+    }
+})
