@@ -9,6 +9,9 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.derivedStateOf
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.remember
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.layout.layout
 import androidx.compose.ui.text.font.FontWeight
@@ -19,17 +22,21 @@ import badlog.viewer.graph.GraphScene
 import badlog.viewer.graph.pixelOf
 import badlog.viewer.theme.LocalPalette
 
-/** The text of the finding under the pointer, above its mark. */
+/** The text of the finding under the pointer, or else of the one at which the cursor was placed, above its mark. */
 @Composable
 internal fun FindingLabel(scene: GraphScene, modifier: Modifier) {
     val viewer = scene.viewer
-    val finding = viewer.findings.pointed ?: return
+    val told by remember(viewer) {
+        derivedStateOf { viewer.findings.pointed ?: viewer.findings.chosen?.takeIf { viewer.isCursorPinned && viewer.cursor == it.time } }
+    }
+    val finding = told ?: return
     val palette = LocalPalette.current
     Box(modifier.fillMaxWidth().padding(start = GraphScene.LEFT_GUTTER, end = scene.rightGutter, bottom = 2.dp)) {
         Column(
             Modifier
                 .layout { measurable, constraints ->
-                    val label = measurable.measure(constraints.copy(minWidth = 0, maxWidth = minOf(constraints.maxWidth, WIDEST.dp.roundToPx())))
+                    val most = minOf(constraints.maxWidth, WIDEST.dp.roundToPx())
+                    val label = measurable.measure(constraints.copy(minWidth = 0, maxWidth = most))
                     layout(constraints.maxWidth, label.height) {
                         val x = pixelOf(finding.time, viewer.viewport.visible, constraints.maxWidth.toFloat()).toInt()
                         label.place((x - label.width / 2).coerceIn(0, constraints.maxWidth - label.width), 0)

@@ -56,17 +56,22 @@ private fun DrawScope.drawDiamond(x: Float, severity: Severity, palette: Palette
     drawPath(diamond, if (severity == Severity.WARNING) colour else palette.surface, style = Stroke(1.5f * density))
 }
 
-/** Shades when [finding] holds over the whole height, between broken lines. */
+/** Shades when [finding] holds over the whole height, between broken lines where there is room for them. */
 internal fun DrawScope.drawShownFinding(finding: Finding, visible: Span, palette: Palette) {
     val colour = palette.findingColor(finding.severity)
     val broken = PathEffect.dashPathEffect(floatArrayOf(4 * density, 3 * density))
-    val edges = finding.spans.flatMap { listOf(it.from, it.to) } + finding.time
-    for (span in finding.spans) drawBand(span, visible, colour.copy(alpha = BAND_OPACITY))
-    for (edge in edges) {
-        if (edge !in visible) continue
-        val x = pixelOf(edge, visible, size.width)
+    fun edge(at: Double) {
+        if (at !in visible) return
+        val x = pixelOf(at, visible, size.width)
         drawLine(colour.copy(alpha = EDGE_OPACITY), Offset(x, 0f), Offset(x, size.height), density, pathEffect = broken)
     }
+    for (span in finding.spans) {
+        drawBand(span, visible, colour.copy(alpha = BAND_OPACITY))
+        val isWide = span.width / visible.width * size.width >= LEAST_WIDTH * density
+        if (isWide) edge(span.to)
+        edge(span.from)
+    }
+    if (finding.spans.isEmpty()) edge(finding.time)
 }
 
 /** Neighbouring pixels, from [from] until [until], at which the worst finding that holds is of [severity]. */
@@ -100,4 +105,5 @@ private const val BAR_OPACITY = 0.55f
 private const val LARGE = 5
 private const val SMALL = 3
 private const val BAND_OPACITY = 0.12f
-private const val EDGE_OPACITY = 0.8f
+private const val EDGE_OPACITY = 0.6f
+private const val LEAST_WIDTH = 6

@@ -56,6 +56,8 @@ internal fun FindingsPanel(viewer: Viewer, open: OpenRecording, modifier: Modifi
     Column(modifier) {
         Row(Modifier.fillMaxWidth().padding(start = 12.dp, end = 4.dp, top = 4.dp), verticalAlignment = Alignment.CenterVertically) {
             Text(summaryOf(list), Modifier.weight(1f), fontWeight = FontWeight.Medium)
+            ToolButton("To the finding before (${BEFORE.text})", Icons.Up, isEnabled = list.placed.isNotEmpty()) { stepFinding(viewer, -1) }
+            ToolButton("To the next finding (${NEXT.text})", Icons.Down, isEnabled = list.placed.isNotEmpty()) { stepFinding(viewer, 1) }
             ToolButton("Run the rules again", Icons.Reset) {
                 viewer.findings = findings.copy(timesAsked = findings.timesAsked + 1)
             }

@@ -7,11 +7,13 @@ import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.lazy.LazyColumn
+import androidx.compose.foundation.lazy.LazyListState
 import androidx.compose.foundation.lazy.itemsIndexed
 import androidx.compose.foundation.lazy.rememberLazyListState
 import androidx.compose.foundation.rememberScrollbarAdapter
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.SideEffect
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
@@ -36,6 +38,7 @@ internal fun GraphColumn(scene: GraphScene) {
     SideEffect { scene.plots.keep(graphs.mapTo(HashSet()) { it.id } + OVERVIEW, recordings) }
     BoxWithConstraints(Modifier.fillMaxSize().changesHeights(scene)) {
         val scroll = rememberLazyListState()
+        ShowNewGraph(graphs, scroll)
         val lanes = remember(graphs, scene.recordings) { graphs.map { lanesOf(it, scene) } }
         val settings = viewer.settings
         val heights = graphHeights(lanes, maxHeight.value.toInt(), settings.graphHeight, settings.fitsGraphs)
@@ -49,6 +52,20 @@ internal fun GraphColumn(scene: GraphScene) {
         EventLabel(scene)
         FindingLabel(scene, Modifier.align(Alignment.BottomStart))
         SelectionChip(scene, maxWidth)
+    }
+}
+
+/** Scrolls to a graph that was added to those that there were. */
+@Composable
+private fun ShowNewGraph(graphs: List<GraphSpec>, scroll: LazyListState) {
+    val before = remember { ArrayList(graphs) }
+    LaunchedEffect(graphs) {
+        val added = graphs - before.toSet()
+        val isAddition = before.isNotEmpty() && added.size == 1 && graphs.containsAll(before)
+        before.clear()
+        before += graphs
+        val place = graphs.indexOf(added.singleOrNull())
+        if (isAddition && scroll.layoutInfo.visibleItemsInfo.dropLast(1).none { it.index == place }) scroll.scrollToItem(place)
     }
 }
 

@@ -14,7 +14,6 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import badlog.viewer.app.Viewer
-import badlog.viewer.findings.FindingButtons
 import badlog.viewer.playback.PlaybackButtons
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
@@ -32,7 +31,6 @@ internal fun GraphToolbar(scene: GraphScene) {
         ViewButtons(viewer)
         PlaybackButtons(viewer)
         HeightButtons(viewer)
-        FindingButtons(viewer)
     }
 }
 

@@ -28,7 +28,6 @@ internal object Icons {
     val Up = icon("M4 10 L8 6 L12 10")
     val Down = icon("M4 6 L8 10 L12 6")
     val Right = icon("M6 4 L10 8 L6 12")
-    val Left = icon("M10 4 L6 8 L10 12")
     val More = icon("M8 3.5 V3.6 M8 8 V8.1 M8 12.5 V12.6", width = 2f)
     val Add = icon("M8 3 V13 M3 8 H13")
     val Remove = icon("M3 8 H13")

@@ -24,6 +24,8 @@ class FindingsWindowSpec : FunSpec({
             window.press(KeyEvent.VK_N, KeyEvent.VK_SHIFT)
             window.click("Finding, error: Browned out")
             window.awaitState("the brownout") { viewer -> viewer.cursor?.let { abs(it - 93.7096) < 1e-3 } == true }
+            repeat(6) { window.press(KeyEvent.VK_EQUALS) }
+            window.awaitText("error: Browned out")
             window.awaitGraphs()
             window.picture("findings")
 
@@ -35,6 +37,7 @@ class FindingsWindowSpec : FunSpec({
             window.press(KeyEvent.VK_TAB)
             window.press(KeyEvent.VK_ENTER)
             window.awaitState("the formula") { it.open?.signal("twice") != null && it.formulaSheet == null }
+            window.awaitText("Plot twice")
             window.awaitGraphs()
             window.picture("formula")
         }
