@@ -24,22 +24,33 @@ public class ViewWithVirtualTopics internal constructor(
  * share the rows where they have a sample in each.
  */
 public fun LogView.withVirtualTopics(definitions: List<String>): ViewWithVirtualTopics {
-    val errors = ArrayList<ExpressionError>()
+    val defined = DefinedTopics(this, definitions)
+    if (defined.topics.isEmpty()) return ViewWithVirtualTopics(this, emptyList(), defined.errors)
+    val extended = recording.run {
+        val added = defined.topics.map { calculatedTopic(it, defined.signals.series(it.name), xAxis) }
+        Recording(format, headerLine, values, topics + added, rowCount, problems)
+    }
+    return ViewWithVirtualTopics(LogView.of(extended), defined.topics, defined.errors)
+}
+
+/** Why some of [definitions] make no topic in [view], in their order. Calculates nothing, so [view] needs no samples. */
+public fun undefinedTopics(view: LogView, definitions: List<String>): List<ExpressionError> = DefinedTopics(view, definitions).errors
+
+private class DefinedTopics(view: LogView, definitions: List<String>) {
     val topics = ArrayList<VirtualTopic>()
-    var signals: Signals = LogViewSignals(this)
-    for (definition in definitions) {
-        when (val parsed = VirtualTopic.parse(definition, signals.vocabulary)) {
-            is ExpressionError -> errors += parsed
-            is VirtualTopic -> {
-                topics += parsed
-                signals = signals.with(parsed)
+    val errors = ArrayList<ExpressionError>()
+    var signals: Signals = LogViewSignals(view)
+        private set
+
+    init {
+        for (definition in definitions) {
+            when (val parsed = VirtualTopic.parse(definition, signals.vocabulary)) {
+                is ExpressionError -> errors += parsed
+                is VirtualTopic -> {
+                    topics += parsed
+                    signals = signals.with(parsed)
+                }
             }
         }
     }
-    if (topics.isEmpty()) return ViewWithVirtualTopics(this, topics, errors)
-    val extended = recording.run {
-        val added = topics.map { calculatedTopic(it, signals.series(it.name), xAxis) }
-        Recording(format, headerLine, values, this.topics + added, rowCount, problems)
-    }
-    return ViewWithVirtualTopics(LogView.of(extended), topics, errors)
 }

@@ -48,7 +48,9 @@ class AdditionsJsonSpec : FunSpec({
         return List(bytes.remaining() / Double.SIZE_BYTES) { bytes.getLong() }
     }
 
-    val hostile = Arb.element("</script>", "<!--", "<!--<script>", "\"", "\\", "\\u003c", "\u2028", "\u0000", "\uD800", "__proto__", "1", "")
+    val hostile = Arb.element(
+        "</script>", "<!--", "<!--<script>", "\"", "\\", "\\u003c", "\u2028", "\u0000", "\uD800", "__proto__", "1", "",
+    )
     val texts = Arb.list(Arb.choice(hostile, Arb.char('\u0000'..'\uFFFF').map { it.toString() }), 0..5).map { it.joinToString("") }
     val times = Arb.choice(Arb.double(), Arb.constant(Double.NaN))
 

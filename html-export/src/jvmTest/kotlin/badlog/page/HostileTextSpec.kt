@@ -117,7 +117,8 @@ internal class HostileTextSpec : PageSpec({
     browserTest("hostile names, values, errors and lines of hooks stay text") {
         val line = Series(doubleArrayOf(0.0, 1.0), doubleArrayOf(0.0, 1.0))
         val hooks = HOSTILE.map { text ->
-            HookPart(text, text, mapOf(text to text), listOf(PageFinding(text, Severity.NOTE, text, 1.0, 2.0)), listOf(PageSeries(text, text, line)))
+            val finding = PageFinding(text, Severity.NOTE, text, 1.0, 2.0)
+            HookPart(text, text, mapOf(text to text), listOf(finding), listOf(PageSeries(text, text, line)))
         }
         val bag = bagOf(listOf(TIME, BagTopic("A")), 5) { row, _ -> row }
         onPage(TestPages.of(bag, additions = PageAdditions(hooks = hooks)), script = alarm) {

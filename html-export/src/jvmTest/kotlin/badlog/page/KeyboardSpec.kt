@@ -1,6 +1,10 @@
 package badlog.page
 
 import badlog.bag.BagTopic
+import badlog.html.HookPart
+import badlog.html.PageAdditions
+import badlog.html.PageFinding
+import badlog.recording.Severity
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.doubles.shouldBeLessThan
@@ -9,23 +13,25 @@ import io.kotest.matchers.shouldNotBe
 import org.openqa.selenium.Keys
 
 internal class KeyboardSpec : PageSpec({
-    val page by lazy {
-        val topics = listOf(
-            TIME,
-            BagTopic("Arm/Angle", "deg", listOf("join:Arm/Tracking")),
-            BagTopic("Arm/Setpoint", "deg", listOf("hide", "join:Arm/Tracking")),
-            BagTopic("Odd?"),
-            BagTopic("Log", attributes = listOf("log")),
-        )
-        TestPages.of(
-            bagOf(topics, 101, mapOf("Match" to "8")) { row, column ->
-                if (column == 4) "brownout".takeIf { row == 60 } else row
-            },
-        )
+    val topics = listOf(
+        TIME,
+        BagTopic("Arm/Angle", "deg", listOf("join:Arm/Tracking")),
+        BagTopic("Arm/Setpoint", "deg", listOf("hide", "join:Arm/Tracking")),
+        BagTopic("Odd?"),
+        BagTopic("Log", attributes = listOf("log")),
+    )
+    val bag = bagOf(topics, 101, mapOf("Match" to "8")) { row, column ->
+        if (column == 4) "brownout".takeIf { row == 60 } else row
+    }
+    val page by lazy { TestPages.of(bag) }
+    val pageWithAll by lazy {
+        val findings = List(8) { PageFinding("Rule", Severity.WARNING, "found", it.toDouble(), Double.NaN) }
+        val hook = HookPart("analyse.py", values = mapOf("Energy" to "1.7"))
+        TestPages.of(bag, additions = PageAdditions(listOf("Twice = Angle * 2", "Bad ="), findings, listOf(hook)))
     }
 
     browserTest("Tab reaches everything that can be pressed, and where it is can be seen") {
-        onPage(page) {
+        onPage(pageWithAll) {
             val unseen = ArrayList<String>()
             var steps = 0
             do {
@@ -54,7 +60,7 @@ internal class KeyboardSpec : PageSpec({
     }
 
     browserTest("every button and field has a name for those who do not see it") {
-        onPage(page) {
+        onPage(pageWithAll) {
             script(
                 "return [...document.querySelectorAll('button, input, select')].filter(e => e.checkVisibility())" +
                     ".filter(e => !(e.getAttribute('aria-label') || e.textContent.trim())).map(e => e.outerHTML)",

@@ -1,10 +1,17 @@
 package badlog.page
 
+import badlog.analysis.Series
+import badlog.html.HookPart
+import badlog.html.PageAdditions
+import badlog.html.PageFinding
+import badlog.html.PageSeries
+import badlog.recording.Severity
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.doubles.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
 import java.time.Duration
 import org.openqa.selenium.interactions.PointerInput
 import org.openqa.selenium.interactions.PointerInput.Kind
@@ -44,6 +51,21 @@ internal class PhoneSpec : PageSpec({
                 graph(graphNames.last()).scrollTo()
                 number("return document.documentElement.scrollWidth") shouldBeLessThanOrEqual 390.0
             }
+        }
+    }
+
+    browserTest("a tap on a finding's mark tells what was found, on a page that is no wider than the phone") {
+        val finding = PageFinding("Brownout", Severity.ERROR, "a long text of what was found ".repeat(9), 5.0, Double.NaN)
+        val line = PageSeries("Fit", "V", Series(doubleArrayOf(1.0), doubleArrayOf(1.0)))
+        val hook = HookPart("a-long-name-of-a-program.py".repeat(4), series = listOf(line))
+        val additions = PageAdditions(listOf("Bad = " + "x".repeat(200)), listOf(finding), listOf(hook))
+        onPage(TestPages.of(stepBag(graphs = 2), additions = additions), Screen.PHONE) {
+            number("return document.documentElement.scrollWidth") shouldBeLessThanOrEqual 390.0
+            val middle = graph("Step 1").scrollTo().frame.at(0.5)
+            touch(listOf(middle, middle))
+            graph("Step 1").label shouldContain "Brownout"
+            elements(".finding-label").any { it.isDisplayed } shouldBe true
+            number("return document.documentElement.scrollWidth") shouldBeLessThanOrEqual 390.0
         }
     }
 

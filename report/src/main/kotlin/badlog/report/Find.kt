@@ -14,13 +14,18 @@ import kotlinx.serialization.Serializable
  * A question to many logs: an expression, see `docs/expressions.md`.
  *
  * @property question the expression.
+ * @property virtualTopics definitions of topics that the question may use beside the log's own, such as `Power = Voltage * Current`.
  * @param cache a folder for what was found out before, so that a file that did not change is not read again; null for none.
  */
-public class Find(public val question: String, private val cache: Path? = null) {
+public class Find(
+    public val question: String,
+    public val virtualTopics: List<String> = emptyList(),
+    private val cache: Path? = null,
+) {
     private val parsed = Remembered<Vocabulary, ParsedExpression>(MOST_VOCABULARIES) { Expression.parse(question, it) }
 
     @Serializable
-    internal class Stored(val title: String?, val reply: Reply)
+    internal class Stored(val title: String?, val reply: Reply, val undefined: List<UndefinedTopic> = emptyList())
 
     /**
      * Asks each of [files], on all cores.
@@ -37,9 +42,9 @@ public class Find(public val question: String, private val cache: Path? = null) 
         each: (FindResult) -> Unit = {},
     ): List<FindResult> {
         val results = ArrayList<FindResult>(files.size)
-        val known = cache?.let { ResultCache(it, "find\n$question", Stored.serializer()) }
+        val known = cache?.let { ResultCache(it, "find\n${virtualTopics.joinToString("\n")}\n\n$question", Stored.serializer()) }
         runCached(files, known, ::ask) { file, stored ->
-            val result = FindResult(file, stored.title, stored.reply)
+            val result = FindResult(file, stored.title, stored.reply, stored.undefined)
             results += result
             each(result)
             progress(results.size, files.size)
@@ -48,7 +53,7 @@ public class Find(public val question: String, private val cache: Path? = null) 
     }
 
     private fun ask(file: LogFile): Found<Stored> = try {
-        ask(LogContent.of(file))
+        ask(LogContent.of(file, virtualTopics))
     } catch (_: OutOfMemoryError) {
         ask(LogContent.tooLarge())
     }
@@ -61,7 +66,7 @@ public class Find(public val question: String, private val cache: Path? = null) 
                 is ExpressionError -> notAsked(expression)
                 is Expression -> answered(expression.answer(signals))
             }
-            Found(Stored(content.view.title, reply), isLasting = true)
+            Found(Stored(content.view.title, reply, content.undefined), isLasting = true)
         }
     }
 

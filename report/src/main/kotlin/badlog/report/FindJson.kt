@@ -28,6 +28,7 @@ public fun findJson(question: String, results: List<FindResult>): String = PRETT
 private fun resultJson(result: FindResult): JsonElement = buildJsonObject {
     put("file", result.file.path.toString())
     put("match", result.title)
+    if (result.undefined.isNotEmpty()) put("undefined", undefinedJson(result.undefined))
     when (val reply = result.reply) {
         is Reply.Answered -> {
             put("outcome", reply.outcome.name.lowercase())
@@ -62,6 +63,15 @@ internal fun spansJson(spans: List<Span>): JsonArray = buildJsonArray {
         addJsonObject {
             put("from", number(span.from))
             put("to", number(span.to))
+        }
+    }
+}
+
+internal fun undefinedJson(topics: List<UndefinedTopic>): JsonArray = buildJsonArray {
+    for (topic in topics) {
+        addJsonObject {
+            put("definition", topic.definition)
+            put("message", topic.message)
         }
     }
 }

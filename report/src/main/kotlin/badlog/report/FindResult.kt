@@ -13,11 +13,13 @@ import kotlinx.serialization.Serializable
  * @property file the file.
  * @property title what match it is, from its values; null when they do not tell or it cannot be read.
  * @property reply what came of it.
+ * @property undefined the virtual topics that the log could not be given.
  */
 public class FindResult internal constructor(
     public val file: LogFile,
     public val title: String?,
     public val reply: Reply,
+    public val undefined: List<UndefinedTopic>,
 ) {
     /** What a person would call it: the match's title, else the file's name. */
     public val name: String get() = title ?: file.name

@@ -51,6 +51,7 @@ private fun summaryOf(results: List<FindResult>, found: Int): List<String> {
     // Where no log has the topic it may be a typing error, of which the message knows more.
     if (missing.isNotEmpty() && !isAnswered) lines += missing[0].pointed
     mistaken.groupBy { it.pointed }.forEach { (pointed, replies) -> lines += "Not asked of ${count(replies.size, "log")}: $pointed" }
+    lines += undefinedTexts(results.filter { it.reply !is Reply.Unreadable }.map { it.undefined })
     for (result in results) (result.reply as? Reply.Unreadable)?.let { lines += "${result.file.name}: ${it.message}" }
     return lines
 }

@@ -1,19 +1,31 @@
 package badlog.report
 
 import badlog.file.LogFile
+import badlog.plot.Span
+import badlog.report.hook.HookOutcome
+import badlog.report.hook.HookRunner
 import badlog.report.rules.Finding
 import badlog.report.rules.RuleRunner
 import badlog.report.rules.RuleSet
 import java.nio.file.Path
 import kotlinx.serialization.Serializable
+import kotlinx.serialization.Transient
 
 /**
- * Runs rules over many logs.
+ * Runs rules, and programs of the user's, over many logs.
  *
- * @property rules what to look for.
- * @param cache a folder for what was found out before, so that a file that did not change is not read again; null for none.
+ * @property rules what to look for. The hooks that they name do not run unless they are given as [hooks], too.
+ * @property hooks programs to run for each log; what they find joins what the rules find.
+ * @property virtualTopics definitions of topics that the rules may use beside a log's own, such as `Power = Voltage * Current`.
+ * @param cache a folder for what was found out before, so that a file that did not change is not read again; null for none. What
+ *   hooks return is not kept there: nobody knows what it depends on.
  */
-public class Report(public val rules: RuleSet = RuleSet.DEFAULT, private val cache: Path? = null) {
+public class Report(
+    public val rules: RuleSet = RuleSet.DEFAULT,
+    public val hooks: List<HookRunner> = emptyList(),
+    public val virtualTopics: List<String> = emptyList(),
+    private val cache: Path? = null,
+) {
     private val runner = RuleRunner(rules)
 
     @Serializable
@@ -22,6 +34,8 @@ public class Report(public val rules: RuleSet = RuleSet.DEFAULT, private val cac
         val findings: List<Finding>,
         val asked: List<Asked>,
         val unreadable: String?,
+        val undefined: List<UndefinedTopic> = emptyList(),
+        @Transient val hooks: List<HookOutcome> = emptyList(),
     )
 
     @Serializable
@@ -31,30 +45,32 @@ public class Report(public val rules: RuleSet = RuleSet.DEFAULT, private val cac
      * Runs the rules over each of [files], on all cores.
      *
      * @param progress hears on this thread how many files are done.
-     * @param each gets each result on this thread, as soon as it and those before it are there. What it or [progress] throws stops
-     *   the work and is passed on.
+     * @param each gets each result on this thread, as soon as it and those before it are there, with all that the hooks returned,
+     *   which is not held any longer. What it or [progress] throws stops the work and is passed on.
      * @throws InterruptedException when the thread was interrupted.
      */
     public fun over(
         files: List<LogFile>,
         progress: (done: Int, total: Int) -> Unit = { _, _ -> },
-        each: (LogReport) -> Unit = {},
+        each: (LogReport, List<HookOutcome>) -> Unit = { _, _ -> },
     ): ReportResult {
         val logs = ArrayList<LogReport>(files.size)
         val asked = HashMap<String, MutableList<Asked>>()
-        val known = cache?.let { ResultCache(it, "report\n${rules.source}", Stored.serializer()) }
+        val question = "report\n${virtualTopics.joinToString("\n")}\n\n${rules.source}"
+        val known = cache?.takeIf { hooks.isEmpty() }?.let { ResultCache(it, question, Stored.serializer()) }
         runCached(files, known, ::examine) { file, stored ->
-            val log = LogReport(file, stored.title, stored.findings, stored.unreadable)
+            val failures = stored.hooks.mapNotNull { hook -> hook.failure?.let { HookFailure(hook.hook, it.message) } }
+            val log = LogReport(file, stored.title, stored.findings, stored.unreadable, stored.undefined, failures)
             logs += log
             for (rule in stored.asked) asked.getOrPut(rule.rule) { ArrayList() } += rule
-            each(log)
+            each(log, stored.hooks)
             progress(logs.size, files.size)
         }
         return ReportResult(logs, rules.rules.mapNotNull { rule -> asked[rule.name]?.let { skipped(rule.name, it) } })
     }
 
     private fun examine(file: LogFile): Found<Stored> = try {
-        examine(file, LogContent.of(file))
+        examine(file, LogContent.of(file, virtualTopics))
     } catch (_: OutOfMemoryError) {
         examine(file, LogContent.tooLarge())
     }
@@ -68,8 +84,15 @@ public class Report(public val rules: RuleSet = RuleSet.DEFAULT, private val cac
             runner.run(content.view, match, file.name, { findings += it }) { rule, refusal ->
                 asked += Asked(rule.name, refusal?.message, refusal?.mistake)
             }
-            Found(Stored(content.view.title, findings, asked, null), isLasting = true)
+            val outcomes = hooks.map { HookOutcome.of(it, content.recording) }
+            for (outcome in outcomes) findings += findingsOf(outcome, content.view.xAxis.unit)
+            Found(Stored(content.view.title, findings, asked, null, content.undefined, outcomes), isLasting = true)
         }
+    }
+
+    private fun findingsOf(outcome: HookOutcome, timeUnit: String) = outcome.result?.findings.orEmpty().map { found ->
+        val spans = if (found.time.isNaN()) emptyList() else listOf(Span(found.time, if (found.until.isNaN()) found.time else found.until))
+        Finding(outcome.hook, found.severity, null, found.text, found.time, spans, spans.size, timeUnit, isOfHook = true)
     }
 
     private fun skipped(rule: String, asked: List<Asked>): SkippedRule? {

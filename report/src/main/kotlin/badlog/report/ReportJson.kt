@@ -33,6 +33,20 @@ private fun logJson(log: LogReport): JsonElement = buildJsonObject {
     put("file", log.file.path.toString())
     put("match", log.title)
     if (log.unreadable != null) put("unreadable", log.unreadable)
+    if (log.undefined.isNotEmpty()) put("undefined", undefinedJson(log.undefined))
+    if (log.hookFailures.isNotEmpty()) {
+        put(
+            "hookFailures",
+            buildJsonArray {
+                for (failure in log.hookFailures) {
+                    addJsonObject {
+                        put("hook", failure.hook)
+                        put("message", failure.message)
+                    }
+                }
+            },
+        )
+    }
     put(
         "findings",
         buildJsonArray {
@@ -46,6 +60,7 @@ private fun logJson(log: LogReport): JsonElement = buildJsonObject {
                     put("timeUnit", finding.timeUnit)
                     put("spans", spansJson(finding.spans))
                     put("spanCount", finding.spanCount)
+                    put("isOfHook", finding.isOfHook)
                 }
             }
         },

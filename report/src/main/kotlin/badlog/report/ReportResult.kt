@@ -5,7 +5,7 @@ import badlog.recording.Severity
 import badlog.report.rules.Finding
 
 /**
- * What rules found in many logs.
+ * What was found in many logs.
  *
  * @property logs every file, in the order in which they were given.
  * @property skipped the rules that could not be asked of some logs, in the order of the rules.
@@ -19,22 +19,34 @@ public class ReportResult internal constructor(
 }
 
 /**
- * What rules found in one log.
+ * What was found in one log.
  *
  * @property file the file.
  * @property title what match it is, from its values; null when they do not tell or it cannot be read.
- * @property findings in the order of the rules.
+ * @property findings in the order of the rules, then of the hooks.
  * @property unreadable why the file cannot be read or is no log, as a sentence; null when all is well.
+ * @property undefined the virtual topics that the log could not be given.
+ * @property hookFailures the hooks that failed for it.
  */
 public class LogReport internal constructor(
     public val file: LogFile,
     public val title: String?,
     public val findings: List<Finding>,
     public val unreadable: String?,
+    public val undefined: List<UndefinedTopic>,
+    public val hookFailures: List<HookFailure>,
 ) {
     /** What a person would call it: the match's title, else the file's name. */
     public val name: String get() = title ?: file.name
 }
+
+/**
+ * A hook that failed for a log.
+ *
+ * @property hook what it is called.
+ * @property message what went wrong, as a sentence.
+ */
+public class HookFailure internal constructor(public val hook: String, public val message: String)
 
 /**
  * A rule that could not be asked of some logs.

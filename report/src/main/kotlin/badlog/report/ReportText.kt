@@ -16,9 +16,17 @@ public fun reportText(result: ReportResult): String {
         lines += ""
     }
     lines += summary(result)
-    result.skipped.mapTo(lines) { it.toString() }
+    lines += notesOf(result)
     for (log in result.logs) log.unreadable?.let { lines += "${log.file.name}: $it" }
     return lines.joinToString("\n")
+}
+
+/** What was not looked for, and why: rules, virtual topics and hooks, each as a sentence or more. */
+internal fun notesOf(result: ReportResult): List<String> {
+    val readable = result.logs.filter { it.unreadable == null }
+    return result.skipped.map { it.toString() } +
+        undefinedTexts(readable.map { it.undefined }) +
+        readable.flatMap { log -> log.hookFailures.map { "${log.file.name}, hook “${it.hook}”: ${it.message}" } }
 }
 
 /** Such as `2 errors, 1 warning and 0 notes in 3 of 12 logs.` */

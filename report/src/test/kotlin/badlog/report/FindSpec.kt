@@ -82,7 +82,7 @@ class FindSpec : FunSpec({
             val one = folder.put("logs/1.bag", batteryBag(6.0))
             val two = folder.put("logs/2.bag", batteryBag(8.0, match = 2))
             fun ask(question: String = "min(Battery Voltage) < 7") =
-                Find(question, cache).over(logsIn(folder.resolve("logs"))).map { (it.reply as? Reply.Answered)?.text }
+                Find(question, cache = cache).over(logsIn(folder.resolve("logs"))).map { (it.reply as? Reply.Answered)?.text }
             val first = ask()
             spoil(one)
             ask() shouldBe first
@@ -92,12 +92,40 @@ class FindSpec : FunSpec({
         }
     }
 
+    test("a question may use virtual topics, and another definition is another question to the cache") {
+        inFolder { folder ->
+            val cache = folder.resolve("cache")
+            folder.put("logs/1.bag", batteryBag(6.0, 12.0))
+            fun ask(definition: String) = findText(Find("max(Double)", listOf(definition), cache).over(logsIn(folder.resolve("logs"))))
+            ask("Double [V] = Battery Voltage * 2") shouldContain "24 V"
+            ask("Double [V] = Battery Voltage * 3") shouldContain "36 V"
+        }
+    }
+
+    test("a virtual topic that only some logs can be given is told once, with the reason") {
+        inFolder { folder ->
+            folder.put("1.bag", batteryBag(6.0))
+            folder.put("2.bag", bag(mapOf("Time" to "s", "a" to "V"), listOf("0,1")))
+            val text = findText(Find("max(Double)", listOf("Double = Battery Voltage * 2")).over(logsIn(folder)))
+            text shouldContain "Found in 1 of 2 logs."
+            text shouldContain "“Double = Battery Voltage * 2” is not in 1 log: There is no topic “Battery Voltage”"
+        }
+    }
+
+    test("a virtual topic that no log can be given is told with the place of the mistake") {
+        inFolder { folder ->
+            folder.put("1.bag", batteryBag(6.0))
+            val text = findText(Find("max(Battery Voltage)", listOf("Double = Batery Voltage * 2")).over(logsIn(folder)))
+            text shouldContain "Double = Batery Voltage * 2\n         ^^^^^^"
+        }
+    }
+
     test("a damaged cache is as none") {
         inFolder { folder ->
             val cache = folder.resolve("cache")
             folder.put("logs/1.bag", batteryBag(6.0))
             val files = logsIn(folder.resolve("logs"))
-            fun ask() = Find("min(Battery Voltage) < 7", cache).over(files).map { (it.reply as Reply.Answered).text }
+            fun ask() = Find("min(Battery Voltage) < 7", cache = cache).over(files).map { (it.reply as Reply.Answered).text }
             val first = ask()
             val kept = Files.list(cache).use { it.toList() }.single()
             val bytes = Files.readAllBytes(kept)
@@ -115,7 +143,7 @@ class FindSpec : FunSpec({
         inFolder { folder ->
             val cache = folder.put("a file", "x").resolve("cache")
             folder.put("1.bag", batteryBag(6.0))
-            Find("min(Battery Voltage) < 7", cache).over(logsIn(folder)).size shouldBe 1
+            Find("min(Battery Voltage) < 7", cache = cache).over(logsIn(folder)).size shouldBe 1
         }
     }
 

@@ -1,6 +1,10 @@
 package badlog.report
 
+import badlog.plot.Span
 import badlog.recording.Severity
+import badlog.report.hook.HAS_PYTHON
+import badlog.report.hook.HookOutcome
+import badlog.report.hook.HookRunner
 import badlog.report.rules.RuleSet
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
@@ -12,6 +16,7 @@ import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
 import java.nio.file.Path
+import kotlin.io.path.exists
 
 private fun rules(condition: String, text: String = "t", more: String = "", aliases: String = "") = RuleSet.parse(
     "[aliases]\n$aliases\n[[rule]]\nname = \"R\"\nseverity = \"warning\"\nwhen = \"$condition\"\ntext = \"$text\"\n$more\n",
@@ -112,11 +117,60 @@ class ReportSpec : FunSpec({
         inFolder { folder ->
             val cache = folder.resolve("cache")
             val file = folder.put("logs/1.bag", batteryBag(6.0))
-            fun run(rules: RuleSet) = Report(rules, cache).over(logsIn(folder.resolve("logs")))
+            fun run(rules: RuleSet) = Report(rules, cache = cache).over(logsIn(folder.resolve("logs")))
             val text = reportText(run(RuleSet.DEFAULT))
             spoil(file)
             reportText(run(RuleSet.DEFAULT)) shouldBe text
             run(RuleSet.parse(RuleSet.DEFAULT.source + "\n")).logs.single().unreadable.isNullOrEmpty() shouldBe false
+        }
+    }
+
+    test("rules may use virtual topics") {
+        inFolder { folder ->
+            folder.put("1.bag", batteryBag(6.0, 12.0))
+            val report = Report(rules("max(Double) > 20", "{value}"), virtualTopics = listOf("Double [V] = Battery Voltage * 2"))
+            report.over(logsIn(folder)).logs.single().findings.single().text shouldBe "24 V"
+        }
+    }
+
+    test("what hooks find stands beside what rules find, and what they return comes with each log").config(enabled = HAS_PYTHON) {
+        inFolder { folder ->
+            folder.put("1.bag", batteryBag(6.0, 12.0))
+            val answer = """{"values":{"a":1},"findings":[{"text":"odd","severity":"error","time":0.1,"until":0.2},{"text":"whole"}]}"""
+            val hook = HookRunner(listOf("python3", "-c", "print('$answer')"), name = "odd finder")
+            val outcomes = ArrayList<HookOutcome>()
+            val result = Report(RuleSet.parse(""), listOf(hook)).over(logsIn(folder)) { _, hooks -> outcomes += hooks }
+            val (odd, whole) = result.logs.single().findings
+            listOf(odd.rule, odd.text, odd.timeUnit) shouldBe listOf("odd finder", "odd", "s")
+            odd.spans.single() shouldBe Span(0.1, 0.2)
+            odd.isOfHook shouldBe true
+            whole.time.isNaN() shouldBe true
+            reportText(result) shouldContain "0.1 s  error    odd"
+            reportCsv(result) shouldContain "odd finder,error,,odd,0.1,0.2,1,s"
+            outcomes.single().result?.values shouldBe mapOf("a" to "1")
+        }
+    }
+
+    test("a hook that fails is told, and the rules count all the same").config(enabled = HAS_PYTHON) {
+        inFolder { folder ->
+            folder.put("1.bag", batteryBag(6.0))
+            val hook = HookRunner(listOf("python3", "-c", "import sys; sys.exit('no numpy')"), name = "h")
+            val result = Report(rules("min(Battery Voltage) < 7"), listOf(hook)).over(logsIn(folder))
+            result.logs.single().findings.size shouldBe 1
+            reportText(result) shouldContain "1.bag, hook “h”: The hook ended with the exit code 1 and said: no numpy."
+            Json.parseToJsonElement(reportJson(result)).jsonObject.getValue("logs").jsonArray[0].jsonObject["hookFailures"]
+                ?.jsonArray?.size shouldBe 1
+        }
+    }
+
+    test("the hooks that a file of rules names run only for who asks for them").config(enabled = HAS_PYTHON) {
+        inFolder { folder ->
+            folder.put("1.bag", batteryBag(6.0))
+            val rules = RuleSet.parse("[[hook]]\ncommand = \"python3 -c 'open(\\\"ran\\\", \\\"w\\\")'\"\n", folder)
+            Report(rules).over(logsIn(folder))
+            folder.resolve("ran").exists() shouldBe false
+            Report(rules, rules.hooks).over(logsIn(folder))
+            folder.resolve("ran").exists() shouldBe true
         }
     }
 

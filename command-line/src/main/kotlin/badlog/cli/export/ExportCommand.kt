@@ -2,6 +2,8 @@ package badlog.cli.export
 
 import badlog.cli.SubCommand
 import badlog.cli.Task
+import badlog.cli.analysis.SearchOptions
+import badlog.cli.analysis.VirtualTopicOption
 import badlog.cli.output.OutputOptions
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.help
@@ -13,11 +15,14 @@ import com.github.ajalt.clikt.parameters.types.path
 internal class ExportCommand : SubCommand(
     "export",
     "Makes a web page of each log.",
-    "A page opens from disk and needs nothing else. Without --out, match.bag.html stands beside match.bag.",
+    "A page opens from disk and needs nothing else. Without --out, match.bag.html stands beside match.bag. With --rules or --hook it also shows what they find.",
 ) {
     private val output by OutputOptions()
     private val attachments by option("-a", "--attach", metavar = "FILE").path().multiple()
         .help("Include this file in each page; may be given again.")
+    private val search by SearchOptions()
+    private val virtual by VirtualTopicOption()
 
-    override fun makeTask(): Task = ExportTask(paths, output.plan(paths), attachments, isJson)
+    override fun makeTask(): Task =
+        ExportTask(paths, output.plan(paths), attachments, search.search(virtual.definitions), isJson)
 }

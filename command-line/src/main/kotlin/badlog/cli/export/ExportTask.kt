@@ -1,29 +1,50 @@
 package badlog.cli.export
 
+import badlog.analysis.LogView
 import badlog.cli.Console
 import badlog.cli.ExitCode
 import badlog.cli.LogLoop
 import badlog.cli.Outcome
 import badlog.cli.Task
+import badlog.cli.analysis.Search
+import badlog.cli.analysis.SearchException
+import badlog.cli.analysis.undefinedLines
 import badlog.cli.input.LogInput
 import badlog.cli.input.NotALog
 import badlog.cli.output.OutputPlan
+import badlog.cli.text.counted
 import badlog.cli.text.json
 import badlog.cli.text.lossLines
+import badlog.cli.text.wrapped
+import badlog.expression.undefinedTopics
+import badlog.file.LogFile
 import badlog.file.UnreadableFileException
+import badlog.file.reading
 import badlog.file.requireRegularFile
 import badlog.html.ExportException
 import badlog.html.ExportProgress
 import badlog.html.HtmlExporter
+import badlog.html.PageAdditions
+import badlog.report.HookFailure
+import badlog.report.Report
+import badlog.report.hook.HookOutcome
+import badlog.report.page.pageAdditions
+import badlog.report.rules.Finding
+import badlog.report.rules.RuleSet
 import java.nio.file.Path
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonPrimitive
 
-/** Makes a page of each log, one after the other: each takes all cores by itself. */
+/**
+ * Makes a page of each log, one after the other: each takes all cores by itself.
+ *
+ * @param search what to look for in the logs, and show in their pages.
+ */
 internal class ExportTask(
     private val paths: List<Path>,
     private val plan: OutputPlan,
     private val attachments: List<Path>,
+    private val search: Search,
     private val isJson: Boolean,
 ) : Task {
     override fun run(console: Console): ExitCode {
@@ -33,24 +54,53 @@ internal class ExportTask(
             console.err.println(e.message)
             return ExitCode.NOTHING
         }
+        val report = try {
+            if (search.isEmpty) null else search.report(RuleSet.NONE)
+        } catch (e: SearchException) {
+            console.err.println(e.message)
+            return ExitCode.USAGE
+        }
         val exporter = HtmlExporter(attachments)
-        return LogLoop("export", console, isJson).run(paths) { input, progress -> export(exporter, input, progress) }
+        return LogLoop("export", console, isJson).run(paths) { input, progress ->
+            export(exporter, input, report?.let { Found(it, input.file) }, progress)
+        }
     }
 
-    private fun export(exporter: HtmlExporter, input: LogInput, progress: ExportProgress): Outcome {
+    /** What [report] finds in the log [file]. */
+    private class Found(report: Report, file: Path) {
+        private var outcomes = emptyList<HookOutcome>()
+        private val log = report.over(listOf(reading(file) { LogFile.of(file) })) { _, hooks -> outcomes = hooks }.logs.single()
+
+        val findings: List<Finding> get() = log.findings
+        val failures: List<HookFailure> get() = log.hookFailures
+
+        fun additions(virtualTopics: List<String>) = pageAdditions(virtualTopics, findings, outcomes)
+    }
+
+    private fun export(exporter: HtmlExporter, input: LogInput, found: Found?, progress: ExportProgress): Outcome {
         val name = "${input.file.fileName}.html"
         val target = plan.place(input, name, name)
+        val additions = found?.additions(search.virtualTopics) ?: PageAdditions(search.virtualTopics)
         val report = try {
-            exporter.export(input.file, target, progress = progress)
+            exporter.export(input.file, target, additions, progress)
         } catch (e: ExportException.NotARecording) {
             throw NotALog(e.message.orEmpty())
         }
-        val text = listOf("${input.file} -> $target") + lossLines(report.recording.problems)
+        val undefined = undefinedTopics(LogView.of(report.recording), search.virtualTopics)
+        val failures = found?.failures.orEmpty()
+        val text = listOf("${input.file} -> $target") +
+            listOfNotNull(found?.let { "  ${counted(it.findings.size.toLong(), "finding")}" }) +
+            undefinedLines(undefined) +
+            failures.map { wrapped("  ", "hook “${it.hook}”: ${it.message}") } +
+            lossLines(report.recording.problems)
         val json = mapOf(
             "output" to JsonPrimitive(target.toString()),
             "rows" to JsonPrimitive(report.recording.rowCount),
+            "findings" to JsonPrimitive(found?.findings?.size),
+            "undefined" to json(undefined.map { it.message }),
+            "hookFailures" to json(failures.map { it.message }),
             "problems" to JsonArray(report.recording.problems.map { json(it) }),
         )
-        return Outcome(report.recording.isSalvaged, text.joinToString("\n"), json)
+        return Outcome(report.recording.isSalvaged || failures.isNotEmpty(), text.joinToString("\n"), json)
     }
 }

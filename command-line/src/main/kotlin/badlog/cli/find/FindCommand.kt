@@ -2,9 +2,11 @@ package badlog.cli.find
 
 import badlog.cli.SubCommand
 import badlog.cli.Task
+import badlog.cli.analysis.VirtualTopicOption
 import badlog.cli.cacheFolder
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.help
+import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.help
 import com.github.ajalt.clikt.parameters.options.option
@@ -17,7 +19,8 @@ internal class FindCommand : SubCommand(
         "that a log that has not changed is not read again.",
 ) {
     private val question by argument("QUESTION").help("An expression over the topics of a log.")
+    private val virtual by VirtualTopicOption()
     private val isFresh by option("--no-cache").flag().help("Read every log, and keep nothing.")
 
-    override fun makeTask(): Task = FindTask(paths, question, if (isFresh) null else cacheFolder(), isJson)
+    override fun makeTask(): Task = FindTask(paths, question, virtual.definitions, if (isFresh) null else cacheFolder(), isJson)
 }

@@ -10,26 +10,31 @@ import badlog.report.FindResult
 import badlog.report.Reply
 import badlog.report.findJson
 import badlog.report.findText
+import badlog.report.undefinedTexts
 import java.nio.file.Path
 
 /**
  * Asks [question] of every log below [paths].
  *
+ * @param virtualTopics definitions of topics that it may use beside the logs' own.
  * @param cache where answers are kept; null for nowhere.
  */
 internal class FindTask(
     private val paths: List<Path>,
     private val question: String,
+    private val virtualTopics: List<String>,
     private val cache: Path?,
     private val isJson: Boolean,
 ) : Task {
     override fun run(console: Console): ExitCode {
         val files = logFiles(paths, console.err)
         val results = console.progress("find").use { bar ->
-            Find(question, cache).over(files, { done, total -> bar.advanced(done.toLong(), total.toLong()) })
+            Find(question, virtualTopics, cache).over(files, { done, total -> bar.advanced(done.toLong(), total.toLong()) })
         }
         val mistake = mistakeIn(results)
         if (mistake != null) {
+            // What the question lacks may be what was not defined.
+            undefinedTexts(results.filter { it.reply is Reply.NotAsked }.map { it.undefined }).forEach(console.err::println)
             console.err.println(mistake.pointed)
             return ExitCode.USAGE
         }

@@ -2,6 +2,8 @@ package badlog.cli.info
 
 import badlog.cli.SubCommand
 import badlog.cli.Task
+import badlog.cli.analysis.VirtualTopicOption
+import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.help
 import com.github.ajalt.clikt.parameters.options.option
@@ -18,6 +20,7 @@ internal class InfoCommand : SubCommand(
     private val showsValues by option("--values").flag().help("Show the values, of several logs too.")
     private val showsProblems by option("--problems").flag().help("Show the problems, of several logs too.")
     private val xTopic by option("--x", metavar = "TOPIC").help("Take this topic as x axis, which CSV does not tell.")
+    private val virtual by VirtualTopicOption()
 
     override fun makeTask(): Task {
         val parts = buildSet {
@@ -26,6 +29,6 @@ internal class InfoCommand : SubCommand(
             if (showsValues) add(InfoPart.VALUES)
             if (showsProblems) add(InfoPart.PROBLEMS)
         }
-        return InfoTask(paths, parts, xTopic, isJson)
+        return InfoTask(paths, parts, xTopic, virtual.definitions, isJson)
     }
 }

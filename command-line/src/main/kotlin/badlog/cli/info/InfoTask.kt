@@ -6,7 +6,10 @@ import badlog.cli.ExitCode
 import badlog.cli.LogLoop
 import badlog.cli.Outcome
 import badlog.cli.Task
+import badlog.cli.analysis.undefinedLines
 import badlog.cli.input.readLog
+import badlog.cli.text.json
+import badlog.expression.withVirtualTopics
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -15,11 +18,13 @@ import java.nio.file.Path
  *
  * @param parts what to show; empty for all of one log, and for one line of each of several.
  * @param xTopic the topic to take as x axis, or null.
+ * @param virtualTopics definitions of topics to add.
  */
 internal class InfoTask(
     private val paths: List<Path>,
     private val parts: Set<InfoPart>,
     private val xTopic: String?,
+    private val virtualTopics: List<String>,
     private val isJson: Boolean,
 ) : Task {
     override fun run(console: Console): ExitCode {
@@ -28,14 +33,17 @@ internal class InfoTask(
         var isFirst = true
         return LogLoop("info", console, isJson).run(paths) { input, progress ->
             val recording = readLog(input.file, progress, xTopic)
-            val summary = LogSummary(input.file, Files.size(input.file), LogView.of(recording))
+            val with = LogView.of(recording).withVirtualTopics(virtualTopics)
+            val summary = LogSummary(input.file, Files.size(input.file), with.view)
             val text = when {
                 isJson -> ""
                 isOverview -> (if (isFirst) OverviewText.titles() + "\n" else "") + OverviewText.line(summary)
                 else -> (if (isFirst) "" else "\n") + InfoText(summary, shown).text()
             }
             isFirst = false
-            Outcome(recording.isSalvaged, text, if (isJson) infoJson(summary) else emptyMap())
+            val undefined = mapOf("undefined" to json(with.errors.map { it.message }))
+            val lines = listOf(text) + undefinedLines(with.errors)
+            Outcome(recording.isSalvaged, lines.joinToString("\n"), if (isJson) infoJson(summary) + undefined else emptyMap())
         }
     }
 }

@@ -2,8 +2,10 @@ package badlog.cli.replay
 
 import badlog.cli.SubCommand
 import badlog.cli.Task
+import badlog.cli.analysis.VirtualTopicOption
 import badlog.replay.ReplayOptions
 import com.github.ajalt.clikt.core.UsageError
+import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.help
@@ -27,10 +29,11 @@ internal class ReplayCommand : SubCommand(
     private val isLooping by option("--loop").flag().help("Begin again at the end.")
     private val from by option("--from", metavar = "X").double().help("Begin there on the x axis.")
     private val to by option("--to", metavar = "X").double().help("End there on the x axis.")
+    private val virtual by VirtualTopicOption()
 
     override fun makeTask(): Task {
         val file = paths.singleOrNull() ?: throw UsageError("name one log to replay")
-        return ReplayTask(file, port, speed, isLooping, from, to, isJson)
+        return ReplayTask(file, port, speed, isLooping, from, to, virtual.definitions, isJson)
     }
 
     private companion object {

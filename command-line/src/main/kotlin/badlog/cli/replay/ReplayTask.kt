@@ -5,8 +5,10 @@ import badlog.cli.Console
 import badlog.cli.ExitCode
 import badlog.cli.LogLoop
 import badlog.cli.Task
+import badlog.cli.analysis.undefinedLines
 import badlog.cli.input.NotALog
 import badlog.cli.input.readLog
+import badlog.expression.withVirtualTopics
 import badlog.recording.Recording
 import badlog.replay.ReplayOptions
 import badlog.replay.ReplayServer
@@ -15,7 +17,7 @@ import java.nio.file.Path
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 
-/** Serves [file] to dashboards until its end, or, where it [isLooping], until the program is ended. */
+/** Serves [file] with [virtualTopics] to dashboards until its end, or, where it [isLooping], until the program is ended. */
 internal class ReplayTask(
     private val file: Path,
     private val port: Int,
@@ -23,6 +25,7 @@ internal class ReplayTask(
     private val isLooping: Boolean,
     private val from: Double?,
     private val to: Double?,
+    private val virtualTopics: List<String>,
     private val isJson: Boolean,
 ) : Task {
     override fun run(console: Console): ExitCode {
@@ -35,7 +38,9 @@ internal class ReplayTask(
             console.err.println(LogLoop.sentenceOf(e, file))
             return ExitCode.NOTHING
         }
-        val view = LogView.of(recording)
+        val with = LogView.of(recording).withVirtualTopics(virtualTopics)
+        undefinedLines(with.errors).forEach(console.err::println)
+        val view = with.view
         val whole = view.xAxis.range
         val range = if (from == null && to == null || whole == null) null else (from ?: whole.start)..(to ?: whole.endInclusive)
         return try {

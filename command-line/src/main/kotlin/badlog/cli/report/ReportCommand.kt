@@ -2,8 +2,11 @@ package badlog.cli.report
 
 import badlog.cli.SubCommand
 import badlog.cli.Task
+import badlog.cli.analysis.SearchOptions
+import badlog.cli.analysis.VirtualTopicOption
 import badlog.cli.cacheFolder
 import com.github.ajalt.clikt.core.UsageError
+import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.help
 import com.github.ajalt.clikt.parameters.options.option
@@ -15,7 +18,8 @@ internal class ReportCommand : SubCommand(
     "Runs rules over every log.",
     "Without --rules, those that badlog brings along: brownouts, slow loops, gaps, flat sensors and the like.",
 ) {
-    private val rules by option("--rules", metavar = "FILE").path().help("The rules, in TOML; see docs/rules.md.")
+    private val search by SearchOptions()
+    private val virtual by VirtualTopicOption()
     private val isCsv by option("--csv").flag().help("Print a line of CSV for each finding.")
     private val folder by option("--out", metavar = "DIR").path()
         .help("Also make the logs' pages there, and an index.html.")
@@ -24,6 +28,6 @@ internal class ReportCommand : SubCommand(
     override fun makeTask(): Task {
         if (isCsv && isJson) throw UsageError("choose one of --csv and --json")
         val form = if (isCsv) ReportForm.CSV else if (isJson) ReportForm.JSON else ReportForm.TEXT
-        return ReportTask(paths, rules, form, folder, if (isFresh) null else cacheFolder())
+        return ReportTask(paths, search.search(virtual.definitions), form, folder, if (isFresh) null else cacheFolder())
     }
 }

@@ -3,52 +3,54 @@ package badlog.cli.report
 import badlog.cli.Console
 import badlog.cli.ExitCode
 import badlog.cli.Task
+import badlog.cli.analysis.Search
+import badlog.cli.analysis.SearchException
 import badlog.cli.input.logFiles
-import badlog.report.Report
+import badlog.html.ExportException
+import badlog.report.LogReport
 import badlog.report.ReportResult
+import badlog.report.hook.HookOutcome
 import badlog.report.page.ReportFolder
 import badlog.report.reportCsv
 import badlog.report.reportJson
 import badlog.report.reportText
 import badlog.report.rules.RuleSet
-import badlog.report.rules.RulesException
 import java.io.IOException
-import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * Runs rules over every log below [paths].
+ * Looks for something in every log below [paths].
  *
- * @param rules the file of rules, or null for those that badlog brings along.
+ * @param search what to look for.
  * @param folder where pages and their index go; null for none.
  * @param cache where findings are kept; null for nowhere.
  */
 internal class ReportTask(
     private val paths: List<Path>,
-    private val rules: Path?,
+    private val search: Search,
     private val form: ReportForm,
     private val folder: Path?,
     private val cache: Path?,
 ) : Task {
     override fun run(console: Console): ExitCode {
-        val ruleSet = try {
-            rules?.let { RuleSet.parse(Files.readString(it)) } ?: RuleSet.DEFAULT
-        } catch (e: RulesException) {
-            console.err.println("$rules: ${e.message}")
-            return ExitCode.USAGE
-        } catch (_: IOException) {
-            console.err.println("The rules in $rules cannot be read; look for a typing error in its name.")
+        val report = try {
+            search.report(RuleSet.DEFAULT, cache)
+        } catch (e: SearchException) {
+            console.err.println(e.message)
             return ExitCode.USAGE
         }
         val files = logFiles(paths, console.err)
+        val pages = folder?.let { Pages(ReportFolder(it, search.virtualTopics), it, console) }
         val result = console.progress("report").use { bar ->
-            Report(ruleSet, cache).over(files, { done, total -> bar.advanced(done.toLong(), total.toLong()) })
+            report.over(files, { done, total -> bar.advanced(done.toLong(), total.toLong()) }) { log, hooks -> pages?.add(log, hooks) }
         }
         console.out.println(textOf(result).trimEnd())
-        val hasPages = folder == null || writePages(result, folder, console)
+        pages?.finish(result)
+        val isIncomplete = pages?.areComplete == false || result.logs.size < paths.size ||
+            result.logs.any { it.unreadable != null || it.hookFailures.isNotEmpty() }
         return when {
             result.logs.all { it.unreadable != null } -> ExitCode.NOTHING
-            !hasPages || result.logs.size < paths.size || result.logs.any { it.unreadable != null } -> ExitCode.SALVAGED
+            isIncomplete -> ExitCode.SALVAGED
             else -> ExitCode.WHOLE
         }
     }
@@ -59,15 +61,28 @@ internal class ReportTask(
         ReportForm.JSON -> reportJson(result)
     }
 
-    private fun writePages(result: ReportResult, folder: Path, console: Console): Boolean = try {
-        val written = console.progress("pages").use { bar ->
-            ReportFolder(folder).write(result) { done, total -> bar.advanced(done.toLong(), total.toLong()) }
+    /** The pages of the logs, made as soon as each log was looked at. */
+    private class Pages(private val report: ReportFolder, private val folder: Path, private val console: Console) {
+        private val failures = ArrayList<String>()
+
+        /** Whether every log that can be read has its page. */
+        val areComplete: Boolean get() = failures.isEmpty()
+
+        fun add(log: LogReport, hooks: List<HookOutcome>) {
+            try {
+                report.add(log, hooks)
+            } catch (e: ExportException) {
+                failures += e.message.orEmpty()
+            }
         }
-        for (failure in written.failures) console.err.println(failure.message)
-        console.err.println("The index is ${written.index}.")
-        written.failures.isEmpty()
-    } catch (e: IOException) {
-        console.err.println("$folder cannot be written (${e.message}); choose another folder.")
-        false
+
+        fun finish(result: ReportResult) {
+            try {
+                console.err.println("The index is ${report.writeIndex(result)}.")
+            } catch (e: IOException) {
+                failures += "$folder cannot be written (${e.message}); choose another folder."
+            }
+            failures.forEach(console.err::println)
+        }
     }
 }

@@ -3,7 +3,9 @@ package badlog.cli.export
 import badlog.cli.BAG
 import badlog.cli.CUT_BAG
 import badlog.cli.ExitCode
+import badlog.cli.HAS_PYTHON
 import badlog.cli.badlog
+import badlog.cli.badlogJson
 import badlog.cli.inFolder
 import badlog.cli.names
 import badlog.cli.with
@@ -13,6 +15,8 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import kotlin.io.path.div
 import kotlin.io.path.readText
+import kotlinx.serialization.json.int
+import kotlinx.serialization.json.jsonPrimitive
 
 class ExportSpec : FunSpec({
     test("a page stands beside its log, or below the folder for all") {
@@ -35,6 +39,54 @@ class ExportSpec : FunSpec({
             badlog("export", log, "-a", notes).code shouldBe ExitCode.WHOLE
             (folder / "a.bag.html").readText() shouldContain "notes.txt"
             badlog("export", log, "-a", folder / "nix.txt", "--force").code shouldBe ExitCode.NOTHING
+        }
+    }
+
+    test("a page holds the topics to calculate, and those that the log cannot be given are told") {
+        inFolder { folder ->
+            val log = folder.with("a.bag", BAG)
+            val ended = badlog("export", log, "--topic", "Twice = Speed * 2", "--topic", "Odd = Sped * 2")
+            ended.code shouldBe ExitCode.WHOLE
+            ended.out shouldContain "There is no topic “Sped”"
+            (folder / "a.bag.html").readText() shouldContain "Twice = Speed * 2"
+        }
+    }
+
+    test("a page holds what rules find") {
+        inFolder { folder ->
+            val log = folder.with("a.bag", BAG)
+            val rules = folder.with("r.toml", "[[rule]]\nname='Fast'\nseverity='note'\nwhen='Speed > 5'\ntext='It was fast.'")
+            val json = badlogJson("export", log, "--rules", rules).json.single()
+            json.getValue("findings").jsonPrimitive.int shouldBe 1
+            (folder / "a.bag.html").readText() shouldContain "It was fast."
+            badlog("export", log, "--rules", "default", "--force").out shouldContain "  0 findings"
+            badlog("export", log, "--rules", folder / "nix.toml", "--force").code shouldBe ExitCode.USAGE
+        }
+    }
+
+    test("a page holds what hooks return, of the command line and of the rules").config(enabled = HAS_PYTHON) {
+        inFolder { folder ->
+            val log = folder.with("a.bag", BAG)
+            folder.with("two.py", "print('{\"findings\": [{\"text\": \"found by two\"}]}')")
+            val rules = folder.with("r.toml", "[[hook]]\ncommand = 'python3 two.py'\n")
+            val one = folder.with("one.py", "print('{\"values\": {\"lowest\": \"found by one\"}}')")
+            val ended = badlog("export", log, "--rules", rules, "--hook", "python3 '$one'")
+            ended.code shouldBe ExitCode.WHOLE
+            ended.out shouldContain "1 finding"
+            (folder / "a.bag.html").readText() shouldContain "found by one"
+            (folder / "a.bag.html").readText() shouldContain "found by two"
+        }
+    }
+
+    test("a hook that fails or takes too long costs nothing but its part") {
+        inFolder { folder ->
+            val log = folder.with("a.bag", BAG)
+            val ended = badlog("export", log, "--hook", "no-such-program")
+            ended.code shouldBe ExitCode.SALVAGED
+            ended.out shouldContain "cannot be started"
+            (folder / "a.bag.html").readText().take(15) shouldBe "<!DOCTYPE html>"
+            badlog("export", log, "--hook", "a 'b").code shouldBe ExitCode.USAGE
+            badlog("export", log, "--hook", "a", "--hook-seconds", "0").code shouldBe ExitCode.USAGE
         }
     }
 })

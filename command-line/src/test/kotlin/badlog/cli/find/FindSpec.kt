@@ -37,4 +37,17 @@ class FindSpec : FunSpec({
             ended.err shouldContain "nix.bag"
         }
     }
+
+    test("a question may use topics that are calculated") {
+        val power = "Power [W] = System/Battery Voltage * PDP/Total Current"
+        val ended = badlog("find", samples, "max(Power) > 2000", "--topic", power, "--no-cache")
+        ended.code shouldBe ExitCode.WHOLE
+        ended.out shouldContain "2708.3 W"
+    }
+
+    test("where no log can be given the topic, its definition is pointed at") {
+        val ended = badlog("find", samples, "max(Power) > 2000", "--topic", "Power = Volage * 2", "--no-cache")
+        ended.code shouldBe ExitCode.USAGE
+        ended.err shouldContain "Power = Volage * 2\n        ^^^^^^"
+    }
 })

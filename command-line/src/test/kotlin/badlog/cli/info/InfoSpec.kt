@@ -81,4 +81,16 @@ class InfoSpec : FunSpec({
             badlog("info", folder.with("a.bag", hostile)).out shouldNotContain "\u001b"
         }
     }
+
+    test("topics that are calculated are told as others, and those that cannot be are pointed at") {
+        inFolder { folder ->
+            val log = folder.with("a.bag", BAG)
+            val ended = badlog("info", log, "--topic", "Twice [m/s] = Speed * 2", "--topic", "Odd = Sped")
+            ended.out shouldContain Regex("Twice +m/s +numeric +4 .* 3 … 11 ")
+            ended.out shouldContain "Odd = Sped\n        ^^^^"
+            val json = badlogJson("info", log, "--topic", "Twice [m/s] = Speed * 2", "--topic", "Odd = Sped").json.single()
+            topic(json, "Twice").getValue("count").jsonPrimitive.int shouldBe 4
+            json.getValue("undefined").jsonArray.size shouldBe 1
+        }
+    }
 })

@@ -13,9 +13,10 @@ class ReplaySpec : FunSpec({
     val match = SAMPLES.resolve("qualification-42.bag")
 
     test("a part of a log is served, and the program ends with it") {
-        val ended = badlog("replay", match, "--port", "0", "--from", "10", "--to", "10.5", "--speed", "5")
+        val ended = badlog("replay", match, "--port", "0", "--from", "10", "--to", "10.5", "--speed", "5", "--topic", "Odd = Nix")
         ended.code shouldBe ExitCode.WHOLE
         ended.out shouldContain "is served on port"
+        ended.err shouldContain "There is no topic “Nix”"
     }
 
     test("a port that is taken is told, and two logs are a wrong usage") {

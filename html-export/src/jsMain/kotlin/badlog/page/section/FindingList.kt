@@ -1,15 +1,12 @@
 package badlog.page.section
 
-import badlog.page.dom.Icon
 import badlog.page.dom.add
 import badlog.page.dom.addButton
-import badlog.page.dom.addIconButton
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.dom.showText
 import badlog.page.text.countText
 import badlog.page.text.decimalsFor
-import badlog.page.text.fixedText
 import badlog.page.view.Finding
 import badlog.page.view.Query
 import badlog.page.view.Scene
@@ -87,39 +84,17 @@ internal class FindingList(private val scene: Scene, private val onJump: () -> U
             rows.clear()
             listed = 0
         }
-        for (i in listed until until) body.appendChild(row(found[i]).also { rows[found[i]] = it })
+        for (i in listed until until) body.appendChild(findingRow(found[i], decimals, ::go, ::zoom).also { rows[found[i]] = it })
         listed = until
         more.isHidden = listed == found.size
-        more.showText(if (found.size - listed > PAGE) "Show more (${countText(found.size - listed)} are left)" else "Show all ${countText(found.size)}")
+        val left = found.size - listed
+        more.showText(if (left > PAGE) "Show more (${countText(left)} are left)" else "Show all ${countText(found.size)}")
         val isLong = listed > FEW + 2
         fewer.isHidden = !isLong
         // What scrolls has to answer to the keys.
         if (isLong) list.setAttribute("tabindex", "0") else list.removeAttribute("tabindex")
         list.classList.toggle("is-long", isLong)
         mark()
-    }
-
-    private fun row(finding: Finding): HTMLElement = element("li", "finding") {
-        setAttribute("data-x", finding.time.toString())
-        add("span", "severity is-${finding.word}", finding.word)
-        if (finding.isPlaced) {
-            addButton("event-go", timeText(finding), "Move the cursor here") { go(finding) }
-        } else {
-            add("span", "finding-whole", "whole log")
-        }
-        add("span", "finding-text") {
-            add("span", "finding-source", finding.source)
-            add("span", "", finding.text)
-        }
-        if (finding.isPlaced) {
-            addIconButton("event-zoom", Icon.SEARCH, "Zoom in on this finding") { zoom(finding) }
-            addEventListener("click", { if (it.target.asDynamic().closest("button") == null) go(finding) })
-        }
-    }
-
-    private fun timeText(finding: Finding): String {
-        val start = fixedText(finding.time, decimals)
-        return if (finding.end > finding.time) "$start – ${fixedText(finding.end, decimals)}" else start
     }
 
     private fun go(finding: Finding) {

@@ -80,7 +80,7 @@ internal class FolderSection(
             values?.let { appendChild(it.element) }
             for (table in tables) appendChild(table.element)
             for (card in cards) appendChild(card.element)
-            if (hook != null) for (picture in picturesOf(hook)) appendChild(picture)
+            if (hook != null) for (figure in hook.figures) appendChild(hookPicture(figure))
         }
     }
 

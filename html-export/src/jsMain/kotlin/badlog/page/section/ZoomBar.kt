@@ -10,7 +10,7 @@ import badlog.page.dom.isHidden
 import badlog.page.dom.showText
 import badlog.page.view.Frame
 import badlog.page.view.Scene
-import badlog.page.view.findingText
+import badlog.page.view.shortFindingText
 import org.w3c.dom.HTMLElement
 
 /**
@@ -88,8 +88,8 @@ internal class ZoomBar(private val scene: Scene, ways: List<HTMLElement>) {
         event.className = "event-readout" + if (findings.isEmpty()) "" else " is-${findings[0].word}"
         if (findings.isNotEmpty()) {
             event.isHidden = false
-            event.showText(findingText(findings))
-            event.title = findings.joinToString("\n") { "${it.source}: ${it.text}" }
+            event.showText(shortFindingText(findings))
+            event.title = findings.joinToString("\n") { "${it.word} · ${it.source}: ${it.text}" }
             return
         }
         val last = scene.lastEventAt(x) ?: return

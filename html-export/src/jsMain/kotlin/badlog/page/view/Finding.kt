@@ -27,9 +27,14 @@ internal class Finding(
     val word: String get() = severity.name.lowercase()
 }
 
-/** The first of [findings], and how many more there are. */
+/** The first of [findings] with its severity, and how many more there are. */
 internal fun findingText(findings: List<Finding>): String {
     val first = findings.firstOrNull() ?: return ""
+    return "${first.word} · ${shortFindingText(findings)}"
+}
+
+/** The same without the severity. */
+internal fun shortFindingText(findings: List<Finding>): String {
     val others = if (findings.size > 1) " (and ${countText(findings.size - 1)} more)" else ""
-    return "${first.word} · ${first.source}: ${first.text}$others"
+    return "${findings[0].source}: ${findings[0].text}$others"
 }

@@ -4,6 +4,7 @@ import badlog.html.ExportException
 import badlog.html.HtmlExporter
 import badlog.report.LogReport
 import badlog.report.ReportResult
+import badlog.report.hook.HookOutcome
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
@@ -11,47 +12,40 @@ import java.nio.file.StandardCopyOption
 import java.util.UUID
 
 /**
- * A folder with a report: `index.html`, and a page for each log.
+ * A folder with a report: `index.html`, and a page for each log that was added. Pages that were there are replaced, others stay.
  *
- * @param exporter makes the pages of the logs; null for the index alone.
+ * @param virtualTopics definitions of topics that the pages show beside the logs' own.
+ * @param exporter makes the pages of the logs.
  */
-public class ReportFolder(private val folder: Path, private val exporter: HtmlExporter? = HtmlExporter()) {
-    /**
-     * What was written.
-     *
-     * @property index the index.
-     * @property failures why some logs have no page.
-     */
-    public class Written internal constructor(public val index: Path, public val failures: List<ExportException>)
+public class ReportFolder(
+    private val folder: Path,
+    private val virtualTopics: List<String> = emptyList(),
+    private val exporter: HtmlExporter = HtmlExporter(),
+) {
+    private val pages = HashMap<LogReport, String>()
+    private val taken = hashSetOf(INDEX)
 
     /**
-     * Writes the report. Pages that were there are replaced, others stay.
+     * Makes the page of [log], unless it cannot be read, with its findings and what [hooks] came to.
      *
-     * @param progress hears how many pages are written.
-     * @throws IOException when the folder or the index cannot be written.
+     * @throws ExportException when the page cannot be made; the others can.
      * @throws InterruptedException when the thread was interrupted.
      */
-    public fun write(
-        result: ReportResult,
-        title: String = "Report",
-        progress: (done: Int, total: Int) -> Unit = { _, _ -> },
-    ): Written {
+    public fun add(log: LogReport, hooks: List<HookOutcome> = emptyList()) {
+        if (log.unreadable != null) return
+        val name = freeName(log)
+        exporter.export(log.file.path, folder.resolve(name), pageAdditions(virtualTopics, log.findings, hooks))
+        pages[log] = name
+    }
+
+    /**
+     * Writes the index of [result].
+     *
+     * @return where it is.
+     * @throws IOException when it cannot be written.
+     */
+    public fun writeIndex(result: ReportResult, title: String = "Report"): Path {
         Files.createDirectories(folder)
-        val pages = HashMap<LogReport, String>()
-        val failures = ArrayList<ExportException>()
-        if (exporter != null) {
-            val logs = result.logs.filter { it.unreadable == null }
-            val names = pageNames(logs)
-            logs.forEachIndexed { index, log ->
-                try {
-                    exporter.export(log.file.path, folder.resolve(names.getValue(log)))
-                    pages[log] = names.getValue(log)
-                } catch (e: ExportException) {
-                    failures += e
-                }
-                progress(index + 1, logs.size)
-            }
-        }
         val index = folder.resolve(INDEX)
         val draft = folder.resolve(".badlog-${UUID.randomUUID()}.part")
         try {
@@ -60,15 +54,14 @@ public class ReportFolder(private val folder: Path, private val exporter: HtmlEx
         } finally {
             Files.deleteIfExists(draft)
         }
-        return Written(index, failures)
+        return index
     }
 
-    private fun pageNames(logs: List<LogReport>): Map<LogReport, String> {
-        val taken = hashSetOf(INDEX)
-        return logs.associateWith { log ->
-            val base = log.file.name.replace(ENDINGS, "")
-            generateSequence(1) { it + 1 }.map { if (it == 1) "$base.html" else "$base ($it).html" }.first { taken.add(it.lowercase()) }
-        }
+    private fun freeName(log: LogReport): String {
+        val base = log.file.name.replace(ENDINGS, "")
+        return generateSequence(1) { it + 1 }
+            .map { if (it == 1) "$base.html" else "$base ($it).html" }
+            .first { taken.add(it.lowercase()) }
     }
 
     private companion object {

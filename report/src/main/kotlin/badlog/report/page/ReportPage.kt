@@ -3,6 +3,7 @@ package badlog.report.page
 import badlog.report.LogReport
 import badlog.report.ORDER
 import badlog.report.ReportResult
+import badlog.report.notesOf
 import badlog.report.rules.Finding
 import badlog.report.summary
 import badlog.report.timeText
@@ -30,7 +31,7 @@ public fun reportPage(result: ReportResult, title: String = "Report", pageOf: (L
     out.append("<h1>${escaped(title)}</h1>\n<p>${escaped(summary(result))}</p>\n")
     val withFindings = result.logs.filter { it.findings.isNotEmpty() }
     if (withFindings.isNotEmpty()) appendTable(out, withFindings, pageOf)
-    appendList(out, "Not looked for", result.skipped.map { it.toString() })
+    appendList(out, "Not looked for", notesOf(result))
     appendList(out, "Not read", result.logs.mapNotNull { log -> log.unreadable?.let { "${log.file.name}: $it" } })
     val clean = result.logs.filter { it.findings.isEmpty() && it.unreadable == null }
     appendLogs(out, clean, pageOf)

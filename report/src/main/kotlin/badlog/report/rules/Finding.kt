@@ -6,15 +6,16 @@ import badlog.report.SpanSerializer
 import kotlinx.serialization.Serializable
 
 /**
- * A rule that holds in a log.
+ * A rule that holds in a log, or what a hook found there.
  *
- * @property rule the rule's name.
- * @property severity the rule's severity.
+ * @property rule the rule's name, or what the hook is called.
+ * @property severity how bad it is.
  * @property topic the topic it is about; null when there is none.
  * @property text the rule's text, filled in.
- * @property time where to look first; NaN when it holds for the whole log alone.
- * @property spans when it holds, the first hundred of [spanCount].
+ * @property time where to look first; NaN when it is about the whole log.
+ * @property spans when, the first hundred of [spanCount].
  * @property timeUnit the unit of all times, empty where x has none.
+ * @property isOfHook whether a hook found it, and no rule.
  */
 @Serializable
 public class Finding internal constructor(
@@ -26,4 +27,5 @@ public class Finding internal constructor(
     public val spans: List<@Serializable(with = SpanSerializer::class) Span>,
     public val spanCount: Int,
     public val timeUnit: String,
+    public val isOfHook: Boolean = false,
 )

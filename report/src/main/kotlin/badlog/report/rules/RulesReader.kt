@@ -5,13 +5,18 @@ import badlog.expression.Signal
 import badlog.expression.SignalKind
 import badlog.expression.Vocabulary
 import badlog.recording.Severity
+import badlog.report.hook.HookRunner
+import badlog.report.hook.commandWords
+import java.nio.file.Path
+import kotlin.time.Duration
+import kotlin.time.Duration.Companion.seconds
 import org.tomlj.Toml
 import org.tomlj.TomlArray
 import org.tomlj.TomlPosition
 import org.tomlj.TomlTable
 
 /** Reads a file of rules. Throws [RulesException] at the first mistake. */
-internal class RulesReader(private val source: String) {
+internal class RulesReader(private val source: String, private val folder: Path?) {
     private val lines = source.lines()
 
     fun read(): RuleSet {
@@ -20,10 +25,9 @@ internal class RulesReader(private val source: String) {
             val said = error.message.orEmpty().lineSequence().first().trim().trimEnd('.')
             fail(place(error.position(), null), "This is no TOML: $said.")
         }
-        requireKnown(root, setOf("aliases", "rule"), "the file")
+        requireKnown(root, setOf("aliases", "rule", "hook"), "the file")
         val aliases = aliases(root)
-        val rules = rules(root)
-        return RuleSet(aliases, rules, source)
+        return RuleSet(aliases, rules(root), hooks(root), source)
     }
 
     private fun aliases(root: TomlTable): List<Alias> {
@@ -50,16 +54,40 @@ internal class RulesReader(private val source: String) {
     }
 
     private fun rules(root: TomlTable): List<Rule> {
-        val array = root.get(listOf("rule"))
-        if (array == null) return emptyList()
-        if (array !is TomlArray) fail(placeOf(root, "rule"), "Each rule begins with [[rule]], in two brackets.")
         val names = HashSet<String>()
-        return (0 until array.size()).map { index ->
-            val table = array.get(index) as? TomlTable
-                ?: fail(placeOf(root, "rule"), "Each rule begins with [[rule]], in two brackets.")
-            val rule = rule(table, place(array.inputPositionOf(index), null))
+        return tables(root, "rule").map { (table, place) ->
+            val rule = rule(table, place)
             if (!names.add(rule.name)) fail(placeOf(table, "name"), "There are two rules named “${rule.name}”.")
             rule
+        }
+    }
+
+    private fun hooks(root: TomlTable): List<HookRunner> = tables(root, "hook").map { (table, place) ->
+        requireKnown(table, setOf("name", "command", "seconds"), "a hook")
+        if (!table.contains(listOf("command"))) fail(place, "This hook has no “command”.")
+        val command = string(table, "command").orEmpty()
+        val words = try {
+            commandWords(command)
+        } catch (e: IllegalArgumentException) {
+            fail(placeOf(table, "command"), e.message.orEmpty())
+        }
+        val seconds = when (val value = table.get(listOf("seconds"))) {
+            null -> HookRunner.USUAL_TIME_LIMIT
+            is Number -> value.toDouble().seconds
+            else -> Duration.ZERO
+        }
+        if (!seconds.isPositive()) fail(placeOf(table, "seconds"), "“seconds” is a number above 0: how long the hook may take.")
+        HookRunner(words, seconds, string(table, "name") ?: command, folder)
+    }
+
+    /** Every table of the list [key], and where it begins. */
+    private fun tables(root: TomlTable, key: String): List<Pair<TomlTable, RulePlace>> {
+        val array = root.get(listOf(key)) ?: return emptyList()
+        val mistake = "Each $key begins with [[$key]], in two brackets."
+        if (array !is TomlArray) fail(placeOf(root, key), mistake)
+        return (0 until array.size()).map { index ->
+            val table = array.get(index) as? TomlTable ?: fail(placeOf(root, key), mistake)
+            table to place(array.inputPositionOf(index), null)
         }
     }
 

@@ -1,7 +1,11 @@
 package badlog.report.hook
 
 import badlog.file.readRecording
+import badlog.recording.CellCounts
 import badlog.recording.Recording
+import badlog.recording.RecordingFormat
+import badlog.recording.TextColumn
+import badlog.recording.Topic
 import badlog.report.ROOT
 import badlog.report.sample
 import io.kotest.assertions.throwables.shouldThrow
@@ -13,6 +17,7 @@ import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldStartWith
 import java.io.File
 import java.io.IOException
+import java.nio.file.Files
 import kotlin.time.Duration
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
@@ -20,8 +25,14 @@ import kotlin.time.measureTime
 
 private val RECORDING: Recording by lazy { readRecording(sample("qualification-42.bag")) }
 
-private val HAS_PYTHON: Boolean = try {
+internal val HAS_PYTHON: Boolean = try {
     ProcessBuilder("python3", "--version").start().waitFor() == 0
+} catch (_: IOException) {
+    false
+}
+
+private val HAS_R: Boolean = try {
+    ProcessBuilder("Rscript", "-e", "library(jsonlite)").start().waitFor() == 0
 } catch (_: IOException) {
     false
 }
@@ -42,6 +53,17 @@ class HookRunnerSpec : FunSpec({
         result.errorOutput shouldBe ""
     }
 
+    test("the example in R gives values and a picture").config(enabled = HAS_R) {
+        val result = HookRunner(commandWords("Rscript '${File(ROOT, "docs/hooks/analyse.R")}'"), 60.seconds).run(RECORDING)
+        result.values["Deviation of Drivetrain/Angle"] shouldBe "587.3"
+        result.figures.single().mediaType shouldBe "image/png"
+    }
+
+    test("of what R says, that counts which tells what went wrong").config(enabled = HAS_PYTHON) {
+        val failure = shouldThrow<HookException> { python("import sys; sys.exit('Error: no such column\\nExecution halted\\n')") }
+        failure.message shouldBe "The hook ended with the exit code 1 and said: Error: no such column."
+    }
+
     test("a hook gets all rows, and the header's path twice").config(enabled = HAS_PYTHON) {
         val result = python(
             """
@@ -56,6 +78,22 @@ class HookRunnerSpec : FunSpec({
         result.values["topics"] shouldBe RECORDING.topics.size.toString()
         result.values["same"] shouldBe "True"
         File(result.values.getValue("path")).exists() shouldBe false
+    }
+
+    test("a log without rows is given in rows of 20 ms").config(enabled = HAS_PYTHON) {
+        val counts = CellCounts(2, 0, 0, 0, 0, 0)
+        val topic = Topic("volts", "V", emptyList(), doubleArrayOf(12.0, 6.0), TextColumn.EMPTY, counts, doubleArrayOf(0.0, 0.05))
+        val recording = Recording(RecordingFormat.WPILOG, null, emptyList(), listOf(topic), 0, emptyList())
+        val program = "import json, sys; print(json.dumps({'values': {'csv': sys.stdin.read().strip()}}))"
+        HookRunner(listOf("python3", "-c", program)).run(recording).values.getValue("csv").lines() shouldBe
+            listOf("Time,volts", "0,12", "0.02,12", "0.04,12")
+    }
+
+    test("a hook runs in its folder").config(enabled = HAS_PYTHON) {
+        val folder = Files.createTempDirectory("badlog-hook").toRealPath()
+        val program = "import json, os; print(json.dumps({'values': {'folder': os.getcwd()}}))"
+        HookRunner(listOf("python3", "-c", program), folder = folder).run(RECORDING).values["folder"] shouldBe folder.toString()
+        Files.delete(folder)
     }
 
     test("a hook need not read its input").config(enabled = HAS_PYTHON) {
@@ -104,6 +142,6 @@ class HookRunnerSpec : FunSpec({
 
     test("a program that is not there is told") {
         val failure = shouldThrow<HookException> { HookRunner(listOf("no-such-program-anywhere"), 1.seconds).run(RECORDING) }
-        failure.message shouldStartWith "The hook “no-such-program-anywhere” cannot be started"
+        failure.message shouldStartWith "The program “no-such-program-anywhere” cannot be started"
     }
 })

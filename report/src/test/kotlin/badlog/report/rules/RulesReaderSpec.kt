@@ -9,6 +9,8 @@ import io.kotest.property.Arb
 import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.string
 import io.kotest.property.checkAll
+import kotlin.time.Duration.Companion.milliseconds
+import kotlin.time.Duration.Companion.seconds
 
 private const val RULE = "[[rule]]\nname = \"A\"\nseverity = \"note\"\nwhen = \"x > 1\"\ntext = \"t\"\n"
 
@@ -21,6 +23,13 @@ class RulesReaderSpec : FunSpec({
 
     test("no rules are fine") {
         RuleSet.parse("").rules shouldBe emptyList()
+    }
+
+    test("hooks have a command, and may have a name and a time limit") {
+        val hooks = RuleSet.parse("[[hook]]\ncommand = \"python3 'a b.py'\"\n[[hook]]\nname = \"B\"\ncommand = \"b\"\nseconds = 1.5\n").hooks
+        hooks.map { it.name } shouldBe listOf("python3 'a b.py'", "B")
+        hooks.map { it.command } shouldBe listOf(listOf("python3", "a b.py"), listOf("b"))
+        hooks.map { it.timeLimit } shouldBe listOf(30.seconds, 1500.milliseconds)
     }
 
     test("what is no TOML is told with line and caret") {
@@ -43,6 +52,12 @@ class RulesReaderSpec : FunSpec({
         RULE + "only = []\n" to "Line 6: “only” is a list of texts",
         "rules = 1\n" to "Line 1: “rules” is nothing that the file may have",
         "rule = 1\n" to "Line 1: Each rule begins with [[rule]]",
+        "hook = 1\n" to "Line 1: Each hook begins with [[hook]]",
+        "[[hook]]\nname = \"h\"\n" to "Line 1: This hook has no “command”.",
+        "[[hook]]\ncommand = \"\"\n" to "Line 2: “command” is a text in quotes.",
+        "[[hook]]\ncommand = \"a 'b\"\n" to "Line 2: In the command “a 'b” a quote (') is never closed.\ncommand = \"a 'b\"\n           ^^^^",
+        "[[hook]]\ncommand = \"a\"\nseconds = 0\n" to "Line 3: “seconds” is a number above 0",
+        "[[hook]]\ncommand = \"a\"\nseconds = \"1\"\n" to "Line 3: “seconds” is a number above 0",
         "aliases = 1\n" to "Line 1: “aliases” is a table",
         "[aliases]\ntime = [\"x\"]\n" to "Line 2: “time” cannot be an alias",
         "[aliases]\nnot = [\"x\"]\n" to "“not” cannot be an alias",

@@ -7,17 +7,13 @@ import badlog.analysis.Graph
 import badlog.analysis.GraphSeries
 import badlog.analysis.LogView
 import badlog.analysis.TopicPlan
-import badlog.page.dom.add
-import badlog.page.dom.element
 import badlog.page.embedded.Hook
-import badlog.page.embedded.HookFigure
 import badlog.page.embedded.HookSeries
 import badlog.recording.CellCounts
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
 import badlog.recording.TextColumn
 import badlog.recording.Topic
-import org.w3c.dom.HTMLElement
 
 /** What [hook] calculated, as a folder of its own. */
 internal fun folderOf(hook: Hook): Folder = Folder(
@@ -29,23 +25,6 @@ internal fun folderOf(hook: Hook): Folder = Folder(
 
 /** Whether [hook] returned something that has a section. */
 internal fun hasSection(hook: Hook): Boolean = hook.values.isNotEmpty() || hook.series.isNotEmpty() || hook.figures.isNotEmpty()
-
-/** The pictures of [hook]. */
-internal fun picturesOf(hook: Hook): List<HTMLElement> = hook.figures.map(::pictureOf)
-
-private fun pictureOf(figure: HookFigure): HTMLElement = element("figure", "picture card") {
-    add("figcaption", "picture-title", figure.title)
-    // As an image, whatever scripts or addresses stand in it stay without effect.
-    val image = add("img")
-    image.setAttribute("alt", figure.title)
-    image.addEventListener("error", {
-        image.remove()
-        add("p", "unit", "This picture cannot be drawn.")
-    })
-    if (figure.mediaType == "image/png" || figure.mediaType == "image/svg+xml") {
-        image.setAttribute("src", "data:${figure.mediaType};base64,${figure.base64}")
-    }
-}
 
 /** A calculated line: unlike a logged topic with times of its own, it goes straight from one sample to the next. */
 private fun lineOf(series: HookSeries): GraphSeries {

@@ -1,0 +1,13 @@
+package badlog.cli.analysis
+
+import com.github.ajalt.clikt.parameters.groups.OptionGroup
+import com.github.ajalt.clikt.parameters.options.help
+import com.github.ajalt.clikt.parameters.options.multiple
+import com.github.ajalt.clikt.parameters.options.option
+
+/** `--topic`, for everything that looks at topics. */
+internal class VirtualTopicOption : OptionGroup() {
+    /** What to calculate from other topics, in the order of the command line. */
+    val definitions: List<String> by option("--topic", metavar = "FORMULA").multiple()
+        .help("Add a topic: 'Power [W] = Voltage * Current'.")
+}

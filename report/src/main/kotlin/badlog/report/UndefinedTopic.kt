@@ -1,0 +1,36 @@
+package badlog.report
+
+import badlog.expression.ExpressionError
+import badlog.expression.ExpressionErrorKind
+import kotlinx.serialization.Serializable
+
+/**
+ * A virtual topic that a log could not be given.
+ *
+ * @property definition what was to define it.
+ * @property isMissing whether the log only lacks a topic that another log may have.
+ * @property message what is wrong, as a sentence.
+ * @property pointed the message, the definition, and carets below it.
+ */
+@Serializable
+public class UndefinedTopic internal constructor(
+    public val definition: String,
+    public val isMissing: Boolean,
+    public val message: String,
+    public val pointed: String,
+) {
+    internal constructor(error: ExpressionError) :
+        this(error.text, error.kind == ExpressionErrorKind.UNKNOWN_TOPIC, error.message, error.pointed())
+}
+
+/**
+ * What to say about the virtual topics that [undefined] tells of for each log: once for each definition, and with all there is to
+ * know where no log could be given it.
+ */
+public fun undefinedTexts(undefined: List<List<UndefinedTopic>>): List<String> {
+    val ofDefinition = undefined.flatten().groupBy { it.definition }
+    return ofDefinition.map { (definition, errors) ->
+        val worst = errors.find { !it.isMissing } ?: errors[0]
+        if (errors.size == undefined.size) worst.pointed else "“$definition” is not in ${count(errors.size, "log")}: ${worst.message}"
+    }
+}
