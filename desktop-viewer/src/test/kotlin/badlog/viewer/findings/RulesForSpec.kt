@@ -42,8 +42,8 @@ class RulesForSpec : FunSpec({
     test("no program of a file of rules is run") {
         val folder = tempdir().toPath()
         val ran = folder.resolve("ran")
-        writeRules(folder, ruleText("A", "A > 5"), "[[hook]]\nname = \"Evil\"\nrun = \"touch $ran\"\n")
-        findingsIn(counted(folder))
+        writeRules(folder, ruleText("A", "A > 5"), "[[hook]]\nname = \"Evil\"\ncommand = \"touch '$ran'\"\n")
+        findingsIn(counted(folder)).all.map { it.rule } shouldContainExactly listOf("A")
         Files.exists(ran) shouldBe false
     }
 })

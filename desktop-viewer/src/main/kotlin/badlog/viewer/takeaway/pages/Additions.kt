@@ -1,8 +1,7 @@
 package badlog.viewer.takeaway.pages
 
 import badlog.html.PageAdditions
-import badlog.html.PageFinding
-import badlog.report.rules.Finding
+import badlog.report.page.pageAdditions
 import badlog.viewer.findings.findingsOf
 import badlog.viewer.recording.OpenRecording
 import java.io.IOException
@@ -21,18 +20,11 @@ internal class Additions(known: List<OpenRecording>, private val definitions: Li
     /** Those of the page of [log]; none where it cannot be read, which whoever makes the page tells. */
     fun of(log: Path): PageAdditions = try {
         val recording = known[log] ?: OpenRecording.read(log, { definitions })
-        PageAdditions(
-            virtualTopics = recording.formulas.filter { it.topic != null }.map { it.definition },
-            findings = findingsOf(recording.logged, log, library).all.map(::pageFinding),
-        )
+        val working = recording.formulas.filter { it.topic != null }.map { it.definition }
+        pageAdditions(working, findingsOf(recording.logged, log, library).all)
     } catch (_: IOException) {
         PageAdditions()
     } catch (_: OutOfMemoryError) {
         PageAdditions()
     }
-}
-
-private fun pageFinding(finding: Finding): PageFinding {
-    val span = finding.spans.firstOrNull { finding.time in it }
-    return PageFinding(finding.rule, finding.severity, finding.text, finding.time, until = span?.to ?: Double.NaN)
 }
