@@ -15,6 +15,6 @@ internal fun writeFormula(viewer: Viewer, names: List<String> = emptyList()) {
 
 /** What the keyboard does with formulas. */
 internal fun formulaCommands(viewer: Viewer): List<Command> =
-    listOf(Command("Formulas", "New formula: a topic calculated from others", listOf(NEW_FORMULA)) { writeFormula(viewer) })
+    listOf(Command("Topics", "New formula: a topic calculated from others", listOf(NEW_FORMULA)) { writeFormula(viewer) })
 
 internal val NEW_FORMULA = KeyPress(Key.F, "F")

@@ -4,16 +4,18 @@ import androidx.compose.ui.text.AnnotatedString
 import badlog.expression.ExpressionError
 import badlog.expression.VirtualTopic
 import badlog.viewer.bagOf
+import badlog.viewer.compare.statisticsRow
 import badlog.viewer.graph.GraphList
 import badlog.viewer.graph.standardGraphs
 import badlog.viewer.layout.LayoutGraph
 import badlog.viewer.layout.fitted
+import badlog.viewer.loggedTopic
 import badlog.viewer.recordingOf
 import badlog.viewer.theme.Palette
 import badlog.viewer.wpilogRecording
-import badlog.viewer.loggedTopic
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
@@ -36,6 +38,14 @@ class FormulaSpec : FunSpec({
         open.signal("Twice").shouldNotBeNull().series.y.toList() shouldContainExactly listOf(24.0, 44.0, 60.0)
         open.positions.toList() shouldContainExactly listOf(0.0, 1.0, 2.0)
         standardGraphs(open.logged) shouldBe standardGraphs(recording.view)
+    }
+
+    test("a formula has statistics; over a log of nothing it is told to be empty") {
+        val open = recording.withFormulas(listOf(power))
+        statisticsRow(open, listOf("Power"), "").statistics.getValue("Power").mean shouldBe (64.0 / 3 plusOrMinus 1e-9)
+        val nothing = recordingOf("").withFormulas(listOf("One = 1"))
+        reasonFor(nothing.formulas.single(), nothing) shouldBe "It has no samples here."
+        nothing.signals shouldBe emptyList()
     }
 
     test("one that makes no sense in a recording costs the others nothing, and says why") {
