@@ -2,12 +2,10 @@ package badlog.viewer.formula
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
-import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
-import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
 import androidx.compose.foundation.rememberScrollState
@@ -19,7 +17,6 @@ import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.shadow
-import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.input.key.KeyEvent
 import androidx.compose.ui.input.key.KeyEventType
@@ -27,11 +24,8 @@ import androidx.compose.ui.input.key.key
 import androidx.compose.ui.input.key.onPreviewKeyEvent
 import androidx.compose.ui.input.key.type
 import androidx.compose.ui.semantics.contentDescription
-import androidx.compose.ui.semantics.selected
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontFamily
 import androidx.compose.ui.text.font.FontWeight
-import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.viewer.app.Viewer
@@ -63,13 +57,16 @@ internal fun FormulaDialog(viewer: Viewer, sheet: FormulaSheet, modifier: Modifi
         Arrangement.spacedBy(6.dp),
     ) {
         Row(verticalAlignment = Alignment.CenterVertically) {
-            Text(if (sheet.before == null) "New formula" else "Change the formula", Modifier.weight(1f), fontSize = 16.sp, fontWeight = FontWeight.SemiBold)
+            val title = if (sheet.before == null) "New formula" else "Change the formula"
+            Text(title, Modifier.weight(1f), fontSize = 16.sp, fontWeight = FontWeight.SemiBold)
             ToolButton("Close the formula sheet", Icons.Close, onClick = close)
         }
         FormulaField(writer)
-        Text(writer.error?.message ?: writer.topic?.let { "Makes the topic “${it.name}”." } ?: HOW, color = if (writer.error == null) palette.muted else palette.error)
+        val error = writer.error
+        if (error != null) Text(error.message, color = palette.error)
+        else Text(writer.topic?.let { "Makes the topic “${it.name}”." } ?: HOW, color = palette.muted)
         SuggestedNames(writer)
-        Help()
+        FormulaHelp()
         Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp, Alignment.End)) {
             sheet.before?.let { before ->
                 ToolButton("Remove this formula", text = "Remove", color = palette.error) {
@@ -77,7 +74,8 @@ internal fun FormulaDialog(viewer: Viewer, sheet: FormulaSheet, modifier: Modifi
                     close()
                 }
             }
-            ToolButton("Keep the formula (Enter)", text = "OK", isOn = writer.topic != null, isEnabled = writer.topic != null, onClick = keep)
+            val isTopic = writer.topic != null
+            ToolButton("Keep the formula (Enter)", text = "OK", isOn = isTopic, isEnabled = isTopic, onClick = keep)
         }
     }
 }
@@ -104,43 +102,4 @@ private fun hears(event: KeyEvent, writer: FormulaWriter, keep: () -> Unit, clos
     return true
 }
 
-/** The names that may be meant; the arrow keys and Tab choose as a click does. */
-@Composable
-private fun SuggestedNames(writer: FormulaWriter) {
-    val palette = LocalPalette.current
-    Column(Modifier.fillMaxWidth().heightIn(max = 200.dp)) {
-        writer.suggestions.names.forEachIndexed { index, name ->
-            Text(
-                name,
-                Modifier
-                    .fillMaxWidth()
-                    .background(if (index == writer.marked) palette.accentSoft else Color.Transparent, RoundedCornerShape(4.dp))
-                    .clickable { writer.take(index) }
-                    .semantics {
-                        contentDescription = "Insert $name"
-                        selected = index == writer.marked
-                    }
-                    .padding(horizontal = 10.dp, vertical = 3.dp),
-                maxLines = 1,
-                overflow = TextOverflow.Ellipsis,
-            )
-        }
-    }
-}
-
-@Composable
-private fun Help() {
-    val palette = LocalPalette.current
-    Column(Modifier.padding(top = 4.dp)) {
-        for (line in ESSENTIALS) Text(line, color = palette.muted, fontFamily = FontFamily.Monospace, fontSize = 11.sp, lineHeight = 16.sp)
-        Text("Names with odd signs stand in \"quotes\". All of the language is in docs/expressions.md.", color = palette.muted, fontSize = 11.sp)
-    }
-}
-
 private const val HOW = "A name, a unit in brackets if it has one, =, and how it is calculated; / in the name makes folders."
-
-private val ESSENTIALS = listOf(
-    "Power [W] = Battery Voltage * Total Current",
-    "+ - * / % ^  < > == and or not  x when enabled  if(c, a, b)",
-    "mean(x, 1 s)  derivative(x)  area(x)  delta(x)  shift(x, 0.1 s)  abs(x)",
-)

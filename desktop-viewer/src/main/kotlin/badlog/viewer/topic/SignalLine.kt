@@ -88,7 +88,8 @@ internal fun SignalLine(viewer: Viewer, open: OpenRecording, row: SignalRow, row
             val title = withMatches(signal.title, viewer.topicList.query, palette)
             // A tip costs as much as the rest of the row, so only the one under the pointer has it.
             if (isHovered) {
-                Tip(signal.definition?.let { "Formula: $it" } ?: signal.name, Modifier.weight(1f)) { Title(title, isDrawn = place != null, Modifier.fillMaxWidth()) }
+                val explanation = signal.definition?.let { "Formula: $it" } ?: signal.name
+                Tip(explanation, Modifier.weight(1f)) { Title(title, isDrawn = place != null, Modifier.fillMaxWidth()) }
             } else {
                 Title(title, isDrawn = place != null, Modifier.weight(1f))
             }

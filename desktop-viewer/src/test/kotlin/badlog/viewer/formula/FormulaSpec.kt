@@ -62,7 +62,8 @@ class FormulaSpec : FunSpec({
     }
 
     test("topics with times of their own make formulas, too") {
-        val open = wpilogRecording(loggedTopic("A", 0.0 to 1.0, 2.0 to 3.0), loggedTopic("B", 1.0 to 10.0)).withFormulas(listOf("S = A + B"))
+        val log = wpilogRecording(loggedTopic("A", 0.0 to 1.0, 2.0 to 3.0), loggedTopic("B", 1.0 to 10.0))
+        val open = log.withFormulas(listOf("S = A + B"))
         val series = open.signal("S").shouldNotBeNull().series
         series.x.toList() shouldContainExactly listOf(0.0, 1.0, 2.0)
         series.y.toList().drop(1) shouldContainExactly listOf(11.0, 13.0)

@@ -9,7 +9,7 @@ import java.nio.file.Path
 import kotlin.math.abs
 
 class FindingsWindowSpec : FunSpec({
-    test("a match with a brownout says so by itself, and a formula is written over it and stays").config(enabledOrReasonIf = { needsDisplay }) {
+    test("a match says by itself that it browned out, and a formula over it stays").config(enabledOrReasonIf = { needsDisplay }) {
         val home = tempdir().toPath()
         val match = Path.of("../samples/qualification-42.bag")
         RealWindow(home, match).use { window ->
