@@ -21,7 +21,6 @@ import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.text.font.FontFamily
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
@@ -64,7 +63,7 @@ internal fun FindingsPanel(viewer: Viewer, open: OpenRecording, modifier: Modifi
         }
         Small("Rules: ${list.rulesFile?.let { "${it.fileName} in ${it.parent.fileName}" } ?: "those that badlog brings along"}.")
         if (viewer.drawnRecordings().size > 1) Small("Of the open log alone, not of those it is compared with.")
-        list.trouble?.let { Trouble(it) }
+        list.trouble?.let { Box(Modifier.padding(horizontal = 12.dp, vertical = 4.dp)) { PointedText(it) } }
         Box(Modifier.weight(1f)) {
             LazyColumn(Modifier.fillMaxSize(), state) {
                 items(list.all) { FindingLine(it, times, isChosen = it === findings.chosen) { goTo(viewer, it) } }
@@ -89,18 +88,3 @@ internal fun summaryOf(list: FindingList): String = Severity.entries.reversed()
 private fun Small(text: String) {
     Text(text, Modifier.padding(horizontal = 12.dp, vertical = 2.dp), color = LocalPalette.current.muted, fontSize = 12.sp)
 }
-
-/** [text], of which all but the first line points at a place by its columns. */
-@Composable
-private fun Trouble(text: String) {
-    val palette = LocalPalette.current
-    Column(Modifier.padding(horizontal = 12.dp, vertical = 4.dp)) {
-        Text(text.substringBefore('\n'), color = palette.error)
-        val place = text.substringAfter('\n', "")
-        if (place.isNotEmpty()) {
-            Text(place.take(MOST_LETTERS), color = palette.text, fontFamily = FontFamily.Monospace, fontSize = 11.sp, lineHeight = 13.sp)
-        }
-    }
-}
-
-private const val MOST_LETTERS = 1000

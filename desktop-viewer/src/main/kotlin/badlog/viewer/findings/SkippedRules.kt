@@ -44,12 +44,10 @@ internal fun SkippedLine(rule: SkippedRule) {
     val palette = LocalPalette.current
     Column(Modifier.fillMaxWidth().padding(start = 26.dp, end = 14.dp, top = 3.dp, bottom = 3.dp)) {
         Text(rule.rule, maxLines = 1, overflow = TextOverflow.Ellipsis)
-        Text(
-            rule.message,
-            color = if (rule.isMistake) palette.error else palette.muted,
-            fontSize = 12.sp,
-            maxLines = 8,
-            overflow = TextOverflow.Ellipsis,
-        )
+        if (rule.isMistake) {
+            PointedText(rule.message)
+        } else {
+            Text(rule.message, color = palette.muted, fontSize = 12.sp, maxLines = 8, overflow = TextOverflow.Ellipsis)
+        }
     }
 }

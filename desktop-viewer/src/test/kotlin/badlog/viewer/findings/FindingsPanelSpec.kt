@@ -56,10 +56,11 @@ class FindingsPanelSpec : FunSpec({
     }
 
     test("a wrong file of rules, and a log in which nothing was found, are told") {
-        val wrong = inspecting(counted(folderOf("rule = 5\n")))
+        val wrong = inspecting(counted(folderOf(ruleText("A", "A > 5", text = "A long text that no panel has room for, with a {plce} in it"))))
         runDesktopComposeUiTest(320, 600) {
             setContent { ViewerTheme(Theme.LIGHT) { InspectorPane(wrong) } }
-            onAllNodesWithText("badlog-rules.toml: Line 1", substring = true).fetchSemanticsNodes().size shouldBe 1
+            onAllNodesWithText("badlog-rules.toml: Line 5", substring = true).fetchSemanticsNodes().size shouldBe 1
+            savePicture("findings-wrong-rules")
         }
         val nothing = inspecting(counted(folderOf(ruleText("Never", "A > 1000"))))
         runDesktopComposeUiTest(320, 600) {
