@@ -14,6 +14,7 @@ internal val GESTURES = listOf(
     GestureHelp("Topics", "Drag", "Takes the topic, or all chosen ones, to a graph."),
     GestureHelp("Topics", "Right click", "Says what else can be done with it."),
     GestureHelp("Events", "Click", "Takes the cursor to the event."),
+    GestureHelp("Findings", "Point at a diamond, click", "Tells the finding, and takes the cursor there."),
     GestureHelp("Statistics table", "Click a heading", "Sorts by it; again, the other way round."),
     GestureHelp("Statistics table", "Double-click a row", "Opens its recording."),
 )

@@ -49,8 +49,8 @@ internal fun HelpSheet(commands: List<Command>, gestures: List<GestureHelp>, mod
             Text("Keys and gestures", Modifier.weight(1f), fontSize = 16.sp, fontWeight = FontWeight.SemiBold)
             ToolButton("Close the sheet", Icons.Close, onClick = onClose)
         }
-        val groups = commands.groupBy({ it.group }) { keysText(it) to it.meaning } +
-            gestures.groupBy({ it.group }) { it.gesture to it.meaning }
+        val lines = commands.map { it.group to (keysText(it) to it.meaning) } + gestures.map { it.group to (it.gesture to it.meaning) }
+        val groups = lines.groupBy({ it.first }) { it.second }
         val scroll = rememberScrollState()
         Box {
             FlowRow(

@@ -32,7 +32,7 @@ internal data class Panels(
 }
 
 /** What the panel at the right shows. */
-internal enum class InspectorTab { EVENTS, VALUES, PROBLEMS, STATISTICS }
+internal enum class InspectorTab { EVENTS, VALUES, PROBLEMS, STATISTICS, FINDINGS }
 
 /** The parts of the window, of which a narrow one shows one at a time. */
 internal enum class FrontPart { LOGS, TOPICS, GRAPHS, DETAILS }

@@ -10,6 +10,10 @@ import badlog.viewer.compare.ComparisonLoading
 import badlog.viewer.compare.StatisticsChoice
 import badlog.viewer.files.FileChoice
 import badlog.viewer.files.SystemFileChoice
+import badlog.viewer.findings.Findings
+import badlog.viewer.findings.RuleRunning
+import badlog.viewer.formula.FormulaKeeping
+import badlog.viewer.formula.FormulaSheet
 import badlog.viewer.graph.GraphList
 import badlog.viewer.graph.PlotGesture
 import badlog.viewer.graph.plot.Plots
@@ -88,6 +92,15 @@ internal class Viewer(
     /** The events of the open recording that [eventFilter] lets through. */
     val matchingEvents: MatchingEvents by derivedStateOf { open?.events?.matching(eventFilter) ?: MatchingEvents.NONE }
 
+    /** The definitions of topics that are calculated from others, in the order in which they may use each other. */
+    var formulas by mutableStateOf<List<String>>(emptyList())
+
+    /** The formula that a person is writing, or null. */
+    var formulaSheet by mutableStateOf<FormulaSheet?>(null)
+
+    /** What rules found in the open recording. */
+    var findings by mutableStateOf(Findings())
+
     /** Which parts of the window are open. */
     var panels by mutableStateOf(Panels())
 
@@ -99,6 +112,12 @@ internal class Viewer(
 
     /** Reads what is compared. */
     val comparisonLoading = ComparisonLoading(this)
+
+    /** Runs the rules over the open recording. */
+    val ruleRunning = RuleRunning(this)
+
+    /** Calculates the formulas. */
+    val formulaKeeping = FormulaKeeping(this)
 
     /** Remembers how the window is arranged. */
     val layouts = LayoutKeeping(this)

@@ -16,6 +16,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import badlog.viewer.compare.CompareBar
 import badlog.viewer.compare.StatisticsTable
+import badlog.viewer.formula.FormulaDialog
 import badlog.viewer.graph.GraphPane
 import badlog.viewer.inspector.InspectorPane
 import badlog.viewer.library.LibraryPane
@@ -36,6 +37,7 @@ internal fun ViewerScreen(viewer: Viewer) {
                     TopBar(viewer, isNarrow)
                     Box(Modifier.weight(1f).fillMaxWidth()) {
                         if (isNarrow) NarrowBody(viewer) else WideBody(viewer)
+                        viewer.formulaSheet?.let { FormulaDialog(viewer, it, Modifier.align(Alignment.TopCenter)) }
                         if (viewer.panels.help) {
                             HelpSheet(viewer.commands, GESTURES, Modifier.align(Alignment.TopCenter)) {
                                 viewer.panels = viewer.panels.copy(help = false)

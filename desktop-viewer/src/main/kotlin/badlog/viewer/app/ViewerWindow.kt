@@ -52,6 +52,8 @@ internal fun ApplicationScope.ViewerWindow(
     }
     LaunchedEffect(viewer) {
         viewer.scope.launch { viewer.layouts.keep() }
+        viewer.scope.launch { viewer.formulaKeeping.keep() }
+        viewer.scope.launch { viewer.ruleRunning.keep() }
         viewer.scope.launch { keepSettings(viewer, settingsFile, kept) }
         viewer.scope.launch { openFirst(viewer, start(viewer)) }
         endWhenStuck(failures, isInSight = { !place.isMinimized }) {

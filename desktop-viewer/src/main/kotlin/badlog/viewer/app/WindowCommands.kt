@@ -1,6 +1,8 @@
 package badlog.viewer.app
 
 import androidx.compose.ui.input.key.Key
+import badlog.viewer.findings.findingCommands
+import badlog.viewer.formula.formulaCommands
 import badlog.viewer.graph.giveUpGesture
 import badlog.viewer.graph.graphCommands
 import badlog.viewer.inspector.title
@@ -11,8 +13,8 @@ import badlog.viewer.takeaway.takeAwayCommands
 
 /** All that the keyboard does, in the order of the help sheet. */
 internal fun allCommands(viewer: Viewer): List<Command> =
-    libraryCommands(viewer) + graphCommands(viewer) + playbackCommands(viewer) + takeAwayCommands(viewer) +
-        layoutCommands(viewer) + windowCommands(viewer)
+    libraryCommands(viewer) + graphCommands(viewer) + formulaCommands(viewer) + findingCommands(viewer) +
+        playbackCommands(viewer) + takeAwayCommands(viewer) + layoutCommands(viewer) + windowCommands(viewer)
 
 /** What the keyboard does with the window's parts. */
 internal fun windowCommands(viewer: Viewer): List<Command> = listOf(
@@ -23,7 +25,11 @@ internal fun windowCommands(viewer: Viewer): List<Command> = listOf(
         viewer.panels = viewer.panels.copy(help = !viewer.panels.help)
     },
     Command(GROUP, "Close this sheet, or give up a drag, the selection, the cursor", listOf(KeyPress(Key.Escape, "Esc"))) {
-        if (viewer.panels.help) viewer.panels = viewer.panels.copy(help = false) else giveUpGesture(viewer)
+        when {
+            viewer.panels.help -> viewer.panels = viewer.panels.copy(help = false)
+            viewer.formulaSheet != null -> viewer.formulaSheet = null
+            else -> giveUpGesture(viewer)
+        }
     },
 ) + InspectorTab.entries.mapIndexed { index, tab ->
     Command(GROUP, "${tab.title}: open or close", listOf(KeyPress(DIGITS[index], "${index + 1}", ctrl = true))) {
@@ -33,4 +39,4 @@ internal fun windowCommands(viewer: Viewer): List<Command> = listOf(
 
 private const val GROUP = "Window"
 private val QUESTION_MARK = KeyPress(Key.Slash, "?", shift = true)
-private val DIGITS = listOf(Key.One, Key.Two, Key.Three, Key.Four)
+private val DIGITS = listOf(Key.One, Key.Two, Key.Three, Key.Four, Key.Five)

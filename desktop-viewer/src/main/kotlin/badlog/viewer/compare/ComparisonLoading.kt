@@ -34,9 +34,8 @@ internal class ComparisonLoading(private val viewer: Viewer) {
     }
 
     private fun load(file: Path) {
-        val job = viewer.tasks.run("Reading ${file.fileName} to compare", { progress -> OpenRecording.read(file, progress = progress) }) {
-            viewer.comparison = viewer.comparison.withLoaded(it)
-        }
+        val read = { progress: (Float) -> Unit -> OpenRecording.read(file, { viewer.formulas }, progress = progress) }
+        val job = viewer.tasks.run("Reading ${file.fileName} to compare", read) { viewer.comparison = viewer.comparison.withLoaded(it) }
         jobs[file] = job
         job.invokeOnCompletion {
             // A later tick of the same file has a job of its own.

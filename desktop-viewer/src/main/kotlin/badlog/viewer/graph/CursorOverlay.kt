@@ -11,13 +11,14 @@ import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.graphicsLayer
 import badlog.plot.Span
+import badlog.viewer.findings.drawShownFinding
 import badlog.viewer.graph.plot.PlotPicture
 import badlog.viewer.graph.plot.PlotState
 import badlog.viewer.recording.indexAt
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Palette
 
-/** What moves with the pointer: the cursor with the samples it reads, the selection, and what is being dragged. */
+/** What moves with the pointer: the cursor with the samples it reads, the selection, a finding, and what is being dragged. */
 @Composable
 internal fun CursorOverlay(scene: GraphScene, id: Int, state: PlotState) {
     val palette = LocalPalette.current
@@ -25,6 +26,7 @@ internal fun CursorOverlay(scene: GraphScene, id: Int, state: PlotState) {
     Spacer(
         Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind {
             val visible = viewer.viewport.visible
+            viewer.findings.shown?.let { drawShownFinding(it, visible, palette) }
             viewer.selection?.let { drawSelection(it, visible, palette) }
             viewer.gesture?.let { drawGesture(it, id, visible, scene.pictureOf(state), palette) }
             val cursor = viewer.cursor ?: return@drawBehind

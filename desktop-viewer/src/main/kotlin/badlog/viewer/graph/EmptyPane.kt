@@ -35,7 +35,7 @@ internal fun NothingRecorded(open: OpenRecording, modifier: Modifier) {
 internal fun NothingChosen(viewer: Viewer, modifier: Modifier) {
     Sentence("No graphs", "Drag topics here, or begin with the graphs that the log asks for.", modifier) {
         ToolButton("Show the standard graphs", Icons.Graph, text = "Show the standard graphs", isOn = true) {
-            viewer.open?.let { viewer.graphs = standardGraphs(it.view) }
+            viewer.open?.let { viewer.graphs = standardGraphs(it.logged) }
         }
     }
 }

@@ -7,11 +7,13 @@ import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.lazy.LazyColumn
+import androidx.compose.foundation.lazy.LazyListState
 import androidx.compose.foundation.lazy.itemsIndexed
 import androidx.compose.foundation.lazy.rememberLazyListState
 import androidx.compose.foundation.rememberScrollbarAdapter
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.SideEffect
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
@@ -23,6 +25,7 @@ import androidx.compose.ui.input.pointer.isMetaPressed
 import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
+import badlog.viewer.findings.FindingLabel
 import badlog.viewer.graph.plot.drawnLines
 import badlog.viewer.theme.LocalPalette
 
@@ -35,6 +38,7 @@ internal fun GraphColumn(scene: GraphScene) {
     SideEffect { scene.plots.keep(graphs.mapTo(HashSet()) { it.id } + OVERVIEW, recordings) }
     BoxWithConstraints(Modifier.fillMaxSize().changesHeights(scene)) {
         val scroll = rememberLazyListState()
+        ShowNewGraph(graphs, scroll)
         val lanes = remember(graphs, scene.recordings) { graphs.map { lanesOf(it, scene) } }
         val settings = viewer.settings
         val heights = graphHeights(lanes, maxHeight.value.toInt(), settings.graphHeight, settings.fitsGraphs)
@@ -46,7 +50,22 @@ internal fun GraphColumn(scene: GraphScene) {
         }
         VerticalScrollbar(rememberScrollbarAdapter(scroll), Modifier.align(Alignment.CenterEnd).fillMaxHeight())
         EventLabel(scene)
+        FindingLabel(scene, Modifier.align(Alignment.BottomStart))
         SelectionChip(scene, maxWidth)
+    }
+}
+
+/** Scrolls to a graph that was added to those that there were. */
+@Composable
+private fun ShowNewGraph(graphs: List<GraphSpec>, scroll: LazyListState) {
+    val before = remember { ArrayList(graphs) }
+    LaunchedEffect(graphs) {
+        val added = graphs - before.toSet()
+        val isAddition = before.isNotEmpty() && added.size == 1 && graphs.containsAll(before)
+        before.clear()
+        before += graphs
+        val place = graphs.indexOf(added.singleOrNull())
+        if (isAddition && scroll.layoutInfo.visibleItemsInfo.dropLast(1).none { it.index == place }) scroll.scrollToItem(place)
     }
 }
 

@@ -28,6 +28,19 @@ internal data class GraphList(val graphs: List<GraphSpec> = emptyList()) {
         return changed.copy(graphs = changed.graphs.filter { it.lines.isNotEmpty() })
     }
 
+    /** Takes the signal [name] out of all graphs; those with no other line go with it. */
+    fun withoutSignal(name: String): GraphList = graphs.fold(this) { list, graph ->
+        if (graph.lines.any { it.signal == name }) list.withoutLine(graph.id, name) else list
+    }
+
+    /** Draws the signal [name] where [before] was drawn. */
+    fun renamed(before: String, name: String): GraphList = copy(
+        graphs = graphs.map { graph ->
+            val lines = graph.lines.map { if (it.signal == before) it.copy(signal = name) else it }
+            graph.copy(title = if (graph.title == before) name else graph.title, lines = lines.distinctBy { it.signal })
+        },
+    )
+
     /** Takes graph [id] away. */
     fun without(id: Int): GraphList = copy(graphs = graphs.filterNot { it.id == id })
 

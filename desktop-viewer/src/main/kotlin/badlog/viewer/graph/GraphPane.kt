@@ -14,6 +14,7 @@ import androidx.compose.ui.input.pointer.PointerEventType
 import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.platform.LocalFocusManager
 import badlog.viewer.app.Viewer
+import badlog.viewer.findings.FindingStrip
 import badlog.viewer.playback.PlaybackRunning
 import badlog.viewer.theme.LocalPalette
 
@@ -39,6 +40,7 @@ internal fun GraphPane(viewer: Viewer, modifier: Modifier = Modifier) {
                 else -> GraphColumn(scene)
             }
         }
+        FindingStrip(scene)
         XAxisBar(scene)
     }
 }

@@ -26,6 +26,8 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import badlog.plot.Span
+import badlog.viewer.findings.drawFindings
+import badlog.viewer.findings.drawShownFinding
 import badlog.viewer.graph.plot.PlotRequest
 import badlog.viewer.graph.plot.PlotState
 import badlog.viewer.graph.plot.drawLines
@@ -37,7 +39,7 @@ import badlog.viewer.theme.Palette
 /** The overview's place among the graphs, which count from 1. */
 internal const val OVERVIEW = 0
 
-/** The whole recording as a strip, with a small curve, the events, and the part that is visible as a window to be moved. */
+/** The whole recording as a strip, with a small curve, the events, the findings, and the part that is visible as a window to be moved. */
 @Composable
 internal fun Overview(scene: GraphScene) {
     val viewer = scene.viewer
@@ -82,11 +84,13 @@ private fun DrawScope.drawWhole(scene: GraphScene, state: PlotState, palette: Pa
     drawEnabled(scene.viewer.open?.enabled.orEmpty(), full, palette)
     scene.pictureOf(state)?.let { drawLines(it, full) }
     drawEventMarks(scene.events, full, palette, hasLines = false)
+    drawFindings(scene.viewer.findings.list?.placed.orEmpty(), full, palette)
 }
 
 private fun DrawScope.drawWindow(scene: GraphScene, palette: Palette) {
     val viewer = scene.viewer
     val full = viewer.viewport.full
+    viewer.findings.shown?.let { drawShownFinding(it, full, palette) }
     viewer.selection?.let { drawSelection(it, full, palette) }
     if (viewer.viewport.isZoomed) drawVisible(viewer.viewport.visible, full, palette)
     viewer.cursor?.let { drawCursorLine(it, full, palette) }

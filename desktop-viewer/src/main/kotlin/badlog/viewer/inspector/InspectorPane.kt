@@ -16,11 +16,12 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import badlog.viewer.app.InspectorTab
 import badlog.viewer.app.Viewer
+import badlog.viewer.findings.FindingsPanel
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
 
-/** The panel at the right: events, values, problems, statistics. */
+/** The panel at the right: events, values, problems, statistics, findings. */
 @Composable
 internal fun InspectorPane(viewer: Viewer, modifier: Modifier = Modifier) {
     val tab = viewer.panels.inspector ?: return
@@ -48,6 +49,7 @@ internal fun InspectorPane(viewer: Viewer, modifier: Modifier = Modifier) {
                 InspectorTab.VALUES -> ValuesPanel(open, Modifier.fillMaxSize())
                 InspectorTab.PROBLEMS -> ProblemsPanel(open, Modifier.fillMaxSize())
                 InspectorTab.STATISTICS -> StatisticsPanel(viewer, open, Modifier.fillMaxSize())
+                InspectorTab.FINDINGS -> FindingsPanel(viewer, open, Modifier.fillMaxSize())
             }
         }
     }

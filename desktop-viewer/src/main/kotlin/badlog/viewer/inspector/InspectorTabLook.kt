@@ -11,6 +11,7 @@ internal val InspectorTab.title: String
         InspectorTab.VALUES -> "Values"
         InspectorTab.PROBLEMS -> "Problems"
         InspectorTab.STATISTICS -> "Statistics"
+        InspectorTab.FINDINGS -> "Findings"
     }
 
 /** What stands for it on a button. */
@@ -20,4 +21,5 @@ internal val InspectorTab.icon: ImageVector
         InspectorTab.VALUES -> Icons.Info
         InspectorTab.PROBLEMS -> Icons.Warning
         InspectorTab.STATISTICS -> Icons.Sigma
+        InspectorTab.FINDINGS -> Icons.Diamond
     }

@@ -18,8 +18,12 @@ internal fun InspectorTabs(viewer: Viewer) {
     val palette = LocalPalette.current
     Row(horizontalArrangement = Arrangement.spacedBy(2.dp)) {
         for (tab in InspectorTab.entries) {
-            val count = countOf(tab, open)
-            val hasErrors = tab == InspectorTab.PROBLEMS && open.view.count(Severity.ERROR) > 0
+            val count = countOf(tab, viewer, open)
+            val hasErrors = when (tab) {
+                InspectorTab.PROBLEMS -> open.view.count(Severity.ERROR) > 0
+                InspectorTab.FINDINGS -> viewer.findings.list?.worst == Severity.ERROR
+                else -> false
+            }
             ToolButton(
                 if (count == null) tab.title else "${tab.title}: $count",
                 tab.icon,
@@ -31,9 +35,10 @@ internal fun InspectorTabs(viewer: Viewer) {
     }
 }
 
-private fun countOf(tab: InspectorTab, open: OpenRecording): Int? = when (tab) {
+private fun countOf(tab: InspectorTab, viewer: Viewer, open: OpenRecording): Int? = when (tab) {
     InspectorTab.EVENTS -> open.eventLogs.sumOf { it.topic.texts.size }
     InspectorTab.VALUES -> open.view.recording.values.size
     InspectorTab.PROBLEMS -> open.view.problems.size
     InspectorTab.STATISTICS -> null
+    InspectorTab.FINDINGS -> viewer.findings.list?.all?.size
 }

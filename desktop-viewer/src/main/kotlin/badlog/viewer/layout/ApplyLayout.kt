@@ -4,11 +4,17 @@ import badlog.viewer.app.InspectorTab
 import badlog.viewer.app.MainView
 import badlog.viewer.app.Panels
 import badlog.viewer.app.Viewer
+import badlog.viewer.formula.joined
+import badlog.viewer.formula.takeFormulas
 import badlog.viewer.graph.standardGraphs
 
-/** Arranges the window as [layout] says, as far as the open recording has what it names; what is left out is said. */
+/**
+ * Arranges the window as [layout] says, as far as the open recording has what it names; what is left out is said. Its formulas
+ * are added to those that there are.
+ */
 internal fun applyLayout(viewer: Viewer, layout: Layout) {
     layout.panels?.let { viewer.panels = panelsOf(it, viewer.panels) }
+    takeFormulas(viewer, joined(viewer.formulas, layout.formulas))
     restoreComparison(viewer, layout.compared)
     applyGraphs(viewer, layout)
     applyPlace(viewer, layout)
@@ -19,7 +25,7 @@ internal fun applyGraphs(viewer: Viewer, layout: Layout) {
     val open = viewer.open ?: return
     val graphs = layout.graphs
     if (graphs == null) {
-        viewer.graphs = standardGraphs(open.view)
+        viewer.graphs = standardGraphs(open.logged)
         return
     }
     val fitted = fitted(graphs, open)
@@ -39,7 +45,7 @@ internal fun applyPlace(viewer: Viewer, layout: Layout) {
 /** Shows the graphs that the attributes of the open recording's topics ask for, all of x, and nothing over it. */
 internal fun showStandardGraphs(viewer: Viewer) {
     val open = viewer.open ?: return
-    viewer.graphs = standardGraphs(open.view)
+    viewer.graphs = standardGraphs(open.logged)
     viewer.viewport = viewer.viewport.reset()
 }
 

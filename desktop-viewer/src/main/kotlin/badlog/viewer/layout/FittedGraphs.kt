@@ -34,13 +34,17 @@ internal class FittedGraphs(val graphs: GraphList, val missing: List<String>, va
     }
 }
 
-/** Fits [graphs] to [recording]. A graph of which nothing is known, as one without lines, is dropped. */
+/**
+ * Fits [graphs] to [recording]. A graph of which nothing is known, as one without lines, is dropped. What a formula does not make
+ * there is not missing: the list of topics says why.
+ */
 internal fun fitted(graphs: List<LayoutGraph>, recording: OpenRecording): FittedGraphs {
     val missing = LinkedHashSet<String>()
+    val defined = recording.formulas.mapNotNullTo(HashSet()) { it.name }
     val dropped = ArrayList<String>()
     val specs = graphs.mapIndexedNotNull { i, graph ->
         val (known, unknown) = graph.lines.distinct().partition { recording.signal(it) != null }
-        missing += unknown
+        missing += unknown - defined
         if (known.isEmpty()) dropped += graph.title
         specOf(i + 1, graph, known).takeIf { known.isNotEmpty() }
     }

@@ -13,6 +13,7 @@ import kotlinx.serialization.Serializable
  * @property selection the part of x that was marked in it, or null.
  * @property compared what lies over the open recording.
  * @property panels which parts of the window are open; null for as they are.
+ * @property formulas the definitions of topics that are calculated from others.
  */
 @Serializable
 internal data class Layout(
@@ -23,6 +24,7 @@ internal data class Layout(
     val selection: LayoutSpan? = null,
     val compared: LayoutComparison = LayoutComparison(),
     val panels: LayoutPanels? = null,
+    val formulas: List<String> = emptyList(),
 ) {
     companion object {
         /** The format that this program writes. */

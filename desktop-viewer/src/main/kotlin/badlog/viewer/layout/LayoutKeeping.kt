@@ -3,6 +3,7 @@ package badlog.viewer.layout
 import androidx.compose.runtime.snapshotFlow
 import badlog.plot.Span
 import badlog.viewer.app.Viewer
+import badlog.viewer.formula.takeFormulas
 import badlog.viewer.graph.GraphList
 import badlog.viewer.graph.standardGraphs
 import badlog.viewer.recording.OpenRecording
@@ -33,7 +34,7 @@ internal class LayoutKeeping(private val viewer: Viewer) {
 
     /** The graphs to show of [recording], which was just opened: as they were arranged over this folder, else the standard ones. */
     fun graphsOf(recording: OpenRecording): GraphList {
-        val fitted = fittedTo(recording) ?: return standardGraphs(recording.view)
+        val fitted = fittedTo(recording) ?: return standardGraphs(recording.logged)
         fitted.sentence?.let(viewer.notices::say)
         return fitted.graphs
     }
@@ -44,6 +45,7 @@ internal class LayoutKeeping(private val viewer: Viewer) {
         // A few kilobytes of the user's own: read at once, so that the folder's first recording is shown as it was arranged.
         remembered = opened?.let(layouts::read)
         if (opened == null) return@collectLatest
+        takeFormulas(viewer, remembered?.formulas.orEmpty())
         var wanted = remembered
         wanted?.let(::restore)
         snapshotFlow { parts() }.collectLatest {
@@ -64,7 +66,7 @@ internal class LayoutKeeping(private val viewer: Viewer) {
     }
 
     // All that changes a layout; compared by the parts themselves, so that to look costs nothing.
-    private fun parts() = with(viewer) { listOf(open, graphs, viewport.visible, selection, comparison, panels) }
+    private fun parts() = with(viewer) { listOf(open, graphs, viewport.visible, selection, comparison, panels, formulas) }
 
     private suspend fun keepChange() {
         val (place, layout) = change() ?: return
@@ -79,10 +81,14 @@ internal class LayoutKeeping(private val viewer: Viewer) {
     /** Where to keep what, when that is not yet remembered. What another folder's recording shows is not this folder's. */
     private fun change(): Pair<Path, Layout>? {
         val place = folder ?: return null
-        val open = viewer.open?.takeIf(::isInFolder) ?: return null
+        val open = viewer.open?.takeIf(::isInFolder)
+        if (open == null) {
+            val before = remembered ?: Layout(Layout.VERSION)
+            return if (before.formulas == viewer.formulas) null else place to before.copy(formulas = viewer.formulas)
+        }
         val shown = layoutOf(viewer)
         // A recording that lacks a signal must not make all others forget it.
-        val isAsRemembered = hasSameGraphs(viewer.graphs, fittedTo(open)?.graphs ?: standardGraphs(open.view))
+        val isAsRemembered = hasSameGraphs(viewer.graphs, fittedTo(open)?.graphs ?: standardGraphs(open.logged))
         val layout = if (isAsRemembered) shown.copy(graphs = remembered?.graphs) else shown
         return if (layout == remembered) null else place to layout
     }
@@ -94,7 +100,7 @@ internal class LayoutKeeping(private val viewer: Viewer) {
             restoredTicks = viewer.comparison.ticked
         }
         val open = viewer.open?.takeIf(::isInFolder) ?: return
-        if (hasSameGraphs(viewer.graphs, standardGraphs(open.view))) viewer.graphs = graphsOf(open)
+        if (hasSameGraphs(viewer.graphs, standardGraphs(open.logged))) viewer.graphs = graphsOf(open)
     }
 
     /** Shows what was last seen, when the recording is the one of then. Returns whether one was opened at all. */

@@ -10,7 +10,7 @@ import badlog.viewer.graph.standardGraphs
 /** How the window is arranged now. */
 internal fun layoutOf(viewer: Viewer): Layout {
     val open = viewer.open
-    val isStandard = open == null || hasSameGraphs(viewer.graphs, standardGraphs(open.view))
+    val isStandard = open == null || hasSameGraphs(viewer.graphs, standardGraphs(open.logged))
     return Layout(
         version = Layout.VERSION,
         graphs = if (isStandard) null else layoutGraphs(viewer.graphs),
@@ -19,6 +19,7 @@ internal fun layoutOf(viewer: Viewer): Layout {
         selection = viewer.selection?.let(::layoutSpan),
         compared = comparisonOf(viewer),
         panels = layoutPanels(viewer.panels),
+        formulas = viewer.formulas,
     )
 }
 

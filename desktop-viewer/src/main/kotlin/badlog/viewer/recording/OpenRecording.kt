@@ -4,8 +4,11 @@ import badlog.analysis.EnabledSpan
 import badlog.analysis.EventLog
 import badlog.analysis.LogView
 import badlog.analysis.enabledSpans
+import badlog.expression.ViewWithVirtualTopics
+import badlog.expression.withVirtualTopics
 import badlog.file.readRecording
 import badlog.plot.Span
+import badlog.viewer.formula.Formula
 import badlog.viewer.inspector.RecordingEvents
 import java.io.IOException
 import java.nio.file.Path
@@ -14,10 +17,20 @@ import java.nio.file.Path
  * A recording whose file was read, with all that can be drawn of it.
  *
  * @property file where it was read from; absolute.
+ * @property logged what the file holds.
+ * @property definitions those of the formulas that are calculated in it.
  */
-internal class OpenRecording(val file: Path, val view: LogView) {
-    /** All that can be drawn: the topics in the order of the file, then what is derived from them. */
-    val signals: List<Signal> = signalsOf(view)
+internal class OpenRecording(val file: Path, val logged: LogView, val definitions: List<String> = emptyList()) {
+    private val calculated = if (definitions.isEmpty()) null else logged.withVirtualTopics(definitions)
+
+    /** What the file holds, and the topics that the formulas make of it. */
+    val view: LogView = calculated?.view ?: logged
+
+    /** What each of [definitions] comes to, in their order. */
+    val formulas: List<Formula> = calculated?.let { formulasOf(definitions, it) }.orEmpty()
+
+    /** All that can be drawn: the topics in the order of the file and those of formulas, then what is derived from them. */
+    val signals: List<Signal> = signalsOf(view, formulas)
 
     private val byName = signals.associateBy { it.name }
 
@@ -48,6 +61,9 @@ internal class OpenRecording(val file: Path, val view: LogView) {
     /** The signal called [name], or null when this recording has none. */
     fun signal(name: String): Signal? = byName[name]
 
+    /** The same file with the formulas [definitions] instead. Takes its time. */
+    fun withFormulas(definitions: List<String>): OpenRecording = OpenRecording(file, logged, definitions).also { it.prepare() }
+
     /** Finds out now what the first frame needs, so that the window's thread does not have to. */
     private fun prepare() {
         enabled
@@ -58,24 +74,40 @@ internal class OpenRecording(val file: Path, val view: LogView) {
         /**
          * Reads [file], an absolute path; see [readRecording] for what it may throw besides.
          *
+         * @param definitions gives, once it is read, the formulas to calculate in it.
          * @param isGrowing whether what follows the last line end is left out, as a row that is half written.
          * @param progress hears how much is done, from 0 to 1.
          * @throws IOException with a sentence for the person, when it is no recording.
          */
-        fun read(file: Path, isGrowing: Boolean = false, progress: (Float) -> Unit = {}): OpenRecording {
+        fun read(
+            file: Path,
+            definitions: () -> List<String> = { emptyList() },
+            isGrowing: Boolean = false,
+            progress: (Float) -> Unit = {},
+        ): OpenRecording {
             val recording = readRecording(file, untilLastLineEnd = isGrowing) { done, total ->
                 if (total > 0) progress(done.toFloat() / total)
             }
             if (!recording.isReadable) throw IOException("${file.fileName}: ${recording.problems.last().message}")
-            return OpenRecording(file, LogView.of(recording)).also { it.prepare() }
+            return OpenRecording(file, LogView.of(recording), definitions()).also { it.prepare() }
         }
     }
 }
 
-private fun signalsOf(view: LogView): List<Signal> {
+private fun formulasOf(definitions: List<String>, calculated: ViewWithVirtualTopics): List<Formula> {
+    val topics = calculated.topics.iterator()
+    val errors = calculated.errors.associateBy { it.text }
+    return definitions.map { definition ->
+        val error = errors[definition]
+        Formula(definition, if (error == null) topics.next() else null, error)
+    }
+}
+
+private fun signalsOf(view: LogView, formulas: List<Formula>): List<Signal> {
+    val definitions = formulas.mapNotNull { formula -> formula.topic?.let { it.name to formula.definition } }.toMap()
     val logged = view.recording.topics
         .filter { it !== view.xAxis.topic && (it.samples.isNotEmpty() || it.texts.size > 0) }
-        .map { Signal(it.name, isDerived = false, view.seriesOf(it)) }
+        .map { topic -> definitions[topic.name].let { Signal(topic.name, isDerived = it != null, view.seriesOf(topic), it) } }
     val derived = view.folders.flatMap { it.graphs }
         .filter { graph -> graph.series.all { it.isDerived } }
         .map { Signal(it.name, isDerived = true, it.series.single()) }

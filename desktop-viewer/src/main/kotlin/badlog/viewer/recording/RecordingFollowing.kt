@@ -17,7 +17,9 @@ import kotlinx.coroutines.runInterruptible
  */
 internal class RecordingFollowing(
     private val viewer: Viewer,
-    private val read: (OpenRecording, isGrowing: Boolean) -> OpenRecording = { shown, isGrowing -> OpenRecording.read(shown.file, isGrowing) },
+    private val read: (OpenRecording, isGrowing: Boolean) -> OpenRecording = { shown, isGrowing ->
+        OpenRecording.read(shown.file, { viewer.formulas }, isGrowing)
+    },
 ) {
     /** Follows [opened], which was read when its file was as [stamp], until cancelled. */
     suspend fun follow(opened: OpenRecording, stamp: FileStamp) {

@@ -20,7 +20,7 @@ internal class RecordingLoading(private val viewer: Viewer) {
     fun open(file: Path) {
         val path = file.toAbsolutePath().normalize()
         reading?.cancel()
-        reading = viewer.tasks.run("Opening ${path.fileName}", { progress -> Stamped.read(path, progress) }) { read ->
+        reading = viewer.tasks.run("Opening ${path.fileName}", { progress -> Stamped.read(path, { viewer.formulas }, progress) }) { read ->
             show(read.recording)
             keeping?.cancel()
             keeping = viewer.scope.launch { following.follow(read.recording, read.stamp) }
@@ -29,10 +29,10 @@ internal class RecordingLoading(private val viewer: Viewer) {
 
     private class Stamped(val recording: OpenRecording, val stamp: FileStamp) {
         companion object {
-            fun read(file: Path, progress: (Float) -> Unit): Stamped {
+            fun read(file: Path, definitions: () -> List<String>, progress: (Float) -> Unit): Stamped {
                 // Before it is read: what is written meanwhile is a change.
                 val stamp = FileStamp.of(file) ?: FileStamp(0, 0)
-                return Stamped(OpenRecording.read(file, progress = progress), stamp)
+                return Stamped(OpenRecording.read(file, definitions, progress = progress), stamp)
             }
         }
     }

@@ -23,6 +23,7 @@ internal fun KindMark(signal: Signal, isEvents: Boolean, place: Int?) {
         } else {
             val icon = when {
                 isEvents -> Icons.Flag
+                signal.definition != null -> Icons.Formula
                 signal.states != null -> Icons.Lanes
                 else -> Icons.Wave
             }

@@ -37,6 +37,8 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import badlog.viewer.app.Viewer
+import badlog.viewer.formula.formulaMenu
+import badlog.viewer.formula.writeFormula
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
@@ -86,7 +88,8 @@ internal fun SignalLine(viewer: Viewer, open: OpenRecording, row: SignalRow, row
             val title = withMatches(signal.title, viewer.topicList.query, palette)
             // A tip costs as much as the rest of the row, so only the one under the pointer has it.
             if (isHovered) {
-                Tip(signal.name, Modifier.weight(1f)) { Title(title, isDrawn = place != null, Modifier.fillMaxWidth()) }
+                val explanation = signal.definition?.let { "Formula: $it" } ?: signal.name
+                Tip(explanation, Modifier.weight(1f)) { Title(title, isDrawn = place != null, Modifier.fillMaxWidth()) }
             } else {
                 Title(title, isDrawn = place != null, Modifier.weight(1f))
             }
@@ -118,5 +121,6 @@ private fun menuOf(viewer: Viewer, row: SignalRow): List<ContextMenuItem> {
         ContextMenuItem(if (row.signal.name in viewer.topicList.chosen) "Choose no longer" else "Choose") {
             viewer.topicList = viewer.topicList.toggled(row.signal.name)
         },
-    )
+        ContextMenuItem("New formula with $these…") { writeFormula(viewer, names) },
+    ) + row.signal.definition?.let { formulaMenu(viewer, it) }.orEmpty()
 }

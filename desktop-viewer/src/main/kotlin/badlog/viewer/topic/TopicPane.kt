@@ -4,6 +4,7 @@ import androidx.compose.foundation.VerticalScrollbar
 import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxHeight
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
@@ -22,9 +23,14 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import badlog.viewer.app.Viewer
 import badlog.viewer.compare.drawnRecordings
+import badlog.viewer.formula.NEW_FORMULA
+import badlog.viewer.formula.UnmadeFormulas
+import badlog.viewer.formula.writeFormula
 import badlog.viewer.recording.OpenRecording
+import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.SearchField
+import badlog.viewer.theme.ToolButton
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
 
@@ -33,15 +39,19 @@ import kotlinx.coroutines.withContext
 internal fun TopicPane(viewer: Viewer, modifier: Modifier = Modifier) {
     Column(modifier.background(LocalPalette.current.surface)) {
         val list = viewer.topicList
-        SearchField(list.query, "Search topics", Modifier.fillMaxWidth().padding(8.dp)) {
-            viewer.topicList = viewer.topicList.copy(query = it)
-        }
         val open = viewer.open
+        Row(Modifier.fillMaxWidth().padding(start = 8.dp, end = 4.dp), verticalAlignment = Alignment.CenterVertically) {
+            SearchField(list.query, "Search topics", Modifier.weight(1f).padding(vertical = 8.dp)) {
+                viewer.topicList = viewer.topicList.copy(query = it)
+            }
+            ToolButton("New formula… (${NEW_FORMULA.text})", Icons.Formula, isEnabled = open != null) { writeFormula(viewer) }
+        }
         when {
             open == null -> Hint("Open a log to see its topics.")
             open.signals.isEmpty() -> Hint("This log has no topics with samples.")
             else -> Rows(viewer, open, Modifier.weight(1f))
         }
+        if (open != null) UnmadeFormulas(viewer, open)
         if (list.chosen.isNotEmpty()) ChosenTopics(viewer)
     }
 }

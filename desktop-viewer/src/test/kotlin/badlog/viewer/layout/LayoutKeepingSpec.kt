@@ -83,6 +83,25 @@ class LayoutKeepingSpec : FunSpec({
         started(home, home, whole) { it.graphs.graphs.single().lines shouldHaveSize 2 }
     }
 
+    test("formulas belong to the folder, and those of a layout join them") {
+        val home = tempdir().toPath()
+        val folder = Files.createDirectories(home.resolve("logs"))
+        val one = recordingOf(armBag(500), folder.resolve("one.bag"))
+        val formula = "Arm/Twice = 2 * Arm/Angle"
+        started(home, folder, one) {
+            it.formulas = listOf(formula)
+            it.graphs = GraphList().withGraph(listOf("Arm/Twice"))
+        }
+        started(home, folder, one.withFormulas(listOf(formula))) { viewer ->
+            viewer.formulas shouldBe listOf(formula)
+            viewer.graphs.graphs.single().lines.single().signal shouldBe "Arm/Twice"
+            applyLayout(viewer, Layout(Layout.VERSION, formulas = listOf("B = 1", "Arm/Twice = 3 * Arm/Angle")))
+            viewer.formulas shouldBe listOf("B = 1", "Arm/Twice = 3 * Arm/Angle")
+            viewer.open?.signal("B")?.definition shouldBe "B = 1"
+        }
+        started(home, home.resolve("elsewhere"), one) { it.formulas shouldBe emptyList() }
+    }
+
     test("a damaged memory is as none") {
         val home = tempdir().toPath()
         val one = recordingOf(armBag(50), home.resolve("one.bag"))

@@ -47,6 +47,23 @@ class RecordingFollowingSpec : FunSpec({
         viewer.open shouldBe shown
     }
 
+    test("formulas are calculated anew when a log has grown") {
+        val home = tempdir().toPath()
+        val file = home.resolve("growing.bag")
+        fun bag(rows: Int) = bagOf(listOf("Time|xaxis", "A/Voltage"), List(rows) { "$it,$it" })
+        Files.writeString(file, bag(3))
+        val scope = CoroutineScope(Dispatchers.Main + Job())
+        val viewer = Viewer(scope, UserFolders(home, home)).apply { formulas = listOf("Twice = 2 * A/Voltage") }
+        try {
+            withContext(Dispatchers.Main) { viewer.loading.open(file) }
+            eventually(20.seconds) { viewer.open?.signal("Twice")?.series?.y?.last() shouldBe 4.0 }
+            Files.writeString(file, bag(6))
+            eventually(20.seconds) { viewer.open?.signal("Twice")?.series?.y?.last() shouldBe 10.0 }
+        } finally {
+            scope.cancel()
+        }
+    }
+
     test("a WPILOG that grows is followed, and the half of its last record is no problem while it does") {
         val home = tempdir().toPath()
         val whole = wpilogOf(listOf(loggedTopic("Gain", *List(100) { it * 1.0 to it * 2.0 }.toTypedArray())))

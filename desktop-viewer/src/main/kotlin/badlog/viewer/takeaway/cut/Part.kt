@@ -22,7 +22,7 @@ internal class Part(val recording: Recording, val rows: IntRange, val remark: St
  */
 internal fun partOf(recording: OpenRecording, span: Span): Part {
     val whole = recording.view.recording
-    if (whole.topics.none { it.times != null }) return Part(whole, rowsWithin(recording, span))
+    if (recording.logged.recording.topics.none { it.times != null }) return rowsOf(recording, whole, span)
     val range = recording.view.xAxis.range ?: return Part(whole, IntRange.EMPTY)
     val from = maxOf(span.from, range.start)
     val to = minOf(span.to, range.endInclusive)
@@ -38,6 +38,17 @@ internal fun partOf(recording: OpenRecording, span: Span): Part {
     }
     val times = DoubleArray(periodic) { from + it * period }
     return Part(resampled(whole, times), times.indices, ", one every ${(period * 1000).toInt()} ms$HELD")
+}
+
+/** Its rows, with a column for each formula that has a value in each row. */
+private fun rowsOf(recording: OpenRecording, whole: Recording, span: Span): Part {
+    val rows = rowsWithin(recording, span)
+    val (columns, others) = whole.topics.partition { topic ->
+        recording.signal(topic.name)?.definition == null || topic.times == null && topic.samples.size == whole.rowCount
+    }
+    if (others.isEmpty()) return Part(whole, rows)
+    val part = Recording(whole.format, whole.headerLine, whole.values, columns, whole.rowCount, whole.problems)
+    return Part(part, rows, ", without ${others.joinToString { "“${it.name}”" }}, which has no value in each of them")
 }
 
 private fun countWithin(topic: Topic, from: Double, to: Double) = topic.times?.count { it in from..to } ?: 0

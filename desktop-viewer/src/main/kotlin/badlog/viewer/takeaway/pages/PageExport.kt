@@ -36,16 +36,17 @@ internal fun pageJobs(logs: List<Path>, folder: Path): List<PageJob> {
 /**
  * Makes the pages of [jobs]; one that fails does not keep the others from being made. Interrupting the thread gives up.
  *
+ * @param additions what each shows besides.
  * @param progress hears how much of all is done, from 0 to 1.
  */
-internal fun makePages(jobs: List<PageJob>, progress: (Float) -> Unit = {}): PagesMade {
+internal fun makePages(jobs: List<PageJob>, additions: Additions, progress: (Float) -> Unit = {}): PagesMade {
     val exporter = HtmlExporter()
     val made = ArrayList<Path>()
     val failures = ArrayList<String>()
     jobs.forEachIndexed { i, job ->
         if (Thread.interrupted()) throw InterruptedException()
         try {
-            exporter.export(job.log, job.page) { done, total ->
+            exporter.export(job.log, job.page, additions.of(job.log)) { done, total ->
                 val share = if (total > 0) done.toFloat() / total else 0f
                 progress((i + share.coerceAtMost(1f)) / jobs.size)
             }

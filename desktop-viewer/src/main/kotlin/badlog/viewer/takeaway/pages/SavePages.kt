@@ -3,6 +3,7 @@ package badlog.viewer.takeaway.pages
 import badlog.file.FolderScan
 import badlog.file.reading
 import badlog.viewer.app.Viewer
+import badlog.viewer.compare.drawnRecordings
 import badlog.viewer.files.askToWrite
 import badlog.viewer.files.sayNoLog
 import badlog.viewer.library.index.Content
@@ -33,7 +34,9 @@ internal fun savePagesOfFolder(viewer: Viewer) {
 }
 
 private fun makePages(viewer: Viewer, title: String, jobs: () -> List<PageJob>) {
-    viewer.tasks.run(title, { progress -> makePages(jobs(), progress) }) { tell(viewer, it) }
+    val known = viewer.drawnRecordings().map { it.recording }
+    val additions = Additions(known, viewer.formulas, viewer.library.folder)
+    viewer.tasks.run(title, { progress -> makePages(jobs(), additions, progress) }) { tell(viewer, it) }
 }
 
 private fun tell(viewer: Viewer, pages: PagesMade) {

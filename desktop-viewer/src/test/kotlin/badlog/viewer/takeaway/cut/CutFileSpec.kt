@@ -57,6 +57,19 @@ class CutFileSpec : FunSpec({
         shouldThrow<IOException> { cutFile(open, Span(5.0, 6.0), RecordingFormat.BAG, target) }.message shouldContain "no samples"
     }
 
+    test("formulas are columns of a part; one without a value in each row is left out, which is said") {
+        val target = folder.resolve("formula part.bag")
+        val open = whole.withFormulas(listOf("Twice [deg] = 2 * Arm/Angle", "Most = max(Arm/Angle)", "Is Far = Arm/Angle > 10"))
+        cutFile(open, Span(0.2, 0.4), RecordingFormat.BAG, target) shouldBe
+            "Wrote 11 rows to $target, without “Most”, which has no value in each of them."
+        val part = readRecording(target)
+        part.problems.filter { it.severity != Severity.NOTE }.shouldBeEmpty()
+        part.topics.map { it.name } shouldContainExactly listOf("Time", "Arm/Angle", "Arm/Current", "Arm/Mode", "Twice", "Is Far")
+        part.topics.single { it.name == "Twice" }.samples.toList() shouldBe List(11) { (it + 10) * 2.0 }
+        part.topics.single { it.name == "Twice" }.unit shouldBe "deg"
+        part.topics.single { it.name == "Is Far" }.samples.toList() shouldBe List(11) { if (it == 0) 0.0 else 1.0 }
+    }
+
     test("a CSV file of a part begins with the titles") {
         val target = folder.resolve("part.csv")
         cutFile(whole, Span(0.02, 0.04), RecordingFormat.CSV, target)

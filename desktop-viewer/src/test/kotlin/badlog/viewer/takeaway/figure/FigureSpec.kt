@@ -43,6 +43,13 @@ class FigureSpec : FunSpec({
         texts shouldContainAll listOf("Match 8", "Arm/Angle", "deg", "Arm/Current", "A", "Time (s)", "hold", "move")
     }
 
+    test("a formula is drawn as any other line") {
+        val open = arm.withFormulas(listOf("Arm/Power [W] = Arm/Current * 12"))
+        val frame = build(listOf(GraphSpec(1, "Arm/Power", listOf(LineSpec("Arm/Power")))), open.span, open).frames.single()
+        frame.yTitle shouldBe "W"
+        frame.lines.single().pieces.single().x.size shouldBe 500
+    }
+
     test("each unit of a graph has a frame of its own, and so have its states") {
         val frames = build(listOf(joint), arm.span, arm).frames
         frames.map { it.yTitle } shouldBe listOf("deg", "A", "")

@@ -1,5 +1,7 @@
 package badlog.viewer.takeaway.pages
 
+import badlog.viewer.findings.ruleText
+import badlog.viewer.findings.writeRules
 import badlog.viewer.takeaway.armBag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
@@ -17,13 +19,29 @@ class PageExportSpec : FunSpec({
         for (log in logs) Files.writeString(log, armBag(20))
         Files.write(logs[1], byteArrayOf(0x50, 0x4b, 3, 4, 0, 0, 0, 0))
         val shares = ArrayList<Float>()
-        val pages = makePages(pageJobs(logs, folder.resolve("pages"))) { shares += it }
+        val pages = makePages(pageJobs(logs, folder.resolve("pages")), Additions(emptyList(), emptyList(), folder)) { shares += it }
         pages.made.map { it.fileName.toString() } shouldContainExactly listOf("a.bag.html", "b.bag.html")
         Files.readString(pages.made[0]).lowercase() shouldStartWith "<!doctype html>"
         pages.failures shouldHaveSize 1
         pages.failures.single() shouldContain "broken.bag"
         shares shouldBe shares.sorted()
         shares.last() shouldBe 1f
+    }
+
+    test("pages carry the formulas that make a topic there, and the findings of the folder's rules") {
+        val folder = tempdir().toPath()
+        val log = Files.writeString(folder.resolve("a.bag"), armBag(100))
+        writeRules(folder, ruleText("Far", "Arm/Angle > 40", "error", "The arm went to {value}."))
+        val formulas = listOf("Twice = 2 * Arm/Angle", "Gone = Wrist/Angle / 2")
+        val additions = Additions(emptyList(), formulas, folder).of(log)
+        additions.virtualTopics shouldContainExactly listOf("Twice = 2 * Arm/Angle")
+        val finding = additions.findings.single()
+        finding.source shouldBe "Far"
+        finding.text shouldBe "The arm went to 49 deg."
+        (finding.until > finding.time) shouldBe true
+        val page = makePages(pageJobs(listOf(log), folder), Additions(emptyList(), formulas, folder)).made.single()
+        Files.readString(page) shouldContain "The arm went to 49 deg."
+        Additions(emptyList(), formulas, folder).of(folder.resolve("gone.bag")).isEmpty shouldBe true
     }
 
     test("logs of the same name in different folders get pages of different names") {

@@ -1,0 +1,63 @@
+package badlog.viewer.findings
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.border
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.derivedStateOf
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.remember
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.layout.layout
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import badlog.viewer.graph.GraphScene
+import badlog.viewer.graph.pixelOf
+import badlog.viewer.theme.LocalPalette
+
+/** The text of the finding under the pointer, or else of the one at which the cursor was placed, above its mark. */
+@Composable
+internal fun FindingLabel(scene: GraphScene, modifier: Modifier) {
+    val viewer = scene.viewer
+    val told by remember(viewer) {
+        derivedStateOf { viewer.findings.pointed ?: viewer.findings.chosen?.takeIf { viewer.isCursorPinned && viewer.cursor == it.time } }
+    }
+    val finding = told ?: return
+    val palette = LocalPalette.current
+    Box(modifier.fillMaxWidth().padding(start = GraphScene.LEFT_GUTTER, end = scene.rightGutter, bottom = 2.dp)) {
+        Column(
+            Modifier
+                .layout { measurable, constraints ->
+                    val most = minOf(constraints.maxWidth, WIDEST.dp.roundToPx())
+                    val label = measurable.measure(constraints.copy(minWidth = 0, maxWidth = most))
+                    layout(constraints.maxWidth, label.height) {
+                        val x = pixelOf(finding.time, viewer.viewport.visible, constraints.maxWidth.toFloat()).toInt()
+                        label.place((x - label.width / 2).coerceIn(0, constraints.maxWidth - label.width), 0)
+                    }
+                }
+                .border(1.dp, palette.findingColor(finding.severity), RoundedCornerShape(4.dp))
+                .background(palette.raised, RoundedCornerShape(4.dp))
+                .padding(horizontal = 8.dp, vertical = 3.dp),
+        ) {
+            Text(
+                "${finding.severity.word}: ${finding.rule}",
+                color = palette.findingColor(finding.severity),
+                fontSize = 12.sp,
+                fontWeight = FontWeight.SemiBold,
+                maxLines = 1,
+                overflow = TextOverflow.Ellipsis,
+            )
+            Text(finding.text.take(MOST_LETTERS), fontSize = 12.sp, maxLines = 4, overflow = TextOverflow.Ellipsis)
+        }
+    }
+}
+
+private const val WIDEST = 420
+private const val MOST_LETTERS = 600

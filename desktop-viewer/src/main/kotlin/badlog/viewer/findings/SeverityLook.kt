@@ -1,0 +1,22 @@
+package badlog.viewer.findings
+
+import androidx.compose.ui.graphics.Color
+import badlog.recording.Severity
+import badlog.viewer.theme.Palette
+
+/** What the window calls a finding that is so bad. */
+internal val Severity.word: String get() = name.lowercase()
+
+/** The colour of a finding's mark. */
+internal fun Palette.findingColor(severity: Severity): Color = when (severity) {
+    Severity.ERROR -> error
+    Severity.WARNING -> warning
+    Severity.NOTE -> muted
+}
+
+/** The colour behind a finding's word. */
+internal fun Palette.findingSoft(severity: Severity): Color = when (severity) {
+    Severity.ERROR -> errorSoft
+    Severity.WARNING -> warningSoft
+    Severity.NOTE -> raised
+}

@@ -1,0 +1,116 @@
+package badlog.viewer.formula
+
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.test.DesktopComposeUiTest
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.onAllNodesWithContentDescription
+import androidx.compose.ui.test.onAllNodesWithText
+import androidx.compose.ui.test.onNodeWithContentDescription
+import androidx.compose.ui.test.onNodeWithText
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performKeyInput
+import androidx.compose.ui.test.performTextInput
+import androidx.compose.ui.test.performTextReplacement
+import androidx.compose.ui.test.pressKey
+import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.viewer.app.Viewer
+import badlog.viewer.app.ViewerScreen
+import badlog.viewer.bagOf
+import badlog.viewer.compare.Comparison
+import badlog.viewer.graph.savePicture
+import badlog.viewer.graph.viewerOf
+import badlog.viewer.graph.waitForPictures
+import badlog.viewer.recordingOf
+import badlog.viewer.settings.Theme
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.nulls.shouldNotBeNull
+import io.kotest.matchers.shouldBe
+
+@OptIn(ExperimentalTestApi::class)
+class FormulaDialogSpec : FunSpec({
+    val topics = listOf("Time|xaxis", "System/Battery Voltage", "PDP/Total Current")
+    fun bag(volts: Int) = recordingOf(bagOf(topics, List(50) { "$it,$volts,${it % 7}" }), "volts-$volts.bag")
+
+    fun over(viewer: Viewer, width: Int = 1200, test: DesktopComposeUiTest.() -> Unit) = runDesktopComposeUiTest(width, 700) {
+        setContent {
+            ViewerScreen(viewer)
+            LaunchedEffect(Unit) { viewer.formulaKeeping.keep() }
+        }
+        waitForPictures(viewer)
+        test()
+    }
+
+    val field = "Definition of the formula"
+
+    test("a formula is written with suggested names, drawn, calculated in what is compared, changed, and removed") {
+        val viewer = viewerOf(bag(12))
+        val other = bag(6)
+        viewer.comparison = Comparison(ticked = listOf(other.file), loaded = mapOf(other.file to other))
+        over(viewer) {
+            onNodeWithContentDescription("New formula… (F)").performClick()
+            onNodeWithContentDescription(field).performTextInput("Power [W] = volt")
+            onNodeWithContentDescription("Insert System/Battery Voltage").assertExists()
+            onNodeWithContentDescription(field).performKeyInput { pressKey(Key.Tab) }
+            onNodeWithText("Power [W] = System/Battery Voltage").assertExists()
+            onNodeWithContentDescription(field).performTextInput(" * cur")
+            onNodeWithText("There is no topic “cur”", substring = true).assertExists()
+            savePicture("formula-error")
+            onNodeWithContentDescription(field).performKeyInput { pressKey(Key.DirectionDown) }
+            onNodeWithContentDescription(field).performKeyInput { pressKey(Key.Enter) }
+            onNodeWithText("Makes the topic “Power”.").assertExists()
+            onNodeWithContentDescription(field).performKeyInput { pressKey(Key.Enter) }
+            waitUntil(timeoutMillis = 5000) { viewer.open?.signal("Power") != null }
+            waitUntil(timeoutMillis = 5000) { viewer.comparison.loaded.values.single().signal("Power") != null }
+            viewer.formulaSheet shouldBe null
+            viewer.graphs.graphs.last().lines.single().signal shouldBe "Power"
+            viewer.comparison.loaded.values.single().signal("Power").shouldNotBeNull().series.y[1] shouldBe 6.0
+            waitUntil(timeoutMillis = 5000) { onAllNodesWithContentDescription("Topic Power").fetchSemanticsNodes().isNotEmpty() }
+            waitForPictures(viewer)
+            savePicture("formula-drawn")
+
+            viewer.formulaSheet = FormulaSheet(viewer.formulas.single())
+            waitForIdle()
+            onNodeWithContentDescription(field).performTextReplacement("Half = System/Battery Voltage / 2")
+            onNodeWithContentDescription("Keep the formula (Enter)").performClick()
+            waitUntil(timeoutMillis = 5000) { viewer.open?.signal("Half") != null }
+            viewer.open?.signal("Power") shouldBe null
+            viewer.graphs.graphs.last().title shouldBe "Half"
+
+            val graphs = viewer.graphs.graphs.size
+            viewer.formulaSheet = FormulaSheet(viewer.formulas.single())
+            waitForIdle()
+            onNodeWithContentDescription("Remove this formula").performClick()
+            waitUntil(timeoutMillis = 5000) { viewer.open?.signal("Half") == null }
+            viewer.formulas shouldBe emptyList()
+            viewer.graphs.graphs.size shouldBe graphs - 1
+        }
+    }
+
+    test("one that makes no topic here says why in its line; a click changes it") {
+        val viewer = viewerOf(bag(12).withFormulas(listOf("A = Arm/Angle * 2")))
+        viewer.formulas = listOf("A = Arm/Angle * 2")
+        viewer.settings = viewer.settings.copy(theme = Theme.DARK)
+        over(viewer) {
+            onNodeWithText("There is no topic “Arm/Angle”", substring = true).assertExists()
+            viewer.notices.all shouldBe emptyList()
+            onNodeWithContentDescription("Formula without a topic: A = Arm/Angle * 2").performClick()
+            onNodeWithText("Change the formula").assertExists()
+            savePicture("formula-unmade-dark")
+            onNodeWithContentDescription(field).performKeyInput { pressKey(Key.Escape) }
+            runOnIdle { viewer.formulaSheet shouldBe null }
+        }
+    }
+
+    test("the sheet fits a narrow window") {
+        val viewer = viewerOf(bag(12))
+        over(viewer, width = 420) {
+            writeFormula(viewer, listOf("PDP/Total Current"))
+            waitForIdle()
+            onAllNodesWithText(" = PDP/Total Current").fetchSemanticsNodes().size shouldBe 1
+            onNodeWithContentDescription(field).performTextInput("Current/Doubled [A]")
+            onNodeWithText("Makes the topic “Current/Doubled”.").assertExists()
+            savePicture("formula-narrow")
+        }
+    }
+})

@@ -1,0 +1,50 @@
+package badlog.viewer.window
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.nulls.shouldNotBeNull
+import io.kotest.matchers.shouldBe
+import java.awt.event.KeyEvent
+import java.nio.file.Path
+import kotlin.math.abs
+
+class FindingsWindowSpec : FunSpec({
+    test("a match says by itself that it browned out, and a formula over it stays").config(enabledOrReasonIf = { needsDisplay }) {
+        val home = tempdir().toPath()
+        val match = Path.of("../samples/qualification-42.bag")
+        RealWindow(home, match).use { window ->
+            window.awaitState("the match") { it.open != null }
+            window.awaitGraphs()
+            window.awaitState("its findings") { viewer -> viewer.findings.list?.all?.any { it.rule == "Browned out" } == true }
+            window.press(KeyEvent.VK_5, KeyEvent.VK_CONTROL)
+            window.awaitText("Finding, error: Browned out")
+            window.press(KeyEvent.VK_N)
+            window.awaitState("the first finding") { it.findings.chosen != null && it.cursor == it.findings.list?.placed?.first()?.time }
+            window.press(KeyEvent.VK_N)
+            window.press(KeyEvent.VK_N, KeyEvent.VK_SHIFT)
+            window.click("Finding, error: Browned out")
+            window.awaitState("the brownout") { viewer -> viewer.cursor?.let { abs(it - 93.7096) < 1e-3 } == true }
+            repeat(6) { window.press(KeyEvent.VK_EQUALS) }
+            window.awaitText("error: Browned out")
+            window.awaitGraphs()
+            window.picture("findings")
+
+            window.click("Plot Arm/Angle")
+            window.press(KeyEvent.VK_F)
+            window.awaitText("Formula sheet")
+            window.type("twice = battery vol")
+            window.awaitText("Insert System/Battery Voltage")
+            window.press(KeyEvent.VK_TAB)
+            window.press(KeyEvent.VK_ENTER)
+            window.awaitState("the formula") { it.open?.signal("twice") != null && it.formulaSheet == null }
+            window.awaitText("Plot twice")
+            window.awaitGraphs()
+            window.picture("formula")
+        }
+        RealWindow(home, match).use { window ->
+            window.awaitState("the formula of last time") { it.open?.signal("twice") != null }
+            window.look { viewer -> viewer.graphs.graphs.last().lines.single().signal } shouldBe "twice"
+            window.look { it.open }.shouldNotBeNull().formulas.single().error shouldBe null
+        }
+    }
+})
