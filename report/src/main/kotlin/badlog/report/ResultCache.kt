@@ -93,7 +93,7 @@ internal class ResultCache<R : Any>(private val folder: Path, question: String, 
 
     private companion object {
         /** To be raised when the same file and question may come to something else than before. */
-        const val VERSION = 2
+        const val VERSION = 3
         const val PREFIX = "report-"
         const val SUFFIX = ".cache"
         const val DIGEST = 32

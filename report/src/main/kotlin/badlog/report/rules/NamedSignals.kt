@@ -11,17 +11,22 @@ internal class NamedSignal(val name: String, val signal: Signal, val scale: Doub
     val listed = Signal(name, signal.kind, unit)
 }
 
-/** The signals of a log, and some of them under further names. */
+/**
+ * The signals of a log, and some of them under further names.
+ *
+ * @param clock gives the samples of [CLOCK], if that is among [named].
+ */
 internal class NamedSignals(
     private val log: Signals,
     private val named: Map<String, NamedSignal>,
     override val vocabulary: Vocabulary,
+    private val clock: () -> Series,
 ) : Signals by log {
     private val scaled = HashMap<String, Series>()
 
     override fun series(name: String): Series {
         val named = named[name] ?: return log.series(name)
-        val series = log.series(named.signal.name)
+        val series = if (named.signal === CLOCK) clock() else log.series(named.signal.name)
         if (named.scale == 1.0) return series
         return scaled.getOrPut(name) { Series(series.x, DoubleArray(series.size) { series.y[it] * named.scale }) }
     }

@@ -10,8 +10,14 @@ import badlog.expression.Vocabulary
  * Rules made ready for all logs with the same vocabulary. Safe for several threads.
  *
  * @param timeTopic the topic of the x axis, or null.
+ * @param hasClock whether x is time, though no topic tells it.
  */
-internal class RuleProgram(rules: RuleSet, private val vocabulary: Vocabulary, private val timeTopic: String?) {
+internal class RuleProgram(
+    rules: RuleSet,
+    private val vocabulary: Vocabulary,
+    private val timeTopic: String?,
+    private val hasClock: Boolean,
+) {
     /** An expression to evaluate, with the signals it names. */
     class Question(val expression: Expression, val named: Map<String, NamedSignal>, val topic: String?)
 
@@ -29,7 +35,8 @@ internal class RuleProgram(rules: RuleSet, private val vocabulary: Vocabulary, p
 
     init {
         val found = LinkedHashMap<String, NamedSignal>()
-        vocabulary.signals.find { it.name == timeTopic }?.let { found[TIME] = NamedSignal(TIME, it, 1.0, it.unit) }
+        val time = vocabulary.signals.find { it.name == timeTopic } ?: CLOCK
+        found[TIME] = NamedSignal(TIME, time, 1.0, time.unit)
         missing = rules.aliases.filter { alias ->
             val signal = alias.find(vocabulary.signals)
             if (signal != null) found[alias.name] = signal
@@ -73,9 +80,13 @@ internal class RuleProgram(rules: RuleSet, private val vocabulary: Vocabulary, p
         when (val parsed = Expression.parse(rule.condition, vocabulary)) {
             is ExpressionError -> refusal(rule, parsed, each != null)
             is Expression -> {
-                val topic = parsed.topics.firstOrNull()?.let { named[it]?.signal?.name ?: it }
-                if (parsed.type.isCondition) Question(parsed, named, topic)
-                else Refusal(NO_CONDITION, rule.place.pointed("This is a number; compare it, as in x < 7."))
+                val signals = parsed.topics.map { name -> named[name]?.signal to name }
+                val topic = signals.firstOrNull()?.takeIf { it.first !== CLOCK }?.let { (signal, name) -> signal?.name ?: name }
+                when {
+                    !hasClock && signals.any { it.first === CLOCK } -> Refusal("the log has no x axis")
+                    parsed.type.isCondition -> Question(parsed, named, topic)
+                    else -> Refusal(NO_CONDITION, rule.place.pointed("This is a number; compare it, as in x < 7."))
+                }
             }
         }
 
@@ -92,7 +103,6 @@ internal class RuleProgram(rules: RuleSet, private val vocabulary: Vocabulary, p
     }
 
     private fun whyMissing(name: String, message: String): String {
-        if (name == TIME) return "the log has no x axis"
         val alias = missing.find { name == it.name || name.startsWith("${it.name} ") } ?: return message.trimEnd('.')
         val unit = if (alias.unit == null) "" else " in ${alias.unit}"
         val others = if (alias.names.size > 1) " or so" else ""

@@ -12,20 +12,22 @@ import badlog.report.timeText
 
 /** Runs [rules] over one log after another. Safe for several threads. */
 internal class RuleRunner(private val rules: RuleSet) {
-    private data class Key(val vocabulary: Vocabulary, val timeTopic: String?)
+    private data class Key(val vocabulary: Vocabulary, val timeTopic: String?, val hasClock: Boolean)
 
-    private val programs = Remembered<Key, RuleProgram>(MOST_PROGRAMS) { RuleProgram(rules, it.vocabulary, it.timeTopic) }
+    private val programs = Remembered<Key, RuleProgram>(MOST_PROGRAMS) { RuleProgram(rules, it.vocabulary, it.timeTopic, it.hasClock) }
 
     /** Tells [found] what holds in [view], called [match] in [file], and [asked] of each rule, with the reason
      * where it could not be. */
     fun run(view: LogView, match: String, file: String, found: (Finding) -> Unit, asked: (Rule, RuleProgram.Refusal?) -> Unit) {
         val log = LogViewSignals(view)
         val type = matchType(view.recording.values)
-        for (step in programs[Key(log.vocabulary, view.xAxis.topic?.name)].steps) {
+        val clock by lazy { clockOf(view.xAxis) }
+        val hasClock = view.xAxis.topic == null && !view.xAxis.isIndex
+        for (step in programs[Key(log.vocabulary, view.xAxis.topic?.name, hasClock)].steps) {
             if (!step.rule.isFor(type)) continue
             asked(step.rule, step.refusal)
             for (question in step.questions) {
-                val signals = NamedSignals(log, question.named, question.expression.vocabulary)
+                val signals = NamedSignals(log, question.named, question.expression.vocabulary) { clock }
                 val answer = question.expression.answer(signals)
                 if (answer.matches) found(finding(step.rule, question, answer, signals, match, file))
             }
