@@ -2,6 +2,7 @@ package badlog.cli.convert
 
 import badlog.cli.SubCommand
 import badlog.cli.Task
+import badlog.cli.analysis.VirtualTopicOption
 import badlog.cli.output.LogFormat
 import badlog.cli.output.OutputOptions
 import com.github.ajalt.clikt.core.UsageError
@@ -33,6 +34,7 @@ internal class ConvertCommand : SubCommand(
         .help("Make the rows of a WPILOG at this topic's times.")
     private val isChangesOnly by option("--changes-only")
         .flag().help("Leave out of a WPILOG what repeats the sample before.")
+    private val virtual by VirtualTopicOption()
 
     override fun makeTask(): Task {
         val format = to ?: output.outPath?.let(LogFormat::ofName)
@@ -43,6 +45,7 @@ internal class ConvertCommand : SubCommand(
         }
         if (!format.hasRows && xTopic != null) throw UsageError("--x belongs to --to bag and --to csv; a WPILOG's x is time")
         if (format.hasRows && isChangesOnly) throw UsageError("--changes-only belongs to --to wpilog; rows have all topics in each")
-        return ConvertTask(paths, format, output.plan(paths), isGzip, xTopic, Rows(period, rowsAt), isChangesOnly, isJson)
+        val rows = Rows(period, rowsAt)
+        return ConvertTask(paths, format, output.plan(paths), isGzip, xTopic, virtual.definitions, rows, isChangesOnly, isJson)
     }
 }

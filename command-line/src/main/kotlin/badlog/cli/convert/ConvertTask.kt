@@ -1,5 +1,6 @@
 package badlog.cli.convert
 
+import badlog.analysis.LogView
 import badlog.analysis.resampled
 import badlog.cli.Console
 import badlog.cli.ExitCode
@@ -7,6 +8,7 @@ import badlog.cli.Failure
 import badlog.cli.LogLoop
 import badlog.cli.Outcome
 import badlog.cli.Task
+import badlog.cli.analysis.undefinedLines
 import badlog.cli.input.LogInput
 import badlog.cli.input.readLog
 import badlog.cli.input.withX
@@ -21,6 +23,7 @@ import badlog.cli.text.counted
 import badlog.cli.text.json
 import badlog.cli.text.lossLines
 import badlog.cli.text.wrapped
+import badlog.expression.withVirtualTopics
 import badlog.html.ExportProgress
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
@@ -32,6 +35,7 @@ import kotlinx.serialization.json.JsonPrimitive
  *
  * @param isGzip whether results are compressed though their logs were not.
  * @param xTopic the topic to make the x axis, or null.
+ * @param virtualTopics definitions of topics to add.
  * @param rows at which times a log without rows gets them, where the format needs them.
  * @param isChangesOnly whether samples are left out that are the same as those before them.
  */
@@ -41,6 +45,7 @@ internal class ConvertTask(
     private val plan: OutputPlan,
     private val isGzip: Boolean,
     private val xTopic: String?,
+    private val virtualTopics: List<String>,
     private val rows: Rows,
     private val isChangesOnly: Boolean,
     private val isJson: Boolean,
@@ -54,7 +59,9 @@ internal class ConvertTask(
         if (read.topics.isEmpty()) {
             throw Failure("${input.file}: nothing can be converted. ${read.problems.firstOrNull()?.message.orEmpty()}".trim())
         }
-        val fit = if (format.hasRows) withRows(read, input.file) else WithRows(read, LeftOut())
+        val with = LogView.of(read).withVirtualTopics(virtualTopics)
+        val all = with.view.recording
+        val fit = if (format.hasRows) withRows(all, input.file) else WithRows(all, LeftOut())
         val recording = fit.recording
         val name = FileName.of(input.file)
         val converted = name.with(format.ending, isGzip || name.isGzip)
@@ -65,20 +72,22 @@ internal class ConvertTask(
         } else {
             "${counted(recording.sampleCount, "sample")} of ${counted(recording.topics.size.toLong(), "topic")}"
         }
-        val text = listOf("${input.file} -> $target", wrapped("  ", count + leftOut.tail, INDENT)) + leftOut.lines + lossLines(recording.problems)
+        val text = listOf("${input.file} -> $target", wrapped("  ", count + leftOut.tail, INDENT)) + leftOut.lines + undefinedLines(with.errors) +
+            lossLines(recording.problems)
         val json = mapOf(
             "output" to JsonPrimitive(target.toString()),
             "format" to JsonPrimitive(format.option),
             "rows" to JsonPrimitive(recording.rowCount),
             "samples" to JsonPrimitive(recording.sampleCount),
             "leftOut" to json(leftOut.all),
+            "undefined" to json(with.errors.map { it.message }),
         )
         return Outcome(recording.isSalvaged, text.joinToString("\n"), json)
     }
 
     private fun write(file: Path, recording: Recording, target: Path, progress: ExportProgress): LeftOut {
         val lostBytes = Losses(recording).bytesAtEnd
-        val staysAsItIs = recording.format == RecordingFormat.WPILOG && !format.hasRows && !isChangesOnly
+        val staysAsItIs = recording.format == RecordingFormat.WPILOG && !format.hasRows && !isChangesOnly && virtualTopics.isEmpty()
         if (!staysAsItIs || lostBytes == null) {
             return writeLog(recording, format, target, changesOnly = isChangesOnly, progress = progress)
         }
@@ -90,9 +99,20 @@ internal class ConvertTask(
     private fun withRows(read: Recording, file: Path): WithRows {
         val hasRows = read.format != RecordingFormat.WPILOG
         val times = if (hasRows) null else rows.timesIn(read, file)
-        val recording = if (times == null) read else resampled(read, times)
-        val leftOut = if (times == null) LeftOut() else rowLosses(read, times)
+        val recording = if (times == null) withRowsOnly(read) else resampled(read, times)
+        val leftOut = if (times == null) {
+            LeftOut(listOfNotNull(LeftOut.thing(read.topics.size - recording.topics.size, "calculated topic")))
+        } else {
+            rowLosses(read, times)
+        }
         return WithRows(if (xTopic == null) recording else recording.withX(xTopic, file), leftOut)
+    }
+
+    /** Without calculated topics that have no value in each row. */
+    private fun withRowsOnly(read: Recording): Recording {
+        val columns = read.topics.filter { it.times == null && it.size == read.rowCount }
+        if (columns.size == read.topics.size) return read
+        return Recording(read.format, read.headerLine, read.values, columns, read.rowCount, read.problems)
     }
 
     private companion object {

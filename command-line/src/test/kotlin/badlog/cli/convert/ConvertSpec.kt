@@ -71,4 +71,30 @@ class ConvertSpec : FunSpec({
             readRecording(folder / "a.bag").topics[0].attributes shouldContainExactly listOf("xaxis")
         }
     }
+
+    test("topics that are calculated become columns, or entries") {
+        inFolder { folder ->
+            val log = folder.with("a.bag", BAG)
+            val ended = badlog("convert", log, "--to", "csv", "--topic", "Twice [m/s] = Speed * 2", "--topic", "Odd = Sped")
+            ended.code shouldBe ExitCode.WHOLE
+            ended.out shouldContain "There is no topic “Sped”"
+            val lines = (folder / "a.csv").readText().lines()
+            lines[0] shouldBe "Time,Speed,Enabled,Log,Twice"
+            lines.drop(1).take(4).map { it.substringAfterLast(',') } shouldBe listOf("3", "5", "7", "")
+            badlog("convert", log, "--to", "bag", "--out", folder / "b.bag", "--topic", "Twice [m/s] = Speed * 2").code shouldBe ExitCode.WHOLE
+            badlog("info", folder / "b.bag").out shouldContain Regex("Twice +m/s +numeric +4 ")
+            badlog("convert", folder / "b.bag", "--to", "wpilog", "--topic", "Fast = Twice > 6").code shouldBe ExitCode.WHOLE
+            badlog("info", folder / "b.wpilog").out shouldContain Regex("Fast +boolean ")
+            badlog("convert", folder / "b.wpilog", "--out", folder / "c.wpilog", "--topic", "Slow = not Fast").code shouldBe ExitCode.WHOLE
+            badlog("info", folder / "c.wpilog").out shouldContain Regex("Slow +boolean ")
+        }
+    }
+
+    test("a calculated topic without a value in each row is left out of rows, and told") {
+        inFolder { folder ->
+            val log = folder.with("a.bag", BAG.replace("0.02,2.5", ",2.5"))
+            badlog("convert", log, "--to", "csv", "--topic", "Twice = Speed * 2").out shouldContain "1 calculated topic"
+            (folder / "a.csv").readText().lines()[0] shouldBe "Time,Speed,Enabled,Log"
+        }
+    }
 })
