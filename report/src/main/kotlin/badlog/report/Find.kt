@@ -25,7 +25,12 @@ public class Find(
     private val parsed = Remembered<Vocabulary, ParsedExpression>(MOST_VOCABULARIES) { Expression.parse(question, it) }
 
     @Serializable
-    internal class Stored(val title: String?, val reply: Reply, val undefined: List<UndefinedTopic> = emptyList())
+    internal class Stored(
+        val title: String?,
+        val reply: Reply,
+        val undefined: List<UndefinedTopic> = emptyList(),
+        val isSalvaged: Boolean = false,
+    )
 
     /**
      * Asks each of [files], on all cores.
@@ -44,7 +49,7 @@ public class Find(
         val results = ArrayList<FindResult>(files.size)
         val known = cache?.let { ResultCache(it, "find\n${virtualTopics.joinToString("\n")}\n\n$question", Stored.serializer()) }
         runCached(files, known, ::ask) { file, stored ->
-            val result = FindResult(file, stored.title, stored.reply, stored.undefined)
+            val result = FindResult(file, stored.title, stored.reply, stored.undefined, stored.isSalvaged)
             results += result
             each(result)
             progress(results.size, files.size)
@@ -52,21 +57,17 @@ public class Find(
         return results
     }
 
-    private fun ask(file: LogFile): Found<Stored> = try {
-        ask(LogContent.of(file, virtualTopics))
-    } catch (_: OutOfMemoryError) {
-        ask(LogContent.tooLarge())
-    }
+    private fun ask(file: LogFile): Found<Stored> = LogContent.examined(file, virtualTopics, ::ask)
 
     private fun ask(content: LogContent): Found<Stored> = when (content) {
-        is LogContent.None -> Found(Stored(null, Reply.Unreadable(content.message)), content.isOfFile)
+        is LogContent.None -> Found(Stored(null, Reply.Unreadable(content.message, content.isNoLog)), content.isNoLog)
         is LogContent.Log -> {
             val signals = LogViewSignals(content.view)
             val reply = when (val expression = parsed[signals.vocabulary]) {
                 is ExpressionError -> notAsked(expression)
                 is Expression -> answered(expression.answer(signals))
             }
-            Found(Stored(content.view.title, reply, content.undefined), isLasting = true)
+            Found(Stored(content.view.title, reply, content.undefined, content.recording.isSalvaged), isLasting = true)
         }
     }
 
@@ -81,22 +82,5 @@ public class Find(
 
         fun notAsked(error: ExpressionError) =
             Reply.NotAsked(error.kind, error.text.substring(error.from, error.until), error.message, error.pointed())
-    }
-}
-
-/** Does [work] on those of [files] that [cache] does not know, and keeps there what lasts. */
-internal fun <R : Any> runCached(
-    files: List<LogFile>,
-    cache: ResultCache<R>?,
-    work: (LogFile) -> Found<R>,
-    each: (LogFile, R) -> Unit,
-) {
-    try {
-        FolderRun().forEach(files, { file -> cache?.get(file)?.let { Found(it, isLasting = false) } ?: work(file) }) { file, found ->
-            if (found.isLasting) cache?.set(file, found.result)
-            each(file, found.result)
-        }
-    } finally {
-        cache?.save()
     }
 }

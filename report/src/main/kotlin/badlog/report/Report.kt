@@ -34,6 +34,8 @@ public class Report(
         val findings: List<Finding>,
         val asked: List<Asked>,
         val unreadable: String?,
+        val isNoLog: Boolean = false,
+        val isSalvaged: Boolean = false,
         val undefined: List<UndefinedTopic> = emptyList(),
         @Transient val hooks: List<HookOutcome> = emptyList(),
     )
@@ -60,7 +62,9 @@ public class Report(
         val known = cache?.takeIf { hooks.isEmpty() }?.let { ResultCache(it, question, Stored.serializer()) }
         runCached(files, known, ::examine) { file, stored ->
             val failures = stored.hooks.mapNotNull { hook -> hook.failure?.let { HookFailure(hook.hook, it.message) } }
-            val log = LogReport(file, stored.title, stored.findings, stored.unreadable, stored.undefined, failures)
+            val log = LogReport(
+                file, stored.title, stored.findings, stored.unreadable, stored.isNoLog, stored.isSalvaged, stored.undefined, failures,
+            )
             logs += log
             for (rule in stored.asked) asked.getOrPut(rule.rule) { ArrayList() } += rule
             each(log, stored.hooks)
@@ -69,14 +73,10 @@ public class Report(
         return ReportResult(logs, rules.rules.mapNotNull { rule -> asked[rule.name]?.let { skipped(rule.name, it) } })
     }
 
-    private fun examine(file: LogFile): Found<Stored> = try {
-        examine(file, LogContent.of(file, virtualTopics))
-    } catch (_: OutOfMemoryError) {
-        examine(file, LogContent.tooLarge())
-    }
+    private fun examine(file: LogFile): Found<Stored> = LogContent.examined(file, virtualTopics) { examine(file, it) }
 
     private fun examine(file: LogFile, content: LogContent): Found<Stored> = when (content) {
-        is LogContent.None -> Found(Stored(null, emptyList(), emptyList(), content.message), content.isOfFile)
+        is LogContent.None -> Found(Stored(null, emptyList(), emptyList(), content.message, content.isNoLog), content.isNoLog)
         is LogContent.Log -> {
             val findings = ArrayList<Finding>()
             val asked = ArrayList<Asked>()
@@ -86,7 +86,10 @@ public class Report(
             }
             val outcomes = hooks.map { HookOutcome.of(it, content.recording) }
             for (outcome in outcomes) findings += findingsOf(outcome, content.view.xAxis.unit)
-            Found(Stored(content.view.title, findings, asked, null, content.undefined, outcomes), isLasting = true)
+            val isSalvaged = content.recording.isSalvaged
+            val stored =
+                Stored(content.view.title, findings, asked, null, isSalvaged = isSalvaged, undefined = content.undefined, hooks = outcomes)
+            Found(stored, isLasting = true)
         }
     }
 

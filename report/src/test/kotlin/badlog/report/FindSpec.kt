@@ -42,8 +42,11 @@ class FindSpec : FunSpec({
                 kind shouldBe ExpressionErrorKind.UNKNOWN_TOPIC
                 topic shouldBe "Battery Voltage"
             }
-            replies[2].shouldBeInstanceOf<Reply.Unreadable>()
-            replies[3].shouldBeInstanceOf<Reply.Unreadable>().message shouldContain "There is no file"
+            replies[2].shouldBeInstanceOf<Reply.Unreadable>().isNoLog shouldBe true
+            replies[3].shouldBeInstanceOf<Reply.Unreadable>().run {
+                message shouldContain "There is no file"
+                isNoLog shouldBe false
+            }
         }
     }
 
@@ -117,6 +120,36 @@ class FindSpec : FunSpec({
             folder.put("1.bag", batteryBag(6.0))
             val text = findText(Find("max(Battery Voltage)", listOf("Double = Batery Voltage * 2")).over(logsIn(folder)))
             text shouldContain "Double = Batery Voltage * 2\n         ^^^^^^"
+        }
+    }
+
+    test("a log that lost something is told, also by the cache") {
+        inFolder { folder ->
+            folder.put("logs/1.bag", batteryBag(6.0))
+            folder.put("logs/2.bag", batteryBag(6.0) + "0.1,\n0.2,12,3\n")
+            repeat(2) {
+                Find("min(Battery Voltage) < 7", cache = folder.resolve("cache")).over(logsIn(folder.resolve("logs")))
+                    .map { it.isSalvaged } shouldContainExactly listOf(false, true)
+            }
+        }
+    }
+
+    test("what was found is kept when the listener throws, however it does") {
+        for (failure in listOf(IllegalStateException(), InterruptedException())) {
+            inFolder { folder ->
+                for (i in 1..3) folder.put("logs/$i.bag", batteryBag(6.0))
+                val files = logsIn(folder.resolve("logs"))
+                fun find() = Find("min(Battery Voltage) < 7", cache = folder.resolve("cache"))
+                shouldThrow<Exception> {
+                    find().over(files) {
+                        Thread.currentThread().interrupt()
+                        throw failure
+                    }
+                }
+                Thread.interrupted() shouldBe true
+                spoil(files[0].path)
+                find().over(files)[0].reply.shouldBeInstanceOf<Reply.Answered>()
+            }
         }
     }
 

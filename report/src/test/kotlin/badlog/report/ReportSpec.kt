@@ -12,6 +12,7 @@ import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.ints.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldEndWith
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
@@ -90,6 +91,27 @@ class ReportSpec : FunSpec({
                 skipped.single().isMistake shouldBe false
                 skipped.single().logs shouldBe 3
                 logs.sumOf { it.findings.size } shouldBe 1
+            }
+        }
+    }
+
+    test("a topic that may be misspelt is told in a sentence that ends once") {
+        inFolder { folder ->
+            folder.put("1.bag", batteryBag(6.0))
+            Report(rules("Batery Voltage < 7")).over(logsIn(folder)).skipped.single().toString() shouldEndWith
+                "did you mean “System/Battery Voltage”?"
+        }
+    }
+
+    test("a log that lost something is told, also by the cache, and what is no log as such") {
+        inFolder { folder ->
+            folder.put("logs/1.bag", batteryBag(6.0))
+            folder.put("logs/2.bag", batteryBag(6.0) + "0.1,\n0.2,12,3\n")
+            folder.put("logs/3.csv", "just some words\nand more of them\n")
+            repeat(2) {
+                val logs = Report(cache = folder.resolve("cache")).over(logsIn(folder.resolve("logs"))).logs
+                logs.map { it.isSalvaged } shouldContainExactly listOf(false, true, false)
+                logs.map { it.isNoLog } shouldContainExactly listOf(false, false, true)
             }
         }
     }
