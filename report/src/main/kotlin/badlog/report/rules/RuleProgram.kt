@@ -99,7 +99,8 @@ internal class RuleProgram(
             else -> {
                 val reason = if (error.kind == ExpressionErrorKind.SYNTAX) NOT_ALL_THERE else error.message.trimEnd('.')
                 val isOfTopic = isForEach && error.kind == ExpressionErrorKind.TYPE
-                Refusal(reason, rule.place.pointed(error.message, error.from, error.until).takeIf { !isOfTopic })
+                val isMistake = error.kind in MISTAKES && !isOfTopic
+                Refusal(reason, rule.place.pointed(error.message, error.from, error.until).takeIf { isMistake })
             }
         }
     }
@@ -121,6 +122,11 @@ internal class RuleProgram(
 
         // Where a name is missing, what is left of it may read as anything.
         private const val NOT_ALL_THERE = "not all topics of “when” are there"
+
+        /** What is wrong with a rule itself, rather than that a log has not what it needs. */
+        private val MISTAKES = setOf(
+            ExpressionErrorKind.SYNTAX, ExpressionErrorKind.AMBIGUOUS_TOPIC, ExpressionErrorKind.TYPE, ExpressionErrorKind.LIMIT,
+        )
         val RESERVED = setOf(TOPIC, TIME)
     }
 }
