@@ -21,7 +21,7 @@ internal fun Column.heldFor(length: Double, end: Double): Column {
             states[count++] = 1.0
         }
     }
-    return Column(if (count == size) x else times, states)
+    return Column(if (count == size) x else times, states, stretches = stretches)
 }
 
 private fun Column.countMoments(length: Double, end: Double): Int {

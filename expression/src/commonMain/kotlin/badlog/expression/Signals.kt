@@ -26,4 +26,7 @@ public interface Signals {
 
     /** The unit of time, that is of x; `ul` or empty where x is no time. */
     public val timeUnit: String
+
+    /** How time went where the clock of the rows was set back; null where it never was, or the samples alone tell it. */
+    public val stretches: Stretches? get() = null
 }

@@ -24,4 +24,6 @@ private class SignalsWithVirtual(private val others: Signals, private val topic:
     override val range: Span? get() = others.range
 
     override val timeUnit: String get() = others.timeUnit
+
+    override val stretches: Stretches? get() = others.stretches
 }

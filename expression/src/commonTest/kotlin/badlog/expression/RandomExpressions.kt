@@ -65,7 +65,8 @@ internal fun randomSignals(random: Random): Signals {
         DoubleArray(x.size) { if (random.nextInt(5) == 0) Double.NaN else random.nextInt(-2, 4).toDouble() })
     fun among(x: DoubleArray, count: Int, hasGaps: Boolean = true) =
         Series(x, DoubleArray(x.size) { if (hasGaps && random.nextInt(5) == 0) Double.NaN else random.nextInt(count).toDouble() })
-    val common = times(14)
+    // Of every third recording the clock was set back.
+    val common = if (random.nextInt(3) > 0) times(14) else times(6) + times(6) + times(3)
     val edges = List(4) { random.nextInt(24) * 0.25 }.sorted()
     val isMeasured = edges.distinct().size == 4
     return SampleSignals(
