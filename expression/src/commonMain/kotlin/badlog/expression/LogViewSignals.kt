@@ -4,6 +4,7 @@ import badlog.analysis.EnabledSpan
 import badlog.analysis.GraphSeries
 import badlog.analysis.LogView
 import badlog.analysis.Series
+import badlog.analysis.Units
 import badlog.analysis.enabledSpans
 import badlog.plot.Span
 import badlog.recording.Topic
@@ -15,7 +16,8 @@ public class LogViewSignals(private val view: LogView) : Signals {
     private val lines = HashMap<String, GraphSeries>()
     private val events = HashMap<String, Series>()
 
-    override val vocabulary: Vocabulary = Vocabulary(view.recording.topics.map { Signal(it.name, kindOf(it), it.unit) })
+    override val vocabulary: Vocabulary =
+        Vocabulary(view.recording.topics.map { Signal(it.name, kindOf(it), it.unit) }, view.xAxis.run { !isIndex && mayBeTime(unit) })
 
     override fun series(name: String): Series {
         val topic = topics.getValue(name)
@@ -51,6 +53,9 @@ public class LogViewSignals(private val view: LogView) : Signals {
     }
 
     private companion object {
+        // Without a unit, seconds are what an x other than the index counts.
+        fun mayBeTime(unit: String) = Units.isNone(unit) || Units.secondsIn(unit) != null
+
         fun kindOf(topic: Topic) = when (topic.kind) {
             TopicKind.EMPTY, TopicKind.NUMERIC -> SignalKind.NUMBER
             TopicKind.BOOLEAN -> SignalKind.CONDITION

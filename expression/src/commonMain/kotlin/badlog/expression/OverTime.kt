@@ -28,15 +28,14 @@ internal fun Column.area(): Column {
 
 internal fun Column.previous(): Column = withAlike(DoubleArray(size) { if (it == 0) Double.NaN else y[it - 1] })
 
-/** Each gap filled with the value before it. */
+/** Each gap filled with the value before it; an event stays until the next. */
 internal fun Column.hold(): Column {
     var last = Double.NaN
-    return withAlike(
-        DoubleArray(size) {
-            if (!y[it].isNaN()) last = y[it]
-            last
-        },
-    )
+    val samples = DoubleArray(size) {
+        if (!y[it].isNaN()) last = y[it]
+        last
+    }
+    return Column(x, samples, texts, stretches = stretches)
 }
 
 /** The same samples, [time] later. */

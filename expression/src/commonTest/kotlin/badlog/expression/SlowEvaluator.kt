@@ -157,7 +157,6 @@ internal class SlowEvaluator(private val signals: Signals) {
 
     private fun heldFor(value: SlowValue, length: Double): SlowValue {
         val rows = value.rows!!
-        if (value.isMomentary) return map(value) { if (it == true) false else it }
         val begins = spans(value).map { it.first }
         // A tick of a course more or less is the same time.
         val own = rows.map { row ->
@@ -234,8 +233,8 @@ internal class SlowEvaluator(private val signals: Signals) {
                 rows.indices.map { i -> Row(rows[i].time, if (number(rows[i].value)?.isFinite() == true) sumUntil(i) else null) },
             )
             Function.PREVIOUS -> beside({ a, _ -> a.value })
-            Function.HOLD -> first.with(rows.indices.map { i -> Row(rows[i].time,
-                (i downTo 0).firstNotNullOfOrNull { known(rows[it].value) }) })
+            Function.HOLD -> SlowValue(rows.indices.map { i -> Row(rows[i].time,
+                (i downTo 0).firstNotNullOfOrNull { known(rows[it].value) }) }, course = first.course)
             Function.SHIFT_TIME -> first.with(rows.map { Row(it.time + values[1].single as Double, it.value) })
             Function.CHANGED -> beside({ a, b -> known(a.value) != null && known(b.value) != null &&
                 !same(a.value!!, b.value!!) }, false)
