@@ -13,22 +13,30 @@ import kotlinx.serialization.Serializable
 /**
  * A question to many logs: an expression, see `docs/expressions.md`.
  *
- * @property question the expression.
- * @property virtualTopics definitions of topics that the question may use beside the log's own, such as `Power = Voltage * Current`.
+ * @param question the expression.
+ * @param virtualTopics definitions of topics that the question may use beside the log's own, such as `Power = Voltage * Current`.
  * @param cache a folder for what was found out before, so that a file that did not change is not read again; null for none.
  */
 public class Find(
-    public val question: String,
-    public val virtualTopics: List<String> = emptyList(),
+    private val question: String,
+    private val virtualTopics: List<String> = emptyList(),
     private val cache: Path? = null,
 ) {
     private val parsed = Remembered<Vocabulary, ParsedExpression>(MOST_VOCABULARIES) { Expression.parse(question, it) }
 
+    /** What is wrong with the question whatever a log has, such as a parenthesis that is never closed; null when nothing seems to be. */
+    public val mistake: Reply.NotAsked? = mistakeForAnyLog(question)?.let(::notAsked)
+
     @Serializable
-    internal class Stored(val title: String?, val reply: Reply, val undefined: List<UndefinedTopic> = emptyList())
+    internal class Stored(
+        val title: String?,
+        val reply: Reply,
+        val undefined: List<UndefinedTopic> = emptyList(),
+        val isSalvaged: Boolean = false,
+    )
 
     /**
-     * Asks each of [files], on all cores.
+     * Asks each of [files], on all cores. With a [mistake] in the question that is the reply of each, and none is read.
      *
      * @param progress hears on this thread how many files are done.
      * @param each gets each result on this thread, as soon as it and those before it are there. What it or [progress] throws stops
@@ -44,7 +52,7 @@ public class Find(
         val results = ArrayList<FindResult>(files.size)
         val known = cache?.let { ResultCache(it, "find\n${virtualTopics.joinToString("\n")}\n\n$question", Stored.serializer()) }
         runCached(files, known, ::ask) { file, stored ->
-            val result = FindResult(file, stored.title, stored.reply, stored.undefined)
+            val result = FindResult(file, stored.title, stored.reply, stored.undefined, stored.isSalvaged)
             results += result
             each(result)
             progress(results.size, files.size)
@@ -52,21 +60,18 @@ public class Find(
         return results
     }
 
-    private fun ask(file: LogFile): Found<Stored> = try {
-        ask(LogContent.of(file, virtualTopics))
-    } catch (_: OutOfMemoryError) {
-        ask(LogContent.tooLarge())
-    }
+    private fun ask(file: LogFile): Found<Stored> =
+        if (mistake != null) Found(Stored(null, mistake), isLasting = false) else LogContent.examined(file, virtualTopics, ::ask)
 
     private fun ask(content: LogContent): Found<Stored> = when (content) {
-        is LogContent.None -> Found(Stored(null, Reply.Unreadable(content.message)), content.isOfFile)
+        is LogContent.None -> Found(Stored(null, Reply.Unreadable(content.message, content.isNoLog)), content.isNoLog)
         is LogContent.Log -> {
             val signals = LogViewSignals(content.view)
             val reply = when (val expression = parsed[signals.vocabulary]) {
                 is ExpressionError -> notAsked(expression)
                 is Expression -> answered(expression.answer(signals))
             }
-            Found(Stored(content.view.title, reply, content.undefined), isLasting = true)
+            Found(Stored(content.view.title, reply, content.undefined, content.recording.isSalvaged), isLasting = true)
         }
     }
 
@@ -76,27 +81,9 @@ public class Find(
 
         fun answered(answer: Answer) = Reply.Answered(
             answer.outcome, answer.spans.take(MOST_SPANS), answer.spans.size, answer.figures, answer.time, answer.timeUnit,
-            answer.toString(),
         )
 
         fun notAsked(error: ExpressionError) =
             Reply.NotAsked(error.kind, error.text.substring(error.from, error.until), error.message, error.pointed())
-    }
-}
-
-/** Does [work] on those of [files] that [cache] does not know, and keeps there what lasts. */
-internal fun <R : Any> runCached(
-    files: List<LogFile>,
-    cache: ResultCache<R>?,
-    work: (LogFile) -> Found<R>,
-    each: (LogFile, R) -> Unit,
-) {
-    try {
-        FolderRun().forEach(files, { file -> cache?.get(file)?.let { Found(it, isLasting = false) } ?: work(file) }) { file, found ->
-            if (found.isLasting) cache?.set(file, found.result)
-            each(file, found.result)
-        }
-    } finally {
-        cache?.save()
     }
 }

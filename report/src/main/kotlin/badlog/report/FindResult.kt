@@ -14,12 +14,14 @@ import kotlinx.serialization.Serializable
  * @property title what match it is, from its values; null when they do not tell or it cannot be read.
  * @property reply what came of it.
  * @property undefined the virtual topics that the log could not be given.
+ * @property isSalvaged whether the log lost something, so that the answer is about what is left.
  */
 public class FindResult internal constructor(
     public val file: LogFile,
     public val title: String?,
     public val reply: Reply,
     public val undefined: List<UndefinedTopic>,
+    public val isSalvaged: Boolean,
 ) {
     /** What a person would call it: the match's title, else the file's name. */
     public val name: String get() = title ?: file.name
@@ -36,7 +38,6 @@ public sealed interface Reply {
      * @property figures the numbers that tell most.
      * @property time where to look first; NaN when nothing tells.
      * @property timeUnit the unit of all times, empty where x has none.
-     * @property text the answer in a line.
      */
     @Serializable
     public class Answered internal constructor(
@@ -46,7 +47,6 @@ public sealed interface Reply {
         public val figures: List<@Serializable(with = FigureSerializer::class) Figure>,
         public val time: Double,
         public val timeUnit: String,
-        public val text: String,
     ) : Reply
 
     /**
@@ -69,7 +69,8 @@ public sealed interface Reply {
      * The file cannot be read, or is no log.
      *
      * @property message why, as a sentence.
+     * @property isNoLog whether it is something else than a log.
      */
     @Serializable
-    public class Unreadable internal constructor(public val message: String) : Reply
+    public class Unreadable internal constructor(public val message: String, public val isNoLog: Boolean) : Reply
 }

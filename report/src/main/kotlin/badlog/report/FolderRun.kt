@@ -7,9 +7,6 @@ import java.util.concurrent.Future
 import java.util.concurrent.Semaphore
 import kotlin.math.ceil
 
-/** What was found out about a file; [isLasting] when it stays so as long as the file is the same. */
-internal class Found<out R>(val result: R, val isLasting: Boolean)
-
 /**
  * Works on many files on all cores at once, and gives the results in the order of the files.
  *

@@ -21,23 +21,46 @@ internal sealed interface LogContent {
      */
     class Log(val recording: Recording, val view: LogView, val undefined: List<UndefinedTopic>) : LogContent
 
-    /** @property isOfFile whether that stays so as long as the file is the same. */
-    class None(val message: String, val isOfFile: Boolean) : LogContent
+    /**
+     * Nothing to ask.
+     *
+     * @property message why, as a sentence.
+     * @property isNoLog whether the file is something else than a log, which stays so as long as it is the same.
+     */
+    class None(val message: String, val isNoLog: Boolean) : LogContent
 
     companion object {
-        /** Reads [file], and adds the topics of [definitions]. Never throws for anything about the file. */
-        fun of(file: LogFile, definitions: List<String>): LogContent = try {
+        /** Reads [file], and adds the topics of [definitions]. */
+        private fun of(file: LogFile, definitions: List<String>): LogContent = try {
             val recording = readRecording(file.path)
             val problem = recording.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
-            if (problem != null) None(problem.message, isOfFile = true) else withVirtualTopics(recording, definitions)
+            if (problem != null) None(problem.message, isNoLog = true) else withVirtualTopics(recording, definitions)
         } catch (e: UnreadableFileException) {
-            None(e.message, isOfFile = false)
-        } catch (_: OutOfMemoryError) {
-            tooLarge()
+            None(e.message, isNoLog = false)
         }
 
-        /** That of a file which does not fit into memory. */
-        fun tooLarge() = None("There is not enough memory for it; give the program more, or cut the file.", isOfFile = false)
+        /**
+         * What [work] makes of [file], read with the topics of [definitions]. Whatever fails, fails for this file alone: [work] is then
+         * given a [None] that says so.
+         *
+         * @throws InterruptedException when the thread was interrupted.
+         */
+        fun <R> examined(file: LogFile, definitions: List<String>, work: (LogContent) -> R): R = try {
+            work(of(file, definitions))
+        } catch (_: OutOfMemoryError) {
+            work(tooLarge())
+        } catch (e: InterruptedException) {
+            throw e
+        } catch (e: Exception) {
+            work(failed(e))
+        } catch (e: StackOverflowError) {
+            work(failed(e))
+        }
+
+        private fun failed(e: Throwable) =
+            None("badlog failed here, by a defect of its own ($e); please report it, with the file if you may.", isNoLog = false)
+
+        private fun tooLarge() = None("There is not enough memory for it; give the program more, or cut the file.", isNoLog = false)
 
         private fun withVirtualTopics(recording: Recording, definitions: List<String>): Log {
             val with = LogView.of(recording).withVirtualTopics(definitions)

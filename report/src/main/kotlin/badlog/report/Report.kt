@@ -5,6 +5,7 @@ import badlog.plot.Span
 import badlog.report.hook.HookOutcome
 import badlog.report.hook.HookRunner
 import badlog.report.rules.Finding
+import badlog.report.rules.Rule
 import badlog.report.rules.RuleRunner
 import badlog.report.rules.RuleSet
 import java.nio.file.Path
@@ -14,16 +15,16 @@ import kotlinx.serialization.Transient
 /**
  * Runs rules, and programs of the user's, over many logs.
  *
- * @property rules what to look for. The hooks that they name do not run unless they are given as [hooks], too.
- * @property hooks programs to run for each log; what they find joins what the rules find.
- * @property virtualTopics definitions of topics that the rules may use beside a log's own, such as `Power = Voltage * Current`.
+ * @param rules what to look for. The hooks that they name do not run unless they are given as [hooks], too.
+ * @param hooks programs to run for each log; what they find joins what the rules find.
+ * @param virtualTopics definitions of topics that the rules may use beside a log's own, such as `Power = Voltage * Current`.
  * @param cache a folder for what was found out before, so that a file that did not change is not read again; null for none. What
  *   hooks return is not kept there: nobody knows what it depends on.
  */
 public class Report(
-    public val rules: RuleSet = RuleSet.DEFAULT,
-    public val hooks: List<HookRunner> = emptyList(),
-    public val virtualTopics: List<String> = emptyList(),
+    private val rules: RuleSet = RuleSet.DEFAULT,
+    private val hooks: List<HookRunner> = emptyList(),
+    private val virtualTopics: List<String> = emptyList(),
     private val cache: Path? = null,
 ) {
     private val runner = RuleRunner(rules)
@@ -34,6 +35,8 @@ public class Report(
         val findings: List<Finding>,
         val asked: List<Asked>,
         val unreadable: String?,
+        val isNoLog: Boolean = false,
+        val isSalvaged: Boolean = false,
         val undefined: List<UndefinedTopic> = emptyList(),
         @Transient val hooks: List<HookOutcome> = emptyList(),
     )
@@ -60,23 +63,23 @@ public class Report(
         val known = cache?.takeIf { hooks.isEmpty() }?.let { ResultCache(it, question, Stored.serializer()) }
         runCached(files, known, ::examine) { file, stored ->
             val failures = stored.hooks.mapNotNull { hook -> hook.failure?.let { HookFailure(hook.hook, it.message) } }
-            val log = LogReport(file, stored.title, stored.findings, stored.unreadable, stored.undefined, failures)
+            val log = LogReport(
+                file, stored.title, stored.findings, stored.unreadable, stored.isNoLog, stored.isSalvaged, stored.undefined, failures,
+            )
             logs += log
             for (rule in stored.asked) asked.getOrPut(rule.rule) { ArrayList() } += rule
             each(log, stored.hooks)
             progress(logs.size, files.size)
         }
-        return ReportResult(logs, rules.rules.mapNotNull { rule -> asked[rule.name]?.let { skipped(rule.name, it) } })
+        val readable = logs.count { it.unreadable == null }
+        val skipped = rules.rules.mapNotNull { rule -> asked[rule.name].let { if (it == null) unasked(rule, readable) else skipped(rule.name, it) } }
+        return ReportResult(logs, skipped)
     }
 
-    private fun examine(file: LogFile): Found<Stored> = try {
-        examine(file, LogContent.of(file, virtualTopics))
-    } catch (_: OutOfMemoryError) {
-        examine(file, LogContent.tooLarge())
-    }
+    private fun examine(file: LogFile): Found<Stored> = LogContent.examined(file, virtualTopics) { examine(file, it) }
 
     private fun examine(file: LogFile, content: LogContent): Found<Stored> = when (content) {
-        is LogContent.None -> Found(Stored(null, emptyList(), emptyList(), content.message), content.isOfFile)
+        is LogContent.None -> Found(Stored(null, emptyList(), emptyList(), content.message, content.isNoLog), content.isNoLog)
         is LogContent.Log -> {
             val findings = ArrayList<Finding>()
             val asked = ArrayList<Asked>()
@@ -86,13 +89,21 @@ public class Report(
             }
             val outcomes = hooks.map { HookOutcome.of(it, content.recording) }
             for (outcome in outcomes) findings += findingsOf(outcome, content.view.xAxis.unit)
-            Found(Stored(content.view.title, findings, asked, null, content.undefined, outcomes), isLasting = true)
+            val isSalvaged = content.recording.isSalvaged
+            val stored =
+                Stored(content.view.title, findings, asked, null, isSalvaged = isSalvaged, undefined = content.undefined, hooks = outcomes)
+            Found(stored, isLasting = true)
         }
     }
 
     private fun findingsOf(outcome: HookOutcome, timeUnit: String) = outcome.result?.findings.orEmpty().map { found ->
         val spans = if (found.time.isNaN()) emptyList() else listOf(Span(found.time, if (found.until.isNaN()) found.time else found.until))
         Finding(outcome.hook, found.severity, null, found.text, found.time, spans, spans.size, timeUnit, isOfHook = true)
+    }
+
+    private fun unasked(rule: Rule, logs: Int): SkippedRule? {
+        val types = rule.only.joinToString(" or ") { "“$it”" }
+        return if (logs == 0) null else SkippedRule(rule.name, logs, "it is only for matches of the type $types", isMistake = false)
     }
 
     private fun skipped(rule: String, asked: List<Asked>): SkippedRule? {

@@ -25,6 +25,8 @@ public class ReportResult internal constructor(
  * @property title what match it is, from its values; null when they do not tell or it cannot be read.
  * @property findings in the order of the rules, then of the hooks.
  * @property unreadable why the file cannot be read or is no log, as a sentence; null when all is well.
+ * @property isNoLog whether it is [unreadable] because it is something else than a log.
+ * @property isSalvaged whether the log lost something, so that the findings are about what is left.
  * @property undefined the virtual topics that the log could not be given.
  * @property hookFailures the hooks that failed for it.
  */
@@ -33,6 +35,8 @@ public class LogReport internal constructor(
     public val title: String?,
     public val findings: List<Finding>,
     public val unreadable: String?,
+    public val isNoLog: Boolean,
+    public val isSalvaged: Boolean,
     public val undefined: List<UndefinedTopic>,
     public val hookFailures: List<HookFailure>,
 ) {
@@ -66,6 +70,7 @@ public class SkippedRule internal constructor(
     override fun toString(): String = if (isMistake) {
         "The rule “$rule” is wrong. $message"
     } else {
-        "The rule “$rule” was not asked of ${count(logs, "log")}: $message."
+        val end = if (message.last() in ".?!") "" else "."
+        "The rule “$rule” was not asked of ${count(logs, "log")}: $message$end"
     }
 }

@@ -1,12 +1,16 @@
 package badlog.report
 
 import badlog.file.LogFile
+import badlog.html.BADLOG_VERSION
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.StandardCopyOption
 import java.security.MessageDigest
 import java.util.HexFormat
+import kotlin.time.Duration
+import kotlin.time.Duration.Companion.seconds
+import kotlin.time.TimeSource
 import kotlinx.serialization.KSerializer
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.SerializationException
@@ -17,13 +21,21 @@ import kotlinx.serialization.json.Json
  * What came of a question to each of many files, kept in one file of [folder], which may be deleted at any time. What is damaged,
  * or of another version, is as nothing. A failure to write costs only time, so it is not told. Safe for several threads.
  *
- * @param question what was asked, whatever changes the results; another question has another file.
+ * @param question what was asked, whatever changes the results; another question has another file, and so has another program.
+ * @param pause how long [saveNowAndThen] waits from one time to the next.
  */
-internal class ResultCache<R : Any>(private val folder: Path, question: String, results: KSerializer<R>) {
-    private val file = folder.resolve("$PREFIX${HexFormat.of().formatHex(digest("$VERSION\n$question"), 0, 16)}$SUFFIX")
+internal class ResultCache<R : Any>(
+    private val folder: Path,
+    question: String,
+    results: KSerializer<R>,
+    private val pause: Duration = USUAL_PAUSE,
+) {
+    private val file =
+        folder.resolve("$PREFIX${HexFormat.of().formatHex(digest("$BADLOG_VERSION\n$VERSION\n$question"), 0, 16)}$SUFFIX")
     private val serializer = ListSerializer(Entry.serializer(results))
     private val known = LinkedHashMap<String, Entry<R>>()
     private var isChanged = false
+    private var saved = TimeSource.Monotonic.markNow()
 
     @Serializable
     private class Entry<R>(val path: String, val size: Long, val modified: Long, val result: R)
@@ -46,10 +58,25 @@ internal class ResultCache<R : Any>(private val folder: Path, question: String, 
         isChanged = true
     }
 
+    /** Keeps everything for the next time, if it was not done lately. */
+    @Synchronized
+    fun saveNowAndThen() {
+        if (saved.elapsedNow() >= pause) save()
+    }
+
     /** Keeps everything for the next time. */
     @Synchronized
     fun save() {
         if (!isChanged) return
+        // A file that an interrupted thread writes is closed at once.
+        val wasInterrupted = Thread.interrupted()
+        write()
+        if (wasInterrupted) Thread.currentThread().interrupt()
+        isChanged = false
+        saved = TimeSource.Monotonic.markNow()
+    }
+
+    private fun write() {
         while (known.size > MOST_FILES) known.remove(known.keys.first())
         try {
             Files.createDirectories(folder)
@@ -66,6 +93,9 @@ internal class ResultCache<R : Any>(private val folder: Path, question: String, 
             }
             dropOldest()
         } catch (_: IOException) {
+            return
+        } catch (_: OutOfMemoryError) {
+            // The logs under way have it all; there is a next time.
             return
         }
     }
@@ -93,7 +123,8 @@ internal class ResultCache<R : Any>(private val folder: Path, question: String, 
 
     private companion object {
         /** To be raised when the same file and question may come to something else than before. */
-        const val VERSION = 3
+        const val VERSION = 5
+        val USUAL_PAUSE = 10.seconds
         const val PREFIX = "report-"
         const val SUFFIX = ".cache"
         const val DIGEST = 32

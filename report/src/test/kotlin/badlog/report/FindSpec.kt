@@ -42,8 +42,11 @@ class FindSpec : FunSpec({
                 kind shouldBe ExpressionErrorKind.UNKNOWN_TOPIC
                 topic shouldBe "Battery Voltage"
             }
-            replies[2].shouldBeInstanceOf<Reply.Unreadable>()
-            replies[3].shouldBeInstanceOf<Reply.Unreadable>().message shouldContain "There is no file"
+            replies[2].shouldBeInstanceOf<Reply.Unreadable>().isNoLog shouldBe true
+            replies[3].shouldBeInstanceOf<Reply.Unreadable>().run {
+                message shouldContain "There is no file"
+                isNoLog shouldBe false
+            }
         }
     }
 
@@ -82,12 +85,12 @@ class FindSpec : FunSpec({
             val one = folder.put("logs/1.bag", batteryBag(6.0))
             val two = folder.put("logs/2.bag", batteryBag(8.0, match = 2))
             fun ask(question: String = "min(Battery Voltage) < 7") =
-                Find(question, cache = cache).over(logsIn(folder.resolve("logs"))).map { (it.reply as? Reply.Answered)?.text }
+                Find(question, cache = cache).over(logsIn(folder.resolve("logs"))).map { (it.reply as? Reply.Answered)?.figures?.single()?.toString() }
             val first = ask()
             spoil(one)
             ask() shouldBe first
             Files.writeString(two, batteryBag(6.5, 6.6))
-            ask()[1] shouldBe "yes, min(Battery Voltage) = 6.5 V at 0 s"
+            ask()[1] shouldBe "min(Battery Voltage) = 6.5 V"
             ask("max(Battery Voltage) < 7")[0] shouldBe null
         }
     }
@@ -120,12 +123,42 @@ class FindSpec : FunSpec({
         }
     }
 
+    test("a log that lost something is told, also by the cache") {
+        inFolder { folder ->
+            folder.put("logs/1.bag", batteryBag(6.0))
+            folder.put("logs/2.bag", batteryBag(6.0) + "0.1,\n0.2,12,3\n")
+            repeat(2) {
+                Find("min(Battery Voltage) < 7", cache = folder.resolve("cache")).over(logsIn(folder.resolve("logs")))
+                    .map { it.isSalvaged } shouldContainExactly listOf(false, true)
+            }
+        }
+    }
+
+    test("what was found is kept when the listener throws, however it does") {
+        for (failure in listOf(IllegalStateException(), InterruptedException())) {
+            inFolder { folder ->
+                for (i in 1..3) folder.put("logs/$i.bag", batteryBag(6.0))
+                val files = logsIn(folder.resolve("logs"))
+                fun find() = Find("min(Battery Voltage) < 7", cache = folder.resolve("cache"))
+                shouldThrow<Exception> {
+                    find().over(files) {
+                        Thread.currentThread().interrupt()
+                        throw failure
+                    }
+                }
+                Thread.interrupted() shouldBe true
+                spoil(files[0].path)
+                find().over(files)[0].reply.shouldBeInstanceOf<Reply.Answered>()
+            }
+        }
+    }
+
     test("a damaged cache is as none") {
         inFolder { folder ->
             val cache = folder.resolve("cache")
             folder.put("logs/1.bag", batteryBag(6.0))
             val files = logsIn(folder.resolve("logs"))
-            fun ask() = Find("min(Battery Voltage) < 7", cache = cache).over(files).map { (it.reply as Reply.Answered).text }
+            fun ask() = Find("min(Battery Voltage) < 7", cache = cache).over(files).map { (it.reply as Reply.Answered).figures.single().toString() }
             val first = ask()
             val kept = Files.list(cache).use { it.toList() }.single()
             val bytes = Files.readAllBytes(kept)

@@ -12,6 +12,7 @@ import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.ints.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldEndWith
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
@@ -35,6 +36,15 @@ class ReportSpec : FunSpec({
         }
     }
 
+    test("what is said of the whole recording holds once, from its begin to its end") {
+        inFolder { folder ->
+            folder.put("1.bag", batteryBag(12.0, 6.0, 8.0))
+            val text = "{value}|{time}|{count}|{duration}"
+            findings(folder, rules("mean(Battery Voltage) < 9", text)) shouldContainExactly listOf("8.66667 V|0 s|1|0.2 s")
+            findings(folder, rules("min(Battery Voltage) < 9", text)) shouldContainExactly listOf("6 V|0.1 s|1|0.2 s")
+        }
+    }
+
     test("an alias finds its topic under any name, in any unit that can be converted") {
         val rules = rules("b < 7", "{value}", aliases = "b = { names = [\"none\", \"*volt*\"], unit = \"V\" }")
         inFolder { folder ->
@@ -48,11 +58,12 @@ class ReportSpec : FunSpec({
     test("a rule for each topic takes those that fit by name, unit and kind") {
         inFolder { folder ->
             val currents = listOf("A/Current", "B/Current", "C/Current", "Limit Current", "Current State")
-            val topics = mapOf("Time" to "s") + currents.associateWith { if (it.startsWith("C/")) "V" else "A" }
+            val units = mapOf("B/Current" to "ul", "C/Current" to "V")
+            val topics = mapOf("Time" to "s") + currents.associateWith { units[it] ?: "A" }
             folder.put("1.bag", bag(topics, listOf("0,50,10,50,50,on", "1,50,60,50,50,off")))
             val more = "each = [\"*current*\"]\nexcept = [\"limit*\"]\nunit = \"a\""
             findings(folder, rules("topic > 40", "{topic} {value}", more)) shouldContainExactly
-                listOf("A/Current 50 A", "B/Current 60 A")
+                listOf("A/Current 50 A", "B/Current 60")
         }
     }
 
@@ -71,10 +82,32 @@ class ReportSpec : FunSpec({
         }
     }
 
+    test("a clock that was set back is found") {
+        inFolder { folder ->
+            folder.put("1.bag", bag(mapOf("Time" to "s", "A" to "V"), listOf("10,1", "10.1,2", "5,3", "5.1,4")))
+            Report().over(logsIn(folder)).logs.single().findings.map { it.text } shouldContainExactly listOf("The clock went back by 5.1 s.")
+        }
+    }
+
+    test("a rule that asks for a time is not for a log that counts rows, and is no mistake") {
+        inFolder { folder ->
+            folder.put("1.csv", "Current,b\n" + "80,1\n".repeat(20))
+            val result = Report(rules("topic > 60 for 2 s", more = "each = [\"*current*\"]\nunit = \"A\"")).over(logsIn(folder))
+            result.logs.single().findings.shouldBeEmpty()
+            result.skipped.single().run {
+                isMistake shouldBe false
+                toString() shouldBe "The rule “R” was not asked of 1 log: the log has no x axis."
+            }
+        }
+    }
+
     test("a rule counts only in matches of its types") {
         inFolder { folder ->
             folder.put("1.bag", batteryBag(6.0))
-            findings(folder, rules("true", more = "only = [\"playoff\"]")).shouldBeEmpty()
+            val never = Report(rules("true", more = "only = [\"playoff\"]")).over(logsIn(folder))
+            never.logs.single().findings.shouldBeEmpty()
+            never.skipped.single().toString() shouldBe
+                "The rule “R” was not asked of 1 log: it is only for matches of the type “playoff”."
             findings(folder, rules("true", more = "only = [\"playoff\", \"qualification\"]")) shouldContainExactly listOf("t")
         }
     }
@@ -90,6 +123,27 @@ class ReportSpec : FunSpec({
                 skipped.single().isMistake shouldBe false
                 skipped.single().logs shouldBe 3
                 logs.sumOf { it.findings.size } shouldBe 1
+            }
+        }
+    }
+
+    test("a topic that may be misspelt is told in a sentence that ends once") {
+        inFolder { folder ->
+            folder.put("1.bag", batteryBag(6.0))
+            Report(rules("Batery Voltage < 7")).over(logsIn(folder)).skipped.single().toString() shouldEndWith
+                "did you mean “System/Battery Voltage”?"
+        }
+    }
+
+    test("a log that lost something is told, also by the cache, and what is no log as such") {
+        inFolder { folder ->
+            folder.put("logs/1.bag", batteryBag(6.0))
+            folder.put("logs/2.bag", batteryBag(6.0) + "0.1,\n0.2,12,3\n")
+            folder.put("logs/3.csv", "just some words\nand more of them\n")
+            repeat(2) {
+                val logs = Report(cache = folder.resolve("cache")).over(logsIn(folder.resolve("logs"))).logs
+                logs.map { it.isSalvaged } shouldContainExactly listOf(false, true, false)
+                logs.map { it.isNoLog } shouldContainExactly listOf(false, false, true)
             }
         }
     }

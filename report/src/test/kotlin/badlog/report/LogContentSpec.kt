@@ -1,0 +1,23 @@
+package badlog.report
+
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.string.shouldContain
+
+private fun overflow(depth: Int): Int = overflow(depth + 1) + 1
+
+class LogContentSpec : FunSpec({
+    test("whatever fails in the work on a file is told of this file") {
+        inFolder { folder ->
+            folder.put("1.bag", batteryBag(6.0))
+            val file = logsIn(folder).single()
+            fun messageAfter(fail: () -> Unit) = LogContent.examined(file, emptyList()) { content ->
+                if (content is LogContent.None) content.message else null.also { fail() }
+            }.orEmpty()
+            messageAfter { error("odd") } shouldContain "(java.lang.IllegalStateException: odd); please report it"
+            messageAfter { overflow(0) } shouldContain "StackOverflowError"
+            messageAfter { throw OutOfMemoryError() } shouldContain "not enough memory"
+            shouldThrow<InterruptedException> { messageAfter { throw InterruptedException() } }
+        }
+    }
+})
