@@ -68,10 +68,10 @@ public class XAxis private constructor(
         }
 
         private fun ownTimesOf(recording: Recording): List<DoubleArray> {
-            val clocks = ArrayList<DoubleArray>()
-            // Topics that share a clock stand beside each other.
-            for (topic in recording.topics) topic.times?.let { if (it !== clocks.lastOrNull()) clocks += it }
-            return clocks
+            // Arrays are equal only to themselves.
+            val clocks = LinkedHashSet<DoubleArray>()
+            for (topic in recording.topics) topic.times?.let { clocks += it }
+            return clocks.toList()
         }
     }
 }

@@ -37,6 +37,15 @@ class MixedClocksSpec : FunSpec({
         view.xAxis.clocks.map { it.toList() } shouldBe listOf(listOf(1.0, 2.0), listOf(0.25, 7.5))
     }
 
+    test("a clock is one, though its topics do not stand beside each other") {
+        val view = withOwnTimes(bag, doubleArrayOf(0.25, 7.5))
+        val one = view.recording.topics.last()
+        val other = Topic("other", "V", emptyList(), one.samples, one.texts, one.counts, doubleArrayOf(0.25, 7.5))
+        val again = Topic("again", "V", emptyList(), one.samples, one.texts, one.counts, one.times)
+        val both = view.recording.run { LogView.of(Recording(format, headerLine, values, topics + other + again, rowCount, problems)) }
+        both.xAxis.clocks.size shouldBe 3
+    }
+
     test("rows without an x axis are still counted") {
         val view = withOwnTimes("a,b\n10,1\n20,2\n", doubleArrayOf(0.5))
         view.xAxis.isIndex shouldBe true

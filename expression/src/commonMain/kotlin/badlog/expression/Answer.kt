@@ -13,7 +13,7 @@ import badlog.plot.Span
  * @property times how often it holds: the number of [spans], but one that was cut counts once.
  * @property figures the numbers that were compared, in the order of the expression; of one over time the most telling while
  *   the expression holds: the smallest for `<`, the largest for `>`, else the first. Of an expression that is a number, the
- *   number; of one over time, its smallest and its largest.
+ *   number; of one over time, its smallest and its largest, as `min(…)` and `max(…)`.
  * @property timeUnit the unit of all times, empty where x has none.
  */
 public class Answer internal constructor(

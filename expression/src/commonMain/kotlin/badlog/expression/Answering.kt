@@ -37,8 +37,8 @@ internal class Answering(private val text: String, private val root: Node, priva
     private fun addNumber(value: Value) = when (value) {
         is Scalar -> addFigure(root, value)
         is Column -> {
-            addFigure(root, value.minimum())
-            addFigure(root, value.maximum())
+            addFigure(root, value.minimum(), "min")
+            addFigure(root, value.maximum(), "max")
         }
     }
 
@@ -94,9 +94,10 @@ internal class Answering(private val text: String, private val root: Node, priva
 
     private fun isConstant(node: Node): Boolean = node !is Node.Topic && node !is Node.Enabled && node.children.all(::isConstant)
 
-    private fun addFigure(node: Node, found: Scalar) {
+    private fun addFigure(node: Node, found: Scalar, function: String? = null) {
         val unit = shownUnit(unitOf(node, signals.timeUnit))
-        figures += Figure(text.substring(node.from, node.until), found.value, unit, found.time)
+        val written = text.substring(node.from, node.until)
+        figures += Figure(if (function == null) written else "$function($written)", found.value, unit, found.time)
     }
 
     private fun shownUnit(unit: String) = if (Units.isNone(unit)) "" else unit

@@ -99,7 +99,9 @@ internal object Checker {
         for ((index, argument) in node.arguments.withIndex()) {
             val parameter = function.parameters[index]
             if (!parameter.accepts(argument)) {
-                mistake(argument, "${function.title} needs here ${parameter.needed}, not ${described(argument)}.")
+                val isOfTwo = parameter == Parameter.WINDOW && argument.type.isOverTime && argument.type.kind.isNumeric
+                val hint = if (isOfTwo) "; of two, if(a < b, a, b) takes one" else ""
+                mistake(argument, "${function.title} needs here ${parameter.needed}, not ${described(argument)}$hint.")
             }
         }
         val arguments = node.arguments

@@ -3,7 +3,7 @@ package badlog.expression
 /**
  * A number that belongs to an answer.
  *
- * @property name the part of the expression that it is, as it was written.
+ * @property name the part of the expression that it is, as it was written, or what was made of it to have one number.
  * @property value the number; NaN when there is none.
  * @property unit its unit where it is known, else empty.
  * @property time where it was found, in the unit of the recording's x; NaN where it has no place.

@@ -1,5 +1,8 @@
 package badlog.expression
 
+/** Words that mean themselves when they are written like this. */
+internal val KEYWORDS = setOf("not", "true", "false", "enabled", "autonomous")
+
 /** What a word means where an operand may stand. */
 internal sealed interface Meaning {
     class Topic(val node: Node.Topic) : Meaning
@@ -15,14 +18,16 @@ internal sealed interface Meaning {
 internal class NameReader(private val text: String, private val scanner: Scanner, private val vocabulary: Vocabulary) {
     /** What begins at the scanner's place. */
     fun read(): Meaning {
-        val from = scanner.at
+        val from = afterNeedlessSlash(scanner.at)
         val word = scanner.wordAt(from)
         val key = word.lowercase()
         // A keyword as it is always written gives way only to a longer name that is written in just that case.
         val isKeyword = word in KEYWORDS
         val length = vocabulary.longestAt(text, from, ignoreCase = !isKeyword)
         if (isKeyword && length <= word.length) return Meaning.Keyword(word)
-        if (length <= word.length && Function.called(key).isNotEmpty() && isCalled(from + word.length)) return Meaning.Call(word)
+        if (from == scanner.at && length <= word.length && Function.called(key).isNotEmpty() && isCalled(from + word.length)) {
+            return Meaning.Call(word)
+        }
         if (length > 0) {
             scanner.at = from + length
             return Meaning.Topic(topic(text.substring(from, scanner.at), from, scanner.at))
@@ -31,9 +36,15 @@ internal class NameReader(private val text: String, private val scanner: Scanner
         failUnknown(from, word, key)
     }
 
+    // Elsewhere names begin with a slash, as paths do.
+    private fun afterNeedlessSlash(from: Int): Int {
+        val isNeedless = text[from] == '/' && vocabulary.longestAt(text, from, ignoreCase = true) == 0
+        return if (isNeedless && vocabulary.longestAt(text, from + 1, ignoreCase = true) > 0) from + 1 else from
+    }
+
     /** The topic that is called [name], which stands from [from] until [until]. */
     fun topic(name: String, from: Int, until: Int): Node.Topic {
-        val found = vocabulary.find(name)
+        val found = vocabulary.find(name).ifEmpty { vocabulary.find(name.removePrefix("/")) }
         if (found.isEmpty()) failUnknownTopic(name, from, until)
         if (found.size > 1) {
             val some = found.take(MOST_NAMED).joinToString(" or ") { "“${it.name}”" }
@@ -52,7 +63,7 @@ internal class NameReader(private val text: String, private val scanner: Scanner
     private fun failUnknown(from: Int, word: String, key: String): Nothing {
         val operator = scanner.peekOperator()?.first ?: if (key == "for") word else null
         when {
-            operator != null -> {
+            operator != null && !(text[from] == '/' && scanner.wordAt(from + 1).isNotEmpty()) -> {
                 val written = text.substring(from, from + operator.length)
                 fail(from, from + operator.length, "Something is missing before “$written”.")
             }
@@ -65,9 +76,9 @@ internal class NameReader(private val text: String, private val scanner: Scanner
                 )
             }
             isCalled(from + word.length) -> {
-                val nearest = Function.entries.minBy { editDistance(key, it.title, NEVER) }
-                val isNear = editDistance(key, nearest.title, NEVER) <= maxOf(1, key.length / 3)
-                val suggestion = if (isNear) "; did you mean ${nearest.title}?" else "."
+                val nearest = CALLED_ELSEWHERE[key] ?: Function.entries.minBy { editDistance(key, it.title, NEVER) }.title
+                val isNear = key in CALLED_ELSEWHERE || editDistance(key, nearest, NEVER) <= maxOf(1, key.length / 3)
+                val suggestion = if (isNear) "; did you mean $nearest?" else "."
                 fail(from, from + word.length, "There is no function “$word”$suggestion")
             }
             Function.called(key).isNotEmpty() ->
@@ -85,7 +96,9 @@ internal class NameReader(private val text: String, private val scanner: Scanner
         while (until < text.length) {
             val character = text[until]
             if (character == ' ') {
-                val next = scanner.wordAt(until + 1)
+                var nextFrom = until
+                while (nextFrom < text.length && text[nextFrom] == ' ') nextFrom++
+                val next = scanner.wordAt(nextFrom)
                 if (next.isEmpty() || next.lowercase() in INFIX_WORDS) break
             } else if (!isWordCharacter(character) && character !in "/.:[]#") {
                 break
@@ -107,7 +120,8 @@ internal class NameReader(private val text: String, private val scanner: Scanner
     private companion object {
         const val MOST_NAMED = 3
         const val NEVER = 1000
-        val KEYWORDS = setOf("not", "true", "false", "enabled", "autonomous")
+        val CALLED_ELSEWHERE =
+            mapOf("sum" to "integral", "avg" to "mean", "average" to "mean", "std" to "stddev", "diff" to "delta", "length" to "duration")
         val INFIX_WORDS = setOf("and", "or", "for", "when", "contains", "matches")
     }
 }

@@ -39,9 +39,30 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
             }
             scanner.at += spelling.first.length
             // To the right of all but ^, what holds together as tightly begins the next round.
-            val right = expression(operator.precedence + if (operator == Operator.POWER) 0 else 1, nesting + 1)
+            val right = try {
+                if (operator == Operator.REMAINDER && left is Node.Number && isOperandMissing()) {
+                    fail(operatorFrom, operatorFrom + 1, NO_PERCENT)
+                }
+                expression(operator.precedence + if (operator == Operator.POWER) 0 else 1, nesting + 1)
+            } catch (mistake: Mistake) {
+                throw if (isOfText(left, operator) && mistake.kind == ExpressionErrorKind.UNKNOWN_TOPIC) asText(mistake) else mistake
+            }
             left = made(Node.Binary(operator, left, right))
         }
+    }
+
+    private fun isOperandMissing(): Boolean {
+        if (scanner.isAtEnd() || text[scanner.at] in "),") return true
+        val next = scanner.peekOperator()?.second
+        return next != null && next != Operator.MINUS || scanner.restWord().equals("for", ignoreCase = true)
+    }
+
+    private fun isOfText(left: Node, operator: Operator) = operator.group == Operator.Group.TEXT ||
+        operator.group == Operator.Group.EQUALITY && left is Node.Topic && left.signal.kind in TEXTS
+
+    private fun asText(mistake: Mistake): Mistake = mistake.run {
+        val name = text.substring(from, until).trim('"', '`')
+        Mistake(from, until, kind, "There is no topic “$name”; a text stands in single quotes, as in '$name'.")
     }
 
     // An operand in parentheses reaches farther than what it is made of.
@@ -63,7 +84,7 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
             '(' -> parenthesized(nesting)
             '\'' -> made(scanner.quoted('\'', "text").let { Node.Text(from, scanner.at, it) })
             '"', '`' -> scanner.quoted(first, "name").let { made(names.topic(it, from, scanner.at)) }
-            '-' -> negative(from, nesting)
+            '-', '−' -> negative(from, nesting)
             '!' -> negation(from, 1, nesting)
             else -> if (scanner.isNumberHere()) number() else word(from, nesting)
         }
@@ -183,6 +204,8 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
         throw Mistake(from, until, kind, message)
 
     private companion object {
+        val TEXTS = setOf(SignalKind.STATE, SignalKind.EVENT)
+        const val NO_PERCENT = "“%” is the remainder of a division; after a number no unit is written, not even %."
         const val NO_TIME = "After “for” a time is needed, as in for 0.5 s."
         const val CHAINED = "Comparisons cannot be chained; write “a < b and b < c”."
     }

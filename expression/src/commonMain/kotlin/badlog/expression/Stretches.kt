@@ -11,7 +11,7 @@ import kotlin.math.ulp
  * @param positions the x of each row; may hold gaps.
  */
 public class Stretches internal constructor(positions: DoubleArray) {
-    private val rows = positions.filter { it.isFinite() }.toDoubleArray()
+    private val rows = if (positions.all { it.isFinite() }) positions else positions.filter { it.isFinite() }.toDoubleArray()
 
     // Of each stretch: its first row, what its times are ahead of the going clock, and that clock's first and last time in it.
     private val firstRows = ArrayList<Int>()
@@ -33,7 +33,7 @@ public class Stretches internal constructor(positions: DoubleArray) {
             steady[size] = time - leads.last()
             ends[ends.lastIndex] = steady[size++]
         }
-        keep(if (rows.size == positions.size) positions else rows, steady)
+        keep(rows, steady)
     }
 
     private fun begin(row: Int, logged: Double, time: Double) {
@@ -129,32 +129,27 @@ public class Stretches internal constructor(positions: DoubleArray) {
 
     /**
      * The samples of [column], whose clock is another, which was never set back, at the same times of this one: in each stretch
-     * those that it has.
+     * those that belong to its times.
      */
     internal fun spread(column: Column): Column {
+        val own = Series(column.x, column.y)
         val times = ArrayList<Double>()
         val samples = ArrayList<Double>()
         for (stretch in 0 until count) {
-            var held = Double.NaN
-            var isBegun = stretch == 0 || column.isMomentary
-            fun begin() {
-                if (isBegun) return
-                isBegun = true
-                times += begins[stretch]
-                samples += held
+            val inside = when {
+                stretch == 0 -> 0
+                column.isMomentary -> own.firstAtOrAfter(firstOf(stretch))
+                else -> own.firstAfter(firstOf(stretch))
             }
-            for (i in 0 until column.size) {
-                val time = column.x[i]
-                if (stretch > 0 && (time < firstOf(stretch) || time == firstOf(stretch) && !column.isMomentary)) {
-                    held = column.y[i]
-                    continue
-                }
-                if (stretch + 1 < count && time > lastOf(stretch)) break
-                begin()
-                times += time - leads[stretch]
+            if (stretch > 0 && !column.isMomentary) {
+                times += begins[stretch]
+                samples += if (inside == 0) Double.NaN else column.y[inside - 1]
+            }
+            for (i in inside until column.size) {
+                if (stretch + 1 < count && column.x[i] > lastOf(stretch)) break
+                times += column.x[i] - leads[stretch]
                 samples += column.y[i]
             }
-            begin()
         }
         return Column(times.toDoubleArray(), samples.toDoubleArray(), column.texts, column.isMomentary, this)
     }

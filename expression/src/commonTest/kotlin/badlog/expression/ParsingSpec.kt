@@ -13,6 +13,8 @@ private val VOCABULARY = Vocabulary(
             SignalKind.STATE) + Signal("Log", SignalKind.EVENT),
 )
 
+private const val PERCENT = "“%” is the remainder of a division; after a number no unit is written, not even %."
+
 private const val OVER_AT_ONCE =
     "An event is over at once, so this never lasts; hold(x) keeps the text of an event until the next, count(c) counts."
 
@@ -43,6 +45,10 @@ class ParsingSpec : FunSpec({
         "a when p when q" to "(when (when a p) q)",
         "a < b when p or q" to "(when (< a b) (or p q))",
         "a = b" to "(== a b)",
+        "a ≤ b or a =< b" to "(or (<= a b) (<= a b))",
+        "a ≥ b or a => b" to "(or (>= a b) (>= a b))",
+        "a <> b or a ≠ b" to "(or (!= a b) (!= a b))",
+        "a − −b" to "(- a (neg b))",
         "(a < b) == (b < c)" to "(== (< a b) (< b c))",
         "a<b&&b>=c" to "(and (< a b) (>= b c))",
         "p AND NOT q" to "(and p (not q))",
@@ -54,6 +60,9 @@ class ParsingSpec : FunSpec({
         "Battery Voltage - 1" to "(- System/Battery Voltage 1)",
         "system/battery voltage" to "System/Battery Voltage",
         "\"Battery Voltage\"" to "System/Battery Voltage",
+        "/System/Battery Voltage" to "System/Battery Voltage",
+        "\"/System/Battery Voltage\"" to "System/Battery Voltage",
+        "a / /Arm/Angle" to "(/ a Arm/Angle)",
         "`Battery Voltage`" to "System/Battery Voltage",
         "\"say \"\"go\"\"\"" to "say \"go\"",
         "`say \"go\"`" to "say \"go\"",
@@ -144,6 +153,20 @@ class ParsingSpec : FunSpec({
         Triple("State + 1", "State", "A number is needed here, not “State”, which is a text."),
         Triple("-'a'", "'a'", "A number is needed here, not a text."),
         Triple("State == 1", "State == 1", "A text, “State”, cannot be compared with a number; texts stand in single quotes."),
+        Triple("State == IDLE", "IDLE", "There is no topic “IDLE”; a text stands in single quotes, as in 'IDLE'."),
+        Triple("State = \"STOWED\"", "\"STOWED\"", "There is no topic “STOWED”; a text stands in single quotes, as in 'STOWED'."),
+        Triple("Log contains \"x y\"", "\"x y\"", "There is no topic “x y”; a text stands in single quotes, as in 'x y'."),
+        Triple("a > 90 %", "%", PERCENT),
+        Triple("(a > 90%) and p", "%", PERCENT),
+        Triple("a > 90 % for 1 s", "%", PERCENT),
+        Triple("/System/Battery Voltge > 1", "/System/Battery Voltge",
+            "There is no topic “/System/Battery Voltge”; did you mean “System/Battery Voltage”?"),
+        Triple("Battery  Voltage > 1", "Battery  Voltage",
+            "There is no topic “Battery  Voltage”; did you mean “System/Battery Voltage”?"),
+        Triple("sum(a) > 1", "sum", "There is no function “sum”; did you mean integral?"),
+        Triple("avg(a) > 1", "avg", "There is no function “avg”; did you mean mean?"),
+        Triple("max(a, b)", "b", "max needs here a time above 0 with its unit, such as 1 s, not “b”, which is a number; " +
+            "of two, if(a < b, a, b) takes one."),
         Triple("'x' == a", "'x' == a", "A text, 'x', cannot be compared with “a”, which is a number."),
         Triple("'x' == 'y'", "'x' == 'y'", "Two fixed texts need no comparison."),
         Triple("a contains 'x'", "a", "Before “contains” a topic of texts is needed, not “a”, which is a number."),

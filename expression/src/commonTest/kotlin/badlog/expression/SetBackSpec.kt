@@ -67,4 +67,17 @@ class SetBackSpec : FunSpec({
         count("max(Low)") shouldBe 0.0
         with.xAxis.clocks.size shouldBe 1
     }
+
+    test("rows without a time do not hide that the clock was set back") {
+        val gaps = LogViewSignals(viewOf(listOf("1,10,,", "2,20,,", ",30,,", "1,40,,", "2,50,,")))
+        val asked = parsed("previous(V)", gaps.vocabulary).series(gaps)
+        asked.x.toList() shouldBe listOf(1.0, 2.0, 1.0, 2.0)
+        asked.y.drop(1) shouldBe listOf(10.0, 20.0, 40.0)
+    }
+
+    test("a clock that is set back all the time costs no more than others") {
+        val restless = LogViewSignals(viewOf(List(100_000) { "${it % 2},${it % 7},," }))
+        parsed("V > 5 and during(0, 0.5) for 0.5 s", restless.vocabulary).answer(restless).times shouldBe 0
+        parsed("count(V > 5)", restless.vocabulary).answer(restless).figures.single().value shouldBe 14_285.0
+    }
 })

@@ -40,6 +40,10 @@ class VirtualTopicSpec : FunSpec({
             "A virtual topic needs a name and =, as in Power [W] = Voltage * Current."),
         Triple(" [W] = Voltage", " [W] ", "The virtual topic has no name before =."),
         Triple("Voltage = Voltage", "Voltage ", "There already is a topic “Voltage”."),
+        Triple("Current = 3", "Current ", "“Current” already means “PDP/Current”; choose another name."),
+        Triple("current = 3", "current ", "“current” already means “PDP/Current”; choose another name."),
+        Triple("true = 3", "true ", "“true” is a word of the language; choose another name."),
+        Triple("enabled [V] = 1", "enabled [V] ", "“enabled” is a word of the language; choose another name."),
         Triple("\"a\" b = Voltage", "\"a\" b ", "Between a quoted name and = only a unit may stand, in brackets."),
         Triple("Power = Voltage * Curent", "Curent", "There is no topic “Curent”; did you mean “PDP/Current”?"),
     )
