@@ -63,7 +63,8 @@ public class Report(
         runCached(files, known, ::examine) { file, stored ->
             val failures = stored.hooks.mapNotNull { hook -> hook.failure?.let { HookFailure(hook.hook, it.message) } }
             val log = LogReport(
-                file, stored.title, stored.findings, stored.unreadable, stored.isNoLog, stored.isSalvaged, stored.undefined, failures,
+                file, stored.title, stored.findings, stored.asked.mapNotNull { skipped(it.rule, listOf(it)) }, stored.unreadable,
+                stored.isNoLog, stored.isSalvaged, stored.undefined, failures,
             )
             logs += log
             for (rule in stored.asked) asked.getOrPut(rule.rule) { ArrayList() } += rule

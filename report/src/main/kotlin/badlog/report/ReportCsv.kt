@@ -31,7 +31,8 @@ private fun plain(number: Double) = if (number.isFinite()) number.toBigDecimal()
 
 private fun cell(text: String): String {
     // A spreadsheet would calculate what begins so; names and texts come from files.
-    val safe = if (text.isNotEmpty() && text[0] in "=+-@\t\r" && text.toDoubleOrNull() == null) "'$text" else text
+    val shown = text.lines().joinToString("\n", transform = ::printable)
+    val safe = if (shown.isNotEmpty() && shown[0] in "=+-@" && shown.toDoubleOrNull() == null) "'$shown" else shown
     val needsQuotes = safe.any { it in "\",\r\n" } || safe != safe.trim()
     return if (needsQuotes) "\"${safe.replace("\"", "\"\"")}\"" else safe
 }

@@ -180,8 +180,7 @@ class ReportSpec : FunSpec({
             val result = Report(rules("min(Battery Voltage) < 7"), listOf(hook)).over(logsIn(folder))
             result.logs.single().findings.size shouldBe 1
             reportText(result) shouldContain "1.bag, hook “h”: The hook ended with the exit code 1 and said: no numpy."
-            Json.parseToJsonElement(reportJson(result)).jsonObject.getValue("logs").jsonArray[0].jsonObject["hookFailures"]
-                ?.jsonArray?.size shouldBe 1
+            reportJson(result.logs.single()).getValue("hookFailures").jsonArray.size shouldBe 1
         }
     }
 
@@ -193,6 +192,15 @@ class ReportSpec : FunSpec({
             folder.resolve("ran").exists() shouldBe false
             Report(rules, rules.hooks).over(logsIn(folder))
             folder.resolve("ran").exists() shouldBe true
+        }
+    }
+
+    test("a hook that fails alike in many logs is told once") {
+        inFolder { folder ->
+            for (i in 1..5) folder.put("$i.bag", batteryBag(6.0))
+            val text = reportText(Report(RuleSet.NONE, listOf(HookRunner(listOf("no-such-program"), name = "h"))).over(logsIn(folder)))
+            text.lines().count { "hook “h”" in it } shouldBe 1
+            text shouldContain "5 logs, hook “h”: "
         }
     }
 
@@ -217,12 +225,14 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("the JSON has every log") {
+    test("the JSON of a log has what was found, and what was not asked") {
         inFolder { folder ->
             folder.put("1.bag", batteryBag(6.0))
             folder.put("2.bag", batteryBag(12.0))
-            val json = Json.parseToJsonElement(reportJson(Report(rules("min(Battery Voltage) < 7")).over(logsIn(folder)))).jsonObject
-            json.getValue("logs").jsonArray.map { it.jsonObject.getValue("findings").jsonArray.size } shouldContainExactly listOf(1, 0)
+            folder.put("3.bag", batteryBag(12.0, name = "Volts"))
+            val logs = Report(rules("min(Battery Voltage) < 7")).over(logsIn(folder)).logs.map(::reportJson)
+            logs.map { it.getValue("findings").jsonArray.size } shouldContainExactly listOf(1, 0, 0)
+            logs.map { it.getValue("notAsked").jsonArray.size } shouldContainExactly listOf(0, 0, 1)
         }
     }
 })

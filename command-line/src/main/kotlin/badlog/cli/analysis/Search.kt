@@ -1,10 +1,15 @@
 package badlog.cli.analysis
 
+import badlog.file.UnreadableFileException
+import badlog.file.reading
+import badlog.file.requireRegularFile
 import badlog.report.Report
+import badlog.report.ReportResult
+import badlog.report.SkippedRule
 import badlog.report.hook.HookRunner
 import badlog.report.rules.RuleSet
 import badlog.report.rules.RulesException
-import java.io.IOException
+import java.nio.charset.CharacterCodingException
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -33,12 +38,35 @@ internal class Search(private val rules: Path?, private val hooks: List<HookRunn
         return Report(ruleSet, hooks + ruleSet.hooks, virtualTopics, cache)
     }
 
+    private val hasOwnRules get() = rules != null && rules != Path.of(DEFAULT_RULES)
+
+    /** Those of [skipped] that the user has to know: a log need not have all that badlog's own rules look for. */
+    fun toldOf(skipped: List<SkippedRule>): List<SkippedRule> = if (hasOwnRules) skipped else emptyList()
+
+    /** Whether a rule is wrong; one that could be asked of any log is right, others only lack its topics. */
+    fun isMistaken(results: List<ReportResult>): Boolean {
+        val skipped = results.flatMap { it.skipped }.groupBy { it.rule }.values
+        val logs = results.sumOf { result -> result.logs.count { it.unreadable == null } }
+        return skipped.any { ofRule -> ofRule.any { it.isMistake } && ofRule.sumOf { it.logs } == logs }
+    }
+
+    /** Whether a rule of the user's file could be asked of no log at all; of those of badlog's own, that is nothing unusual. */
+    fun isNeverAsked(result: ReportResult): Boolean =
+        hasOwnRules && result.skipped.any { it.logs == result.logs.count { log -> log.unreadable == null } }
+
     private fun read(file: Path) = try {
-        RuleSet.parse(Files.readString(file), file.toAbsolutePath().parent)
+        RuleSet.parse(textOf(file), file.toAbsolutePath().parent)
     } catch (e: RulesException) {
         throw SearchException("$file: ${e.message}")
-    } catch (_: IOException) {
-        throw SearchException("The rules in $file cannot be read; look for a typing error in its name.")
+    }
+
+    private fun textOf(file: Path): String = try {
+        requireRegularFile(file)
+        reading(file) { Files.readAllBytes(file) }.decodeToString(throwOnInvalidSequence = true)
+    } catch (e: UnreadableFileException) {
+        throw SearchException(e.message)
+    } catch (_: CharacterCodingException) {
+        throw SearchException("$file is not in UTF-8, as rules have to be; save it so in your editor.")
     }
 
     companion object {

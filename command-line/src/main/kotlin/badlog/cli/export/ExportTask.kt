@@ -27,10 +27,13 @@ import badlog.html.HtmlExporter
 import badlog.html.PageAdditions
 import badlog.report.HookFailure
 import badlog.report.Report
+import badlog.report.ReportResult
+import badlog.report.SkippedRule
 import badlog.report.hook.HookOutcome
 import badlog.report.page.pageAdditions
 import badlog.report.rules.Finding
 import badlog.report.rules.RuleSet
+import badlog.report.skippedJson
 import java.nio.file.Path
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonPrimitive
@@ -51,28 +54,35 @@ internal class ExportTask(
         try {
             attachments.forEach(::requireRegularFile)
         } catch (e: UnreadableFileException) {
-            console.err.println(e.message)
+            console.warn(e.message)
             return ExitCode.NOTHING
         }
         val report = try {
             if (search.isEmpty) null else search.report(RuleSet.NONE)
         } catch (e: SearchException) {
-            console.err.println(e.message)
+            console.warn(e.message)
             return ExitCode.USAGE
         }
         val exporter = HtmlExporter(attachments)
-        return LogLoop("export", console, isJson).run(paths) { input, progress ->
-            export(exporter, input, report?.let { Found(it, input.file) }, progress)
+        val found = ArrayList<ReportResult>()
+        val code = LogLoop("export", console, isJson).run(paths) { input, progress ->
+            export(exporter, input, report?.let { Found(it, input.file).also { of -> found += of.result } }, progress)
         }
+        return if (search.isMistaken(found)) ExitCode.USAGE else code
     }
 
     /** What [report] finds in the log [file]. */
     private class Found(report: Report, file: Path) {
         private var outcomes = emptyList<HookOutcome>()
-        private val log = report.over(listOf(reading(file) { LogFile.of(file) })) { _, hooks -> outcomes = hooks }.logs.single()
+        val result = report.over(listOf(reading(file) { LogFile.of(file) })) { _, hooks -> outcomes = hooks }
+        private val log = result.logs.single()
 
         val findings: List<Finding> get() = log.findings
         val failures: List<HookFailure> get() = log.hookFailures
+        val skipped: List<SkippedRule> get() = log.skipped
+
+        /** Why nothing could be looked for; what is no log is told elsewhere. */
+        val unreadable: String? get() = log.unreadable.takeUnless { log.isNoLog }
 
         fun additions(virtualTopics: List<String>) = pageAdditions(virtualTopics, findings, outcomes)
     }
@@ -88,8 +98,10 @@ internal class ExportTask(
         }
         val undefined = undefinedTopics(LogView.of(report.recording), search.virtualTopics)
         val failures = found?.failures.orEmpty()
+        val skipped = found?.skipped.orEmpty()
         val text = listOf("${input.file} -> $target") +
-            listOfNotNull(found?.let { "  ${counted(it.findings.size.toLong(), "finding")}" }) +
+            listOfNotNull(found?.let(::findingsText)) +
+            search.toldOf(skipped).flatMap { it.toString().lines() }.map { "  $it" } +
             undefinedLines(undefined) +
             failures.map { wrapped("  ", "hook “${it.hook}”: ${it.message}") } +
             lossLines(report.recording.problems)
@@ -97,10 +109,18 @@ internal class ExportTask(
             "output" to JsonPrimitive(target.toString()),
             "rows" to JsonPrimitive(report.recording.rowCount),
             "findings" to JsonPrimitive(found?.findings?.size),
+            "findingsError" to JsonPrimitive(found?.unreadable),
+            "notAsked" to JsonArray(skipped.map(::skippedJson)),
             "undefined" to json(undefined.map { it.message }),
             "hookFailures" to json(failures.map { it.message }),
             "problems" to JsonArray(report.recording.problems.map { json(it) }),
         )
-        return Outcome(report.recording.isSalvaged || failures.isNotEmpty(), text.joinToString("\n"), json)
+        val isIncomplete = failures.isNotEmpty() || found?.unreadable != null || search.toldOf(skipped).isNotEmpty()
+        return Outcome(report.recording.isSalvaged || isIncomplete, text.joinToString("\n"), json)
+    }
+
+    private fun findingsText(found: Found): String = when (val reason = found.unreadable) {
+        null -> "  " + counted(found.findings.size.toLong(), "finding")
+        else -> wrapped("  ", "nothing was looked for: $reason")
     }
 }

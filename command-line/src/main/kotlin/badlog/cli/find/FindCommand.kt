@@ -22,5 +22,7 @@ internal class FindCommand : SubCommand(
     private val virtual by VirtualTopicOption()
     private val isFresh by option("--no-cache").flag().help("Read every log, and keep nothing.")
 
+    override val words: List<String> get() = super.words + question
+
     override fun makeTask(): Task = FindTask(paths, question, virtual.definitions, if (isFresh) null else cacheFolder(), isJson)
 }

@@ -23,11 +23,12 @@ internal class ReportCommand : SubCommand(
     private val isCsv by option("--csv").flag().help("Print a line of CSV for each finding.")
     private val folder by option("--out", metavar = "DIR").path()
         .help("Also make the logs' pages there, and an index.html.")
+    private val isForced by option("--force").flag().help("Replace what badlog did not make, but no log.")
     private val isFresh by option("--no-cache").flag().help("Read every log, and keep nothing.")
 
     override fun makeTask(): Task {
         if (isCsv && isJson) throw UsageError("choose one of --csv and --json")
         val form = if (isCsv) ReportForm.CSV else if (isJson) ReportForm.JSON else ReportForm.TEXT
-        return ReportTask(paths, search.search(virtual.definitions), form, folder, if (isFresh) null else cacheFolder())
+        return ReportTask(paths, search.search(virtual.definitions), form, folder, isForced, if (isFresh) null else cacheFolder())
     }
 }

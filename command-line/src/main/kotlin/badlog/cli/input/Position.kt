@@ -1,8 +1,11 @@
-package badlog.cli.cut
+package badlog.cli.input
 
 import badlog.analysis.XAxis
 import badlog.cli.Failure
 import badlog.cli.text.XTime
+import com.github.ajalt.clikt.parameters.options.NullableOption
+import com.github.ajalt.clikt.parameters.options.RawOption
+import com.github.ajalt.clikt.parameters.options.convert
 
 /** Where on an x axis, as it was typed. */
 internal class Position private constructor(private val text: String, private val number: Double, private val isClock: Boolean) {
@@ -35,3 +38,7 @@ internal class Position private constructor(private val text: String, private va
         }
     }
 }
+
+/** This option as a position on the x axis. */
+internal fun RawOption.position(): NullableOption<Position, Position> =
+    convert { Position.of(it) ?: fail("“$it” is neither a number nor a time such as 1:32.5") }
