@@ -13,16 +13,19 @@ import kotlinx.serialization.Serializable
 /**
  * A question to many logs: an expression, see `docs/expressions.md`.
  *
- * @property question the expression.
- * @property virtualTopics definitions of topics that the question may use beside the log's own, such as `Power = Voltage * Current`.
+ * @param question the expression.
+ * @param virtualTopics definitions of topics that the question may use beside the log's own, such as `Power = Voltage * Current`.
  * @param cache a folder for what was found out before, so that a file that did not change is not read again; null for none.
  */
 public class Find(
-    public val question: String,
-    public val virtualTopics: List<String> = emptyList(),
+    private val question: String,
+    private val virtualTopics: List<String> = emptyList(),
     private val cache: Path? = null,
 ) {
     private val parsed = Remembered<Vocabulary, ParsedExpression>(MOST_VOCABULARIES) { Expression.parse(question, it) }
+
+    /** What is wrong with the question whatever a log has, such as a parenthesis that is never closed; null when nothing seems to be. */
+    public val mistake: Reply.NotAsked? = mistakeForAnyLog(question)?.let(::notAsked)
 
     @Serializable
     internal class Stored(
@@ -33,7 +36,7 @@ public class Find(
     )
 
     /**
-     * Asks each of [files], on all cores.
+     * Asks each of [files], on all cores. With a [mistake] in the question that is the reply of each, and none is read.
      *
      * @param progress hears on this thread how many files are done.
      * @param each gets each result on this thread, as soon as it and those before it are there. What it or [progress] throws stops
@@ -57,7 +60,8 @@ public class Find(
         return results
     }
 
-    private fun ask(file: LogFile): Found<Stored> = LogContent.examined(file, virtualTopics, ::ask)
+    private fun ask(file: LogFile): Found<Stored> =
+        if (mistake != null) Found(Stored(null, mistake), isLasting = false) else LogContent.examined(file, virtualTopics, ::ask)
 
     private fun ask(content: LogContent): Found<Stored> = when (content) {
         is LogContent.None -> Found(Stored(null, Reply.Unreadable(content.message, content.isNoLog)), content.isNoLog)

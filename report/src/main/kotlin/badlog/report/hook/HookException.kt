@@ -3,12 +3,7 @@ package badlog.report.hook
 import java.io.IOException
 
 /**
- * A hook gave nothing that can be used. The message is one sentence: what went wrong, and what to do.
- *
- * @property errorOutput what the program wrote to its standard error, at most the last 64 KiB.
+ * A hook gave nothing that can be used. The message says what went wrong and what to do, with the last that the program wrote to its
+ * standard error.
  */
-public class HookException internal constructor(
-    override val message: String,
-    public val errorOutput: String,
-    cause: Throwable? = null,
-) : IOException(message, cause)
+public class HookException internal constructor(override val message: String, cause: Throwable? = null) : IOException(message, cause)

@@ -13,7 +13,7 @@ import kotlinx.serialization.json.doubleOrNull
 import java.util.Base64
 
 /** Checks what a hook printed. Throws [IllegalArgumentException] with a sentence at the first thing that is not as it has to be. */
-internal class HookOutput(private val errorOutput: String) {
+internal object HookOutput {
     fun read(text: String): HookResult {
         require(text.isNotBlank()) { "The hook printed nothing; it has to print one JSON object, at least {}." }
         requireShallow(text)
@@ -28,7 +28,6 @@ internal class HookOutput(private val errorOutput: String) {
             findings = items(members, "findings", MOST_FINDINGS, ::finding),
             series = items(members, "series", MOST_SERIES, ::series),
             figures = items(members, "figures", MOST_FIGURES, ::figure),
-            errorOutput = errorOutput,
         )
     }
 
@@ -89,16 +88,21 @@ internal class HookOutput(private val errorOutput: String) {
         require(("svg" in members) != ("png" in members)) { "In $where there has to be either “svg” or “png”." }
         if ("svg" in members) {
             val svg = text(members, "svg", where, MOST_FIGURE)
-            require(SVG.containsMatchIn(svg)) { "In $where “svg” has to be an SVG picture that begins with <svg." }
-            return HookFigure(title, "image/svg+xml", svg.encodeToByteArray())
+            require(beginsAsSvg(svg)) { "In $where “svg” has to be an SVG picture that begins with <svg." }
+            return HookFigure(title, "image/svg+xml", picture(svg.encodeToByteArray(), "In $where “svg”"))
         }
         val png = try {
-            Base64.getMimeDecoder().decode(text(members, "png", where, MOST_FIGURE))
+            Base64.getMimeDecoder().decode(text(members, "png", where, MOST_BASE64))
         } catch (_: IllegalArgumentException) {
             throw IllegalArgumentException("In $where “png” has to be Base64.")
         }
         require(png.size > PNG.size && PNG.indices.all { png[it] == PNG[it] }) { "In $where “png” has to be a PNG picture in Base64." }
-        return HookFigure(title, "image/png", png)
+        return HookFigure(title, "image/png", picture(png, "In $where “png”"))
+    }
+
+    private fun picture(bytes: ByteArray, what: String): ByteArray {
+        require(bytes.size <= MOST_FIGURE) { "$what has ${bytes.size} bytes; $MOST_FIGURE are the most." }
+        return bytes
     }
 
     private fun <T> items(members: JsonObject, key: String, most: Int, read: (JsonElement, String) -> T): List<T> {
@@ -127,7 +131,7 @@ internal class HookOutput(private val errorOutput: String) {
 
     private fun numberIn(members: JsonObject, key: String, where: String): Double {
         val json = members[key] ?: return Double.NaN
-        return number(json) ?: throw IllegalArgumentException("In $where “$key” has to be a number, not ${kindOf(json)}.")
+        return number(json) ?: throw IllegalArgumentException("In $where “$key” has to be a number or left out, not ${kindOf(json)}.")
     }
 
     private fun number(json: JsonElement): Double? =
@@ -141,7 +145,7 @@ internal class HookOutput(private val errorOutput: String) {
             val item = json[index]
             if (areGapsAllowed && item is JsonNull) Double.NaN
             else number(item) ?: throw IllegalArgumentException(
-                "In $where number ${index + 1} of “$key” is ${kindOf(item)}, not a number.",
+                "In $where number ${index + 1} of “$key” is ${kindOf(item)}, not a number${if (areGapsAllowed) "; a gap is null" else ""}.",
             )
         }
     }
@@ -154,18 +158,18 @@ internal class HookOutput(private val errorOutput: String) {
         else -> json.content.take(MOST_NAME)
     }
 
-    private companion object {
-        const val MOST_QUOTED = 120
-        const val MOST_DEPTH = 10
-        const val MOST_NAME = 200
-        const val MOST_TEXT = 10_000
-        const val MOST_VALUES = 1000
-        const val MOST_FINDINGS = 10_000
-        const val MOST_SERIES = 100
-        const val MOST_SAMPLES = 1_000_000
-        const val MOST_FIGURES = 50
-        const val MOST_FIGURE = 4 shl 20
-        val SVG = Regex("^\\s*(<\\?xml[^>]*>\\s*)?(<!--[^-]*-->\\s*)*(<!DOCTYPE[^>\\[]*>\\s*)?(<!--[^-]*-->\\s*)*<svg[\\s>]")
-        val PNG = byteArrayOf(0x89.toByte(), 'P'.code.toByte(), 'N'.code.toByte(), 'G'.code.toByte(), 13, 10, 26, 10)
-    }
+    private const val MOST_QUOTED = 120
+    private const val MOST_DEPTH = 10
+    private const val MOST_NAME = 200
+    private const val MOST_TEXT = 10_000
+    private const val MOST_VALUES = 1000
+    private const val MOST_FINDINGS = 10_000
+    private const val MOST_SERIES = 100
+    private const val MOST_SAMPLES = 1_000_000
+    private const val MOST_FIGURES = 50
+    private const val MOST_FIGURE = 4 shl 20
+
+    // Three bytes are four characters, and there may be line breaks.
+    private const val MOST_BASE64 = MOST_FIGURE / 2 * 3
+    private val PNG = byteArrayOf(0x89.toByte(), 'P'.code.toByte(), 'N'.code.toByte(), 'G'.code.toByte(), 13, 10, 26, 10)
 }

@@ -10,14 +10,12 @@ import badlog.recording.Severity
  * @property findings what it found.
  * @property series lines over the recording's x.
  * @property figures pictures.
- * @property errorOutput what the program wrote to its standard error, at most the last 64 KiB.
  */
 public class HookResult internal constructor(
     public val values: Map<String, String>,
     public val findings: List<HookFinding>,
     public val series: List<HookSeries>,
     public val figures: List<HookFigure>,
-    public val errorOutput: String,
 )
 
 /**

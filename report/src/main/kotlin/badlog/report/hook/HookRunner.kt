@@ -5,14 +5,14 @@ import badlog.analysis.resampled
 import badlog.bag.BagHeader
 import badlog.bag.BagTopic
 import badlog.bag.BagValue
-import badlog.bag.RecordingWriter
 import badlog.bag.headerText
 import badlog.recording.Recording
-import badlog.recording.RecordingFormat
+import badlog.report.orAtProgramEnd
+import java.io.File
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
-import java.util.concurrent.TimeUnit
+import java.util.concurrent.atomic.AtomicReference
 import kotlin.time.Duration
 import kotlin.time.Duration.Companion.seconds
 
@@ -49,18 +49,28 @@ public class HookRunner(
         val header = try {
             Files.createTempFile("badlog-header-", ".json")
         } catch (e: IOException) {
-            throw HookException("No temporary file can be written for the hook: ${e.message}.", "", e)
+            throw HookException("No temporary file can be written for the hook: ${e.message}.", e)
+        }
+        val running = AtomicReference<HookRun>()
+        fun end() {
+            try {
+                running.get()?.close()
+            } finally {
+                header.toFile().delete()
+            }
         }
         try {
-            val rows = inRows(recording)
-            Files.writeString(header, headerOf(rows))
-            return Run(start(header), rows).use { it.result() }
+            return orAtProgramEnd(::end) {
+                val rows = inRows(recording)
+                Files.writeString(header, headerOf(rows))
+                HookRun(start(header), rows, timeLimit).also(running::set).result()
+            }
         } catch (e: HookException) {
             throw e
         } catch (e: IOException) {
-            throw HookException("The program “${command[0]}” cannot be run: ${e.message}.", "", e)
+            throw HookException("The program “${command[0]}” cannot be run: ${e.message}.", e)
         } finally {
-            Files.deleteIfExists(header)
+            end()
         }
     }
 
@@ -70,67 +80,18 @@ public class HookRunner(
             directory(folder?.toFile())
         }.start()
     } catch (e: IOException) {
-        throw HookException("The program “${command[0]}” cannot be started; is it installed, and in the PATH?", "", e)
+        throw HookException(whyNotStarted(e.message.orEmpty()), e)
     }
 
-    private inner class Run(private val process: Process, private val recording: Recording) : AutoCloseable {
-        private val output = PipeReader(process.inputStream, MOST_OUTPUT, keepsEnd = false)
-        private val errors = PipeReader(process.errorStream, MOST_ERRORS, keepsEnd = true)
-        private val started = HashSet<ProcessHandle>()
-        private val end = System.nanoTime() + timeLimit.inWholeNanoseconds
-        private val leftMillis get() = (end - System.nanoTime()) / 1_000_000
-        private val input = Thread(::feed, "badlog-hook-input").apply {
-            isDaemon = true
-            start()
-        }
-
-        fun result(): HookResult {
-            while (!process.waitFor(minOf(POLL, maxOf(1, leftMillis)), TimeUnit.MILLISECONDS)) {
-                // What a program started can no longer be found when it has ended itself.
-                process.descendants().forEach(started::add)
-                if (output.isTooLong) fail("The hook printed more than ${MOST_OUTPUT shr 20} MB.")
-                if (leftMillis <= 0) fail("The hook took longer than $timeLimit and was stopped.")
-            }
-            if (!output.join(leftMillis) || !errors.join(leftMillis)) {
-                fail("The hook ended, but something it started took longer than $timeLimit and was stopped.")
-            }
-            if (output.isTooLong) fail("The hook printed more than ${MOST_OUTPUT shr 20} MB.")
-            val code = process.exitValue()
-            if (code != 0) fail("The hook ended with the exit code $code${lastError()}.")
-            return try {
-                HookOutput(errors.text()).read(output.text())
-            } catch (e: IllegalArgumentException) {
-                throw HookException(e.message.orEmpty(), errors.text(), e)
-            }
-        }
-
-        private fun lastError(): String {
-            val line = errors.text().lines().lastOrNull { it.isNotBlank() && it.trim() != R_ENDED } ?: return ""
-            return " and said: ${line.trim().trimEnd('.').take(MOST_QUOTED)}"
-        }
-
-        private fun fail(message: String): Nothing {
-            close()
-            errors.join(POLL)
-            throw HookException(message, errors.text())
-        }
-
-        private fun feed() {
-            try {
-                process.outputStream.use { out ->
-                    RecordingWriter(recording, RecordingFormat.CSV).write { bytes, size -> out.write(bytes, 0, size) }
-                }
-            } catch (_: IOException) {
-                // A program need not read all, or any, of its input.
-            }
-        }
-
-        override fun close() {
-            process.descendants().forEach(started::add)
-            started += process.toHandle()
-            // Not the process itself, which would wait for its streams: for those who still read and write them.
-            started.forEach(ProcessHandle::destroyForcibly)
-            input.join(POLL)
+    private fun whyNotStarted(message: String): String {
+        val program = command[0]
+        val reason = ERROR_OF_SYSTEM.find(message)?.let { " (${it.groupValues[1]})" }.orEmpty()
+        val file = folder?.toFile()?.resolve(program) ?: File(program)
+        return when {
+            folder != null && !Files.isDirectory(folder) -> "The folder “$folder” in which to run the hook is not there."
+            file.isFile -> "The file “$program” cannot be run as a program$reason; name what runs it, as in “python3 $program”, " +
+                "or allow it by chmod +x."
+            else -> "The program “$program” cannot be started$reason; is it installed, and in the PATH?"
         }
     }
 
@@ -144,13 +105,8 @@ public class HookRunner(
             return (script ?: command[0]).substringAfterLast('/').substringAfterLast('\\')
         }
 
-        private const val POLL = 50L
-        private const val MOST_OUTPUT = 64 shl 20
-        private const val MOST_ERRORS = 64 shl 10
-        private const val MOST_QUOTED = 300
-
-        /** What R says last of all, whatever went wrong. */
-        private const val R_ENDED = "Execution halted"
+        /** As in `Cannot run program "a.py": error=13, Permission denied` or `CreateProcess error=2, …`. */
+        private val ERROR_OF_SYSTEM = Regex("error=\\d+, (.*)")
 
         /** The line of a bag, or one that says as much of another file. */
         private fun headerOf(recording: Recording): String = recording.headerLine ?: headerText(

@@ -5,7 +5,8 @@ import java.io.InputStream
 
 /** Reads what a program writes, on a thread of its own, so that the program never waits. */
 internal class PipeReader(private val stream: InputStream, private val most: Int, private val keepsEnd: Boolean) {
-    private var bytes = ByteArray(0)
+    private var bytes = ByteArray(minOf(most, PIECE))
+    private var count = 0
 
     /** Whether there was more than [most] bytes. */
     @Volatile
@@ -17,7 +18,7 @@ internal class PipeReader(private val stream: InputStream, private val most: Int
     }
 
     private fun read() {
-        val piece = ByteArray(PIECE)
+        val piece = ByteArray(minOf(most, PIECE))
         try {
             while (true) {
                 val size = stream.read(piece)
@@ -31,12 +32,15 @@ internal class PipeReader(private val stream: InputStream, private val most: Int
 
     @Synchronized
     private fun append(piece: ByteArray, size: Int) {
-        if (bytes.size + size <= most) {
-            bytes += piece.copyOf(size)
-        } else {
+        if (size > most - count) {
             isTooLong = true
-            if (keepsEnd) bytes = (bytes + piece.copyOf(size)).let { it.copyOfRange(it.size - most, it.size) }
+            if (!keepsEnd) return
+            bytes.copyInto(bytes, 0, size - (most - count), count)
+            count = most - size
         }
+        if (size > bytes.size - count) bytes = bytes.copyOf(minOf(most, maxOf(bytes.size * 2, count + size)))
+        piece.copyInto(bytes, count, 0, size)
+        count += size
     }
 
     /** Whether all was read within [millis] milliseconds. */
@@ -47,7 +51,7 @@ internal class PipeReader(private val stream: InputStream, private val most: Int
 
     /** What was read so far. */
     @Synchronized
-    fun text(): String = bytes.decodeToString()
+    fun text(): String = bytes.decodeToString(0, count)
 
     private companion object {
         const val PIECE = 1 shl 16

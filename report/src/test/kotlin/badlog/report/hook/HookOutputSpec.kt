@@ -9,8 +9,9 @@ import io.kotest.property.Arb
 import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.string
 import io.kotest.property.checkAll
+import java.util.Base64
 
-private fun read(json: String) = HookOutput("").read(json)
+private fun read(json: String) = HookOutput.read(json)
 
 private const val WHOLE = """{"values": {"a": "b", "n": 1.5}, "findings": [{"severity": "error", "text": "t", "time": 2, "until": 3}],
     "series": [{"name": "s", "unit": "V", "x": [0, 1, 1], "y": [1, null, -2e3]}],
@@ -48,15 +49,19 @@ class HookOutputSpec : FunSpec({
         """{"findings": {}}""" to "“findings” has to be a list",
         """{"findings": [{"text": 3}]}""" to "In number 1 of “findings” “text” has to be a text, not 3",
         """{"findings": [{"text": "", "severity": "bad"}]}""" to "error, warning or note, not “bad”",
-        """{"findings": [{"text": "", "time": "1"}]}""" to "“time” has to be a number, not a text",
+        """{"findings": [{"text": "", "time": "1"}]}""" to "“time” has to be a number or left out, not a text",
         """{"findings": [{"text": "", "time": 2, "until": 1}]}""" to "not before",
         """{"series": [{"name": "s", "x": [1], "y": []}]}""" to "“x” has 1 numbers and “y” has 0",
         """{"series": [{"name": "s", "x": [2, 1], "y": [0, 0]}]}""" to "goes back at number 2",
         """{"series": [{"name": "s", "x": [null], "y": [0]}]}""" to "number 1 of “x” is null",
         """{"series": [{"name": "s", "x": [1], "y": [1e999]}]}""" to "not a number",
+        """{"series": [{"name": "s", "x": [1], "y": [NaN]}]}""" to "number 1 of “y” is NaN, not a number; a gap is null",
+        """{"findings": [{"text": "", "time": NaN}]}""" to "“time” has to be a number or left out, not NaN",
         """{"series": [{"x": [], "y": []}]}""" to "“name” is missing",
         """{"figures": [{"title": "f"}]}""" to "either “svg” or “png”",
         """{"figures": [{"title": "f", "svg": "<html>"}]}""" to "begins with <svg",
+        """{"figures": [{"title": "f", "svg": "${"<!---->".repeat(200_000)}<html>"}]}""" to "begins with <svg",
+        """{"figures": [{"title": "f", "svg": "<!DOCTYPE svg [<!ENTITY a 'b'>]><svg/>"}]}""" to "begins with <svg",
         """{"figures": [{"title": "f", "png": "AAAA"}]}""" to "has to be a PNG",
         """{"values": {"a": "${"x".repeat(10_001)}"}}""" to "10001 characters; 10000 are the most",
     )
@@ -64,6 +69,25 @@ class HookOutputSpec : FunSpec({
         test("refuses ${json.take(60)} with a sentence") {
             shouldThrow<IllegalArgumentException> { read(json) }.message shouldContain message
         }
+    }
+
+    fun figure(key: String, content: String) = read("""{"figures": [{"title": "f", "$key": "$content"}]}""").figures.single()
+
+    test("an SVG may have before its root what XML allows") {
+        for (svg in listOf(
+            "<svg/>", "\\n<?xml version='1.0'?>\\n<!-- Generator: X 29.1, SVG Export Plug-In . --><svg ></svg>",
+            "<!-- a > b --><!DOCTYPE svg PUBLIC 'x' 'y'><!---->\\n<svg\\nxmlns=''></svg>", "${"<!---->".repeat(200_000)}<svg/>",
+        )) {
+            figure("svg", svg).mediaType shouldBe "image/svg+xml"
+        }
+    }
+
+    test("a PNG may have 4 MiB, however it is written") {
+        val most = 4 shl 20
+        val begin = byteArrayOf(0x89.toByte(), 'P'.code.toByte(), 'N'.code.toByte(), 'G'.code.toByte(), 13, 10, 26, 10)
+        fun lines(size: Int) = String(Base64.getMimeEncoder().encode(begin.copyOf(size))).replace("\r\n", "\\n")
+        figure("png", lines(most)).bytes.size shouldBe most
+        shouldThrow<IllegalArgumentException> { figure("png", lines(most + 1)) }.message shouldContain "4194304 are the most"
     }
 
     test("whatever is printed, there is a result or a sentence") {

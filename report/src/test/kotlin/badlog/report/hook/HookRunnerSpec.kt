@@ -8,12 +8,14 @@ import badlog.recording.TextColumn
 import badlog.recording.Topic
 import badlog.report.ROOT
 import badlog.report.sample
+import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.comparables.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldEndWith
 import io.kotest.matchers.string.shouldStartWith
 import java.io.File
 import java.io.IOException
@@ -37,6 +39,8 @@ private val HAS_R: Boolean = try {
     false
 }
 
+private val IS_WINDOWS = System.getProperty("os.name").startsWith("Windows")
+
 /** Runs a [program] in Python. */
 private fun python(program: String, limit: Duration = 30.seconds): HookResult =
     HookRunner(listOf("python3", "-c", program, "{header}"), limit).run(RECORDING)
@@ -50,7 +54,6 @@ class HookRunnerSpec : FunSpec({
             result.series.map { "series “${it.name}” in ${it.unit}, ${it.data.size} samples" } +
             result.figures.map { "figure “${it.title}”, ${it.mediaType}" }
         File(ROOT, "docs/hooks.md").readText() shouldContain "```hook\n${lines.joinToString("\n")}\n```"
-        result.errorOutput shouldBe ""
     }
 
     test("the example in R gives values and a picture").config(enabled = HAS_R) {
@@ -103,7 +106,51 @@ class HookRunnerSpec : FunSpec({
     test("a hook that fails is told with its last words").config(enabled = HAS_PYTHON) {
         val failure = shouldThrow<HookException> { python("import sys; sys.exit('no such column')") }
         failure.message shouldBe "The hook ended with the exit code 1 and said: no such column."
-        failure.errorOutput.trim() shouldBe "no such column"
+    }
+
+    test("whatever is wrong with a hook, its last words are told").config(enabled = HAS_PYTHON) {
+        shouldThrow<HookException> { python("import sys; print('odd column', file=sys.stderr)") }.message shouldBe
+            "The hook printed nothing; it has to print one JSON object, at least {}. To standard error it said: odd column."
+    }
+
+    test("a file that is no program is told as such").config(enabled = !IS_WINDOWS) {
+        val file = File.createTempFile("hook", ".py")
+        try {
+            shouldThrow<HookException> { HookRunner(listOf("$file"), 1.seconds).run(RECORDING) }.message shouldBe
+                "The file “$file” cannot be run as a program (Permission denied); name what runs it, as in “python3 $file”, " +
+                "or allow it by chmod +x."
+        } finally {
+            file.delete()
+        }
+    }
+
+    test("a hook goes, with its header, when the program is told to end").config(enabled = HAS_PYTHON && !IS_WINDOWS) {
+        val told = File.createTempFile("hook", ".txt")
+        try {
+            val program = """
+                import os, subprocess, sys, time
+                child = subprocess.Popen([sys.executable, '-c', 'import time; time.sleep(60)'])
+                time.sleep(0.3)
+                open(r'$told', 'w').write('%d %d %s .' % (os.getpid(), child.pid, os.environ['BADLOG_HEADER']))
+                time.sleep(60)
+            """.trimIndent()
+            val java = File(System.getProperty("java.home"), "bin/java").path
+            val ending = ProcessBuilder(
+                java, "-cp", System.getProperty("java.class.path"), "badlog.report.hook.RunHookKt", "${sample("qualification-42.bag")}",
+                "python3", "-c", program,
+            ).redirectErrorStream(true).redirectOutput(ProcessBuilder.Redirect.DISCARD).start()
+            eventually(20.seconds) { told.readText() shouldEndWith "." }
+            val (hook, child, header) = told.readText().split(' ')
+            File(header).exists() shouldBe true
+            ending.destroy()
+            eventually(10.seconds) {
+                ending.isAlive shouldBe false
+                for (process in listOf(hook, child)) ProcessHandle.of(process.toLong()).filter { it.isAlive }.isPresent shouldBe false
+            }
+            File(header).exists() shouldBe false
+        } finally {
+            told.delete()
+        }
     }
 
     test("a hook that takes too long is killed, with what it started").config(enabled = HAS_PYTHON) {
@@ -135,6 +182,11 @@ class HookRunnerSpec : FunSpec({
         took shouldBeLessThan 10.seconds
     }
 
+    test("much output is read as fast as it comes").config(enabled = HAS_PYTHON) {
+        val program = "import sys\nfor i in range(60): sys.stdout.write(' ' * 1000000)\nprint('{}')"
+        measureTime { python(program) } shouldBeLessThan 5.seconds
+    }
+
     test("more output than is bearable ends the hook").config(enabled = HAS_PYTHON) {
         val program = "import sys\nwhile True: sys.stdout.write('x' * 1000000)"
         shouldThrow<HookException> { python(program) }.message shouldContain "more than 64 MB"
@@ -142,6 +194,7 @@ class HookRunnerSpec : FunSpec({
 
     test("a program that is not there is told") {
         val failure = shouldThrow<HookException> { HookRunner(listOf("no-such-program-anywhere"), 1.seconds).run(RECORDING) }
-        failure.message shouldStartWith "The program “no-such-program-anywhere” cannot be started"
+        failure.message shouldStartWith "The program “no-such-program-anywhere” cannot be started ("
+        failure.message shouldEndWith "); is it installed, and in the PATH?"
     }
 })

@@ -1,0 +1,9 @@
+package badlog.report.hook
+
+import badlog.file.readRecording
+import java.nio.file.Path
+
+/** A program of its own that runs a hook, so that a test can end it: a log, and the hook's command. */
+fun main(arguments: Array<String>) {
+    HookRunner(arguments.drop(1)).run(readRecording(Path.of(arguments[0])))
+}
