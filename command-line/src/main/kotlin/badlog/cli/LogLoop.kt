@@ -6,6 +6,7 @@ import badlog.cli.input.NotALog
 import badlog.file.UnreadableFileException
 import badlog.html.ExportException
 import badlog.html.ExportProgress
+import badlog.report.TopicException
 import java.nio.file.Path
 
 /**
@@ -45,6 +46,7 @@ internal class LogLoop(command: String, private val console: Console, isJson: Bo
         /** What to tell about [failure], which ended the work on [file]. */
         fun sentenceOf(failure: Throwable, file: Path): String = when (failure) {
             is Failure -> failure.message
+            is TopicException -> failure.message
             is UnreadableFileException -> failure.message
             is ExportException -> failure.message.orEmpty()
             is OutOfMemoryError -> "$file is too large for the memory at hand; set JAVA_OPTS=-Xmx8g or so and try again."

@@ -27,15 +27,16 @@ internal class Search(private val rules: Path?, private val hooks: List<HookRunn
      *
      * @param unnamed the rules where none are named.
      * @param cache where findings are kept; null for nowhere.
+     * @param xTopic the topic to take as x axis, or null.
      * @throws SearchException when there are no such rules.
      */
-    fun report(unnamed: RuleSet, cache: Path? = null): Report {
+    fun report(unnamed: RuleSet, cache: Path? = null, xTopic: String? = null): Report {
         val ruleSet = when (rules) {
             null -> unnamed
             Path.of(DEFAULT_RULES) -> RuleSet.DEFAULT
             else -> read(rules)
         }
-        return Report(ruleSet, hooks + ruleSet.hooks, virtualTopics, cache)
+        return Report(ruleSet, hooks + ruleSet.hooks, virtualTopics, cache, xTopic)
     }
 
     private val hasOwnRules get() = rules != null && rules != Path.of(DEFAULT_RULES)

@@ -11,7 +11,6 @@ import badlog.cli.Task
 import badlog.cli.analysis.undefinedLines
 import badlog.cli.input.LogInput
 import badlog.cli.input.readLog
-import badlog.cli.input.withX
 import badlog.cli.output.FileName
 import badlog.cli.output.LeftOut
 import badlog.cli.output.LogFormat
@@ -27,6 +26,7 @@ import badlog.expression.withVirtualTopics
 import badlog.html.ExportProgress
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
+import badlog.report.withX
 import java.nio.file.Path
 import kotlinx.serialization.json.JsonPrimitive
 

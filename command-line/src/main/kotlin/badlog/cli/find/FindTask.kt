@@ -20,18 +20,25 @@ import java.nio.file.Path
  *
  * @param virtualTopics definitions of topics that it may use beside the logs' own.
  * @param cache where answers are kept; null for nowhere.
+ * @param xTopic the topic to take as x axis, or null.
  */
 internal class FindTask(
     private val paths: List<Path>,
     private val question: String,
     private val virtualTopics: List<String>,
     private val cache: Path?,
+    private val xTopic: String?,
     private val isJson: Boolean,
 ) : Task {
     override fun run(console: Console): ExitCode {
+        val find = Find(question, virtualTopics, cache, xTopic)
+        find.mistake?.let {
+            console.warn(it.pointed)
+            return ExitCode.USAGE
+        }
         val logs = LogFiles(paths)
         val results = console.progress("find").use { bar ->
-            Find(question, virtualTopics, cache).over(logs.files, { done, total -> bar.advanced(done.toLong(), total.toLong()) })
+            find.over(logs.files, { done, total -> bar.advanced(done.toLong(), total.toLong()) })
         }
         val mistake = mistakeIn(results)
         if (mistake != null) {

@@ -10,11 +10,12 @@ import badlog.cli.input.LogInput
 import badlog.cli.input.LogSearch
 import badlog.cli.input.NotALog
 import badlog.cli.input.readLog
-import badlog.cli.input.withX
 import badlog.cli.output.LogFormat
 import badlog.cli.output.OutputPlan
 import badlog.cli.output.writeLog
 import badlog.recording.RecordingFormat
+import badlog.report.TopicException
+import badlog.report.withX
 import java.io.IOException
 import java.nio.file.Path
 
@@ -65,6 +66,8 @@ internal class MergeTask(
         } catch (e: NotALog) {
             outcomes.unreadable(input, e.message, isNoLog = true)
         } catch (e: Failure) {
+            outcomes.failed(input.file, e.message)
+        } catch (e: TopicException) {
             outcomes.failed(input.file, e.message)
         } catch (e: IOException) {
             outcomes.failed(input.file, LogLoop.sentenceOf(e, input.file))

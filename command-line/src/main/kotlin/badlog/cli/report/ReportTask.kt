@@ -26,6 +26,7 @@ import java.nio.file.Path
  * @param folder where pages and their index go; null for none.
  * @param isForced whether files are replaced there that badlog did not make.
  * @param cache where findings are kept; null for nowhere.
+ * @param xTopic the topic to take as x axis, or null.
  */
 internal class ReportTask(
     private val paths: List<Path>,
@@ -34,10 +35,11 @@ internal class ReportTask(
     private val folder: Path?,
     private val isForced: Boolean,
     private val cache: Path?,
+    private val xTopic: String?,
 ) : Task {
     override fun run(console: Console): ExitCode {
         val report = try {
-            search.report(RuleSet.DEFAULT, cache)
+            search.report(RuleSet.DEFAULT, cache, xTopic)
         } catch (e: SearchException) {
             console.warn(e.message)
             return ExitCode.USAGE

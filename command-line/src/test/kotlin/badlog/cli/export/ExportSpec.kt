@@ -33,6 +33,14 @@ class ExportSpec : FunSpec({
         }
     }
 
+    test("a log with the longest name there may be has a page") {
+        inFolder { folder ->
+            val log = folder.with("n".repeat(251) + ".bag", BAG)
+            badlog("export", log).code shouldBe ExitCode.WHOLE
+            folder.names().count { it.startsWith("nnn") && it.endsWith(".html") } shouldBe 1
+        }
+    }
+
     test("attachments are in the page, and a missing one stops before any work") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)

@@ -62,6 +62,17 @@ class FindSpec : FunSpec({
         }
     }
 
+    test("plain CSV can be asked by time") {
+        val csv = samples / "elevator-bench.csv"
+        badlog("find", csv, "Time > 1 for 1 s", "--x", "Time", "--no-cache").out shouldContain "Found in 1 of 1 log."
+        badlog("find", csv, "Time >= 0 for 100 s", "--x", "Time", "--no-cache").out shouldContain "Found in 0 of 1 log."
+        badlog("find", csv, "Time > 0", "--x", "Nix", "--no-cache").err shouldContain "elevator-bench.csv has no topic “Nix”"
+    }
+
+    test("a mistake in the question is told without a log") {
+        inFolder { folder -> badlog("find", folder, "min(Speed < 7", "--no-cache").code shouldBe ExitCode.USAGE }
+    }
+
     test("a question may use topics that are calculated") {
         val power = "Power [W] = System/Battery Voltage * PDP/Total Current"
         val ended = badlog("find", samples, "max(Power) > 2000", "--topic", power, "--no-cache")

@@ -78,6 +78,15 @@ class ReportSpec : FunSpec({
         }
     }
 
+    test("rules may count the time of a CSV file, but not beside pages, which show it as it is") {
+        inFolder { folder ->
+            val csv = SAMPLES.resolve("elevator-bench.csv")
+            val rules = folder.with("r.toml", "[[rule]]\nname='R'\nseverity='note'\nwhen='Time > 1 for 1 s'\ntext='at {time}'")
+            badlog("report", csv, "--x", "Time", "--rules", rules, "--no-cache").out shouldContain "1 note in 1 of 1 log"
+            badlog("report", csv, "--x", "Time", "--out", folder / "pages").code shouldBe ExitCode.USAGE
+        }
+    }
+
     test("rules that cannot be read are told apart") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
