@@ -17,12 +17,20 @@ public object Units {
     public fun ofIntegral(unit: String, xUnit: String): String =
         if (isNone(unit)) ofX(xUnit) else "$unit·${ofX(xUnit)}"
 
-    /** How many microseconds one [unit] of an x axis is; what is no unit of time counts as a second. */
-    internal fun microsIn(unit: String): Double = when (unit) {
-        "ms" -> 1e3
-        "us", "µs" -> 1.0
-        else -> 1e6
+    /** How many seconds one [unit] is, such as 0.001 for `ms` and `Milliseconds`; null when it is no unit of time. */
+    public fun secondsIn(unit: String): Double? = when (unit.trim().lowercase()) {
+        "h", "hr", "hrs", "hour", "hours" -> 3600.0
+        "min", "mins", "minute", "minutes" -> 60.0
+        "s", "sec", "secs", "second", "seconds" -> 1.0
+        "ms", "msec", "msecs", "millis", "millisecond", "milliseconds" -> 1e-3
+        // Both signs for micro.
+        "us", "\u00b5s", "\u03bcs", "usec", "usecs", "micros", "microsecond", "microseconds" -> 1e-6
+        "ns", "nsec", "nsecs", "nanos", "nanosecond", "nanoseconds" -> 1e-9
+        else -> null
     }
+
+    /** How many microseconds one [unit] of an x axis is; what is no unit of time counts as a second. */
+    internal fun microsIn(unit: String): Double = (secondsIn(unit) ?: 1.0) * 1e6
 
     private fun ofX(xUnit: String) = if (isNone(xUnit)) "Index" else xUnit
 }

@@ -9,7 +9,7 @@ import kotlin.math.round
 /** Turns places on [xAxis] into the times of records: whole µs, from 0 on. */
 internal class RecordTimes(private val xAxis: XAxis) {
     private val scale = Units.microsIn(xAxis.unit)
-    private val isTime = !xAxis.isIndex && (xAxis.unit in UNITS || Units.isNone(xAxis.unit))
+    private val isTime = !xAxis.isIndex && (Units.secondsIn(xAxis.unit) != null || Units.isNone(xAxis.unit))
 
     /** What is added to every x, so that none is before 0. */
     private val shift = maxOf(0.0, -(xAxis.range?.start ?: 0.0))
@@ -40,7 +40,6 @@ internal class RecordTimes(private val xAxis: XAxis) {
     }
 
     private companion object {
-        val UNITS = setOf("s", "sec", "seconds", "ms", "us", "µs")
         const val TOLERANCE = 1e-3
 
         /** 2^53. */

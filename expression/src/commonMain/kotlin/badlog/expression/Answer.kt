@@ -7,9 +7,10 @@ import badlog.plot.Span
  * What an [Expression] came to over one recording.
  *
  * @property outcome whether it holds.
- * @property spans when it holds, in the order of time and apart from each other: of a condition over time, and of those that
- *   `any`, `count` and `total` speak of. Something that happens at a moment has a span without width. Empty for a
- *   figure of the whole recording.
+ * @property spans when it holds, in the order in which it did: of a condition over time, and of those that `any`, `count` and
+ *   `total` speak of. They are apart from each other and in the order of time, unless the clock was set back; a span over which
+ *   it was is cut there. Something that happens at a moment has a span without width. Empty for a figure of the whole recording.
+ * @property times how often it holds: the number of [spans], but one that was cut counts once.
  * @property figures the numbers that were compared, in the order of the expression; of one over time the most telling while
  *   the expression holds: the smallest for `<`, the largest for `>`, else the first. Of an expression that is a number, the
  *   number; of one over time, its smallest and its largest.
@@ -18,6 +19,7 @@ import badlog.plot.Span
 public class Answer internal constructor(
     public val outcome: Outcome,
     public val spans: List<Span>,
+    public val times: Int,
     public val figures: List<Figure>,
     public val timeUnit: String,
 ) {
@@ -41,7 +43,8 @@ public class Answer internal constructor(
         if (spans.isNotEmpty()) {
             val first = spans[0]
             parts += if (first.width == 0.0) "at ${timed(first.from)}" else "from ${timed(first.from)} to ${timed(first.to)}"
-            if (spans.size > 1) parts += if (spans.size == 2) "and once more" else "and ${spans.size - 1} times more"
+            if (times > 1) parts += if (times == 2) "and once more" else "and ${times - 1} times more"
+            if (spans.size > times) parts += "in ${spans.size} parts since the clock was set back"
         }
         return parts.joinToString(", ")
     }

@@ -1,7 +1,6 @@
 package badlog.expression
 
 import badlog.analysis.Units
-import badlog.plot.Span
 
 /** Makes the [Answer] of the expression with the root [root], which was written as [text], over [signals]. */
 internal class Answering(private val text: String, private val root: Node, private val signals: Signals) {
@@ -13,17 +12,17 @@ internal class Answering(private val text: String, private val root: Node, priva
         val value = evaluation.valueOf(root)
         if (root.type.kind != Kind.CONDITION) {
             addNumber(value)
-            return answer(Outcome.NO_QUESTION, emptyList())
+            return answer(Outcome.NO_QUESTION, null)
         }
         if (value is Column) {
-            val whether = value.any(signals.range?.to ?: Double.NEGATIVE_INFINITY)
+            val whether = value.any(signals.range)
             addFigures(root, value, false)
-            return answer(outcomeOf(whether), whether.spans.orEmpty())
+            return answer(outcomeOf(whether), whether.spans)
         }
         val outcome = outcomeOf(value as Scalar)
         addFigures(root, null, false)
         // Those of several conditions may overlap; then the first alone says when.
-        return answer(outcome, if (outcome == Outcome.HOLDS) whenTrue.firstOrNull { it.isNotEmpty() }.orEmpty() else emptyList())
+        return answer(outcome, if (outcome == Outcome.HOLDS) whenTrue.firstOrNull { it.isNotEmpty() } else null)
     }
 
     private fun outcomeOf(scalar: Scalar) = when (scalar.value) {
@@ -32,7 +31,8 @@ internal class Answering(private val text: String, private val root: Node, priva
         else -> Outcome.UNKNOWN
     }
 
-    private fun answer(outcome: Outcome, spans: List<Span>) = Answer(outcome, spans, figures, shownUnit(signals.timeUnit))
+    private fun answer(outcome: Outcome, spans: Spans?) =
+        Answer(outcome, spans.orEmpty(), spans?.times ?: 0, figures, shownUnit(signals.timeUnit))
 
     private fun addNumber(value: Value) = when (value) {
         is Scalar -> addFigure(root, value)

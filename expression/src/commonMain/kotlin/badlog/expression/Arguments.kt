@@ -8,9 +8,6 @@ import badlog.plot.Span
  * @property range of the whole recording.
  */
 internal class Arguments(private val values: List<Value>, private val types: List<Type>, val range: Span?) {
-    /** The end of the recording. */
-    val end: Double get() = range?.to ?: Double.NEGATIVE_INFINITY
-
     fun column(index: Int): Column = values[index] as Column
 
     fun number(index: Int): Double = (values[index] as Scalar).value

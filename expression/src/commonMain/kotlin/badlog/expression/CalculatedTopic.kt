@@ -6,8 +6,10 @@ import badlog.recording.CellCounts
 import badlog.recording.TextColumn
 import badlog.recording.Topic
 
-/** The samples [series] of [virtual] as a topic of a recording with [xAxis]. */
-internal fun calculatedTopic(virtual: VirtualTopic, series: Series, xAxis: XAxis): Topic {
+/** The samples [calculated] of [virtual] as a topic of a recording with [xAxis], whose time went as [stretches] tell. */
+internal fun calculatedTopic(virtual: VirtualTopic, calculated: Series, xAxis: XAxis, stretches: Stretches?): Topic {
+    // Times of their own ascend, so that where the clock was set back only rows can tell the order of samples.
+    val series = stretches?.inRows(calculated, xAxis.positions) ?: calculated
     val isOfRows = series.x === xAxis.positions
     return Topic(
         virtual.name,

@@ -7,8 +7,15 @@ internal object Checker {
         var id = firstId
         for (child in node.children) id = check(child, id)
         node.id = id
-        node.type = typeOf(node)
+        node.type = typeOf(node).copy(isMomentary = isMomentary(node))
         return id + 1
+    }
+
+    private fun isMomentary(node: Node): Boolean {
+        if (node is Node.Topic) return node.signal.kind == SignalKind.EVENT
+        val varying = node.children.filter { it.type.isOverTime }
+        val stays = varying.isEmpty() || node is Node.Call && node.function == Function.HOLD
+        return !stays && varying.all { it.type.isMomentary }
     }
 
     private fun typeOf(node: Node): Type = when (node) {
@@ -35,6 +42,7 @@ internal object Checker {
         if (!needCondition(node.condition).isOverTime) {
             mistake(node.condition, "Before “for” a condition that changes over time is needed.")
         }
+        needLasting(node.condition)
         if (node.time.seconds <= 0) mistake(node.time, "After “for” a time above 0 is needed.")
         return node.condition.type
     }
@@ -47,6 +55,7 @@ internal object Checker {
             Operator.Group.WHEN -> {
                 needCondition(node.right)
                 if (left.kind == Kind.TEXT && !left.isOverTime) mistake(node.left, "A fixed text has no “when”.")
+                if (!left.isOverTime) summaryIn(node.left)?.let { mistake(it, inside(it.function.title)) }
                 Type(if (left.kind == Kind.TIME) Kind.NUMBER else left.kind, isOverTime)
             }
             Operator.Group.LOGIC -> {
@@ -94,6 +103,7 @@ internal object Checker {
             }
         }
         val arguments = node.arguments
+        if (function == Function.TOTAL) needLasting(arguments[0])
         val isOverTime = arguments.any { it.type.isOverTime }
         return when (function.result) {
             Function.Result.NUMBER -> Type(Kind.NUMBER, false)
@@ -122,6 +132,17 @@ internal object Checker {
         }
         return node.type
     }
+
+    private fun needLasting(node: Node) {
+        if (!node.type.isMomentary) return
+        mistake(node, "An event is over at once, so this never lasts; hold(x) keeps the text of an event until the next, count(c) counts.")
+    }
+
+    /** The first function of a whole recording that [node] is made of. */
+    private fun summaryIn(node: Node): Node.Call? =
+        if (node is Node.Call && node.arguments.any { it.type.isOverTime }) node else node.children.firstNotNullOfOrNull(::summaryIn)
+
+    private fun inside(title: String) = "$title is of the whole recording, “when” or not; put “when” inside it: $title(x when c)."
 
     private fun described(node: Node): String {
         val kind = node.type.kind.title

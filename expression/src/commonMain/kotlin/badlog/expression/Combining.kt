@@ -7,7 +7,7 @@ internal fun combined(left: Value, right: Value, operation: Operation, absent: D
     val (one, other) = joined.operands
     val x = joined.x!!
     val samples = DoubleArray(x.size) { operation.of(one[it], other[it]) }
-    return Column(x, samples, null, joined.isMomentary)
+    return Column(x, samples, null, joined.isMomentary, joined.stretches)
 }
 
 /** Where one of the two is a constant, the result is found where the other was. */
@@ -21,7 +21,7 @@ private fun timeOf(left: Scalar, right: Scalar) = when {
 internal fun restricted(value: Value, condition: Value): Value {
     val result = combined(value, condition, Operator.WHEN.operation)
     val texts = (value as? Column)?.texts
-    return if (texts == null || result !is Column) result else Column(result.x, result.y, texts, result.isMomentary)
+    return if (texts == null || result !is Column) result else Column(result.x, result.y, texts, result.isMomentary, result.stretches)
 }
 
 /** [whenTrue] where [condition] holds, [whenFalse] where it does not, a gap where that is not known. */
@@ -38,7 +38,8 @@ private inline fun combinedThree(a: Value, b: Value, c: Value, operation: (Doubl
     val joined = Joined(listOf(a, b, c), absent = 0.0)
     val (first, second, third) = joined.operands
     val x = joined.x!!
-    return Column(x, DoubleArray(x.size) { operation(first[it], second[it], third[it]) }, null, joined.isMomentary)
+    val samples = DoubleArray(x.size) { operation(first[it], second[it], third[it]) }
+    return Column(x, samples, null, joined.isMomentary, joined.stretches)
 }
 
 /** True where [condition] is false. */

@@ -7,8 +7,8 @@ import badlog.analysis.Series
 internal class Evaluation(private val signals: Signals, nodes: Int) {
     private val values = arrayOfNulls<Value>(nodes)
     private val range = signals.range
-    private val end = range?.to ?: Double.NEGATIVE_INFINITY
     private val second = perSecond(signals.timeUnit)
+    private var stretches = signals.stretches
 
     fun valueOf(node: Node): Value = values[node.id] ?: compute(node).also { values[node.id] = it }
 
@@ -21,7 +21,7 @@ internal class Evaluation(private val signals: Signals, nodes: Int) {
         is Node.Enabled -> stepsOf(signals.enabled.filter { !node.isAutonomous || it.isAutonomous }.map(EnabledSpan::span), range)
         is Node.Negative -> combined(Scalar(-1.0), valueOf(node.operand), Operator.TIMES.operation)
         is Node.Not -> inverted(valueOf(node.operand))
-        is Node.For -> (valueOf(node.condition) as Column).heldFor(node.time.seconds * second, end)
+        is Node.For -> (valueOf(node.condition) as Column).let { it.heldFor(node.time.seconds * second, it.end(range)) }
         is Node.Binary -> computeBinary(node)
         is Node.Call -> node.function.compute.of(
             Arguments(node.arguments.map(::valueOf), node.arguments.map { it.type }, range),
@@ -54,16 +54,17 @@ internal class Evaluation(private val signals: Signals, nodes: Int) {
     }
 
     private fun columnOf(signal: Signal): Column {
-        val series = ordered(signals.series(signal.name))
+        val series = signals.series(signal.name)
         val isText = signal.kind == SignalKind.STATE || signal.kind == SignalKind.EVENT
         val texts = if (isText) signals.states(signal.name) else null
-        return Column(series.x, series.y, texts, signal.kind == SignalKind.EVENT)
+        val isEvent = signal.kind == SignalKind.EVENT
+        val stretches = stretchesOf(series) ?: return Column(series.x, series.y, texts, isEvent)
+        return Column(stretches.steady(series.x), series.y, texts, isEvent, stretches)
     }
 
-    // Where a clock was set back, samples are put in the order of time.
-    private fun ordered(series: Series): Series {
-        if (series.isOrdered) return series
-        val places = series.x.indices.sortedBy { series.x[it] }
-        return Series(DoubleArray(places.size) { series.x[places[it]] }, DoubleArray(places.size) { series.y[places[it]] })
+    private fun stretchesOf(series: Series): Stretches? {
+        val isSetBack = signals.stretches?.knows(series.x) == true || !series.isOrdered
+        if (isSetBack && stretches == null) stretches = Stretches(series.x)
+        return if (isSetBack) stretches else null
     }
 }

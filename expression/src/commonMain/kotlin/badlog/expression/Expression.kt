@@ -29,7 +29,7 @@ public class Expression internal constructor(
      * to its end.
      */
     public fun series(signals: Signals): Series = when (val value = Evaluation(signals, root.id + 1).valueOf(root)) {
-        is Column -> Series(value.x, value.y)
+        is Column -> Series(value.stretches?.logged(value.x) ?: value.x, value.y)
         is Scalar -> signals.range.let { range ->
             val x = if (range == null) DoubleArray(0) else doubleArrayOf(range.from, range.to)
             Series(x, DoubleArray(x.size) { value.value })

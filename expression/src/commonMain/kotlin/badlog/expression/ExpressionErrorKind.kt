@@ -11,6 +11,9 @@ public enum class ExpressionErrorKind {
     /** It names a topic by an end of its path that several share. */
     AMBIGUOUS_TOPIC,
 
+    /** It has a time, such as `0.5 s`, but x of this recording is none; that of another may be. */
+    NO_TIME,
+
     /** It uses something where something else is needed, such as a number as a condition. */
     TYPE,
 

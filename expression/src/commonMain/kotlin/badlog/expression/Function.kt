@@ -49,12 +49,12 @@ internal enum class Function(
     LAST("last", listOf(VARYING_NUMBERS), Result.NUMBER, compute = { it.column(0).last() }),
     INTEGRAL("integral", listOf(VARYING_NUMBERS), Result.NUMBER, compute = { it.column(0).wholeIntegral() }),
     DURATION("duration", listOf(VARYING), Result.NUMBER, compute = { it.column(0).duration() }),
-    COUNT("count", listOf(VARYING), Result.NUMBER, compute = { it.column(0).count(it.isCondition(0), it.end) }),
+    COUNT("count", listOf(VARYING), Result.NUMBER, compute = { it.column(0).count(it.isCondition(0), it.range) }),
     TIME_OF_MIN("time_of_min", listOf(VARYING_NUMBERS), Result.NUMBER, compute = { it.column(0).minimum().timeAlone() }),
     TIME_OF_MAX("time_of_max", listOf(VARYING_NUMBERS), Result.NUMBER, compute = { it.column(0).maximum().timeAlone() }),
-    ANY("any", listOf(VARYING_CONDITION), Result.CONDITION, compute = { it.column(0).any(it.end) }),
+    ANY("any", listOf(VARYING_CONDITION), Result.CONDITION, compute = { it.column(0).any(it.range) }),
     ALL("all", listOf(VARYING_CONDITION), Result.CONDITION, compute = { it.column(0).all() }),
-    TOTAL("total", listOf(VARYING_CONDITION), Result.NUMBER, compute = { it.column(0).total(it.end) }),
+    TOTAL("total", listOf(VARYING_CONDITION), Result.NUMBER, compute = { it.column(0).total(it.range) }),
 
     WINDOW_MIN(
         "min", listOf(VARYING_NUMBERS, WINDOW), Result.NUMBERS,

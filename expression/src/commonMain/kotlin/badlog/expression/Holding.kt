@@ -1,13 +1,10 @@
 package badlog.expression
 
-import kotlin.math.abs
-
 /**
  * True from the moment on at which this condition has held for [length]; where none of its samples stands at that moment, one is
  * put in. The last sample holds until [end].
  */
 internal fun Column.heldFor(length: Double, end: Double): Column {
-    if (isMomentary) return with(DoubleArray(size) { if (y[it] == 1.0) 0.0 else y[it] })
     val times = DoubleArray(size + countMoments(length, end))
     val states = DoubleArray(times.size)
     var count = 0
@@ -21,7 +18,7 @@ internal fun Column.heldFor(length: Double, end: Double): Column {
             states[count++] = 1.0
         }
     }
-    return Column(if (count == size) x else times, states)
+    return Column(if (count == size) x else times, states, stretches = stretches)
 }
 
 private fun Column.countMoments(length: Double, end: Double): Int {
@@ -41,6 +38,3 @@ private fun Column.momentComesAfter(index: Int, begin: Double, length: Double, e
 }
 
 private fun isReached(begin: Double, length: Double, time: Double) = time - begin >= length - slack(length, time)
-
-// Times are rounded to decimals in a file: 0.5 s after 9.52 is 10.02, whatever binary fractions make of it.
-private fun slack(length: Double, time: Double) = length * 1e-9 + abs(time) * 1e-15

@@ -8,12 +8,17 @@ internal class Operand(private val samples: DoubleArray?, private val constant: 
 /**
  * Several values at common times. Those of equal times stay sample by sample. Otherwise the common times are all that any of
  * them has, each once, and each value is that of its last sample until then: a gap before its first one, and where it is
- * [momentary][Column.isMomentary], [absent] at all times but its own.
+ * [momentary][Column.isMomentary], [absent] at all times but its own. Where one clock was set back and another was not, what
+ * the other tells of a time counts each time that it comes.
  *
  * @property x the times; null when no value is over time.
  */
 internal class Joined(values: List<Value>, absent: Double) {
-    private val columns = values.filterIsInstance<Column>()
+    /** Of those whose clock was set back. */
+    val stretches: Stretches? = values.firstNotNullOfOrNull { (it as? Column)?.stretches }
+
+    private val alike = values.map { if (it is Column && stretches != null && it.stretches == null) stretches.spread(it) else it }
+    private val columns = alike.filterIsInstance<Column>()
 
     val x: DoubleArray? = columns.map { it.x }.reduceOrNull(::union)
 
@@ -21,7 +26,7 @@ internal class Joined(values: List<Value>, absent: Double) {
     val isMomentary: Boolean = columns.isNotEmpty() && columns.all { it.isMomentary }
 
     /** The values in their order. */
-    val operands: List<Operand> = values.map {
+    val operands: List<Operand> = alike.map {
         when (it) {
             is Scalar -> Operand(null, it.value)
             is Column -> Operand(if (isSame(it.x, x!!)) it.y else held(it, x, absent), 0.0)

@@ -14,5 +14,9 @@ internal enum class Kind(val title: String) {
     val isNumeric: Boolean get() = this != TEXT
 }
 
-/** What a node gives: its [kind], one for each moment or one for the whole recording. */
-internal data class Type(val kind: Kind, val isOverTime: Boolean)
+/**
+ * What a node gives: its [kind], one for each moment or one for the whole recording.
+ *
+ * @property isMomentary whether each is over at once, as events are.
+ */
+internal data class Type(val kind: Kind, val isOverTime: Boolean, val isMomentary: Boolean = false)

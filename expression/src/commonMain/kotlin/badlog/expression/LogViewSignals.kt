@@ -4,6 +4,7 @@ import badlog.analysis.EnabledSpan
 import badlog.analysis.GraphSeries
 import badlog.analysis.LogView
 import badlog.analysis.Series
+import badlog.analysis.Units
 import badlog.analysis.enabledSpans
 import badlog.plot.Span
 import badlog.recording.Topic
@@ -13,12 +14,14 @@ import badlog.recording.TopicKind
 public class LogViewSignals(private val view: LogView) : Signals {
     private val topics = view.recording.topics.associateBy { it.name }
     private val lines = HashMap<String, GraphSeries>()
+    private val events = HashMap<String, Series>()
 
-    override val vocabulary: Vocabulary = Vocabulary(view.recording.topics.map { Signal(it.name, kindOf(it), it.unit) })
+    override val vocabulary: Vocabulary =
+        Vocabulary(view.recording.topics.map { Signal(it.name, kindOf(it), it.unit) }, view.xAxis.run { !isIndex && mayBeTime(unit) })
 
     override fun series(name: String): Series {
         val topic = topics.getValue(name)
-        return if (kindOf(topic) == SignalKind.EVENT) eventsOf(topic) else lineOf(topic).data
+        return if (kindOf(topic) == SignalKind.EVENT) events.getOrPut(name) { eventsOf(topic) } else lineOf(topic).data
     }
 
     override fun states(name: String): List<String> = topics.getValue(name).texts.dictionary
@@ -29,20 +32,30 @@ public class LogViewSignals(private val view: LogView) : Signals {
 
     override val timeUnit: String get() = view.xAxis.unit
 
-    private fun lineOf(topic: Topic) = lines.getOrPut(topic.name) { view.seriesOf(topic) }
+    override val stretches: Stretches? by lazy { Stretches.of(view.xAxis.positions) }
+
+    private fun lineOf(topic: Topic) = lines.getOrPut(topic.name) {
+        view.seriesOf(topic).also { if (topic.isSparse) stretches?.keepRows(it.data.x, rowsWithNumber(topic)) }
+    }
+
+    private fun rowsWithNumber(topic: Topic) = topic.samples.indices.filter { isPlaced(it) && !topic.samples[it].isNaN() }
+
+    private fun isPlaced(row: Int) = view.xAxis.positions.getOrElse(row) { Double.NaN }.isFinite()
 
     /** The texts alone, where they stand. */
     private fun eventsOf(topic: Topic): Series {
         val texts = topic.texts
         val positions = topic.times ?: view.xAxis.positions
         val kept = (0 until texts.size).filter { positions.getOrElse(texts.rows[it]) { Double.NaN }.isFinite() }
-        return Series(
-            DoubleArray(kept.size) { positions[texts.rows[kept[it]]] },
-            DoubleArray(kept.size) { texts.ids[kept[it]].toDouble() },
-        )
+        val x = DoubleArray(kept.size) { positions[texts.rows[kept[it]]] }
+        if (topic.times == null) stretches?.keepRows(x, kept.map { texts.rows[it] })
+        return Series(x, DoubleArray(kept.size) { texts.ids[kept[it]].toDouble() })
     }
 
     private companion object {
+        // Without a unit, seconds are what an x other than the index counts.
+        fun mayBeTime(unit: String) = Units.isNone(unit) || Units.secondsIn(unit) != null
+
         fun kindOf(topic: Topic) = when (topic.kind) {
             TopicKind.EMPTY, TopicKind.NUMERIC -> SignalKind.NUMBER
             TopicKind.BOOLEAN -> SignalKind.CONDITION

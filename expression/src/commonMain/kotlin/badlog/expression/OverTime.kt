@@ -6,11 +6,12 @@ import badlog.analysis.TrapezoidSum
 
 internal fun Column.delta(): Column = with(DoubleArray(size) { if (it == 0) Double.NaN else y[it] - y[it - 1] })
 
-/** The slope from the sample before; a gap where time stands still. */
+/** The slope from the sample before; a gap where time stands still or goes back. */
 internal fun Column.derivative(): Column = with(
     DoubleArray(size) {
         val run = if (it == 0) 0.0 else x[it] - x[it - 1]
-        if (run > 0) (y[it] - y[it - 1]) / run else Double.NaN
+        val isBroken = run <= 0 || stretches?.isSetBackBetween(x[it - 1], x[it]) == true
+        if (isBroken) Double.NaN else (y[it] - y[it - 1]) / run
     },
 )
 
@@ -27,19 +28,18 @@ internal fun Column.area(): Column {
 
 internal fun Column.previous(): Column = withAlike(DoubleArray(size) { if (it == 0) Double.NaN else y[it - 1] })
 
-/** Each gap filled with the value before it. */
+/** Each gap filled with the value before it; an event stays until the next. */
 internal fun Column.hold(): Column {
     var last = Double.NaN
-    return withAlike(
-        DoubleArray(size) {
-            if (!y[it].isNaN()) last = y[it]
-            last
-        },
-    )
+    val samples = DoubleArray(size) {
+        if (!y[it].isNaN()) last = y[it]
+        last
+    }
+    return Column(x, samples, texts, stretches = stretches)
 }
 
 /** The same samples, [time] later. */
-internal fun Column.shifted(time: Double): Column = Column(DoubleArray(size) { x[it] + time }, y, texts, isMomentary)
+internal fun Column.shifted(time: Double): Column = Column(DoubleArray(size) { x[it] + time }, y, texts, isMomentary, stretches)
 
 /** Whether a sample differs from the one before and neither is a gap. */
 internal fun Column.changed(): Column = with(

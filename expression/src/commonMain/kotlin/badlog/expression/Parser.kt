@@ -4,7 +4,7 @@ package badlog.expression
  * Reads an expression by the precedence of its operators (Pratt 1973). Written by hand, since what is a name depends on the
  * vocabulary and on where an operand may stand, which a table of tokens cannot say.
  */
-internal class Parser(private val text: String, vocabulary: Vocabulary) {
+internal class Parser(private val text: String, private val vocabulary: Vocabulary) {
     private val scanner = Scanner(text)
     private val names = NameReader(text, scanner, vocabulary)
     private var nodes = 0
@@ -98,7 +98,15 @@ internal class Parser(private val text: String, vocabulary: Vocabulary) {
         return made(Node.Not(from, expression(Precedence.NOT, nesting + 1)))
     }
 
-    private fun number(): Node = made(scanner.number())
+    private fun number(): Node {
+        val number = scanner.number()
+        if (number is Node.Time && !vocabulary.hasTime) {
+            val written = text.substring(number.from, number.until)
+            val message = "x of this log is no time, so nothing can be asked about $written of it; give it an x axis with a unit of time."
+            fail(number.from, number.until, message, ExpressionErrorKind.NO_TIME)
+        }
+        return made(number)
+    }
 
     private fun word(from: Int, nesting: Int): Node = when (val meaning = names.read()) {
         is Meaning.Topic -> made(meaning.node)

@@ -1,5 +1,7 @@
 package badlog.expression
 
+import badlog.analysis.Units
+
 /** Walks over the text of an expression; knows numbers, quotes and operators, but not names. */
 internal class Scanner(private val text: String) {
     /** The next character. */
@@ -71,7 +73,7 @@ internal class Scanner(private val text: String) {
         val unitFrom = at
         val unit = wordAt(at)
         val isTaken = unit.isEmpty() || peekOperator() != null || unit.equals("for", ignoreCase = true)
-        val seconds = TIME_UNITS[unit]
+        val seconds = Units.secondsIn(unit)
         if (isTaken || seconds == null) {
             if (!isTaken) fail(unitFrom, unitFrom + unit.length, noUnit(unit))
             at = end
@@ -106,8 +108,4 @@ internal class Scanner(private val text: String) {
 
     private fun fail(from: Int, until: Int, message: String): Nothing =
         throw Mistake(from, until, ExpressionErrorKind.SYNTAX, message)
-
-    private companion object {
-        val TIME_UNITS = mapOf("h" to 3600.0, "min" to 60.0, "s" to 1.0, "ms" to 1e-3, "us" to 1e-6, "µs" to 1e-6, "μs" to 1e-6)
-    }
 }

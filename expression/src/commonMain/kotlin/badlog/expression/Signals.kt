@@ -24,6 +24,9 @@ public interface Signals {
     /** From the first sample of the recording to the last, or null without any. */
     public val range: Span?
 
-    /** The unit of time, that is of x; `ul` or empty where x is no time. */
+    /** The unit of x; `ul` or empty for none. Where the [vocabulary] has time, no unit means seconds. */
     public val timeUnit: String
+
+    /** How time went where the clock of the rows was set back; null where it never was, or the samples alone tell it. */
+    public val stretches: Stretches? get() = null
 }

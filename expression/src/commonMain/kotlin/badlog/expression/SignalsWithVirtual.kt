@@ -13,7 +13,7 @@ public fun Signals.with(topic: VirtualTopic): Signals = SignalsWithVirtual(this,
 private class SignalsWithVirtual(private val others: Signals, private val topic: VirtualTopic) : Signals {
     private val samples by lazy { topic.series(others) }
 
-    override val vocabulary: Vocabulary = Vocabulary(others.vocabulary.signals + topic.signal)
+    override val vocabulary: Vocabulary = others.vocabulary.run { Vocabulary(signals + topic.signal, hasTime) }
 
     override fun series(name: String): Series = if (name == topic.name) samples else others.series(name)
 
@@ -24,4 +24,6 @@ private class SignalsWithVirtual(private val others: Signals, private val topic:
     override val range: Span? get() = others.range
 
     override val timeUnit: String get() = others.timeUnit
+
+    override val stretches: Stretches? get() = others.stretches
 }

@@ -2,8 +2,16 @@ package badlog.expression
 
 import badlog.plot.Span
 
-/** Stretches of time, in their order and apart from each other. */
-internal class Spans(private val from: DoubleArray, private val to: DoubleArray) : AbstractList<Span>() {
+/**
+ * Spans of time, in the order in which they came.
+ *
+ * @property times how many they are, where one over which the clock was set back counts once.
+ */
+internal class Spans(
+    private val from: DoubleArray,
+    private val to: DoubleArray,
+    val times: Int = from.size,
+) : AbstractList<Span>() {
     override val size: Int get() = from.size
 
     override fun get(index: Int): Span = Span(from[index], to[index])
@@ -31,7 +39,19 @@ internal fun Column.spans(end: Double): Spans {
         if (beginsAt(i)) from[++span] = x[i]
         if (y[i] == 1.0) to[span] = if (isMomentary) x[i] else if (i + 1 < size) x[i + 1] else maxOf(end, x[i])
     }
-    return Spans(from, to)
+    return stretches?.logged(from, to) ?: Spans(from, to)
+}
+
+private fun Stretches.logged(from: DoubleArray, to: DoubleArray): Spans {
+    val loggedFrom = ArrayList<Double>()
+    val loggedTo = ArrayList<Double>()
+    for (i in from.indices) {
+        eachPart(from[i], to[i]) { begin, end ->
+            loggedFrom += begin
+            loggedTo += end
+        }
+    }
+    return Spans(loggedFrom.toDoubleArray(), loggedTo.toDoubleArray(), from.size)
 }
 
 private fun Column.beginsAt(index: Int) = y[index] == 1.0 && (isMomentary || index == 0 || y[index - 1] != 1.0)

@@ -2,6 +2,7 @@ package badlog.expression
 
 import badlog.analysis.TrapezoidSum
 import badlog.analysis.select
+import badlog.plot.Span
 import kotlin.math.sqrt
 
 // Whole recordings in one figure. Samples without a finite value do not count, and without any other there is no figure.
@@ -22,7 +23,7 @@ internal fun Column.first(): Scalar = at(y.indexOfFirst { it.isFinite() })
 
 internal fun Column.last(): Scalar = at(y.indexOfLast { it.isFinite() })
 
-private fun Column.at(place: Int) = if (place < 0) Scalar(Double.NaN) else Scalar(y[place], x[place])
+private fun Column.at(place: Int) = if (place < 0) Scalar(Double.NaN) else Scalar(y[place], time(place))
 
 internal fun Column.mean(): Scalar = Scalar(moments { mean, _, count -> if (count > 0) mean else Double.NaN })
 
@@ -67,17 +68,20 @@ internal fun Column.wholeIntegral(): Scalar {
 }
 
 /** From the first sample with a value to the last. */
-internal fun Column.duration(): Scalar = Scalar(last().time - first().time)
+internal fun Column.duration(): Scalar {
+    val first = y.indexOfFirst { it.isFinite() }
+    return Scalar(if (first < 0) Double.NaN else x[y.indexOfLast { it.isFinite() }] - x[first])
+}
 
 /** How often a condition becomes true, else how many samples have a value. */
-internal fun Column.count(isCondition: Boolean, end: Double): Scalar {
-    if (isCondition) return spans(end).let { Scalar(it.size.toDouble(), it.firstTime(), it) }
+internal fun Column.count(isCondition: Boolean, range: Span?): Scalar {
+    if (isCondition) return spans(end(range)).let { Scalar(it.times.toDouble(), it.firstTime(), it) }
     return Scalar(y.count { it.isFinite() }.toDouble())
 }
 
 /** Whether the condition ever holds; not known where it is never known, but where there are no events, none holds. */
-internal fun Column.any(end: Double): Scalar {
-    val spans = spans(end)
+internal fun Column.any(range: Span?): Scalar {
+    val spans = spans(end(range))
     val isKnown = isMomentary || y.any { it == 0.0 }
     return Scalar(if (spans.isNotEmpty()) 1.0 else if (isKnown) 0.0 else Double.NaN, spans.firstTime(), spans)
 }
@@ -85,10 +89,10 @@ internal fun Column.any(end: Double): Scalar {
 /** Whether the condition holds wherever it is known; not known where it is never known. */
 internal fun Column.all(): Scalar {
     val failing = y.indexOfFirst { it == 0.0 }
-    return if (failing >= 0) Scalar(0.0, x[failing]) else Scalar(if (y.any { it == 1.0 }) 1.0 else Double.NaN)
+    return if (failing >= 0) Scalar(0.0, time(failing)) else Scalar(if (y.any { it == 1.0 }) 1.0 else Double.NaN)
 }
 
 /** How long the condition holds. */
-internal fun Column.total(end: Double): Scalar = spans(end).let { Scalar(it.total, it.firstTime(), it) }
+internal fun Column.total(range: Span?): Scalar = spans(end(range)).let { Scalar(it.total, it.firstTime(), it) }
 
 private fun Spans.firstTime() = if (isEmpty()) Double.NaN else this[0].from

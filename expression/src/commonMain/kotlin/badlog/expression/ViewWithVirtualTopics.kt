@@ -27,7 +27,7 @@ public fun LogView.withVirtualTopics(definitions: List<String>): ViewWithVirtual
     val defined = DefinedTopics(this, definitions)
     if (defined.topics.isEmpty()) return ViewWithVirtualTopics(this, emptyList(), defined.errors)
     val extended = recording.run {
-        val added = defined.topics.map { calculatedTopic(it, defined.signals.series(it.name), xAxis) }
+        val added = defined.topics.map { calculatedTopic(it, defined.signals.series(it.name), xAxis, defined.signals.stretches) }
         Recording(format, headerLine, values, topics + added, rowCount, problems)
     }
     return ViewWithVirtualTopics(LogView.of(extended), defined.topics, defined.errors)

@@ -8,11 +8,15 @@ package badlog.expression
  * `System/Battery Voltage`. Upper and lower case count only where nothing else tells two names apart.
  *
  * @property signals what there is; where two have the same name, the first counts.
+ * @property hasTime whether x is a time; where it is not, an expression with a time, such as `0.5 s`, is a mistake.
  */
-public class Vocabulary(public val signals: List<Signal>) {
+public class Vocabulary(public val signals: List<Signal>, public val hasTime: Boolean) {
+    /** Of a recording over time. */
+    public constructor(signals: List<Signal>) : this(signals, hasTime = true)
+
     private val entries by lazy { Entries(signals) }
 
-    override fun equals(other: Any?): Boolean = this === other || (other is Vocabulary && signals == other.signals)
+    override fun equals(other: Any?): Boolean = this === other || (other is Vocabulary && hasTime == other.hasTime && signals == other.signals)
 
     override fun hashCode(): Int = signals.hashCode()
 

@@ -19,7 +19,8 @@ internal fun Column.windowed(width: Double, folding: Folding): Column {
     var newer = 0.0
     var newerCount = 0
     for (i in 0 until size) {
-        while (x[begin] <= x[i] - width && begin < i) begin++
+        val from = x[i] - width + slack(width, x[i])
+        while (x[begin] <= from && begin < i) begin++
         if (begin > meeting) {
             var sum = 0.0
             var count = 0

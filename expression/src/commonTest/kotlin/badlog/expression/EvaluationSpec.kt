@@ -18,9 +18,11 @@ class EvaluationSpec : FunSpec({
                     slow.single)) throw AssertionError("seed $seed: $text is ${fast.value}, not ${slow.single}")
                 is Column -> {
                     val rows = slow.rows!!
-                    val isSame = fast.x.toList() == rows.map { it.time } &&
+                    val times = fast.x.indices.map { fast.time(it) }
+                    val isSame = times.size == rows.size &&
+                        times.zip(rows).all { (time, row) -> isSame(time, slow.course?.logged(row.time) ?: row.time) } &&
                         rows.indices.all { isSame(fast.y[it], rows[it].value) }
-                    if (!isSame) throw AssertionError("seed $seed: $text is ${fast.x.zip(fast.y)}, not $rows")
+                    if (!isSame) throw AssertionError("seed $seed: $text is ${times.zip(fast.y.toList())}, not $rows")
                 }
             }
         }
@@ -45,7 +47,7 @@ class EvaluationSpec : FunSpec({
             val answer = expression.answer(signals)
             (answer.outcome == Outcome.NO_QUESTION) shouldBe !expression.type.isCondition
             if (expression.type.isOverTime && expression.type.isCondition) answer.matches shouldBe answer.spans.isNotEmpty()
-            answer.spans.zipWithNext().all { (a, b) -> a.to <= b.from } shouldBe true
+            if (signals.series("A").isOrdered) answer.spans.zipWithNext().all { (a, b) -> a.to <= b.from } shouldBe true
             answer.toString().isNotEmpty() shouldBe true
         }
     }

@@ -13,6 +13,9 @@ private val VOCABULARY = Vocabulary(
             SignalKind.STATE) + Signal("Log", SignalKind.EVENT),
 )
 
+private const val OVER_AT_ONCE =
+    "An event is over at once, so this never lasts; hold(x) keeps the text of an event until the next, count(c) counts."
+
 private fun shapeOf(text: String) = shape(parsed(text, VOCABULARY).root)
 
 private fun error(text: String) = errorOf(text, VOCABULARY)
@@ -83,10 +86,23 @@ class ParsingSpec : FunSpec({
 
     test("times have units, and a number needs none") {
         val written = listOf("2 h", "0.5min", "3 s", "20 ms", "7 us",
-            "7 µs").map { parsed("a - $it", VOCABULARY).root.children[1] as Node.Time }
-        written.map { it.seconds } shouldBe listOf(7200.0, 30.0, 3.0, 0.02, 7e-6, 7e-6)
+            "7 µs", "5 sec", "2 Minutes").map { parsed("a - $it", VOCABULARY).root.children[1] as Node.Time }
+        written.map { it.seconds } shouldBe listOf(7200.0, 30.0, 3.0, 0.02, 7e-6, 7e-6, 5.0, 120.0)
         (parsed("1.5e3", VOCABULARY).root as Node.Number).value shouldBe 1500.0
         (parsed(".5", VOCABULARY).root as Node.Number).value shouldBe 0.5
+    }
+
+    test("a time has no meaning where x is none") {
+        val rows = Vocabulary(VOCABULARY.signals, hasTime = false)
+        errorOf("a > 1 for 5 s", rows).run {
+            kind shouldBe ExpressionErrorKind.NO_TIME
+            message shouldBe
+                "x of this log is no time, so nothing can be asked about 5 s of it; give it an x axis with a unit of time."
+            text.substring(from, until) shouldBe "5 s"
+        }
+        for (text in listOf("mean(a, 5 s) > 1", "a > -5 s", "shift(a, 1 s) > 1")) errorOf(text, rows).kind shouldBe ExpressionErrorKind.NO_TIME
+        parsed("max(a) > 5", rows).topics shouldBe listOf("a")
+        (rows == VOCABULARY) shouldBe false
     }
 
     val errors = listOf(
@@ -132,6 +148,11 @@ class ParsingSpec : FunSpec({
         Triple("'x' == 'y'", "'x' == 'y'", "Two fixed texts need no comparison."),
         Triple("a contains 'x'", "a", "Before “contains” a topic of texts is needed, not “a”, which is a number."),
         Triple("Log contains a", "a", "After “contains” a text in single quotes is needed."),
+        Triple("max(a) > 3 when p", "max(a)", "max is of the whole recording, “when” or not; put “when” inside it: max(x when c)."),
+        Triple("count(p) when q", "count(p)", "count is of the whole recording, “when” or not; put “when” inside it: count(x when c)."),
+        Triple("1 + any(p) when q", "any(p)", "any is of the whole recording, “when” or not; put “when” inside it: any(x when c)."),
+        Triple("not (Log == 'a') for 1 s", "not (Log == 'a')", OVER_AT_ONCE),
+        Triple("total(changed(Log))", "changed(Log)", OVER_AT_ONCE),
         Triple("'x' when p", "'x'", "A fixed text has no “when”."),
         Triple("State", "State", "This is a text, no answer; compare it, as in State == 'IDLE'."),
         Triple("min(7)", "7", "min needs here numbers that change over time, not a number."),

@@ -16,7 +16,7 @@ internal class RandomExpressions(private val random: Random) {
     } else {
         when (random.nextInt(6)) {
             0 -> "(${number(depth - 1)} ${pick("+", "-", "*", "/", "%", "^")} ${number(depth - 1)})"
-            1 -> "(${number(depth - 1)} when ${condition(depth - 1)})"
+            1 -> "(${pick(series(depth), "A", "C", "1")} when ${condition(depth - 1)})"
             // Of whole numbers only: where a mean is 0 but for rounding, a root exists or not.
             2 -> pick("abs(${number(depth - 1)})", "sqrt(${pick("A", "C", "delta(B)")})")
             3 -> pick(
@@ -47,7 +47,8 @@ internal class RandomExpressions(private val random: Random) {
         pick("F", "G", "true", "S == 'a'", "S != 'b'", "T = S", "E contains 'X'", "E matches '?*y'", "enabled", "autonomous",
             "missing(C)", "changed(S)", "A > 0")
     } else {
-        when (random.nextInt(7)) {
+        when (random.nextInt(8)) {
+            7 -> "(hold(E) ${pick("==", "!=")} 'xy' for ${pick("0.25 s", "0.5 s")})"
             0 -> "(${condition(depth - 1)} ${pick("and", "or", "&&", "||")} ${condition(depth - 1)})"
             1 -> "not ${condition(depth - 1)}"
             2 -> "(${conditionOverTime(depth)} for ${pick("0.25 s", "0.5 s", "1 s")})"
@@ -65,7 +66,8 @@ internal fun randomSignals(random: Random): Signals {
         DoubleArray(x.size) { if (random.nextInt(5) == 0) Double.NaN else random.nextInt(-2, 4).toDouble() })
     fun among(x: DoubleArray, count: Int, hasGaps: Boolean = true) =
         Series(x, DoubleArray(x.size) { if (hasGaps && random.nextInt(5) == 0) Double.NaN else random.nextInt(count).toDouble() })
-    val common = times(14)
+    // Of every third recording the clock was set back.
+    val common = if (random.nextInt(3) > 0) times(14) else times(6) + times(6) + times(3)
     val edges = List(4) { random.nextInt(24) * 0.25 }.sorted()
     val isMeasured = edges.distinct().size == 4
     return SampleSignals(

@@ -2,13 +2,19 @@ package badlog.expression
 
 import kotlin.math.abs
 import kotlin.math.pow
+import kotlin.math.round
 import kotlin.math.sqrt
 
 /** A sample: a number, a condition, a text or, for a gap, null. */
 internal data class Row(val time: Double, val value: Any?)
 
-/** What a part of an expression comes to: [rows] over time, or [single]. */
-internal class SlowValue(val rows: List<Row>?, val single: Any? = null, val isMomentary: Boolean = false) {
+/** What a part of an expression comes to: [rows] over time, whose clock was set back where they have a [course], or [single]. */
+internal class SlowValue(
+    val rows: List<Row>?,
+    val single: Any? = null,
+    val isMomentary: Boolean = false,
+    val course: SlowCourse? = null,
+) {
     fun at(time: Double, absent: Any?): Any? {
         if (rows == null) return single
         val row = rows.lastOrNull { it.time <= time }
@@ -19,6 +25,8 @@ internal class SlowValue(val rows: List<Row>?, val single: Any? = null, val isMo
 /** Evaluates row by row with objects, as the documentation says it, with no thought of speed. */
 internal class SlowEvaluator(private val signals: Signals) {
     private val range = signals.range
+    private val course = signals.vocabulary.signals.map { signals.series(it.name).x.toList() }
+        .firstOrNull { x -> x.zipWithNext().any { (a, b) -> b < a } }?.let(::SlowCourse)
 
     fun valueOf(node: Node): SlowValue = when (node) {
         is Node.Number -> SlowValue(null, node.value)
@@ -49,7 +57,9 @@ internal class SlowEvaluator(private val signals: Signals) {
                 },
             )
         }
-        return SlowValue(rows.sortedBy { it.time }, isMomentary = signal.kind == SignalKind.EVENT)
+        val isEvent = signal.kind == SignalKind.EVENT
+        if (rows.map { it.time } != course?.x) return SlowValue(rows, isMomentary = isEvent)
+        return SlowValue(rows.zip(course.times) { row, time -> Row(time, row.value) }, isMomentary = isEvent, course = course)
     }
 
     private fun steps(spans: List<Pair<Double, Double>>): SlowValue {
@@ -62,20 +72,26 @@ internal class SlowEvaluator(private val signals: Signals) {
 
     private fun map(value: SlowValue, operation: (Any?) -> Any?) =
         if (value.rows == null) SlowValue(null, operation(value.single))
-        else SlowValue(value.rows.map { Row(it.time, operation(it.value)) }, isMomentary = value.isMomentary)
+        else value.with(value.rows.map { Row(it.time, operation(it.value)) })
+
+    private fun SlowValue.with(rows: List<Row>) = SlowValue(rows, isMomentary = isMomentary, course = course)
 
     private fun join(values: List<SlowValue>, absent: Any?, operation: (List<Any?>) -> Any?): SlowValue {
         val series = values.filter { it.rows != null }
         if (series.isEmpty()) return SlowValue(null, operation(values.map { it.single }))
-        val areSame = series.map { value -> value.rows!!.map { it.time } }.distinct().size == 1
+        val course = series.firstNotNullOfOrNull { it.course }
+        fun timesOf(value: SlowValue): List<Double> = value.rows!!.map { it.time }.let {
+            if (value.course == course) it else course!!.timesOf(it, !value.isMomentary)
+        }
+        fun at(value: SlowValue, time: Double) = value.at(if (value.course == course) time else course!!.logged(time), absent)
+        val areSame = series.map { value -> value.rows!!.map { it.time } }.distinct().size == 1 && series.all { it.course == course }
         val rows = if (areSame) {
             series[0].rows!!.indices.map { i -> Row(series[0].rows!![i].time,
                 operation(values.map { if (it.rows == null) it.single else it.rows[i].value })) }
         } else {
-            series.flatMap { value -> value.rows!!.map { it.time } }.distinct().sorted().map { time -> Row(time,
-                operation(values.map { it.at(time, absent) })) }
+            series.flatMap(::timesOf).distinct().sorted().map { time -> Row(time, operation(values.map { at(it, time) })) }
         }
-        return SlowValue(rows, isMomentary = series.all { it.isMomentary })
+        return SlowValue(rows, isMomentary = series.all { it.isMomentary }, course = course)
     }
 
     private fun number(value: Any?): Double? = when (value) {
@@ -127,29 +143,31 @@ internal class SlowEvaluator(private val signals: Signals) {
         else -> a.pow(b)
     }
 
+    private fun end(value: SlowValue) = maxOf(value.course?.times?.last() ?: range!!.to, value.rows!!.last().time)
+
     /** When it holds: from each first true row to the next that is not, or the end. */
     private fun spans(value: SlowValue): List<Pair<Double, Double>> {
         val rows = value.rows!!
         if (value.isMomentary) return rows.filter { it.value == true }.map { it.time to it.time }
         return rows.indices.filter { rows[it].value == true && (it == 0 || rows[it - 1].value != true) }.map { begin ->
             val end = (begin until rows.size).firstOrNull { rows[it].value != true }
-            rows[begin].time to (if (end == null) maxOf(range!!.to, rows.last().time) else rows[end].time)
+            rows[begin].time to (if (end == null) end(value) else rows[end].time)
         }
     }
 
     private fun heldFor(value: SlowValue, length: Double): SlowValue {
         val rows = value.rows!!
-        if (value.isMomentary) return map(value) { if (it == true) false else it }
         val begins = spans(value).map { it.first }
+        // A tick of a course more or less is the same time.
         val own = rows.map { row ->
-            Row(row.time, if (row.value == true) row.time >= begins.last { it <= row.time } + length else row.value)
+            Row(row.time, if (row.value == true) row.time >= begins.last { it <= row.time } + length - A_TICK else row.value)
         }
         val put = begins.map { it + length }.filter { time ->
-            time <= range!!.to.coerceAtLeast(rows.last().time) && rows.none { it.time == time } &&
+            time <= end(value) && rows.none { abs(it.time - time) < A_TICK } &&
                 begins.last { it <= time } == time - length &&
                 value.at(time, null) == true
         }.map { Row(it, true) }
-        return SlowValue((own + put).sortedBy { it.time })
+        return value.with((own + put).sortedBy { it.time })
     }
 
     private fun call(node: Node.Call): SlowValue {
@@ -159,18 +177,18 @@ internal class SlowEvaluator(private val signals: Signals) {
         val finite = rows.mapNotNull { row -> number(row.value)?.takeIf { it.isFinite() }?.let { row.time to it } }
         val numbers = finite.map { it.second }
         fun one(value: Any?) = SlowValue(null, value)
-        fun window(fold: (List<Double>) -> Double) = SlowValue(
+        fun logged(time: Double?) = if (time == null || first.course == null) time else first.course.logged(time)
+        fun window(fold: (List<Double>) -> Double) = first.with(
             rows.indices.map { i ->
                 val inside = (0..i).filter { rows[it].time > rows[i].time - (values[1].single as Double) }
                     .mapNotNull { number(rows[it].value)?.takeIf { value -> value.isFinite() } }
                 Row(rows[i].time, if (inside.isEmpty()) null else fold(inside))
             },
-            isMomentary = first.isMomentary,
         )
-        fun beside(operation: (Row, Row) -> Any?, atFirst: Any? = null) = SlowValue(
+        fun beside(operation: (Row, Row) -> Any?, atFirst: Any? = null) = first.with(
             rows.indices.map { i -> Row(rows[i].time, if (i == 0) atFirst else operation(rows[i - 1], rows[i])) },
-                isMomentary = first.isMomentary,
         )
+        fun isSetBack(a: Row, b: Row) = first.course != null && first.course.stretchOf(a.time) != first.course.stretchOf(b.time)
         fun sumUntil(last: Int): Double = (1..last).sumOf { i ->
             val a = number(rows[i - 1].value)
             val b = number(rows[i].value)
@@ -199,26 +217,25 @@ internal class SlowEvaluator(private val signals: Signals) {
                 if (node.arguments[0].type.kind == Kind.CONDITION) spans(first).size.toDouble()
                 else rows.count { it.value is String || number(it.value)?.isFinite() == true }.toDouble(),
             )
-            Function.TIME_OF_MIN -> one(finite.minByOrNull { it.second }?.first)
-            Function.TIME_OF_MAX -> one(finite.maxByOrNull { it.second }?.first)
+            Function.TIME_OF_MIN -> one(logged(finite.minByOrNull { it.second }?.first))
+            Function.TIME_OF_MAX -> one(logged(finite.maxByOrNull { it.second }?.first))
             Function.ANY -> one(if (rows.any { it.value == true }) true else if (first.isMomentary ||
                 rows.any { it.value == false }) false else null)
             Function.ALL -> one(if (rows.any { it.value == false }) false else if (rows.any { it.value == true }) true else null)
-            Function.TOTAL -> one(spans(first).sumOf { it.second - it.first })
+            // No tick of a course counts.
+            Function.TOTAL -> one(spans(first).sumOf { round((it.second - it.first) * 1024) / 1024 })
             Function.WINDOW_MIN -> window { it.min() }
             Function.WINDOW_MAX -> window { it.max() }
             Function.WINDOW_MEAN -> window { it.sum() / it.size }
             Function.DELTA -> beside({ a, b -> minus(b, a) })
-            Function.DERIVATIVE -> beside({ a, b -> if (b.time > a.time) minus(b, a)?.let { it / (b.time - a.time) } else null })
-            Function.AREA -> SlowValue(
+            Function.DERIVATIVE -> beside({ a, b -> if (b.time > a.time && !isSetBack(a, b)) minus(b, a)?.let { it / (b.time - a.time) } else null })
+            Function.AREA -> first.with(
                 rows.indices.map { i -> Row(rows[i].time, if (number(rows[i].value)?.isFinite() == true) sumUntil(i) else null) },
-                    isMomentary = first.isMomentary,
             )
             Function.PREVIOUS -> beside({ a, _ -> a.value })
             Function.HOLD -> SlowValue(rows.indices.map { i -> Row(rows[i].time,
-                (i downTo 0).firstNotNullOfOrNull { known(rows[it].value) }) }, isMomentary = first.isMomentary)
-            Function.SHIFT_TIME -> SlowValue(rows.map { Row(it.time + values[1].single as Double, it.value) },
-                isMomentary = first.isMomentary)
+                (i downTo 0).firstNotNullOfOrNull { known(rows[it].value) }) }, course = first.course)
+            Function.SHIFT_TIME -> first.with(rows.map { Row(it.time + values[1].single as Double, it.value) })
             Function.CHANGED -> beside({ a, b -> known(a.value) != null && known(b.value) != null &&
                 !same(a.value!!, b.value!!) }, false)
             Function.MISSING -> map(first) { !(it is String || number(it)?.isFinite() == true) }
@@ -246,4 +263,8 @@ internal class SlowEvaluator(private val signals: Signals) {
     private fun same(a: Any, b: Any) = if (a is String) a == b else isEqual(number(a)!!, number(b)!!)
 
     private fun minus(b: Row, a: Row): Double? = number(b.value)?.let { y -> number(a.value)?.let { y - it } }
+
+    private companion object {
+        const val A_TICK = 1e-9
+    }
 }

@@ -83,7 +83,6 @@ public class Find(
 
         fun answered(answer: Answer) = Reply.Answered(
             answer.outcome, answer.spans.take(MOST_SPANS), answer.spans.size, answer.figures, answer.time, answer.timeUnit,
-            answer.toString(),
         )
 
         fun notAsked(error: ExpressionError) =

@@ -38,7 +38,6 @@ public sealed interface Reply {
      * @property figures the numbers that tell most.
      * @property time where to look first; NaN when nothing tells.
      * @property timeUnit the unit of all times, empty where x has none.
-     * @property text the answer in a line.
      */
     @Serializable
     public class Answered internal constructor(
@@ -48,7 +47,6 @@ public sealed interface Reply {
         public val figures: List<@Serializable(with = FigureSerializer::class) Figure>,
         public val time: Double,
         public val timeUnit: String,
-        public val text: String,
     ) : Reply
 
     /**

@@ -5,6 +5,7 @@ import badlog.plot.Span
 import badlog.report.hook.HookOutcome
 import badlog.report.hook.HookRunner
 import badlog.report.rules.Finding
+import badlog.report.rules.Rule
 import badlog.report.rules.RuleRunner
 import badlog.report.rules.RuleSet
 import java.nio.file.Path
@@ -14,17 +15,17 @@ import kotlinx.serialization.Transient
 /**
  * Runs rules, and programs of the user's, over many logs.
  *
- * @property rules what to look for. The hooks that they name do not run unless they are given as [hooks], too.
- * @property hooks programs to run for each log; what they find joins what the rules find.
- * @property virtualTopics definitions of topics that the rules may use beside a log's own, such as `Power = Voltage * Current`.
+ * @param rules what to look for. The hooks that they name do not run unless they are given as [hooks], too.
+ * @param hooks programs to run for each log; what they find joins what the rules find.
+ * @param virtualTopics definitions of topics that the rules may use beside a log's own, such as `Power = Voltage * Current`.
  * @param cache a folder for what was found out before, so that a file that did not change is not read again; null for none. What
  *   hooks return is not kept there: nobody knows what it depends on.
  * @param xTopic the topic to take as x axis, which plain CSV does not tell; null for what the log itself says.
  */
 public class Report(
-    public val rules: RuleSet = RuleSet.DEFAULT,
-    public val hooks: List<HookRunner> = emptyList(),
-    public val virtualTopics: List<String> = emptyList(),
+    private val rules: RuleSet = RuleSet.DEFAULT,
+    private val hooks: List<HookRunner> = emptyList(),
+    private val virtualTopics: List<String> = emptyList(),
     private val cache: Path? = null,
     private val xTopic: String? = null,
 ) {
@@ -73,7 +74,9 @@ public class Report(
             each(log, stored.hooks)
             progress(logs.size, files.size)
         }
-        return ReportResult(logs, rules.rules.mapNotNull { rule -> asked[rule.name]?.let { skipped(rule.name, it) } })
+        val readable = logs.count { it.unreadable == null }
+        val skipped = rules.rules.mapNotNull { rule -> asked[rule.name].let { if (it == null) unasked(rule, readable) else skipped(rule.name, it) } }
+        return ReportResult(logs, skipped)
     }
 
     private fun examine(file: LogFile): Found<Stored> = LogContent.examined(file, virtualTopics, xTopic) { examine(file, it) }
@@ -99,6 +102,11 @@ public class Report(
     private fun findingsOf(outcome: HookOutcome, timeUnit: String) = outcome.result?.findings.orEmpty().map { found ->
         val spans = if (found.time.isNaN()) emptyList() else listOf(Span(found.time, if (found.until.isNaN()) found.time else found.until))
         Finding(outcome.hook, found.severity, null, found.text, found.time, spans, spans.size, timeUnit, isOfHook = true)
+    }
+
+    private fun unasked(rule: Rule, logs: Int): SkippedRule? {
+        val types = rule.only.joinToString(" or ") { "“$it”" }
+        return if (logs == 0) null else SkippedRule(rule.name, logs, "it is only for matches of the type $types", isMistake = false)
     }
 
     private fun skipped(rule: String, asked: List<Asked>): SkippedRule? {

@@ -123,7 +123,7 @@ internal class ResultCache<R : Any>(
 
     private companion object {
         /** To be raised when the same file and question may come to something else than before. */
-        const val VERSION = 4
+        const val VERSION = 5
         val USUAL_PAUSE = 10.seconds
         const val PREFIX = "report-"
         const val SUFFIX = ".cache"

@@ -95,12 +95,12 @@ class FindSpec : FunSpec({
             val one = folder.put("logs/1.bag", batteryBag(6.0))
             val two = folder.put("logs/2.bag", batteryBag(8.0, match = 2))
             fun ask(question: String = "min(Battery Voltage) < 7") =
-                Find(question, cache = cache).over(logsIn(folder.resolve("logs"))).map { (it.reply as? Reply.Answered)?.text }
+                Find(question, cache = cache).over(logsIn(folder.resolve("logs"))).map { (it.reply as? Reply.Answered)?.figures?.single()?.toString() }
             val first = ask()
             spoil(one)
             ask() shouldBe first
             Files.writeString(two, batteryBag(6.5, 6.6))
-            ask()[1] shouldBe "yes, min(Battery Voltage) = 6.5 V at 0 s"
+            ask()[1] shouldBe "min(Battery Voltage) = 6.5 V"
             ask("max(Battery Voltage) < 7")[0] shouldBe null
         }
     }
@@ -168,7 +168,7 @@ class FindSpec : FunSpec({
             val cache = folder.resolve("cache")
             folder.put("logs/1.bag", batteryBag(6.0))
             val files = logsIn(folder.resolve("logs"))
-            fun ask() = Find("min(Battery Voltage) < 7", cache = cache).over(files).map { (it.reply as Reply.Answered).text }
+            fun ask() = Find("min(Battery Voltage) < 7", cache = cache).over(files).map { (it.reply as Reply.Answered).figures.single().toString() }
             val first = ask()
             val kept = Files.list(cache).use { it.toList() }.single()
             val bytes = Files.readAllBytes(kept)

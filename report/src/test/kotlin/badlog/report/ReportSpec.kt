@@ -36,6 +36,15 @@ class ReportSpec : FunSpec({
         }
     }
 
+    test("what is said of the whole recording holds once, from its begin to its end") {
+        inFolder { folder ->
+            folder.put("1.bag", batteryBag(12.0, 6.0, 8.0))
+            val text = "{value}|{time}|{count}|{duration}"
+            findings(folder, rules("mean(Battery Voltage) < 9", text)) shouldContainExactly listOf("8.66667 V|0 s|1|0.2 s")
+            findings(folder, rules("min(Battery Voltage) < 9", text)) shouldContainExactly listOf("6 V|0.1 s|1|0.2 s")
+        }
+    }
+
     test("an alias finds its topic under any name, in any unit that can be converted") {
         val rules = rules("b < 7", "{value}", aliases = "b = { names = [\"none\", \"*volt*\"], unit = \"V\" }")
         inFolder { folder ->
@@ -75,7 +84,10 @@ class ReportSpec : FunSpec({
     test("a rule counts only in matches of its types") {
         inFolder { folder ->
             folder.put("1.bag", batteryBag(6.0))
-            findings(folder, rules("true", more = "only = [\"playoff\"]")).shouldBeEmpty()
+            val never = Report(rules("true", more = "only = [\"playoff\"]")).over(logsIn(folder))
+            never.logs.single().findings.shouldBeEmpty()
+            never.skipped.single().toString() shouldBe
+                "The rule “R” was not asked of 1 log: it is only for matches of the type “playoff”."
             findings(folder, rules("true", more = "only = [\"playoff\", \"qualification\"]")) shouldContainExactly listOf("t")
         }
     }

@@ -18,8 +18,11 @@ internal class RuleProgram(
     private val timeTopic: String?,
     private val hasClock: Boolean,
 ) {
+    /** What an expression comes to. */
+    sealed interface Parsed
+
     /** An expression to evaluate, with the signals it names. */
-    class Question(val expression: Expression, val named: Map<String, NamedSignal>, val topic: String?)
+    class Question(val expression: Expression, val named: Map<String, NamedSignal>, val topic: String?) : Parsed
 
     /** What a rule comes to: [questions] to ask, or why there are none. */
     class Step(val rule: Rule, val questions: List<Question>, val refusal: Refusal?)
@@ -28,7 +31,7 @@ internal class RuleProgram(
      * @property message why, such as "no topic is called “Arm”".
      * @property mistake where the rule seems to be wrong, rather than not for this log, the place in the file of rules.
      */
-    class Refusal(val message: String, val mistake: String? = null)
+    class Refusal(val message: String, val mistake: String? = null) : Parsed
 
     private val aliases: Map<String, NamedSignal>
     private val missing: List<Alias>
@@ -63,11 +66,11 @@ internal class RuleProgram(
         return step(rule, topics.map { topic -> forTopic(parsedOf.getValue(topic.copy(name = TOPIC)), topic) })
     }
 
-    private fun forTopic(parsed: Any, topic: Signal): Any = if (parsed !is Question) parsed else Question(
+    private fun forTopic(parsed: Parsed, topic: Signal): Parsed = if (parsed !is Question) parsed else Question(
         parsed.expression, parsed.named + (TOPIC to NamedSignal(TOPIC, topic, 1.0, topic.unit)), topic.name,
     )
 
-    private fun step(rule: Rule, parsed: List<Any>): Step {
+    private fun step(rule: Rule, parsed: List<Parsed>): Step {
         val questions = parsed.filterIsInstance<Question>()
         val refusals = parsed.filterIsInstance<Refusal>()
         // Some topics are numbers, others texts: a rule for each is meant for those that it fits.
@@ -75,8 +78,7 @@ internal class RuleProgram(
         return Step(rule, if (refusal == null) questions else emptyList(), refusal)
     }
 
-    /** A [Question] or a [Refusal]. */
-    private fun parsed(rule: Rule, named: Map<String, NamedSignal>, vocabulary: Vocabulary, each: String?): Any =
+    private fun parsed(rule: Rule, named: Map<String, NamedSignal>, vocabulary: Vocabulary, each: String?): Parsed =
         when (val parsed = Expression.parse(rule.condition, vocabulary)) {
             is ExpressionError -> refusal(rule, parsed, each != null)
             is Expression -> {
@@ -97,7 +99,8 @@ internal class RuleProgram(
             else -> {
                 val reason = if (error.kind == ExpressionErrorKind.SYNTAX) NOT_ALL_THERE else error.message.trimEnd('.')
                 val isOfTopic = isForEach && error.kind == ExpressionErrorKind.TYPE
-                Refusal(reason, rule.place.pointed(error.message, error.from, error.until).takeIf { !isOfTopic })
+                val isMistake = error.kind in MISTAKES && !isOfTopic
+                Refusal(reason, rule.place.pointed(error.message, error.from, error.until).takeIf { isMistake })
             }
         }
     }
@@ -119,6 +122,11 @@ internal class RuleProgram(
 
         // Where a name is missing, what is left of it may read as anything.
         private const val NOT_ALL_THERE = "not all topics of “when” are there"
+
+        /** What is wrong with a rule itself, rather than that a log has not what it needs. */
+        private val MISTAKES = setOf(
+            ExpressionErrorKind.SYNTAX, ExpressionErrorKind.AMBIGUOUS_TOPIC, ExpressionErrorKind.TYPE, ExpressionErrorKind.LIMIT,
+        )
         val RESERVED = setOf(TOPIC, TIME)
     }
 }

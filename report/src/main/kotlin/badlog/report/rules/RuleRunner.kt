@@ -42,15 +42,19 @@ internal class RuleRunner(private val rules: RuleSet) {
         match: String,
         file: String,
     ): Finding {
+        // What is said of the whole recording holds from its begin to its end.
+        val whole = listOfNotNull(signals.range).takeIf { answer.spans.isEmpty() }
+        val spans = whole ?: answer.spans
+        val time = if (answer.time.isNaN() && spans.isNotEmpty()) spans[0].from else answer.time
         val text = rule.text.filled(
             mapOf(
                 "value" to (answer.figures.firstOrNull()?.text ?: textAt(answer.time, question, signals)),
-                "time" to timeText(answer.time, answer.timeUnit),
+                "time" to timeText(time, answer.timeUnit),
                 "match" to match,
                 "file" to file,
                 "topic" to question.topic.orEmpty(),
-                "count" to answer.spans.size.toString(),
-                "duration" to timeText(answer.spans.sumOf { it.width }, answer.timeUnit),
+                "count" to spans.size.toString(),
+                "duration" to timeText(spans.sumOf { it.width }, answer.timeUnit),
             ),
         )
         return Finding(

@@ -26,7 +26,7 @@ public class RuleSet internal constructor(
          * @param folder where its hooks run, usually that of the file; null for where this program runs.
          * @throws RulesException when it is not one.
          */
-        public fun parse(text: String, folder: Path? = null): RuleSet = RulesReader(text, folder).read()
+        public fun parse(text: String, folder: Path? = null): RuleSet = RulesReader(text.removePrefix(BYTE_ORDER_MARK), folder).read()
 
         /** No rules. */
         public val NONE: RuleSet = RuleSet(emptyList(), emptyList(), emptyList(), "")
@@ -36,5 +36,8 @@ public class RuleSet internal constructor(
             val stream = checkNotNull(RuleSet::class.java.getResourceAsStream("/badlog/report/badlog-rules.toml"))
             parse(stream.use { it.readBytes().decodeToString() })
         }
+
+        /** What some editors of Windows begin a file with. */
+        private const val BYTE_ORDER_MARK = "\uFEFF"
     }
 }

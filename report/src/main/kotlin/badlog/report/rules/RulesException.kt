@@ -7,6 +7,6 @@ package badlog.report.rules
  * @property message the line's number and what is wrong as a sentence, below it the line, and carets that point at the mistake.
  */
 public class RulesException internal constructor(
-    public val lineNumber: Int,
+    internal val lineNumber: Int,
     override val message: String,
 ) : Exception(message)

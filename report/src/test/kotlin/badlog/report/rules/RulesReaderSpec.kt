@@ -25,6 +25,10 @@ class RulesReaderSpec : FunSpec({
         RuleSet.parse("").rules shouldBe emptyList()
     }
 
+    test("a mark of an editor before the text does not count") {
+        RuleSet.parse("\uFEFF$RULE").rules.single().name shouldBe "A"
+    }
+
     test("hooks have a command, and may have a name and a time limit") {
         val hooks = RuleSet.parse("[[hook]]\ncommand = \"python3 x/a.py -v\"\n[[hook]]\nname = \"B\"\ncommand = \"b\"\nseconds = 1.5\n").hooks
         hooks.map { it.name } shouldBe listOf("a.py", "B")

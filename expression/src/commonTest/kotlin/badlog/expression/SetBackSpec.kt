@@ -1,0 +1,70 @@
+package badlog.expression
+
+import badlog.analysis.LogView
+import badlog.bag.BagParser
+import badlog.plot.Span
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+
+private const val HEADER = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"V","unit":"V"},""" +
+    """{"name":"Rare","unit":"A"},{"name":"Log","attrs":["log"]}],"values":[]}"""
+
+private fun viewOf(rows: List<String>): LogView {
+    val text = HEADER + "\nTime,V,Rare,Log\n" + rows.joinToString("") { it + "\n" }
+    return LogView.of(BagParser().apply { accept(text.encodeToByteArray()) }.finish())
+}
+
+class SetBackSpec : FunSpec({
+    // From 10 s back to 5 s; in the 2 s from then on V is 0. At 7 s the second time there is an event, and a rare number.
+    val view = viewOf(
+        List(200) { i ->
+            val time = if (i < 100) i * 0.1 else i * 0.1 - 5
+            "${(time * 10).toInt() / 10.0},${if (i in 100 until 120) 0 else 12},${if (i % 40 == 0) i else ""},${if (i == 110) "ready" else ""}"
+        },
+    )
+    val signals = LogViewSignals(view)
+
+    fun answer(text: String) = parsed(text, signals.vocabulary).answer(signals)
+    fun number(text: String) = answer(text).figures.single().value
+
+    test("the rule that a clock was set back holds where it was") {
+        answer("delta(Time) < 0").toString() shouldBe "yes, delta(Time) = -4.9 s at 5 s, from 5 s to 5.1 s"
+    }
+
+    test("what holds once holds once, though its time comes twice") {
+        answer("V < 1").run {
+            spans shouldBe listOf(Span(5.0, 7.0))
+            times shouldBe 1
+        }
+        number("count(V < 1)") shouldBe 1.0
+        readable(number("total(V < 1)")) shouldBe "2"
+        number("count(changed(V))") shouldBe 2.0
+        readable(number("duration(V)")) shouldBe "19.8"
+    }
+
+    test("what holds all the time holds once, in two parts") {
+        answer("V >= 0").run {
+            spans shouldBe listOf(Span(0.0, 9.9), Span(5.0, 14.9))
+            times shouldBe 1
+        }
+    }
+
+    test("events and rare numbers belong to their rows, not to others of the same time") {
+        answer("Log contains 'ready' and V < 1").toString() shouldBe "yes, V = 0 V at 6 s, from 6 s to 6.1 s"
+        answer("Log contains 'ready' and V > 1").matches shouldBe false
+        number("max(V when Rare == 80)") shouldBe 12.0
+        number("count(V < 1 when Rare == 80)") shouldBe 1.0
+    }
+
+    test("a virtual topic has a sample in each row, in their order") {
+        val with = view.withVirtualTopics(listOf("Twice = 2 * V", "Later = shift(V, 0.1 s)", "Low = min(V)")).view
+        for (name in listOf("Twice", "Later", "Low")) {
+            with.recording.topics.single { it.name == name }.times shouldBe null
+        }
+        val asked = LogViewSignals(with)
+        fun count(text: String) = parsed(text, asked.vocabulary).answer(asked).figures[0].value
+        count("count(Later < 1)") shouldBe 1.0
+        count("max(Low)") shouldBe 0.0
+        with.xAxis.clocks.size shouldBe 1
+    }
+})
