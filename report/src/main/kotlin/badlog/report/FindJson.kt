@@ -1,5 +1,6 @@
 package badlog.report
 
+import badlog.expression.ExpressionError
 import badlog.expression.Figure
 import badlog.plot.Span
 import kotlinx.serialization.json.JsonArray
@@ -25,7 +26,7 @@ public fun findJson(result: FindResult): Map<String, JsonElement> = buildJsonObj
     put("reason", refused?.kind?.name?.lowercase())
     put("topic", refused?.topic)
     put("message", refused?.message)
-    put("undefined", undefinedJson(result.undefined))
+    put("undefined", jsonOf(result.undefined))
 }
 
 private fun figureJson(figure: Figure): JsonElement = buildJsonObject {
@@ -44,7 +45,10 @@ internal fun spansJson(spans: List<Span>): JsonArray = buildJsonArray {
     }
 }
 
-internal fun undefinedJson(topics: List<UndefinedTopic>): JsonArray = buildJsonArray {
+/** The virtual topics that a log could not be given, by the [errors] in their definitions, for other programs. */
+public fun undefinedJson(errors: List<ExpressionError>): JsonElement = jsonOf(errors.map(::UndefinedTopic))
+
+internal fun jsonOf(topics: List<UndefinedTopic>): JsonArray = buildJsonArray {
     for (topic in topics) {
         addJsonObject {
             put("definition", topic.definition)

@@ -3,8 +3,6 @@ package badlog.report
 import badlog.report.rules.Finding
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
-import kotlinx.serialization.json.addJsonObject
-import kotlinx.serialization.json.buildJsonArray
 import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.put
 
@@ -13,18 +11,14 @@ public fun reportJson(log: LogReport): Map<String, JsonElement> = buildJsonObjec
     put("match", log.title)
     put("findings", JsonArray(log.findings.map(::findingJson)))
     put("notAsked", JsonArray(log.skipped.map(::skippedJson)))
-    put("undefined", undefinedJson(log.undefined))
-    put(
-        "hookFailures",
-        buildJsonArray {
-            for (failure in log.hookFailures) {
-                addJsonObject {
-                    put("hook", failure.hook)
-                    put("message", failure.message)
-                }
-            }
-        },
-    )
+    put("undefined", jsonOf(log.undefined))
+    put("hookFailures", JsonArray(log.hookFailures.map { failureJson(it.hook, it.message) }))
+}
+
+/** A hook that failed for a log, with the reason, for other programs. */
+public fun failureJson(hook: String, message: String): JsonElement = buildJsonObject {
+    put("hook", hook)
+    put("message", message)
 }
 
 private fun findingJson(finding: Finding): JsonElement = buildJsonObject {

@@ -3,8 +3,6 @@ package badlog.cli.analysis
 import badlog.file.UnreadableFileException
 import badlog.file.reading
 import badlog.file.requireRegularFile
-import badlog.report.Report
-import badlog.report.ReportResult
 import badlog.report.SkippedRule
 import badlog.report.hook.HookRunner
 import badlog.report.rules.RuleSet
@@ -22,38 +20,29 @@ internal class Search(private val rules: Path?, private val hooks: List<HookRunn
     /** Whether nothing is asked for. */
     val isEmpty: Boolean get() = rules == null && hooks.isEmpty()
 
+    private val hasOwnRules get() = rules != null && rules != Path.of(DEFAULT_RULES)
+
     /**
-     * The report that looks for it. The hooks that the rules name run too, since the person who named the rules knows them.
+     * The rules that were named.
      *
      * @param unnamed the rules where none are named.
-     * @param cache where findings are kept; null for nowhere.
-     * @param xTopic the topic to take as x axis, or null.
      * @throws SearchException when there are no such rules.
      */
-    fun report(unnamed: RuleSet, cache: Path? = null, xTopic: String? = null): Report {
-        val ruleSet = when (rules) {
-            null -> unnamed
-            Path.of(DEFAULT_RULES) -> RuleSet.DEFAULT
-            else -> read(rules)
-        }
-        return Report(ruleSet, hooks + ruleSet.hooks, virtualTopics, cache, xTopic)
+    fun ruleSet(unnamed: RuleSet): RuleSet = when {
+        rules == null -> unnamed
+        !hasOwnRules -> RuleSet.DEFAULT
+        else -> read(rules)
     }
 
-    private val hasOwnRules get() = rules != null && rules != Path.of(DEFAULT_RULES)
+    /** All programs to run. Those that [ruleSet] names are among them, since the person who named the rules knows them. */
+    fun hooksWith(ruleSet: RuleSet): List<HookRunner> = hooks + ruleSet.hooks
 
     /** Those of [skipped] that the user has to know: a log need not have all that badlog's own rules look for. */
     fun toldOf(skipped: List<SkippedRule>): List<SkippedRule> = if (hasOwnRules) skipped else emptyList()
 
-    /** Whether a rule is wrong; one that could be asked of any log is right, others only lack its topics. */
-    fun isMistaken(results: List<ReportResult>): Boolean {
-        val skipped = results.flatMap { it.skipped }.groupBy { it.rule }.values
-        val logs = results.sumOf { result -> result.logs.count { it.unreadable == null } }
-        return skipped.any { ofRule -> ofRule.any { it.isMistake } && ofRule.sumOf { it.logs } == logs }
-    }
-
-    /** Whether a rule of the user's file could be asked of no log at all; of those of badlog's own, that is nothing unusual. */
-    fun isNeverAsked(result: ReportResult): Boolean =
-        hasOwnRules && result.skipped.any { it.logs == result.logs.count { log -> log.unreadable == null } }
+    /** Of the rules that were refused by each of many logs, [skipped], those that all of them refused. */
+    fun neverAsked(skipped: List<List<SkippedRule>>): List<SkippedRule> =
+        toldOf(skipped.flatten()).groupBy { it.rule }.values.filter { it.size == skipped.size }.flatten()
 
     private fun read(file: Path) = try {
         RuleSet.parse(textOf(file), file.toAbsolutePath().parent)

@@ -7,9 +7,9 @@ import badlog.cli.LogLoop
 import badlog.cli.Outcome
 import badlog.cli.Task
 import badlog.cli.input.readLog
-import badlog.cli.text.json
 import badlog.expression.withVirtualTopics
 import badlog.report.UndefinedTopic
+import badlog.report.undefinedJson
 import badlog.report.undefinedTexts
 import java.nio.file.Files
 import java.nio.file.Path
@@ -44,7 +44,7 @@ internal class InfoTask(
             }
             isFirst = false
             undefined += with.errors.map(::UndefinedTopic)
-            val json = if (isJson) infoJson(summary) + mapOf("undefined" to json(with.errors.map { it.message })) else emptyMap()
+            val json = if (isJson) infoJson(summary) + mapOf("undefined" to undefinedJson(with.errors)) else emptyMap()
             Outcome(recording.isSalvaged, text, json)
         }
         if (!isJson) undefinedTexts(undefined).forEach(console::say)

@@ -12,12 +12,12 @@ import badlog.cli.analysis.undefinedLines
 import badlog.cli.input.NotALog
 import badlog.cli.input.Position
 import badlog.cli.input.readLog
-import badlog.cli.text.json
 import badlog.cli.text.shortNumber
 import badlog.expression.withVirtualTopics
 import badlog.replay.ReplayOptions
 import badlog.replay.ReplayServer
 import badlog.replay.UnavailablePortException
+import badlog.report.undefinedJson
 import java.nio.file.Path
 import kotlinx.serialization.json.JsonPrimitive
 
@@ -46,7 +46,7 @@ internal class ReplayTask(
             val options = ReplayOptions(port = port, speed = speed, isLooping = isLooping, range = rangeOn(with.view))
             ReplayServer(with.view, options).use { server ->
                 server.start()
-                val json = mapOf("port" to JsonPrimitive(server.port), "undefined" to json(with.errors.map { it.message }))
+                val json = mapOf("port" to JsonPrimitive(server.port), "undefined" to undefinedJson(with.errors))
                 outcomes.done(file, Outcome(recording.isSalvaged, "$file is served on port ${server.port}; Ctrl+C ends it.", json))
                 play(server, console)
             }

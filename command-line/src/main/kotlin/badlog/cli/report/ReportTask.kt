@@ -10,6 +10,7 @@ import badlog.cli.analysis.SearchException
 import badlog.cli.input.LogFiles
 import badlog.html.ExportException
 import badlog.report.LogReport
+import badlog.report.Report
 import badlog.report.ReportResult
 import badlog.report.notesOf
 import badlog.report.page.ReportFolder
@@ -39,7 +40,8 @@ internal class ReportTask(
 ) : Task {
     override fun run(console: Console): ExitCode {
         val report = try {
-            search.report(RuleSet.DEFAULT, cache, xTopic)
+            val rules = search.ruleSet(RuleSet.DEFAULT)
+            Report(rules, search.hooksWith(rules), search.virtualTopics, cache, xTopic)
         } catch (e: SearchException) {
             console.warn(e.message)
             return ExitCode.USAGE
@@ -63,7 +65,8 @@ internal class ReportTask(
             if (unreadable != null) outcomes.unreadable(input, unreadable, log.isNoLog) else tell(log, pages, outcomes, console)
         }
         pages?.finish(result, outcomes)
-        if (search.isNeverAsked(result)) outcomes.leaveOut()
+        val refused = result.logs.filter { it.unreadable == null }.map { it.skipped }
+        if (search.neverAsked(refused).isNotEmpty()) outcomes.leaveOut()
         val code = outcomes.end()
         if (form != ReportForm.JSON && pages?.index != null) console.warn("The index is ${pages.index}.")
         return if (result.skipped.any { it.isMistake }) ExitCode.USAGE else code
