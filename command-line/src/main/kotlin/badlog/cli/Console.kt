@@ -38,6 +38,9 @@ internal class Console(
     /** Shows how far the work on [label] is, when that takes long. To be closed. */
     fun progress(label: String): ProgressBar = ProgressBar(errSpelling.of(printable(label)), err, isTerminal)
 
+    /** Shows how many files were looked at for logs, when that takes long. To be closed. */
+    fun searching(): SearchCount = SearchCount(err, isTerminal)
+
     /** Lines may end as CSV has it. */
     private fun cleaned(text: String) = text.split('\n').joinToString("\n") { line ->
         if (line.endsWith('\r')) printable(line.dropLast(1)) + '\r' else printable(line)

@@ -20,7 +20,7 @@ internal class LogLoop(command: String, private val console: Console, isJson: Bo
 
     /** Does [work] to every log below [paths], in their order; says what came of it. */
     fun run(paths: List<Path>, work: (LogInput, ExportProgress) -> Outcome): ExitCode {
-        val found = LogSearch().find(paths)
+        val found = console.searching().use { LogSearch(it::next).find(paths) }
         for (failure in found.failures) outcomes.failed(failure.file, failure.message)
         for ((index, input) in found.inputs.withIndex()) {
             // Nobody reads what would come of the others.

@@ -3,6 +3,7 @@ package badlog.cli
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
 import java.io.ByteArrayOutputStream
 import java.io.IOException
 import java.io.OutputStream
@@ -40,6 +41,17 @@ class ConsoleSpec : FunSpec({
         said("5× “Größe” …", Charsets.UTF_8) shouldBe "5× “Größe” …\n"
         said("5× “Größe” …", Charsets.ISO_8859_1) shouldBe "5× \"Größe\" ...\n"
         said("5× “Größe” …", Charsets.US_ASCII) shouldBe "5x \"Gr\\u00f6\\u00dfe\" ...\n"
+    }
+
+    test("a search that takes long is counted on a terminal, and leaves no trace") {
+        fun shown(isTerminal: Boolean): String {
+            val err = ByteArrayOutputStream()
+            SearchCount(PrintStream(err), isTerminal, patience = 0).use { count -> repeat(1200) { count.next() } }
+            return err.toString()
+        }
+        shown(isTerminal = true) shouldContain "\rlooking for logs: 1,200 files"
+        shown(isTerminal = true).substringAfterLast("files").isBlank() shouldBe true
+        shown(isTerminal = false) shouldBe ""
     }
 
     test("many logs are not read for nobody") {

@@ -36,7 +36,7 @@ internal class FindTask(
             console.warn(it.pointed)
             return ExitCode.USAGE
         }
-        val logs = LogFiles(paths)
+        val logs = LogFiles(paths, console)
         val results = console.progress("find").use { bar ->
             find.over(logs.files, { done, total -> bar.advanced(done.toLong(), total.toLong()) })
         }

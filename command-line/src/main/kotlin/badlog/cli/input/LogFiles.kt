@@ -1,5 +1,6 @@
 package badlog.cli.input
 
+import badlog.cli.Console
 import badlog.cli.Outcomes
 import badlog.file.LogFile
 import badlog.file.UnreadableFileException
@@ -7,8 +8,8 @@ import badlog.file.reading
 import java.nio.file.Path
 
 /** The logs below [paths] as they are now, to ask all of them at once, and to tell afterwards what came of each. */
-internal class LogFiles(paths: List<Path>) {
-    private val found = LogSearch().find(paths)
+internal class LogFiles(paths: List<Path>, console: Console) {
+    private val found = console.searching().use { LogSearch(it::next).find(paths) }
     private val failures = LinkedHashMap<LogInput, UnreadableFileException>()
     private val fileOf = LinkedHashMap<LogInput, LogFile>()
 

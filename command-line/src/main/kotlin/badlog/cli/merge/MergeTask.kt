@@ -33,7 +33,7 @@ internal class MergeTask(
         try {
             // Before any work, so that nobody waits for a refusal.
             val target = plan.checked(out)
-            val found = LogSearch().find(paths)
+            val found = console.searching().use { LogSearch(it::next).find(paths) }
             for (failure in found.failures) outcomes.failed(failure.file, failure.message)
             val parts = found.inputs.mapNotNull { read(it, console, outcomes) }
             if (parts.size < 2) {

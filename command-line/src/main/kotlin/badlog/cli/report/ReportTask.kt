@@ -46,7 +46,7 @@ internal class ReportTask(
             console.warn(e.message)
             return ExitCode.USAGE
         }
-        val logs = LogFiles(paths)
+        val logs = LogFiles(paths, console)
         val pages = try {
             folder?.let { ReportPages(ReportFolder(it, logs.files, search.virtualTopics, isForced)) }
         } catch (e: ExportException) {
