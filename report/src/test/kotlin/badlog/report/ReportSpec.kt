@@ -58,11 +58,12 @@ class ReportSpec : FunSpec({
     test("a rule for each topic takes those that fit by name, unit and kind") {
         inFolder { folder ->
             val currents = listOf("A/Current", "B/Current", "C/Current", "Limit Current", "Current State")
-            val topics = mapOf("Time" to "s") + currents.associateWith { if (it.startsWith("C/")) "V" else "A" }
+            val units = mapOf("B/Current" to "ul", "C/Current" to "V")
+            val topics = mapOf("Time" to "s") + currents.associateWith { units[it] ?: "A" }
             folder.put("1.bag", bag(topics, listOf("0,50,10,50,50,on", "1,50,60,50,50,off")))
             val more = "each = [\"*current*\"]\nexcept = [\"limit*\"]\nunit = \"a\""
             findings(folder, rules("topic > 40", "{topic} {value}", more)) shouldContainExactly
-                listOf("A/Current 50 A", "B/Current 60 A")
+                listOf("A/Current 50 A", "B/Current 60")
         }
     }
 
@@ -78,6 +79,25 @@ class ReportSpec : FunSpec({
         inFolder { folder ->
             folder.put("1.bag", bag(mapOf("Uptime" to "ms", "A" to "V"), listOf("0,1", "20,1", "900,1", "920,1")))
             findings(folder, rules("delta(time) > 0.5 s", "{value}")) shouldContainExactly listOf("880 ms")
+        }
+    }
+
+    test("a clock that was set back is found") {
+        inFolder { folder ->
+            folder.put("1.bag", bag(mapOf("Time" to "s", "A" to "V"), listOf("10,1", "10.1,2", "5,3", "5.1,4")))
+            Report().over(logsIn(folder)).logs.single().findings.map { it.text } shouldContainExactly listOf("The clock went back by 5.1 s.")
+        }
+    }
+
+    test("a rule that asks for a time is not for a log that counts rows, and is no mistake") {
+        inFolder { folder ->
+            folder.put("1.csv", "Current,b\n" + "80,1\n".repeat(20))
+            val result = Report(rules("topic > 60 for 2 s", more = "each = [\"*current*\"]\nunit = \"A\"")).over(logsIn(folder))
+            result.logs.single().findings.shouldBeEmpty()
+            result.skipped.single().run {
+                isMistake shouldBe false
+                toString() shouldBe "The rule “R” was not asked of 1 log: the log has no x axis."
+            }
         }
     }
 

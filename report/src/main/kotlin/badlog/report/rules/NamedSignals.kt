@@ -35,4 +35,4 @@ internal class NamedSignals(
 }
 
 /** These signals' names after those of [named], which go first. */
-internal fun Vocabulary.with(named: Collection<NamedSignal>): Vocabulary = Vocabulary(named.map { it.listed } + signals)
+internal fun Vocabulary.with(named: Collection<NamedSignal>): Vocabulary = Vocabulary(named.map { it.listed } + signals, hasTime)

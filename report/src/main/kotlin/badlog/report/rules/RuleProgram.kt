@@ -85,7 +85,7 @@ internal class RuleProgram(
                 val signals = parsed.topics.map { name -> named[name]?.signal to name }
                 val topic = signals.firstOrNull()?.takeIf { it.first !== CLOCK }?.let { (signal, name) -> signal?.name ?: name }
                 when {
-                    !hasClock && signals.any { it.first === CLOCK } -> Refusal("the log has no x axis")
+                    !hasClock && signals.any { it.first === CLOCK } -> Refusal(NO_AXIS)
                     parsed.type.isCondition -> Question(parsed, named, topic)
                     else -> Refusal(NO_CONDITION, rule.place.pointed("This is a number; compare it, as in x < 7."))
                 }
@@ -96,11 +96,11 @@ internal class RuleProgram(
         val name = error.text.substring(error.from, error.until)
         return when (error.kind) {
             ExpressionErrorKind.UNKNOWN_TOPIC -> Refusal(whyMissing(name, error.message))
+            ExpressionErrorKind.NO_TIME -> Refusal(if (timeTopic == null) NO_AXIS else "x of the log is no time")
             else -> {
                 val reason = if (error.kind == ExpressionErrorKind.SYNTAX) NOT_ALL_THERE else error.message.trimEnd('.')
                 val isOfTopic = isForEach && error.kind == ExpressionErrorKind.TYPE
-                val isMistake = error.kind in MISTAKES && !isOfTopic
-                Refusal(reason, rule.place.pointed(error.message, error.from, error.until).takeIf { isMistake })
+                Refusal(reason, rule.place.pointed(error.message, error.from, error.until).takeIf { !isOfTopic })
             }
         }
     }
@@ -118,15 +118,12 @@ internal class RuleProgram(
 
         /** The x axis. */
         const val TIME = "time"
+        private const val NO_AXIS = "the log has no x axis"
         private const val NO_CONDITION = "“when” is a number"
 
         // Where a name is missing, what is left of it may read as anything.
         private const val NOT_ALL_THERE = "not all topics of “when” are there"
 
-        /** What is wrong with a rule itself, rather than that a log has not what it needs. */
-        private val MISTAKES = setOf(
-            ExpressionErrorKind.SYNTAX, ExpressionErrorKind.AMBIGUOUS_TOPIC, ExpressionErrorKind.TYPE, ExpressionErrorKind.LIMIT,
-        )
         val RESERVED = setOf(TOPIC, TIME)
     }
 }
