@@ -1,8 +1,8 @@
 package badlog.cli.input
 
+import badlog.analysis.Units
 import badlog.analysis.XAxis
 import badlog.cli.Failure
-import badlog.cli.text.XTime
 import com.github.ajalt.clikt.parameters.options.NullableOption
 import com.github.ajalt.clikt.parameters.options.RawOption
 import com.github.ajalt.clikt.parameters.options.convert
@@ -16,7 +16,7 @@ internal class Position private constructor(private val text: String, private va
      */
     fun on(axis: XAxis): Double {
         if (!isClock) return number
-        val secondsPerX = XTime.secondsPer(axis.unit)
+        val secondsPerX = Units.secondsIn(axis.unit)
             ?: throw Failure(
                 "$text is a time, but the x axis ${axis.title} has no unit of time; name the topic of time by --x, " +
                     "or give a number.",
