@@ -4,15 +4,15 @@ import badlog.recording.Severity
 import badlog.report.TextTable.Column
 
 /**
- * All findings match by match with time, severity and text, at most 100 columns wide, and below it what was not looked for. Files that
- * cannot be read are only counted.
+ * All findings match by match with time, severity and text, at most 100 columns wide, and below it what was not looked for. Logs that
+ * cannot be read are only counted, and what is no log not even that.
  */
 public fun reportText(result: ReportResult): String {
     val names = shortNames(result.logs.map { it.file })
     val lines = ArrayList<String>()
     for (log in result.logs.filter { it.findings.isNotEmpty() }) {
         val name = names.getValue(log.file)
-        lines += printable(if (log.title == null) name else "${log.title} ($name)")
+        lines += TextTable.shortened(printable(if (log.title == null) name else "${log.title} ($name)"), TEXT_WIDTH)
         val rows = log.findings.map { listOf(timeText(it.time, it.timeUnit), it.severity.name.lowercase().padEnd(SEVERITY_WIDTH), it.text) }
         // Times of all logs stand below each other.
         lines += TABLE.lines(rows.map { row -> listOf(row[0].padStart(TIME_WIDTH)) + row.drop(1) }).flatten().map { INDENT + it }
@@ -42,7 +42,7 @@ private fun hookTexts(logs: List<LogReport>): List<String> {
 internal fun summary(result: ReportResult): String {
     val counts = ORDER.map { count(result.count(it), it.name.lowercase()) }
     val found = result.logs.count { it.findings.isNotEmpty() }
-    return "${counts.dropLast(1).joinToString()} and ${counts.last()} in $found of ${count(result.logs.size, "log")}."
+    return "${counts.dropLast(1).joinToString()} and ${counts.last()} in $found of ${count(result.logs.count { !it.isNoLog }, "log")}."
 }
 
 /** The worst first. */

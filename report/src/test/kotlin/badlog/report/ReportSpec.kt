@@ -16,6 +16,7 @@ import io.kotest.matchers.string.shouldEndWith
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
+import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.exists
 
@@ -238,9 +239,11 @@ class ReportSpec : FunSpec({
 
     test("the text is at most 100 characters wide where it can be") {
         inFolder { folder ->
-            folder.put("1.bag", batteryBag(6.0))
+            folder.put("${"n".repeat(240)}.bag", batteryBag(6.0))
+            folder.put("photo.csv", "only words here\nand there\n")
             val text = reportText(Report(rules("true", "word ".repeat(100) + "x".repeat(300))).over(logsIn(folder)))
             text.lines().maxOf { it.length } shouldBeLessThanOrEqual 100
+            text shouldContain "in 1 of 1 log."
         }
     }
 
@@ -248,11 +251,14 @@ class ReportSpec : FunSpec({
         inFolder { folder ->
             folder.put("1.bag", bag(mapOf("Time" to "s", "=A,\"1\"" to "V"), listOf("0,1", "2.5,8")))
             folder.put("2.csv", "only words here\nand there\n")
-            val csv = reportCsv(Report(rules("topic > 7", "=1+1, \\\"{value}\\\"", "each = [\"*\"]")).over(logsIn(folder)))
+            folder.put("3.bag", "gone")
+            val files = logsIn(folder)
+            Files.delete(folder.resolve("3.bag"))
+            val csv = reportCsv(Report(rules("topic > 7", "=1+1, \\\"{value}\\\"", "each = [\"*\"]")).over(files))
             val lines = csv.split("\r\n")
             lines[0] shouldBe "file,match,rule,severity,topic,text,time,until,spans,time unit"
             lines[1] shouldContain ",,R,warning,\"'=A,\"\"1\"\"\",\"'=1+1, \"\"8 V\"\"\",2.5,2.5,1,s"
-            lines[2] shouldContain ",,unreadable,error,"
+            lines[2] shouldContain "3.bag,,unreadable,error,"
             lines.size shouldBe 4
         }
     }
