@@ -14,7 +14,15 @@ internal class Badlog(private val console: Console) {
         } catch (e: CliktError) {
             return say(command, command.explained(e), arguments)
         }
-        return task.run(console)
+        return try {
+            task.run(console)
+        } catch (_: OutOfMemoryError) {
+            console.warn("This is too large for the memory at hand; set JAVA_OPTS=-Xmx8g or so and try again.")
+            ExitCode.NOTHING
+        } catch (e: Exception) {
+            console.warn("This is a defect of badlog; please report it (${e.toString().lineSequence().first()}).")
+            ExitCode.NOTHING
+        }
     }
 
     private fun say(command: BadlogCommand, what: CliktError, arguments: List<String>): ExitCode {

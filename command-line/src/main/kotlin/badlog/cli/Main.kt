@@ -26,5 +26,6 @@ private fun afterLoss(console: Console, results: ResultStream): ExitCode {
 /** What the system's stream [name] is written in; Java told it under another name until version 19. */
 private fun charsetOf(name: String): Charset {
     val told = System.getProperty("$name.encoding") ?: System.getProperty("sun.$name.encoding") ?: System.getProperty("native.encoding")
-    return if (told != null && Charset.isSupported(told)) Charset.forName(told) else Charset.defaultCharset()
+    val charset = if (told != null && Charset.isSupported(told)) Charset.forName(told) else Charset.defaultCharset()
+    return if (charset.canEncode()) charset else Charsets.US_ASCII
 }

@@ -54,6 +54,20 @@ class ConsoleSpec : FunSpec({
         shown(isTerminal = false) shouldBe ""
     }
 
+    test("whether a reader has gone is told apart from a full disk") {
+        fun after(message: String): ResultStream {
+            val failing = object : OutputStream() {
+                override fun write(byte: Int) = throw IOException(message)
+            }
+            return ResultStream(failing).also { PrintStream(it).println("a result") }
+        }
+        after("Broken pipe").isReaderGone shouldBe true
+        after("No space left on device").run {
+            isReaderGone shouldBe false
+            failure?.message shouldBe "No space left on device"
+        }
+    }
+
     test("many logs are not read for nobody") {
         inFolder { folder ->
             for (i in 1..9) folder.with("$i.bag", BAG)

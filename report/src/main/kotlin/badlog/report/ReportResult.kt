@@ -42,10 +42,7 @@ public class LogReport internal constructor(
     public val isSalvaged: Boolean,
     public val undefined: List<UndefinedTopic>,
     public val hookFailures: List<HookFailure>,
-) {
-    /** What a person would call it: the match's title, else the file's name. */
-    public val name: String get() = title ?: file.name
-}
+)
 
 /**
  * A hook that failed for a log.

@@ -32,9 +32,11 @@ public fun notesOf(result: ReportResult): List<String> {
 /** What fails in one log mostly does in all. */
 private fun hookTexts(logs: List<LogReport>): List<String> {
     val failures = logs.flatMap { log -> log.hookFailures.map { it to log } }
-    return failures.groupBy({ (failure, _) -> failure.hook to failure.message }, { (_, log) -> log }).map { (failure, failed) ->
-        val (hook, message) = failure
-        "${if (failed.size == 1) failed[0].file.name else count(failed.size, "log")}, hook “$hook”: $message"
+    return failures.groupBy { (failure, _) -> failure.hook }.map { (hook, alike) ->
+        val (failure, log) = alike[0]
+        val place = if (alike.size == 1) log.file.name else count(alike.size, "log")
+        val first = if (alike.distinctBy { it.first.message }.size == 1) "" else ", in the first, ${log.file.name}"
+        "$place, hook “$hook”$first: ${failure.message}"
     }
 }
 

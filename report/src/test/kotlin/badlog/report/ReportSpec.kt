@@ -237,6 +237,15 @@ class ReportSpec : FunSpec({
         }
     }
 
+    test("a hook that fails in many ways is told by the first").config(enabled = HAS_PYTHON) {
+        inFolder { folder ->
+            for (i in 1..3) folder.put("$i.bag", batteryBag(6.0))
+            val hook = HookRunner(listOf("python3", "-c", "import os, sys; sys.exit(str(os.getpid()))"), name = "h")
+            val text = reportText(Report(RuleSet.NONE, listOf(hook)).over(logsIn(folder)))
+            text.lines().single { "hook “h”" in it } shouldContain "3 logs, hook “h”, in the first, 1.bag: "
+        }
+    }
+
     test("the text is at most 100 characters wide where it can be") {
         inFolder { folder ->
             folder.put("${"n".repeat(240)}.bag", batteryBag(6.0))
