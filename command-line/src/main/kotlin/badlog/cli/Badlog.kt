@@ -7,27 +7,35 @@ import com.github.ajalt.clikt.core.parse
 internal class Badlog(private val console: Console) {
     /** Does what [arguments] ask for. */
     fun run(arguments: List<String>): ExitCode {
-        val command = BadlogCommand()
+        val command = BadlogCommand(arguments)
         val task = try {
             command.parse(arguments)
             command.task ?: return ExitCode.USAGE
         } catch (e: CliktError) {
-            return say(command, command.explained(e, arguments), arguments)
+            return say(command, command.explained(e), arguments)
         }
-        return task.run(console)
+        return try {
+            task.run(console)
+        } catch (_: OutOfMemoryError) {
+            console.warn("This is too large for the memory at hand; set JAVA_OPTS=-Xmx8g or so and try again.")
+            ExitCode.NOTHING
+        } catch (e: Exception) {
+            console.warn("This is a defect of badlog; please report it (${e.toString().lineSequence().first()}).")
+            ExitCode.NOTHING
+        }
     }
 
     private fun say(command: BadlogCommand, what: CliktError, arguments: List<String>): ExitCode {
         val text = command.getFormattedHelp(what).orEmpty().trim()
         if (what.statusCode == 0) {
-            console.out.println(text)
+            console.say(text)
             return ExitCode.WHOLE
         }
         // The line of usage before it tells nothing that the help does not tell better.
         val reason = text.substringAfter(ERROR).replaceFirstChar(Char::uppercase)
         val inside = arguments.first().takeIf { it in command.registeredSubcommandNames() }
         val help = listOfNotNull(BadlogCommand.NAME, "help", inside).joinToString(" ")
-        console.err.println("$reason${if (reason.last() in ".?") "" else "."} Try: $help")
+        console.warn("$reason${if (reason.last() in ".?") "" else "."} Try: $help")
         return ExitCode.USAGE
     }
 

@@ -19,8 +19,12 @@ import com.github.ajalt.clikt.core.context
 import com.github.ajalt.clikt.core.subcommands
 import com.github.ajalt.clikt.parameters.options.versionOption
 
-/** `badlog` and its sub-commands. A new one is added here and nowhere else. */
-internal class BadlogCommand : CoreCliktCommand(NAME) {
+/**
+ * `badlog` and its sub-commands. A new one is added here and nowhere else.
+ *
+ * @property arguments what was typed.
+ */
+internal class BadlogCommand(val arguments: List<String>) : CoreCliktCommand(NAME) {
     private val logCommands = listOf(
         InfoCommand(),
         RecoverCommand(),
@@ -56,8 +60,8 @@ internal class BadlogCommand : CoreCliktCommand(NAME) {
 
     override fun run() = Unit
 
-    /** [error], or that the first of [arguments] is no sub-command, where this is what is wrong with them. */
-    fun explained(error: CliktError, arguments: List<String>): CliktError {
+    /** [error], or that the first argument is no sub-command, where this is what is wrong with them. */
+    fun explained(error: CliktError): CliktError {
         val first = arguments.firstOrNull()
         val names = registeredSubcommandNames()
         if (error !is UsageError || first == null || first.startsWith("-") || first in names) return error

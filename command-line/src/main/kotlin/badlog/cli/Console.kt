@@ -1,16 +1,48 @@
 package badlog.cli
 
 import badlog.html.cli.ProgressBar
+import badlog.report.printable
 import java.io.PrintStream
+import java.nio.charset.Charset
 
 /**
- * Where a sub-command speaks to.
+ * Where a sub-command speaks to. Whatever it says, nothing of it moves a terminal's cursor, and what the encoding has no character for
+ * is spelled out.
  *
- * @property out gets results, for people or programs.
- * @property err gets what went wrong, and progress.
- * @property isTerminal whether [err] is a terminal, which shows progress.
+ * @param out gets results, for people or programs, in [outCharset].
+ * @param err gets what went wrong, and progress, in [errCharset].
+ * @param isTerminal whether [err] is a terminal, which shows progress.
  */
-internal class Console(val out: PrintStream, val err: PrintStream, val isTerminal: Boolean) {
+internal class Console(
+    private val out: PrintStream,
+    private val err: PrintStream,
+    private val isTerminal: Boolean,
+    outCharset: Charset = Charsets.UTF_8,
+    errCharset: Charset = Charsets.UTF_8,
+) {
+    private val outSpelling = Spelling(outCharset)
+    private val errSpelling = Spelling(errCharset)
+
+    /** Whether results come to nowhere, because nobody reads them any longer or the disk is full. */
+    val isOutClosed: Boolean get() = out.checkError()
+
+    /** Tells a result: [text], and that the line ends. */
+    fun say(text: String) {
+        out.println(outSpelling.of(cleaned(text)))
+        out.flush()
+    }
+
+    /** Tells what went wrong: [text], and that the line ends. */
+    fun warn(text: String) = err.println(errSpelling.of(cleaned(text)))
+
     /** Shows how far the work on [label] is, when that takes long. To be closed. */
-    fun progress(label: String): ProgressBar = ProgressBar(label, err, isTerminal)
+    fun progress(label: String): ProgressBar = ProgressBar(errSpelling.of(printable(label)), err, isTerminal)
+
+    /** Shows how many files were looked at for logs, when that takes long. To be closed. */
+    fun searching(): SearchCount = SearchCount(err, isTerminal)
+
+    /** Lines may end as CSV has it. */
+    private fun cleaned(text: String) = text.split('\n').joinToString("\n") { line ->
+        if (line.endsWith('\r')) printable(line.dropLast(1)) + '\r' else printable(line)
+    }
 }

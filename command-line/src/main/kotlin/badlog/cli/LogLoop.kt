@@ -6,6 +6,7 @@ import badlog.cli.input.NotALog
 import badlog.file.UnreadableFileException
 import badlog.html.ExportException
 import badlog.html.ExportProgress
+import badlog.report.TopicException
 import java.nio.file.Path
 
 /**
@@ -15,27 +16,29 @@ import java.nio.file.Path
  * @param isJson whether each log is one line of JSON.
  */
 internal class LogLoop(command: String, private val console: Console, isJson: Boolean) {
-    private val report = Report(command, console, isJson)
+    private val outcomes = Outcomes(command, console, isJson)
 
     /** Does [work] to every log below [paths], in their order; says what came of it. */
     fun run(paths: List<Path>, work: (LogInput, ExportProgress) -> Outcome): ExitCode {
-        val found = LogSearch().find(paths)
-        for (failure in found.failures) report.failed(failure.file, failure.message)
-        found.inputs.forEachIndexed { index, input ->
+        val found = console.searching().use { LogSearch(it::next).find(paths) }
+        for (failure in found.failures) outcomes.failed(failure.file, failure.message)
+        for ((index, input) in found.inputs.withIndex()) {
+            // Nobody reads what would come of the others.
+            if (console.isOutClosed) break
             val label = (if (found.inputs.size > 1) "${index + 1}/${found.inputs.size} " else "") + input.file.fileName
             attempt(input, label, work)
         }
-        return report.end()
+        return outcomes.end()
     }
 
     private fun attempt(input: LogInput, label: String, work: (LogInput, ExportProgress) -> Outcome) {
         val file = input.file
         try {
-            report.done(file, console.progress(label).use { work(input, it) })
+            outcomes.done(file, console.progress(label).use { work(input, it) })
         } catch (e: NotALog) {
-            if (input.isFound) report.skipped(file) else report.failed(file, e.message)
+            outcomes.unreadable(input, e.message, isNoLog = true)
         } catch (e: Throwable) {
-            report.failed(file, sentenceOf(e, file))
+            outcomes.failed(file, sentenceOf(e, file))
         }
     }
 
@@ -43,6 +46,7 @@ internal class LogLoop(command: String, private val console: Console, isJson: Bo
         /** What to tell about [failure], which ended the work on [file]. */
         fun sentenceOf(failure: Throwable, file: Path): String = when (failure) {
             is Failure -> failure.message
+            is TopicException -> failure.message
             is UnreadableFileException -> failure.message
             is ExportException -> failure.message.orEmpty()
             is OutOfMemoryError -> "$file is too large for the memory at hand; set JAVA_OPTS=-Xmx8g or so and try again."

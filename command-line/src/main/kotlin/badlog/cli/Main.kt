@@ -1,12 +1,31 @@
 package badlog.cli
 
+import java.io.FileDescriptor
+import java.io.FileOutputStream
+import java.io.PrintStream
+import java.nio.charset.Charset
 import kotlin.system.exitProcess
 
 /** The program `badlog`. */
 fun main(arguments: Array<String>) {
     // The start script can ask for it; Java could not until version 22.
     val isTerminal = System.getProperty("badlog.terminal")?.toBoolean() ?: (System.console() != null)
-    val code = Badlog(Console(System.out, System.err, isTerminal)).run(arguments.toList()).code
-    System.out.flush()
-    exitProcess(code)
+    val results = ResultStream(FileOutputStream(FileDescriptor.out))
+    val charset = charsetOf("stdout")
+    val console = Console(PrintStream(results, false, charset), System.err, isTerminal, charset, charsetOf("stderr"))
+    val code = Badlog(console).run(arguments.toList())
+    exitProcess(if (console.isOutClosed) afterLoss(console, results).code else code.code)
+}
+
+private fun afterLoss(console: Console, results: ResultStream): ExitCode {
+    // Whoever asked for the first line only knows.
+    if (!results.isReaderGone) console.warn("The results cannot be written (${results.failure?.message}); look for a full disk.")
+    return ExitCode.NOTHING
+}
+
+/** What the system's stream [name] is written in; Java told it under another name until version 19. */
+private fun charsetOf(name: String): Charset {
+    val told = System.getProperty("$name.encoding") ?: System.getProperty("sun.$name.encoding") ?: System.getProperty("native.encoding")
+    val charset = if (told != null && Charset.isSupported(told)) Charset.forName(told) else Charset.defaultCharset()
+    return if (charset.canEncode()) charset else Charsets.US_ASCII
 }

@@ -2,6 +2,8 @@ package badlog.cli
 
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.CoreCliktCommand
+import com.github.ajalt.clikt.core.NoSuchOption
+import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.help
 import com.github.ajalt.clikt.parameters.arguments.multiple
@@ -16,15 +18,16 @@ import java.nio.file.Path
  *
  * @param summary what it does, in one short sentence, which stands in the list of all.
  * @param details what else there is to know; may be empty.
+ * @param logHelp what may be named.
  */
 internal abstract class SubCommand(
     name: String,
     private val summary: String,
     private val details: String,
+    logHelp: String = "A log, or a folder: all logs in it, at any depth.",
 ) : CoreCliktCommand(name) {
     /** The files and folders that were named. */
-    protected val paths: List<Path> by argument("LOG").path().multiple(required = true)
-        .help("A log, or a folder: all logs in it, at any depth.")
+    protected val paths: List<Path> by argument("LOG").path().multiple(required = true).help(logHelp)
 
     /** Whether programs read the results. */
     protected val isJson: Boolean by option("--json").flag().help("Print one JSON object a line, for programs.")
@@ -33,11 +36,28 @@ internal abstract class SubCommand(
     var task: Task? = null
         private set
 
+    /** All arguments that are no options. */
+    protected open val words: List<String> get() = paths.map { it.toString() }
+
+    /** Clikt takes whatever begins with a sign and contains `=` for an option. */
+    final override val treatUnknownOptionsAsArgs: Boolean get() = true
+
     /** Makes the task that the options ask for; throws a usage error where they contradict each other. */
     protected abstract fun makeTask(): Task
 
     final override fun run() {
+        requireNoOption()
         task = makeTask()
+    }
+
+    private fun requireNoOption() {
+        val typed = (currentContext.parent?.command as BadlogCommand).arguments
+        val before = typed.takeWhile { it != "--" }.toSet()
+        val unknown = words.firstOrNull { it.startsWith("-") && it.length > 1 && it in before } ?: return
+        val name = unknown.substringBefore('=')
+        val names = registeredOptions().flatMap { it.names }
+        if (name.startsWith("--") && ' ' !in name) throw NoSuchOption(name, currentContext.suggestTypoCorrection(name, names))
+        throw UsageError("there is no option “$unknown”; put -- before it when it is none")
     }
 
     final override fun help(context: Context): String =

@@ -7,7 +7,7 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 
 class BadlogSpec : FunSpec({
-    val commands = listOf("info", "recover", "convert", "cut", "merge", "export")
+    val commands = listOf("info", "recover", "convert", "cut", "merge", "export", "find", "report", "replay")
 
     test("without arguments, and asked for help, it lists its sub-commands") {
         for (asked in listOf(badlog(), badlog("--help"), badlog("help"))) {
@@ -42,7 +42,7 @@ class BadlogSpec : FunSpec({
 
     test("wrong usage is one sentence that names the help to read") {
         val wrong = listOf(
-            listOf("info"), listOf("info", "--nix", "a"), listOf("recover", "a", "--out"), listOf("convert", "a"),
+            listOf("info"), listOf("info", "--nix", "a"), listOf("info", "a", "--nix=5"), listOf("find", "a", "-Volts < 3"), listOf("recover", "a", "--out"), listOf("convert", "a"),
             listOf("convert", "a", "--to", "pdf"), listOf("cut", "a"), listOf("cut", "a", "--from", "x"),
             listOf("cut", "a", "--from", "1", "--margin", "1"), listOf("cut", "a", "--from", "1", "--after", "1"),
             listOf("cut", "a", "--enabled", "--margin", "-1"), listOf("merge", "a", "b"),
@@ -54,6 +54,20 @@ class BadlogSpec : FunSpec({
             ended.out shouldBe ""
             ended.err shouldContain "Try: badlog help ${arguments[0]}\n"
             ended.err.lines().size shouldBe 2
+        }
+    }
+
+    test("only what begins with a dash is taken for an option, and how to say that it is none is told") {
+        inFolder { folder ->
+            badlog("info", folder.with("a=b.bag", BAG)).code shouldBe ExitCode.WHOLE
+            val log = folder.with("a.bag", BAG)
+            for (question in listOf("(Speed) >= 0", "((Speed)) == 1.5", "!(Speed == 1.5)")) {
+                badlog("find", log, question, "--no-cache").code shouldBe ExitCode.WHOLE
+            }
+            badlog("find", log, "-Speed < -5").err shouldContain "put -- before it"
+            badlog("find", "--no-cache", "--", log, "-Speed < -5").code shouldBe ExitCode.WHOLE
+            badlog("info", log, "--topic", "A = Speed", "--topics").code shouldBe ExitCode.WHOLE
+            badlog("info", log, "--atributes").err shouldContain "--attributes"
         }
     }
 

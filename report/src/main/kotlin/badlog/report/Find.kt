@@ -16,11 +16,13 @@ import kotlinx.serialization.Serializable
  * @param question the expression.
  * @param virtualTopics definitions of topics that the question may use beside the log's own, such as `Power = Voltage * Current`.
  * @param cache a folder for what was found out before, so that a file that did not change is not read again; null for none.
+ * @param xTopic the topic to take as x axis, which plain CSV does not tell; null for what the log itself says.
  */
 public class Find(
     private val question: String,
     private val virtualTopics: List<String> = emptyList(),
     private val cache: Path? = null,
+    private val xTopic: String? = null,
 ) {
     private val parsed = Remembered<Vocabulary, ParsedExpression>(MOST_VOCABULARIES) { Expression.parse(question, it) }
 
@@ -50,7 +52,7 @@ public class Find(
         each: (FindResult) -> Unit = {},
     ): List<FindResult> {
         val results = ArrayList<FindResult>(files.size)
-        val known = cache?.let { ResultCache(it, "find\n${virtualTopics.joinToString("\n")}\n\n$question", Stored.serializer()) }
+        val known = cache?.let { ResultCache(it, "find\n${virtualTopics.joinToString("\n")}\n\n${xTopic.orEmpty()}\n$question", Stored.serializer()) }
         runCached(files, known, ::ask) { file, stored ->
             val result = FindResult(file, stored.title, stored.reply, stored.undefined, stored.isSalvaged)
             results += result
@@ -61,7 +63,7 @@ public class Find(
     }
 
     private fun ask(file: LogFile): Found<Stored> =
-        if (mistake != null) Found(Stored(null, mistake), isLasting = false) else LogContent.examined(file, virtualTopics, ::ask)
+        if (mistake != null) Found(Stored(null, mistake), isLasting = false) else LogContent.examined(file, virtualTopics, xTopic, ::ask)
 
     private fun ask(content: LogContent): Found<Stored> = when (content) {
         is LogContent.None -> Found(Stored(null, Reply.Unreadable(content.message, content.isNoLog)), content.isNoLog)

@@ -1,57 +1,35 @@
 package badlog.report
 
+import badlog.expression.ExpressionError
 import badlog.expression.Figure
 import badlog.plot.Span
-import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonNull
-import kotlinx.serialization.json.JsonObject
-import kotlinx.serialization.json.JsonObjectBuilder
 import kotlinx.serialization.json.JsonPrimitive
 import kotlinx.serialization.json.addJsonObject
 import kotlinx.serialization.json.buildJsonArray
 import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.put
 
-internal val PRETTY = Json { prettyPrint = true }
-
-/** [results] as one JSON object for other programs: all files, also those in which nothing was found. Unknown numbers are null. */
-public fun findJson(question: String, results: List<FindResult>): String = PRETTY.encodeToString(
-    JsonObject.serializer(),
-    buildJsonObject {
-        put("question", question)
-        put("results", JsonArray(results.map(::resultJson)))
-    },
-)
-
-private fun resultJson(result: FindResult): JsonElement = buildJsonObject {
-    put("file", result.file.path.toString())
+/** What came of a question to a log that can be read, for other programs. Of what is not known, and of unknown numbers, null is told. */
+public fun findJson(result: FindResult): Map<String, JsonElement> = buildJsonObject {
+    val answered = result.reply as? Reply.Answered
+    val refused = result.reply as? Reply.NotAsked
     put("match", result.title)
-    if (result.undefined.isNotEmpty()) put("undefined", undefinedJson(result.undefined))
-    when (val reply = result.reply) {
-        is Reply.Answered -> {
-            put("outcome", reply.outcome.name.lowercase())
-            put("time", number(reply.time))
-            put("timeUnit", reply.timeUnit)
-            put("figures", buildJsonArray { reply.figures.forEach { addJsonObject { putFigure(it) } } })
-            put("spans", spansJson(reply.spans))
-            put("spanCount", reply.spanCount)
-        }
-        is Reply.NotAsked -> {
-            put("outcome", "not_asked")
-            put("reason", reply.kind.name.lowercase())
-            put("topic", reply.topic)
-            put("message", reply.message)
-        }
-        is Reply.Unreadable -> {
-            put("outcome", "unreadable")
-            put("message", reply.message)
-        }
-    }
+    put("outcome", answered?.outcome?.name?.lowercase() ?: "not_asked")
+    put("time", number(answered?.time))
+    put("timeUnit", answered?.timeUnit)
+    put("figures", JsonArray(answered?.figures.orEmpty().map(::figureJson)))
+    put("spans", spansJson(answered?.spans.orEmpty()))
+    put("spanCount", answered?.spanCount)
+    put("reason", refused?.kind?.name?.lowercase())
+    put("topic", refused?.topic)
+    put("message", refused?.message)
+    put("undefined", jsonOf(result.undefined))
 }
 
-private fun JsonObjectBuilder.putFigure(figure: Figure) {
+private fun figureJson(figure: Figure): JsonElement = buildJsonObject {
     put("name", figure.name)
     put("value", number(figure.value))
     put("unit", figure.unit)
@@ -67,7 +45,10 @@ internal fun spansJson(spans: List<Span>): JsonArray = buildJsonArray {
     }
 }
 
-internal fun undefinedJson(topics: List<UndefinedTopic>): JsonArray = buildJsonArray {
+/** The virtual topics that a log could not be given, by the [errors] in their definitions, for other programs. */
+public fun undefinedJson(errors: List<ExpressionError>): JsonElement = jsonOf(errors.map(::UndefinedTopic))
+
+internal fun jsonOf(topics: List<UndefinedTopic>): JsonArray = buildJsonArray {
     for (topic in topics) {
         addJsonObject {
             put("definition", topic.definition)
@@ -77,4 +58,4 @@ internal fun undefinedJson(topics: List<UndefinedTopic>): JsonArray = buildJsonA
 }
 
 /** JSON has no number for what is not finite. */
-internal fun number(value: Double): JsonPrimitive = if (value.isFinite()) JsonPrimitive(value) else JsonNull
+internal fun number(value: Double?): JsonPrimitive = if (value != null && value.isFinite()) JsonPrimitive(value) else JsonNull

@@ -22,10 +22,7 @@ public class FindResult internal constructor(
     public val reply: Reply,
     public val undefined: List<UndefinedTopic>,
     public val isSalvaged: Boolean,
-) {
-    /** What a person would call it: the match's title, else the file's name. */
-    public val name: String get() = title ?: file.name
-}
+)
 
 /** What a question to a file may come to. */
 @Serializable

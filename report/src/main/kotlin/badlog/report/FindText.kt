@@ -5,24 +5,30 @@ import badlog.expression.Figure
 import badlog.expression.Outcome
 
 /**
- * The logs in which the question holds, as a table of match, file, time and value at most 100 characters wide, and below it how many
- * others there were and why. Of a question that asks for a number, all logs that have it.
+ * The logs in which the question holds, as a table of match, file, time and value at most 100 columns wide, and below it how many
+ * others there were and why, apart from those that cannot be read. Of a question that asks for a number, all logs that have it.
  */
 public fun findText(results: List<FindResult>): String {
     val found = results.filter(::isFound)
     val lines = ArrayList<String>()
     if (found.isNotEmpty()) {
-        val table = TextTable(listOf("Match", "File", "Time", "Value"))
-        for (result in found) {
+        val names = shortNames(results.map { it.file })
+        val rows = found.map { result ->
             val reply = result.reply as Reply.Answered
-            table.add(listOf(result.name, result.file.name, timeText(reply.time, reply.timeUnit), valueText(reply)))
+            val file = names.getValue(result.file)
+            listOf(result.title ?: file, file, timeText(reply.time, reply.timeUnit), valueText(reply))
         }
-        lines += table.toString()
+        lines += TABLE.lines(rows).flatten()
         lines += ""
     }
     lines += summaryOf(results, found.size)
     return lines.joinToString("\n")
 }
+
+/** How wide texts for a terminal are at most. */
+internal const val TEXT_WIDTH = 100
+
+private val TABLE = TextTable(listOf("Match", "File", "Time", "Value").map { TextTable.Column(it) }, TEXT_WIDTH)
 
 /** Whether the question holds there, or there is the number it asks for. */
 internal fun isFound(result: FindResult): Boolean = when (val reply = result.reply) {
@@ -52,7 +58,6 @@ private fun summaryOf(results: List<FindResult>, found: Int): List<String> {
     if (missing.isNotEmpty() && !isAnswered) lines += missing[0].pointed
     mistaken.groupBy { it.pointed }.forEach { (pointed, replies) -> lines += "Not asked of ${count(replies.size, "log")}: $pointed" }
     lines += undefinedTexts(results.filter { it.reply !is Reply.Unreadable }.map { it.undefined })
-    for (result in results) (result.reply as? Reply.Unreadable)?.let { lines += "${result.file.name}: ${it.message}" }
     return lines
 }
 

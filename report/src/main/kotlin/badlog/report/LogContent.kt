@@ -30,23 +30,25 @@ internal sealed interface LogContent {
     class None(val message: String, val isNoLog: Boolean) : LogContent
 
     companion object {
-        /** Reads [file], and adds the topics of [definitions]. */
-        private fun of(file: LogFile, definitions: List<String>): LogContent = try {
+        private fun of(file: LogFile, definitions: List<String>, xTopic: String?): LogContent = try {
             val recording = readRecording(file.path)
             val problem = recording.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
-            if (problem != null) None(problem.message, isNoLog = true) else withVirtualTopics(recording, definitions)
+            if (problem != null) None(problem.message, isNoLog = true)
+            else withVirtualTopics(if (xTopic == null) recording else recording.withX(xTopic, file.path), definitions)
         } catch (e: UnreadableFileException) {
+            None(e.message, isNoLog = false)
+        } catch (e: TopicException) {
             None(e.message, isNoLog = false)
         }
 
         /**
-         * What [work] makes of [file], read with the topics of [definitions]. Whatever fails, fails for this file alone: [work] is then
+         * What [work] makes of [file], read with the topics of [definitions], and with [xTopic] as x axis if it is not null. Whatever fails, fails for this file alone: [work] is then
          * given a [None] that says so.
          *
          * @throws InterruptedException when the thread was interrupted.
          */
-        fun <R> examined(file: LogFile, definitions: List<String>, work: (LogContent) -> R): R = try {
-            work(of(file, definitions))
+        fun <R> examined(file: LogFile, definitions: List<String>, xTopic: String? = null, work: (LogContent) -> R): R = try {
+            work(of(file, definitions, xTopic))
         } catch (_: OutOfMemoryError) {
             work(tooLarge())
         } catch (e: InterruptedException) {

@@ -20,12 +20,14 @@ import kotlinx.serialization.Transient
  * @param virtualTopics definitions of topics that the rules may use beside a log's own, such as `Power = Voltage * Current`.
  * @param cache a folder for what was found out before, so that a file that did not change is not read again; null for none. What
  *   hooks return is not kept there: nobody knows what it depends on.
+ * @param xTopic the topic to take as x axis, which plain CSV does not tell; null for what the log itself says.
  */
 public class Report(
     private val rules: RuleSet = RuleSet.DEFAULT,
     private val hooks: List<HookRunner> = emptyList(),
     private val virtualTopics: List<String> = emptyList(),
     private val cache: Path? = null,
+    private val xTopic: String? = null,
 ) {
     private val runner = RuleRunner(rules)
 
@@ -59,12 +61,13 @@ public class Report(
     ): ReportResult {
         val logs = ArrayList<LogReport>(files.size)
         val asked = HashMap<String, MutableList<Asked>>()
-        val question = "report\n${virtualTopics.joinToString("\n")}\n\n${rules.source}"
+        val question = "report\n${virtualTopics.joinToString("\n")}\n\n${xTopic.orEmpty()}\n${rules.source}"
         val known = cache?.takeIf { hooks.isEmpty() }?.let { ResultCache(it, question, Stored.serializer()) }
         runCached(files, known, ::examine) { file, stored ->
             val failures = stored.hooks.mapNotNull { hook -> hook.failure?.let { HookFailure(hook.hook, it.message) } }
             val log = LogReport(
-                file, stored.title, stored.findings, stored.unreadable, stored.isNoLog, stored.isSalvaged, stored.undefined, failures,
+                file, stored.title, stored.findings, stored.asked.mapNotNull { skipped(it.rule, listOf(it)) }, stored.unreadable,
+                stored.isNoLog, stored.isSalvaged, stored.undefined, failures,
             )
             logs += log
             for (rule in stored.asked) asked.getOrPut(rule.rule) { ArrayList() } += rule
@@ -76,7 +79,7 @@ public class Report(
         return ReportResult(logs, skipped)
     }
 
-    private fun examine(file: LogFile): Found<Stored> = LogContent.examined(file, virtualTopics) { examine(file, it) }
+    private fun examine(file: LogFile): Found<Stored> = LogContent.examined(file, virtualTopics, xTopic) { examine(file, it) }
 
     private fun examine(file: LogFile, content: LogContent): Found<Stored> = when (content) {
         is LogContent.None -> Found(Stored(null, emptyList(), emptyList(), content.message, content.isNoLog), content.isNoLog)

@@ -2,8 +2,8 @@ package badlog.report
 
 /**
  * All findings as CSV (RFC 4180): one line for each, with the file, the match, the rule, its severity, the topic, the text, the time to
- * look at first, the end of the first span, how many spans there are, and the unit of the times. A file that cannot be read has a
- * line too, with the rule `unreadable`.
+ * look at first, the end of the first span, how many spans there are, and the unit of the times. A log that cannot be read has a
+ * line too, with the rule `unreadable`; what is no log has none.
  */
 public fun reportCsv(result: ReportResult): String {
     val out = StringBuilder()
@@ -15,7 +15,7 @@ public fun reportCsv(result: ReportResult): String {
     for (log in result.logs) {
         val file = log.file.path.toString()
         val title = log.title.orEmpty()
-        log.unreadable?.let { line(file, title, "unreadable", "error", "", it, "", "", "", "") }
+        log.unreadable?.takeUnless { log.isNoLog }?.let { line(file, title, "unreadable", "error", "", it, "", "", "", "") }
         for (finding in log.findings) {
             line(
                 file, title, finding.rule, finding.severity.name.lowercase(), finding.topic.orEmpty(), finding.text,
@@ -31,7 +31,8 @@ private fun plain(number: Double) = if (number.isFinite()) number.toBigDecimal()
 
 private fun cell(text: String): String {
     // A spreadsheet would calculate what begins so; names and texts come from files.
-    val safe = if (text.isNotEmpty() && text[0] in "=+-@\t\r" && text.toDoubleOrNull() == null) "'$text" else text
+    val shown = text.lines().joinToString("\n", transform = ::printable)
+    val safe = if (shown.isNotEmpty() && shown[0] in "=+-@" && shown.toDoubleOrNull() == null) "'$shown" else shown
     val needsQuotes = safe.any { it in "\",\r\n" } || safe != safe.trim()
     return if (needsQuotes) "\"${safe.replace("\"", "\"\"")}\"" else safe
 }

@@ -1,68 +1,41 @@
 package badlog.report
 
+import badlog.report.rules.Finding
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
-import kotlinx.serialization.json.JsonObject
-import kotlinx.serialization.json.addJsonObject
-import kotlinx.serialization.json.buildJsonArray
 import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.put
 
-/** [result] as one JSON object for other programs: all logs, also those in which nothing was found. Unknown numbers are null. */
-public fun reportJson(result: ReportResult): String = PRETTY.encodeToString(
-    JsonObject.serializer(),
-    buildJsonObject {
-        put("logs", JsonArray(result.logs.map(::logJson)))
-        put(
-            "skipped",
-            buildJsonArray {
-                for (skipped in result.skipped) {
-                    addJsonObject {
-                        put("rule", skipped.rule)
-                        put("logs", skipped.logs)
-                        put("message", skipped.message)
-                        put("isMistake", skipped.isMistake)
-                    }
-                }
-            },
-        )
-    },
-)
-
-private fun logJson(log: LogReport): JsonElement = buildJsonObject {
-    put("file", log.file.path.toString())
+/** What was found in a log that can be read, and what was not looked for there, for other programs. Unknown numbers are null. */
+public fun reportJson(log: LogReport): Map<String, JsonElement> = buildJsonObject {
     put("match", log.title)
-    if (log.unreadable != null) put("unreadable", log.unreadable)
-    if (log.undefined.isNotEmpty()) put("undefined", undefinedJson(log.undefined))
-    if (log.hookFailures.isNotEmpty()) {
-        put(
-            "hookFailures",
-            buildJsonArray {
-                for (failure in log.hookFailures) {
-                    addJsonObject {
-                        put("hook", failure.hook)
-                        put("message", failure.message)
-                    }
-                }
-            },
-        )
-    }
-    put(
-        "findings",
-        buildJsonArray {
-            for (finding in log.findings) {
-                addJsonObject {
-                    put("rule", finding.rule)
-                    put("severity", finding.severity.name.lowercase())
-                    put("topic", finding.topic)
-                    put("text", finding.text)
-                    put("time", number(finding.time))
-                    put("timeUnit", finding.timeUnit)
-                    put("spans", spansJson(finding.spans))
-                    put("spanCount", finding.spanCount)
-                    put("isOfHook", finding.isOfHook)
-                }
-            }
-        },
-    )
+    put("findings", JsonArray(log.findings.map(::findingJson)))
+    put("notAsked", JsonArray(log.skipped.map(::skippedJson)))
+    put("undefined", jsonOf(log.undefined))
+    put("hookFailures", JsonArray(log.hookFailures.map { failureJson(it.hook, it.message) }))
+}
+
+/** A hook that failed for a log, with the reason, for other programs. */
+public fun failureJson(hook: String, message: String): JsonElement = buildJsonObject {
+    put("hook", hook)
+    put("message", message)
+}
+
+private fun findingJson(finding: Finding): JsonElement = buildJsonObject {
+    put("rule", finding.rule)
+    put("severity", finding.severity.name.lowercase())
+    put("topic", finding.topic)
+    put("text", finding.text)
+    put("time", number(finding.time))
+    put("timeUnit", finding.timeUnit)
+    put("spans", spansJson(finding.spans))
+    put("spanCount", finding.spanCount)
+    put("isOfHook", finding.isOfHook)
+}
+
+/** A rule that could not be asked, for other programs. */
+public fun skippedJson(skipped: SkippedRule): JsonElement = buildJsonObject {
+    put("rule", skipped.rule)
+    put("message", skipped.message)
+    put("isMistake", skipped.isMistake)
 }

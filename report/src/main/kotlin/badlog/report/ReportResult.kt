@@ -24,6 +24,8 @@ public class ReportResult internal constructor(
  * @property file the file.
  * @property title what match it is, from its values; null when they do not tell or it cannot be read.
  * @property findings in the order of the rules, then of the hooks.
+ * @property skipped the rules that could not be asked of it, in the order of the rules; one that is a mistake here may be right for
+ *   another log.
  * @property unreadable why the file cannot be read or is no log, as a sentence; null when all is well.
  * @property isNoLog whether it is [unreadable] because it is something else than a log.
  * @property isSalvaged whether the log lost something, so that the findings are about what is left.
@@ -34,15 +36,13 @@ public class LogReport internal constructor(
     public val file: LogFile,
     public val title: String?,
     public val findings: List<Finding>,
+    public val skipped: List<SkippedRule>,
     public val unreadable: String?,
     public val isNoLog: Boolean,
     public val isSalvaged: Boolean,
     public val undefined: List<UndefinedTopic>,
     public val hookFailures: List<HookFailure>,
-) {
-    /** What a person would call it: the match's title, else the file's name. */
-    public val name: String get() = title ?: file.name
-}
+)
 
 /**
  * A hook that failed for a log.

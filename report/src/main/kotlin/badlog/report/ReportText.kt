@@ -1,44 +1,56 @@
 package badlog.report
 
 import badlog.recording.Severity
+import badlog.report.TextTable.Column
 
-/** All findings match by match with time, severity and text, at most 100 characters wide, and below it what was not looked at. */
+/**
+ * All findings match by match with time, severity and text, at most 100 columns wide, and below it what was not looked for. Logs that
+ * cannot be read are only counted, and what is no log not even that.
+ */
 public fun reportText(result: ReportResult): String {
+    val names = shortNames(result.logs.map { it.file })
     val lines = ArrayList<String>()
     for (log in result.logs.filter { it.findings.isNotEmpty() }) {
-        val table = TextTable(emptyList(), TextTable.WIDTH - INDENT.length)
-        for (finding in log.findings) {
-            val time = timeText(finding.time, finding.timeUnit)
-            table.add(listOf(time.padStart(TIME_WIDTH), finding.severity.name.lowercase().padEnd(SEVERITY_WIDTH), finding.text))
-        }
-        lines += if (log.title == null) log.file.name else "${log.title} (${log.file.name})"
-        lines += table.toString().prependIndent(INDENT)
+        val name = names.getValue(log.file)
+        lines += TextTable.shortened(printable(if (log.title == null) name else "${log.title} ($name)"), TEXT_WIDTH)
+        val rows = log.findings.map { listOf(timeText(it.time, it.timeUnit), it.severity.name.lowercase().padEnd(SEVERITY_WIDTH), it.text) }
+        // Times of all logs stand below each other.
+        lines += TABLE.lines(rows.map { row -> listOf(row[0].padStart(TIME_WIDTH)) + row.drop(1) }).flatten().map { INDENT + it }
         lines += ""
     }
     lines += summary(result)
     lines += notesOf(result)
-    for (log in result.logs) log.unreadable?.let { lines += "${log.file.name}: $it" }
     return lines.joinToString("\n")
 }
 
 /** What was not looked for, and why: rules, virtual topics and hooks, each as a sentence or more. */
-internal fun notesOf(result: ReportResult): List<String> {
+public fun notesOf(result: ReportResult): List<String> {
     val readable = result.logs.filter { it.unreadable == null }
-    return result.skipped.map { it.toString() } +
-        undefinedTexts(readable.map { it.undefined }) +
-        readable.flatMap { log -> log.hookFailures.map { "${log.file.name}, hook “${it.hook}”: ${it.message}" } }
+    return result.skipped.map { it.toString() } + undefinedTexts(readable.map { it.undefined }) + hookTexts(readable)
+}
+
+/** What fails in one log mostly does in all. */
+private fun hookTexts(logs: List<LogReport>): List<String> {
+    val failures = logs.flatMap { log -> log.hookFailures.map { it to log } }
+    return failures.groupBy { (failure, _) -> failure.hook }.map { (hook, alike) ->
+        val (failure, log) = alike[0]
+        val place = if (alike.size == 1) log.file.name else count(alike.size, "log")
+        val first = if (alike.distinctBy { it.first.message }.size == 1) "" else ", in the first, ${log.file.name}"
+        "$place, hook “$hook”$first: ${failure.message}"
+    }
 }
 
 /** Such as `2 errors, 1 warning and 0 notes in 3 of 12 logs.` */
 internal fun summary(result: ReportResult): String {
-    val counts = Severity.entries.sortedBy { ORDER.indexOf(it) }.map { count(result.count(it), it.name.lowercase()) }
+    val counts = ORDER.map { count(result.count(it), it.name.lowercase()) }
     val found = result.logs.count { it.findings.isNotEmpty() }
-    return "${counts.dropLast(1).joinToString()} and ${counts.last()} in $found of ${count(result.logs.size, "log")}."
+    return "${counts.dropLast(1).joinToString()} and ${counts.last()} in $found of ${count(result.logs.count { !it.isNoLog }, "log")}."
 }
+
+/** The worst first. */
+internal val ORDER = listOf(Severity.ERROR, Severity.WARNING, Severity.NOTE)
 
 private const val INDENT = "  "
 private const val TIME_WIDTH = 10
 private const val SEVERITY_WIDTH = 7
-
-/** The worst first. */
-internal val ORDER = listOf(Severity.ERROR, Severity.WARNING, Severity.NOTE)
+private val TABLE = TextTable(listOf(Column(""), Column(""), Column("")), TEXT_WIDTH - INDENT.length)

@@ -1,52 +1,84 @@
 package badlog.report
 
 /**
- * Columns of texts, each as wide as need be, and the line at most [width] wide: the last column is broken into lines, and where that
- * leaves it too narrow the widest others are cut. [titles] is empty for a table without.
+ * Lines of cells in aligned columns, two blanks apart, for a terminal.
+ *
+ * @param columns the columns, in their order; without any title, no titles stand above the lines.
+ * @param width how wide a line may be, in columns of the terminal: the last cell is broken into lines, and where that leaves it too
+ *   narrow the widest others are shortened.
  */
-internal class TextTable(private val titles: List<String>, private val width: Int = WIDTH) {
-    private val rows = ArrayList<List<String>>()
+public class TextTable(private val columns: List<Column>, private val width: Int = Int.MAX_VALUE) {
+    /**
+     * How a column is set.
+     *
+     * @property title what stands above it.
+     * @property most the widest it may be; what is longer loses its middle.
+     * @property isNumber whether it is set to the right.
+     */
+    public class Column(public val title: String, public val most: Int = Int.MAX_VALUE, public val isNumber: Boolean = false)
 
-    fun add(cells: List<String>) {
-        rows += cells.map { cell -> cell.map { if (it.isISOControl()) ' ' else it }.joinToString("") }
+    /** The titles, then the lines of each of [rows]; columns are as wide as their widest cell. */
+    public fun lines(rows: List<List<String>>): List<List<String>> {
+        val titles = columns.map { it.title }
+        val all = (if (titles.all { it.isEmpty() }) emptyList() else listOf(titles)) + rows.map { cells -> cells.map(::printable) }
+        val widths = columns.mapIndexed { i, column -> minOf(column.most, all.maxOfOrNull { displayWidth(it[i]) } ?: 0) }
+        return all.map { lines(it, fitting(widths)) }
     }
 
-    override fun toString(): String {
-        val all = if (titles.isEmpty()) rows else listOf(titles) + rows
-        val widths = IntArray(all[0].size) { column -> all.maxOf { it[column].length } }
-        val last = widths.size - 1
-        fun tooWide() = widths.sum() + GAP.length * last - width
-        widths[last] = (widths[last] - maxOf(0, tooWide())).coerceAtLeast(minOf(LEAST_LAST, widths[last]))
-        while (tooWide() > 0) widths[(0 until last).maxBy { widths[it] }]--
-        return all.joinToString("\n") { cells -> lines(cells, widths) }
+    /** One line where the others are not known yet: columns are as wide as they may be. */
+    public fun line(cells: List<String>): String = lines(cells.map(::printable), columns.map { it.most }).single()
+
+    /** The titles, for lines that [line] sets. */
+    public fun titles(): String = line(columns.map { it.title })
+
+    private fun fitting(wanted: List<Int>): List<Int> {
+        if (width == Int.MAX_VALUE) return wanted
+        val widths = wanted.toMutableList()
+        val last = widths.lastIndex
+        fun excess() = widths.sum() + GAP.length * last - width
+        widths[last] = (widths[last] - maxOf(0, excess())).coerceAtLeast(minOf(LEAST_LAST, widths[last]))
+        while (excess() > 0) widths[(0 until last).maxBy { widths[it] }]--
+        return widths
     }
 
-    private fun lines(cells: List<String>, widths: IntArray): String {
-        val last = widths.size - 1
-        val first = (0 until last).joinToString("") { cut(cells[it], widths[it]).padEnd(widths[it]) + GAP }
-        return broken(cells[last], widths[last]).mapIndexed { index, line ->
-            ((if (index == 0) first else " ".repeat(first.length)) + line).trimEnd()
-        }.joinToString("\n")
-    }
-
-    private fun cut(text: String, width: Int) = if (text.length <= width) text else text.take(width - 1) + "…"
-
-    private fun broken(text: String, width: Int): List<String> {
-        val lines = ArrayList<String>()
-        var rest = text
-        while (rest.length > width) {
-            val space = rest.lastIndexOf(' ', width)
-            val end = if (space > width / 2) space else width
-            lines += rest.substring(0, end)
-            rest = rest.substring(end).trimStart()
+    private fun lines(cells: List<String>, widths: List<Int>): List<String> {
+        val last = cells.lastIndex
+        val first = (0 until last).joinToString("") { set(it, shortened(cells[it], widths[it]), widths[it]) + GAP }
+        val texts = if (width == Int.MAX_VALUE) listOf(shortened(cells[last], widths[last])) else broken(cells[last], widths[last])
+        return texts.mapIndexed { index, text ->
+            ((if (index == 0) first else " ".repeat(displayWidth(first))) + set(last, text, widths[last])).trimEnd()
         }
-        lines += rest
-        return lines
     }
 
-    companion object {
-        const val WIDTH = 100
+    private fun set(column: Int, text: String, width: Int): String {
+        val blanks = " ".repeat(maxOf(0, width - displayWidth(text)))
+        return if (columns[column].isNumber) blanks + text else text + blanks
+    }
+
+    public companion object {
+        /** [text] without so much of its middle that it takes [most] columns of a terminal. */
+        public fun shortened(text: String, most: Int): String {
+            if (displayWidth(text) <= most) return text
+            val end = (most - 1) * 3 / 4
+            return startOf(text, most - 1 - end) + "…" + endOf(text, end)
+        }
+
         private const val LEAST_LAST = 30
         private const val GAP = "  "
     }
+}
+
+private fun broken(text: String, width: Int): List<String> {
+    val lines = ArrayList<String>()
+    var rest = text
+    while (displayWidth(rest) > width) {
+        // A character that is wider than the line stands on one of its own all the same.
+        val most = startOf(rest, width).ifEmpty { rest.take(Character.charCount(rest.codePointAt(0))) }
+        val space = rest.lastIndexOf(' ', most.length)
+        val end = if (space > most.length / 2) space else most.length
+        lines += rest.substring(0, end)
+        rest = rest.substring(end).trimStart()
+    }
+    lines += rest
+    return lines
 }

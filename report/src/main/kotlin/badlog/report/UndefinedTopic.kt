@@ -19,7 +19,8 @@ public class UndefinedTopic internal constructor(
     public val message: String,
     public val pointed: String,
 ) {
-    internal constructor(error: ExpressionError) :
+    /** The topic of a definition that has this [error]. */
+    public constructor(error: ExpressionError) :
         this(error.text, error.kind == ExpressionErrorKind.UNKNOWN_TOPIC, error.message, error.pointed())
 }
 

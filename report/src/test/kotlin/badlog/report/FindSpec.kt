@@ -9,7 +9,7 @@ import io.kotest.matchers.ints.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.types.shouldBeInstanceOf
-import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.JsonNull
 import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
@@ -70,12 +70,22 @@ class FindSpec : FunSpec({
         inFolder { folder ->
             folder.put("1.bag", batteryBag(6.0))
             folder.put("2.bag", batteryBag(6.0, name = "Volts"))
-            val results = Json.parseToJsonElement(findJson("q", Find("Battery Voltage < 7").over(logsIn(folder)))).jsonObject
-            val first = results.getValue("results").jsonArray[0].jsonObject
+            val (first, second) = Find("Battery Voltage < 7").over(logsIn(folder)).map(::findJson)
             first.getValue("outcome").jsonPrimitive.content shouldBe "holds"
             first.getValue("figures").jsonArray[0].jsonObject.getValue("value").jsonPrimitive.content shouldBe "6.0"
-            results.getValue("results").jsonArray[1].jsonObject.getValue("topic").jsonPrimitive.content shouldBe "Battery Voltage"
-            findJson("q", Find("Battery Voltage / 0").over(logsIn(folder))) shouldContain "\"value\": null"
+            second.getValue("outcome").jsonPrimitive.content shouldBe "not_asked"
+            second.getValue("topic").jsonPrimitive.content shouldBe "Battery Voltage"
+            val infinite = findJson(Find("Battery Voltage / 0").over(logsIn(folder))[0]).getValue("figures").jsonArray[0]
+            infinite.jsonObject.getValue("value") shouldBe JsonNull
+        }
+    }
+
+    test("files of one name are told apart by their folders, and the lines are straight whatever the writing") {
+        inFolder { folder ->
+            for (name in listOf("a/m.bag", "b/m.bag", "機械.bag")) folder.put("logs/$name", bag(mapOf("Time" to "s", "V" to "V"), listOf("0,1")))
+            val lines = findText(Find("V > 0").over(logsIn(folder))).lines()
+            for (name in listOf("a/m.bag", "b/m.bag")) lines.count { it.startsWith("$name ") } shouldBe 1
+            lines.take(4).map { displayWidth(it.substringBefore(" s  ")) }.drop(1).distinct().size shouldBe 1
         }
     }
 

@@ -16,6 +16,7 @@ import io.kotest.matchers.string.shouldEndWith
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
+import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.exists
 
@@ -212,8 +213,7 @@ class ReportSpec : FunSpec({
             val result = Report(rules("min(Battery Voltage) < 7"), listOf(hook)).over(logsIn(folder))
             result.logs.single().findings.size shouldBe 1
             reportText(result) shouldContain "1.bag, hook “h”: The hook ended with the exit code 1 and said: no numpy."
-            Json.parseToJsonElement(reportJson(result)).jsonObject.getValue("logs").jsonArray[0].jsonObject["hookFailures"]
-                ?.jsonArray?.size shouldBe 1
+            reportJson(result.logs.single()).getValue("hookFailures").jsonArray.size shouldBe 1
         }
     }
 
@@ -228,11 +228,31 @@ class ReportSpec : FunSpec({
         }
     }
 
+    test("a hook that fails alike in many logs is told once") {
+        inFolder { folder ->
+            for (i in 1..5) folder.put("$i.bag", batteryBag(6.0))
+            val text = reportText(Report(RuleSet.NONE, listOf(HookRunner(listOf("no-such-program"), name = "h"))).over(logsIn(folder)))
+            text.lines().count { "hook “h”" in it } shouldBe 1
+            text shouldContain "5 logs, hook “h”: "
+        }
+    }
+
+    test("a hook that fails in many ways is told by the first").config(enabled = HAS_PYTHON) {
+        inFolder { folder ->
+            for (i in 1..3) folder.put("$i.bag", batteryBag(6.0))
+            val hook = HookRunner(listOf("python3", "-c", "import os, sys; sys.exit(str(os.getpid()))"), name = "h")
+            val text = reportText(Report(RuleSet.NONE, listOf(hook)).over(logsIn(folder)))
+            text.lines().single { "hook “h”" in it } shouldContain "3 logs, hook “h”, in the first, 1.bag: "
+        }
+    }
+
     test("the text is at most 100 characters wide where it can be") {
         inFolder { folder ->
-            folder.put("1.bag", batteryBag(6.0))
+            folder.put("${"n".repeat(240)}.bag", batteryBag(6.0))
+            folder.put("photo.csv", "only words here\nand there\n")
             val text = reportText(Report(rules("true", "word ".repeat(100) + "x".repeat(300))).over(logsIn(folder)))
             text.lines().maxOf { it.length } shouldBeLessThanOrEqual 100
+            text shouldContain "in 1 of 1 log."
         }
     }
 
@@ -240,21 +260,26 @@ class ReportSpec : FunSpec({
         inFolder { folder ->
             folder.put("1.bag", bag(mapOf("Time" to "s", "=A,\"1\"" to "V"), listOf("0,1", "2.5,8")))
             folder.put("2.csv", "only words here\nand there\n")
-            val csv = reportCsv(Report(rules("topic > 7", "=1+1, \\\"{value}\\\"", "each = [\"*\"]")).over(logsIn(folder)))
+            folder.put("3.bag", "gone")
+            val files = logsIn(folder)
+            Files.delete(folder.resolve("3.bag"))
+            val csv = reportCsv(Report(rules("topic > 7", "=1+1, \\\"{value}\\\"", "each = [\"*\"]")).over(files))
             val lines = csv.split("\r\n")
             lines[0] shouldBe "file,match,rule,severity,topic,text,time,until,spans,time unit"
             lines[1] shouldContain ",,R,warning,\"'=A,\"\"1\"\"\",\"'=1+1, \"\"8 V\"\"\",2.5,2.5,1,s"
-            lines[2] shouldContain ",,unreadable,error,"
+            lines[2] shouldContain "3.bag,,unreadable,error,"
             lines.size shouldBe 4
         }
     }
 
-    test("the JSON has every log") {
+    test("the JSON of a log has what was found, and what was not asked") {
         inFolder { folder ->
             folder.put("1.bag", batteryBag(6.0))
             folder.put("2.bag", batteryBag(12.0))
-            val json = Json.parseToJsonElement(reportJson(Report(rules("min(Battery Voltage) < 7")).over(logsIn(folder)))).jsonObject
-            json.getValue("logs").jsonArray.map { it.jsonObject.getValue("findings").jsonArray.size } shouldContainExactly listOf(1, 0)
+            folder.put("3.bag", batteryBag(12.0, name = "Volts"))
+            val logs = Report(rules("min(Battery Voltage) < 7")).over(logsIn(folder)).logs.map(::reportJson)
+            logs.map { it.getValue("findings").jsonArray.size } shouldContainExactly listOf(1, 0, 0)
+            logs.map { it.getValue("notAsked").jsonArray.size } shouldContainExactly listOf(0, 0, 1)
         }
     }
 })

@@ -1,10 +1,13 @@
 package badlog.cli.analysis
 
-import badlog.report.Report
+import badlog.file.UnreadableFileException
+import badlog.file.reading
+import badlog.file.requireRegularFile
+import badlog.report.SkippedRule
 import badlog.report.hook.HookRunner
 import badlog.report.rules.RuleSet
 import badlog.report.rules.RulesException
-import java.io.IOException
+import java.nio.charset.CharacterCodingException
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -17,28 +20,43 @@ internal class Search(private val rules: Path?, private val hooks: List<HookRunn
     /** Whether nothing is asked for. */
     val isEmpty: Boolean get() = rules == null && hooks.isEmpty()
 
+    private val hasOwnRules get() = rules != null && rules != Path.of(DEFAULT_RULES)
+
     /**
-     * The report that looks for it. The hooks that the rules name run too, since the person who named the rules knows them.
+     * The rules that were named.
      *
      * @param unnamed the rules where none are named.
-     * @param cache where findings are kept; null for nowhere.
      * @throws SearchException when there are no such rules.
      */
-    fun report(unnamed: RuleSet, cache: Path? = null): Report {
-        val ruleSet = when (rules) {
-            null -> unnamed
-            Path.of(DEFAULT_RULES) -> RuleSet.DEFAULT
-            else -> read(rules)
-        }
-        return Report(ruleSet, hooks + ruleSet.hooks, virtualTopics, cache)
+    fun ruleSet(unnamed: RuleSet): RuleSet = when {
+        rules == null -> unnamed
+        !hasOwnRules -> RuleSet.DEFAULT
+        else -> read(rules)
     }
 
+    /** All programs to run. Those that [ruleSet] names are among them, since the person who named the rules knows them. */
+    fun hooksWith(ruleSet: RuleSet): List<HookRunner> = hooks + ruleSet.hooks
+
+    /** Those of [skipped] that the user has to know: a log need not have all that badlog's own rules look for. */
+    fun toldOf(skipped: List<SkippedRule>): List<SkippedRule> = if (hasOwnRules) skipped else emptyList()
+
+    /** Of the rules that were refused by each of many logs, [skipped], those that all of them refused. */
+    fun neverAsked(skipped: List<List<SkippedRule>>): List<SkippedRule> =
+        toldOf(skipped.flatten()).groupBy { it.rule }.values.filter { it.size == skipped.size }.flatten()
+
     private fun read(file: Path) = try {
-        RuleSet.parse(Files.readString(file), file.toAbsolutePath().parent)
+        RuleSet.parse(textOf(file), file.toAbsolutePath().parent)
     } catch (e: RulesException) {
         throw SearchException("$file: ${e.message}")
-    } catch (_: IOException) {
-        throw SearchException("The rules in $file cannot be read; look for a typing error in its name.")
+    }
+
+    private fun textOf(file: Path): String = try {
+        requireRegularFile(file)
+        reading(file) { Files.readAllBytes(file) }.decodeToString(throwOnInvalidSequence = true)
+    } catch (e: UnreadableFileException) {
+        throw SearchException(e.message)
+    } catch (_: CharacterCodingException) {
+        throw SearchException("$file is not in UTF-8, as rules have to be; save it so in your editor.")
     }
 
     companion object {

@@ -11,7 +11,6 @@ import badlog.cli.Task
 import badlog.cli.analysis.undefinedLines
 import badlog.cli.input.LogInput
 import badlog.cli.input.readLog
-import badlog.cli.input.withX
 import badlog.cli.output.FileName
 import badlog.cli.output.LeftOut
 import badlog.cli.output.LogFormat
@@ -27,6 +26,8 @@ import badlog.expression.withVirtualTopics
 import badlog.html.ExportProgress
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
+import badlog.report.undefinedJson
+import badlog.report.withX
 import java.nio.file.Path
 import kotlinx.serialization.json.JsonPrimitive
 
@@ -80,7 +81,7 @@ internal class ConvertTask(
             "rows" to JsonPrimitive(recording.rowCount),
             "samples" to JsonPrimitive(recording.sampleCount),
             "leftOut" to json(leftOut.all),
-            "undefined" to json(with.errors.map { it.message }),
+            "undefined" to undefinedJson(with.errors),
         )
         return Outcome(recording.isSalvaged, text.joinToString("\n"), json)
     }

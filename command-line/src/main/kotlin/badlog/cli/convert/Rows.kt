@@ -3,8 +3,8 @@ package badlog.cli.convert
 import badlog.analysis.periodicTimes
 import badlog.analysis.timesOf
 import badlog.cli.Failure
-import badlog.cli.input.topicCalled
 import badlog.recording.Recording
+import badlog.report.topicCalled
 import java.nio.file.Path
 
 /**
@@ -17,7 +17,8 @@ internal class Rows(private val period: Double?, private val topic: String?) {
     /**
      * The times for [recording], which was read from [file].
      *
-     * @throws Failure when it has no such topic, or there would be too many.
+     * @throws badlog.report.TopicException when it has no such topic.
+     * @throws Failure when there would be too many.
      */
     fun timesIn(recording: Recording, file: Path): DoubleArray {
         if (topic != null) return timesOf(recording, recording.topicCalled(topic, file) { "to make rows at" })

@@ -2,11 +2,10 @@ package badlog.cli.cut
 
 import badlog.cli.SubCommand
 import badlog.cli.Task
+import badlog.cli.input.position
 import badlog.cli.output.OutputOptions
 import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
-import com.github.ajalt.clikt.parameters.options.RawOption
-import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.help
 import com.github.ajalt.clikt.parameters.options.option
@@ -44,9 +43,6 @@ internal class CutCommand : SubCommand(
         if (choices.isEmpty()) throw UsageError("say what to keep: --from, --to, --enabled or --around")
         return CutTask(paths, choices, output.plan(paths), xTopic, isJson)
     }
-
-    private fun RawOption.position() =
-        convert { Position.of(it) ?: fail("“$it” is neither a number nor a time such as 1:32.5") }
 
     private companion object {
         const val AROUND = 5.0

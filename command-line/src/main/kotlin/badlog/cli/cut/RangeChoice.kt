@@ -1,6 +1,7 @@
 package badlog.cli.cut
 
 import badlog.analysis.LogView
+import badlog.cli.input.Position
 import badlog.plot.Span
 
 /** What lies from [from] to [to], both included; null is without end. */

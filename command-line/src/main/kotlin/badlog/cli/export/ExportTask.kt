@@ -17,20 +17,17 @@ import badlog.cli.text.json
 import badlog.cli.text.lossLines
 import badlog.cli.text.wrapped
 import badlog.expression.undefinedTopics
-import badlog.file.LogFile
 import badlog.file.UnreadableFileException
-import badlog.file.reading
 import badlog.file.requireRegularFile
 import badlog.html.ExportException
 import badlog.html.ExportProgress
 import badlog.html.HtmlExporter
 import badlog.html.PageAdditions
-import badlog.report.HookFailure
-import badlog.report.Report
-import badlog.report.hook.HookOutcome
-import badlog.report.page.pageAdditions
-import badlog.report.rules.Finding
+import badlog.report.SkippedRule
+import badlog.report.failureJson
 import badlog.report.rules.RuleSet
+import badlog.report.skippedJson
+import badlog.report.undefinedJson
 import java.nio.file.Path
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonPrimitive
@@ -51,30 +48,25 @@ internal class ExportTask(
         try {
             attachments.forEach(::requireRegularFile)
         } catch (e: UnreadableFileException) {
-            console.err.println(e.message)
+            console.warn(e.message)
             return ExitCode.NOTHING
         }
-        val report = try {
-            if (search.isEmpty) null else search.report(RuleSet.NONE)
+        val rules = try {
+            search.ruleSet(RuleSet.NONE)
         } catch (e: SearchException) {
-            console.err.println(e.message)
+            console.warn(e.message)
             return ExitCode.USAGE
         }
         val exporter = HtmlExporter(attachments)
-        return LogLoop("export", console, isJson).run(paths) { input, progress ->
-            export(exporter, input, report?.let { Found(it, input.file) }, progress)
+        val refused = ArrayList<List<SkippedRule>>()
+        val code = LogLoop("export", console, isJson).run(paths) { input, progress ->
+            // Only what looks for something reads a log before it is in a page.
+            if (search.isEmpty) return@run export(exporter, input, null, progress)
+            val found = Found.of(input.file, rules, search.hooksWith(rules), search.virtualTopics) { done, total -> progress.advanced(done, total * 2) }
+            if (found.unreadable == null) refused += found.skipped
+            export(exporter, input, found) { done, total -> progress.advanced(total + done, total * 2) }
         }
-    }
-
-    /** What [report] finds in the log [file]. */
-    private class Found(report: Report, file: Path) {
-        private var outcomes = emptyList<HookOutcome>()
-        private val log = report.over(listOf(reading(file) { LogFile.of(file) })) { _, hooks -> outcomes = hooks }.logs.single()
-
-        val findings: List<Finding> get() = log.findings
-        val failures: List<HookFailure> get() = log.hookFailures
-
-        fun additions(virtualTopics: List<String>) = pageAdditions(virtualTopics, findings, outcomes)
+        return if (search.neverAsked(refused).any { it.isMistake }) ExitCode.USAGE else code
     }
 
     private fun export(exporter: HtmlExporter, input: LogInput, found: Found?, progress: ExportProgress): Outcome {
@@ -88,19 +80,29 @@ internal class ExportTask(
         }
         val undefined = undefinedTopics(LogView.of(report.recording), search.virtualTopics)
         val failures = found?.failures.orEmpty()
+        val skipped = found?.skipped.orEmpty()
         val text = listOf("${input.file} -> $target") +
-            listOfNotNull(found?.let { "  ${counted(it.findings.size.toLong(), "finding")}" }) +
+            listOfNotNull(found?.let(::findingsText)) +
+            search.toldOf(skipped).flatMap { it.toString().lines() }.map { "  $it" } +
             undefinedLines(undefined) +
-            failures.map { wrapped("  ", "hook “${it.hook}”: ${it.message}") } +
+            failures.map { (hook, failure) -> wrapped("  ", "hook “$hook”: ${failure.message}") } +
             lossLines(report.recording.problems)
         val json = mapOf(
             "output" to JsonPrimitive(target.toString()),
             "rows" to JsonPrimitive(report.recording.rowCount),
-            "findings" to JsonPrimitive(found?.findings?.size),
-            "undefined" to json(undefined.map { it.message }),
-            "hookFailures" to json(failures.map { it.message }),
+            "findings" to JsonPrimitive(found?.count),
+            "findingsError" to JsonPrimitive(found?.unreadable),
+            "notAsked" to JsonArray(skipped.map(::skippedJson)),
+            "undefined" to undefinedJson(undefined),
+            "hookFailures" to JsonArray(failures.map { (hook, failure) -> failureJson(hook, failure.message) }),
             "problems" to JsonArray(report.recording.problems.map { json(it) }),
         )
-        return Outcome(report.recording.isSalvaged || failures.isNotEmpty(), text.joinToString("\n"), json)
+        val isIncomplete = failures.isNotEmpty() || found?.unreadable != null || search.toldOf(skipped).isNotEmpty()
+        return Outcome(report.recording.isSalvaged || isIncomplete, text.joinToString("\n"), json)
+    }
+
+    private fun findingsText(found: Found): String = when (val reason = found.unreadable) {
+        null -> "  " + counted(found.count.toLong(), "finding")
+        else -> wrapped("  ", "nothing was looked for: $reason")
     }
 }

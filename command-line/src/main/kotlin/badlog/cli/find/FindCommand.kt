@@ -20,7 +20,10 @@ internal class FindCommand : SubCommand(
 ) {
     private val question by argument("QUESTION").help("An expression over the topics of a log.")
     private val virtual by VirtualTopicOption()
+    private val xTopic by option("--x", metavar = "TOPIC").help("Take this topic as x axis, which CSV does not tell.")
     private val isFresh by option("--no-cache").flag().help("Read every log, and keep nothing.")
 
-    override fun makeTask(): Task = FindTask(paths, question, virtual.definitions, if (isFresh) null else cacheFolder(), isJson)
+    override val words: List<String> get() = super.words + question
+
+    override fun makeTask(): Task = FindTask(paths, question, virtual.definitions, if (isFresh) null else cacheFolder(), xTopic, isJson)
 }

@@ -2,8 +2,10 @@ package badlog.cli.find
 
 import badlog.cli.Console
 import badlog.cli.ExitCode
+import badlog.cli.Outcome
+import badlog.cli.Outcomes
 import badlog.cli.Task
-import badlog.cli.input.logFiles
+import badlog.cli.input.LogFiles
 import badlog.expression.ExpressionErrorKind
 import badlog.report.Find
 import badlog.report.FindResult
@@ -18,32 +20,45 @@ import java.nio.file.Path
  *
  * @param virtualTopics definitions of topics that it may use beside the logs' own.
  * @param cache where answers are kept; null for nowhere.
+ * @param xTopic the topic to take as x axis, or null.
  */
 internal class FindTask(
     private val paths: List<Path>,
     private val question: String,
     private val virtualTopics: List<String>,
     private val cache: Path?,
+    private val xTopic: String?,
     private val isJson: Boolean,
 ) : Task {
     override fun run(console: Console): ExitCode {
-        val files = logFiles(paths, console.err)
+        val find = Find(question, virtualTopics, cache, xTopic)
+        find.mistake?.let {
+            console.warn(it.pointed)
+            return ExitCode.USAGE
+        }
+        val logs = LogFiles(paths, console)
         val results = console.progress("find").use { bar ->
-            Find(question, virtualTopics, cache).over(files, { done, total -> bar.advanced(done.toLong(), total.toLong()) })
+            find.over(logs.files, { done, total -> bar.advanced(done.toLong(), total.toLong()) })
         }
         val mistake = mistakeIn(results)
         if (mistake != null) {
             // What the question lacks may be what was not defined.
-            undefinedTexts(results.filter { it.reply is Reply.NotAsked }.map { it.undefined }).forEach(console.err::println)
-            console.err.println(mistake.pointed)
+            undefinedTexts(results.filter { it.reply is Reply.NotAsked }.map { it.undefined }).forEach(console::warn)
+            console.warn(mistake.pointed)
             return ExitCode.USAGE
         }
-        console.out.println(if (isJson) findJson(question, results) else findText(results).trimEnd())
-        return when {
-            results.none { it.reply is Reply.Answered } -> ExitCode.NOTHING
-            results.size < paths.size || results.any { it.reply is Reply.Unreadable } -> ExitCode.SALVAGED
-            else -> ExitCode.WHOLE
+        val asked = results.filter { (it.reply as? Reply.Unreadable)?.isNoLog != true }
+        if (!isJson && asked.isNotEmpty()) console.say(findText(asked))
+        val outcomes = Outcomes("find", console, isJson)
+        val resultOf = results.associateBy { it.file }
+        logs.tell(outcomes) { input, file ->
+            val result = resultOf.getValue(file)
+            when (val reply = result.reply) {
+                is Reply.Unreadable -> outcomes.unreadable(input, reply.message, reply.isNoLog)
+                else -> outcomes.done(input.file, Outcome(result.isSalvaged, "", findJson(result)))
+            }
         }
+        return outcomes.end()
     }
 
     /** What is wrong with the question itself; a topic that a log lacks is no mistake as long as another has it. */

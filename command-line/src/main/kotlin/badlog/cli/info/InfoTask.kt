@@ -6,10 +6,11 @@ import badlog.cli.ExitCode
 import badlog.cli.LogLoop
 import badlog.cli.Outcome
 import badlog.cli.Task
-import badlog.cli.analysis.undefinedLines
 import badlog.cli.input.readLog
-import badlog.cli.text.json
 import badlog.expression.withVirtualTopics
+import badlog.report.UndefinedTopic
+import badlog.report.undefinedJson
+import badlog.report.undefinedTexts
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -31,7 +32,8 @@ internal class InfoTask(
         val isOverview = !isJson && parts.isEmpty() && (paths.size > 1 || Files.isDirectory(paths[0]))
         val shown = parts.ifEmpty { setOf(InfoPart.TOPICS, InfoPart.VALUES, InfoPart.WORST) }
         var isFirst = true
-        return LogLoop("info", console, isJson).run(paths) { input, progress ->
+        val undefined = ArrayList<List<UndefinedTopic>>()
+        val code = LogLoop("info", console, isJson).run(paths) { input, progress ->
             val recording = readLog(input.file, progress, xTopic)
             val with = LogView.of(recording).withVirtualTopics(virtualTopics)
             val summary = LogSummary(input.file, Files.size(input.file), with.view)
@@ -41,9 +43,11 @@ internal class InfoTask(
                 else -> (if (isFirst) "" else "\n") + InfoText(summary, shown).text()
             }
             isFirst = false
-            val undefined = mapOf("undefined" to json(with.errors.map { it.message }))
-            val lines = listOf(text) + undefinedLines(with.errors)
-            Outcome(recording.isSalvaged, lines.joinToString("\n"), if (isJson) infoJson(summary) + undefined else emptyMap())
+            undefined += with.errors.map(::UndefinedTopic)
+            val json = if (isJson) infoJson(summary) + mapOf("undefined" to undefinedJson(with.errors)) else emptyMap()
+            Outcome(recording.isSalvaged, text, json)
         }
+        if (!isJson) undefinedTexts(undefined).forEach(console::say)
+        return code
     }
 }

@@ -1,11 +1,8 @@
 package badlog.cli.info
 
-import badlog.cli.text.TextTable
-import badlog.cli.text.TextTable.Column
 import badlog.cli.text.XTime
 import badlog.cli.text.counted
 import badlog.cli.text.grouped
-import badlog.cli.text.printable
 import badlog.cli.text.problemLines
 import badlog.cli.text.shortNumber
 import badlog.cli.text.sizeText
@@ -14,6 +11,10 @@ import badlog.recording.RecordingFormat
 import badlog.recording.Severity
 import badlog.recording.Topic
 import badlog.recording.TopicKind
+import badlog.report.TextTable
+import badlog.report.TextTable.Column
+import badlog.report.displayWidth
+import badlog.report.printable
 import kotlin.math.roundToLong
 
 /**
@@ -45,7 +46,7 @@ internal class InfoText(private val summary: LogSummary, private val parts: Set<
     }
 
     private fun summaryLines(): List<String> = buildList {
-        add(summary.file.toString())
+        add(printable(summary.file.toString()))
         view.title?.let { add(wrapped("  match   ", it)) }
         add("  format  ${recording.format.name.lowercase()}, ${sizeText(summary.bytes)}")
         val sizes = listOf(
@@ -64,13 +65,16 @@ internal class InfoText(private val summary: LogSummary, private val parts: Set<
     }
 
     private fun valueLines(): List<String> {
-        val width = minOf(VALUE_NAME, recording.values.maxOfOrNull { it.name.length } ?: 0)
-        return recording.values.map { wrapped(printable(it.name).padEnd(width) + "  ", it.text, width + 2) }
+        val names = recording.values.map { printable(it.name) }
+        val width = minOf(VALUE_NAME, names.maxOfOrNull(::displayWidth) ?: 0)
+        return recording.values.zip(names) { value, name ->
+            wrapped(name + " ".repeat(maxOf(0, width - displayWidth(name)) + 2), value.text, width + 2)
+        }
     }
 
     private fun topicLines(): List<String> {
         if (summary.topics.isEmpty()) return emptyList()
-        val lines = TOPICS.lines(summary.topics.map(::cellsOf))
+        val lines = TOPICS.lines(summary.topics.map(::cellsOf)).flatten()
         if (InfoPart.ATTRIBUTES !in parts) return lines
         return lines.take(1) + summary.topics.flatMapIndexed { index, topic ->
             val attributes = topic.topic.attributes.joinToString()

@@ -1,7 +1,7 @@
 package badlog.cli.info
 
 import badlog.analysis.LogView
-import badlog.cli.text.XTime
+import badlog.analysis.Units
 import java.nio.file.Path
 
 /**
@@ -14,7 +14,7 @@ internal class LogSummary(val file: Path, val bytes: Long, val view: LogView) {
     val range: ClosedFloatingPointRange<Double>? = view.xAxis.range
 
     /** How many seconds one unit of x is, or null when x is no time. */
-    val secondsPerX: Double? = XTime.secondsPer(view.xAxis.unit)
+    val secondsPerX: Double? = Units.secondsIn(view.xAxis.unit)
 
     /** How long it is in seconds, or null when x is no time. */
     val seconds: Double? get() = range?.let { range -> secondsPerX?.times(range.endInclusive - range.start) }

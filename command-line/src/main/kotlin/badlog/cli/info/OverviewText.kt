@@ -1,10 +1,10 @@
 package badlog.cli.info
 
-import badlog.cli.text.TextTable
-import badlog.cli.text.TextTable.Column
 import badlog.cli.text.XTime
 import badlog.cli.text.grouped
 import badlog.recording.Severity
+import badlog.report.TextTable
+import badlog.report.TextTable.Column
 
 /** One line about each log. */
 internal object OverviewText {

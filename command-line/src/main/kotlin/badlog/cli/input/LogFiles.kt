@@ -1,20 +1,37 @@
 package badlog.cli.input
 
+import badlog.cli.Console
+import badlog.cli.Outcomes
 import badlog.file.LogFile
-import java.io.IOException
-import java.io.PrintStream
+import badlog.file.UnreadableFileException
+import badlog.file.reading
 import java.nio.file.Path
 
-/** The logs below [paths], as they are now; says on [err] what cannot be looked at. */
-internal fun logFiles(paths: List<Path>, err: PrintStream): List<LogFile> {
-    val found = LogSearch().find(paths)
-    for (failure in found.failures) err.println(failure.message)
-    return found.inputs.mapNotNull { input ->
-        try {
-            LogFile.of(input.file)
-        } catch (_: IOException) {
-            err.println("There is no file ${input.file}; look for a typing error in its name.")
-            null
+/** The logs below [paths] as they are now, to ask all of them at once, and to tell afterwards what came of each. */
+internal class LogFiles(paths: List<Path>, console: Console) {
+    private val found = console.searching().use { LogSearch(it::next).find(paths) }
+    private val failures = LinkedHashMap<LogInput, UnreadableFileException>()
+    private val fileOf = LinkedHashMap<LogInput, LogFile>()
+
+    init {
+        for (input in found.inputs) {
+            try {
+                fileOf[input] = reading(input.file) { LogFile.of(input.file) }
+            } catch (e: UnreadableFileException) {
+                failures[input] = e
+            }
+        }
+    }
+
+    /** Those that are there, in their order. */
+    val files: List<LogFile> get() = fileOf.values.toList()
+
+    /** Tells [outcomes] what cannot be looked at, and lets [tell] tell the rest, all in their order. */
+    fun tell(outcomes: Outcomes, tell: (LogInput, LogFile) -> Unit) {
+        for (failure in found.failures) outcomes.failed(failure.file, failure.message)
+        for (input in found.inputs) {
+            val file = fileOf[input]
+            if (file == null) outcomes.failed(input.file, failures.getValue(input).message) else tell(input, file)
         }
     }
 }

@@ -8,8 +8,12 @@ import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** Finds the logs below files and folders. What a folder holds counts by its name, which is cheap; what is named always. */
-internal class LogSearch {
+/**
+ * Finds the logs below files and folders. What a folder holds counts by its name, which is cheap; what is named always.
+ *
+ * @param checkpoint is called for each file that is looked at.
+ */
+internal class LogSearch(private val checkpoint: () -> Unit = {}) {
     /**
      * What was found.
      *
@@ -29,7 +33,7 @@ internal class LogSearch {
 
     private fun lookInto(folder: Path) {
         try {
-            val scan = reading(folder) { FolderScan.of(folder) }
+            val scan = reading(folder) { FolderScan.of(folder, checkpoint) }
             val files = scan.files.map { it.path }.sortedWith(compareBy(NaturalOrder) { it.toString() })
             files.mapTo(inputs) { LogInput(it, folder) }
             scan.unreadable.mapTo(failures) {

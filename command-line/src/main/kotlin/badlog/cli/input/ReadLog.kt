@@ -7,13 +7,15 @@ import badlog.html.ExportProgress
 import badlog.recording.ProblemKind
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
+import badlog.report.withX
 import java.nio.file.Path
 
 /**
  * Reads [file] with its samples, and with the topic [xTopic] as x axis when it is not null.
  *
  * @throws NotALog when there is nothing to show.
- * @throws Failure when there is no such topic, or the beginning of a WPILOG is lost.
+ * @throws badlog.report.TopicException when there is no such topic.
+ * @throws Failure when the beginning of a WPILOG is lost.
  * @throws badlog.file.UnreadableFileException when it cannot be read.
  */
 internal fun readLog(file: Path, progress: ExportProgress, xTopic: String? = null): Recording {

@@ -4,17 +4,18 @@ import badlog.cli.Console
 import badlog.cli.ExitCode
 import badlog.cli.Failure
 import badlog.cli.LogLoop
-import badlog.cli.Report
+import badlog.cli.Outcomes
 import badlog.cli.Task
 import badlog.cli.input.LogInput
 import badlog.cli.input.LogSearch
 import badlog.cli.input.NotALog
 import badlog.cli.input.readLog
-import badlog.cli.input.withX
 import badlog.cli.output.LogFormat
 import badlog.cli.output.OutputPlan
 import badlog.cli.output.writeLog
 import badlog.recording.RecordingFormat
+import badlog.report.TopicException
+import badlog.report.withX
 import java.io.IOException
 import java.nio.file.Path
 
@@ -28,13 +29,13 @@ internal class MergeTask(
     private val isJson: Boolean,
 ) : Task {
     override fun run(console: Console): ExitCode {
-        val report = Report("merge", console, isJson)
+        val outcomes = Outcomes("merge", console, isJson)
         try {
             // Before any work, so that nobody waits for a refusal.
             val target = plan.checked(out)
-            val found = LogSearch().find(paths)
-            for (failure in found.failures) report.failed(failure.file, failure.message)
-            val parts = found.inputs.mapNotNull { read(it, console, report) }
+            val found = console.searching().use { LogSearch(it::next).find(paths) }
+            for (failure in found.failures) outcomes.failed(failure.file, failure.message)
+            val parts = found.inputs.mapNotNull { read(it, console, outcomes) }
             if (parts.size < 2) {
                 throw Failure("Merging needs two logs or more, and there is ${if (parts.isEmpty()) "none" else "one"}.")
             }
@@ -42,11 +43,11 @@ internal class MergeTask(
             val merged = merged(parts, wanted)
             val format = wanted ?: LogFormat.of(merged.recording)
             val leftOut = console.progress(target.fileName.toString()).use { writeLog(merged.recording, format, target, progress = it) }
-            report.done(target, mergeOutcome(merged, target, leftOut))
+            outcomes.done(target, mergeOutcome(merged, target, leftOut))
         } catch (e: Throwable) {
-            report.failed(out, LogLoop.sentenceOf(e, out))
+            outcomes.failed(out, LogLoop.sentenceOf(e, out))
         }
-        return report.end()
+        return outcomes.end()
     }
 
     /** Topics keep times of their own where one log has them, or the result can. */
@@ -57,17 +58,19 @@ internal class MergeTask(
             SampleMerge(parts.map { it.withOwnTimes() }, mode).merged()
         }
 
-    private fun read(input: LogInput, console: Console, report: Report): LogPart? {
+    private fun read(input: LogInput, console: Console, outcomes: Outcomes): LogPart? {
         try {
             val recording = console.progress(input.file.fileName.toString()).use { readLog(input.file, it) }
             val needsX = xTopic != null && recording.format != RecordingFormat.WPILOG
             return LogPart(input.file, if (needsX) recording.withX(checkNotNull(xTopic), input.file) else recording)
         } catch (e: NotALog) {
-            if (input.isFound) report.skipped(input.file) else report.failed(input.file, e.message)
+            outcomes.unreadable(input, e.message, isNoLog = true)
         } catch (e: Failure) {
-            report.failed(input.file, e.message)
+            outcomes.failed(input.file, e.message)
+        } catch (e: TopicException) {
+            outcomes.failed(input.file, e.message)
         } catch (e: IOException) {
-            report.failed(input.file, LogLoop.sentenceOf(e, input.file))
+            outcomes.failed(input.file, LogLoop.sentenceOf(e, input.file))
         }
         return null
     }

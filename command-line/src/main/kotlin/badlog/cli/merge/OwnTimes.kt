@@ -1,7 +1,7 @@
 package badlog.cli.merge
 
+import badlog.analysis.Units
 import badlog.cli.Failure
-import badlog.cli.text.XTime
 import badlog.cli.topic.part
 import badlog.cli.topic.with
 import badlog.recording.Recording
@@ -19,7 +19,7 @@ internal fun LogPart.withOwnTimes(): LogPart {
     if (!hasRows) return this
     val x = xTopic ?: throw Failure("$file has no x axis, so nothing tells where its rows belong; name the topic by --x.")
     val isNone = x.unit.isEmpty() || x.unit == Topic.UNITLESS
-    val seconds = XTime.secondsPer(x.unit) ?: 1.0.takeIf { isNone }
+    val seconds = Units.secondsIn(x.unit) ?: 1.0.takeIf { isNone }
         ?: throw Failure("$file counts x in ${x.unit}, but a WPILOG in s; these are not one clock.")
     var last = Double.NaN
     val at = DoubleArray(x.size) { row -> this.x[row].let { if (it.isFinite()) it * seconds else last }.also { last = it } }

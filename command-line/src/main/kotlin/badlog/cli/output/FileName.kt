@@ -1,5 +1,6 @@
 package badlog.cli.output
 
+import badlog.report.startOfBytes
 import java.nio.file.Path
 
 /**
@@ -19,7 +20,22 @@ internal class FileName private constructor(val stem: String, val ending: String
     /** The same name with another ending. */
     fun with(ending: String, isGzip: Boolean = this.isGzip): String = "$stem$ending${if (isGzip) GZIP else ""}"
 
+    /** The same name, without the end of its stem where it is longer than file systems take. */
+    fun fitting(): FileName {
+        // What is no log has another ending, such as that of a page.
+        val other = "." + stem.substringAfterLast('.', "")
+        if (other.length == 1 || other.length > LONGEST_ENDING || stem.encodeToByteArray().size <= MOST_BYTES) {
+            return FileName(startOfBytes(stem, MOST_BYTES), ending, isGzip)
+        }
+        return FileName(startOfBytes(stem.removeSuffix(other), MOST_BYTES) + other, ending, isGzip)
+    }
+
+    override fun toString(): String = with(ending)
+
     companion object {
+        /** File systems allow 255 in all, of which endings and numbers need some. */
+        private const val MOST_BYTES = 220
+        private const val LONGEST_ENDING = 6
         private const val GZIP = ".gz"
         private val ENDINGS = listOf(".bag", ".badbag", ".csv", ".wpilog")
 

@@ -74,9 +74,9 @@ internal class OutputPlan(private val out: Output?, private val paths: List<Path
 
     /** Of two logs that would have one result, the second gets a number. */
     private fun free(wanted: Path): Path {
-        val name = FileName.of(wanted)
+        val name = FileName.of(wanted).fitting()
         return generateSequence(1) { it + 1 }
-            .map { if (it == 1) wanted else wanted.resolveSibling(name.numbered(it)) }
+            .map { if (it == 1) wanted.resolveSibling(name.toString()) else wanted.resolveSibling(name.numbered(it)) }
             .first { taken.add(it.toAbsolutePath().normalize().toString().lowercase()) }
     }
 }

@@ -23,11 +23,16 @@ internal class ReportCommand : SubCommand(
     private val isCsv by option("--csv").flag().help("Print a line of CSV for each finding.")
     private val folder by option("--out", metavar = "DIR").path()
         .help("Also make the logs' pages there, and an index.html.")
+    private val isForced by option("--force").flag().help("Replace what badlog did not make, but no log.")
+    private val xTopic by option("--x", metavar = "TOPIC").help("Take this topic as x axis, which CSV does not tell.")
     private val isFresh by option("--no-cache").flag().help("Read every log, and keep nothing.")
 
     override fun makeTask(): Task {
         if (isCsv && isJson) throw UsageError("choose one of --csv and --json")
+        if (xTopic != null && folder != null) {
+            throw UsageError("--x and --out exclude each other, since a page shows a log as it is; make bags of the logs by convert --x first")
+        }
         val form = if (isCsv) ReportForm.CSV else if (isJson) ReportForm.JSON else ReportForm.TEXT
-        return ReportTask(paths, search.search(virtual.definitions), form, folder, if (isFresh) null else cacheFolder())
+        return ReportTask(paths, search.search(virtual.definitions), form, folder, isForced, if (isFresh) null else cacheFolder(), xTopic)
     }
 }

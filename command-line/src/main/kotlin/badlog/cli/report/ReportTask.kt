@@ -2,20 +2,22 @@ package badlog.cli.report
 
 import badlog.cli.Console
 import badlog.cli.ExitCode
+import badlog.cli.Outcome
+import badlog.cli.Outcomes
 import badlog.cli.Task
 import badlog.cli.analysis.Search
 import badlog.cli.analysis.SearchException
-import badlog.cli.input.logFiles
+import badlog.cli.input.LogFiles
 import badlog.html.ExportException
 import badlog.report.LogReport
+import badlog.report.Report
 import badlog.report.ReportResult
-import badlog.report.hook.HookOutcome
+import badlog.report.notesOf
 import badlog.report.page.ReportFolder
 import badlog.report.reportCsv
 import badlog.report.reportJson
 import badlog.report.reportText
 import badlog.report.rules.RuleSet
-import java.io.IOException
 import java.nio.file.Path
 
 /**
@@ -23,66 +25,67 @@ import java.nio.file.Path
  *
  * @param search what to look for.
  * @param folder where pages and their index go; null for none.
+ * @param isForced whether files are replaced there that badlog did not make.
  * @param cache where findings are kept; null for nowhere.
+ * @param xTopic the topic to take as x axis, or null.
  */
 internal class ReportTask(
     private val paths: List<Path>,
     private val search: Search,
     private val form: ReportForm,
     private val folder: Path?,
+    private val isForced: Boolean,
     private val cache: Path?,
+    private val xTopic: String?,
 ) : Task {
     override fun run(console: Console): ExitCode {
         val report = try {
-            search.report(RuleSet.DEFAULT, cache)
+            val rules = search.ruleSet(RuleSet.DEFAULT)
+            Report(rules, search.hooksWith(rules), search.virtualTopics, cache, xTopic)
         } catch (e: SearchException) {
-            console.err.println(e.message)
+            console.warn(e.message)
             return ExitCode.USAGE
         }
-        val files = logFiles(paths, console.err)
-        val pages = folder?.let { Pages(ReportFolder(it, search.virtualTopics), it, console) }
+        val logs = LogFiles(paths, console)
+        val pages = try {
+            folder?.let { ReportPages(ReportFolder(it, logs.files, search.virtualTopics, isForced)) }
+        } catch (e: ExportException) {
+            console.warn(e.message.orEmpty())
+            return ExitCode.NOTHING
+        }
         val result = console.progress("report").use { bar ->
-            report.over(files, { done, total -> bar.advanced(done.toLong(), total.toLong()) }) { log, hooks -> pages?.add(log, hooks) }
+            report.over(logs.files, { done, total -> bar.advanced(done.toLong(), total.toLong()) }) { log, hooks -> pages?.add(log, hooks) }
         }
-        console.out.println(textOf(result).trimEnd())
-        pages?.finish(result)
-        val isIncomplete = pages?.areComplete == false || result.logs.size < paths.size ||
-            result.logs.any { it.unreadable != null || it.hookFailures.isNotEmpty() }
-        return when {
-            result.logs.all { it.unreadable != null } -> ExitCode.NOTHING
-            isIncomplete -> ExitCode.SALVAGED
-            else -> ExitCode.WHOLE
+        if (result.logs.any { !it.isNoLog }) say(result, console)
+        val outcomes = Outcomes("report", console, form == ReportForm.JSON)
+        val reportOf = result.logs.associateBy { it.file }
+        logs.tell(outcomes) { input, file ->
+            val log = reportOf.getValue(file)
+            val unreadable = log.unreadable
+            if (unreadable != null) outcomes.unreadable(input, unreadable, log.isNoLog) else tell(log, pages, outcomes, console)
         }
+        pages?.finish(result, outcomes)
+        val refused = result.logs.filter { it.unreadable == null }.map { it.skipped }
+        if (search.neverAsked(refused).isNotEmpty()) outcomes.leaveOut()
+        val code = outcomes.end()
+        if (form != ReportForm.JSON && pages?.index != null) console.warn("The index is ${pages.index}.")
+        return if (result.skipped.any { it.isMistake }) ExitCode.USAGE else code
     }
 
-    private fun textOf(result: ReportResult) = when (form) {
-        ReportForm.TEXT -> reportText(result)
-        ReportForm.CSV -> reportCsv(result)
-        ReportForm.JSON -> reportJson(result)
+    private fun tell(log: LogReport, pages: ReportPages?, outcomes: Outcomes, console: Console) {
+        val failure = pages?.failureOf(log)
+        val json = reportJson(log) + pages?.json(log).orEmpty()
+        outcomes.done(log.file.path, Outcome(log.isSalvaged || log.hookFailures.isNotEmpty() || failure != null, "", json))
+        if (failure != null && form != ReportForm.JSON) console.warn(failure)
     }
 
-    /** The pages of the logs, made as soon as each log was looked at. */
-    private class Pages(private val report: ReportFolder, private val folder: Path, private val console: Console) {
-        private val failures = ArrayList<String>()
-
-        /** Whether every log that can be read has its page. */
-        val areComplete: Boolean get() = failures.isEmpty()
-
-        fun add(log: LogReport, hooks: List<HookOutcome>) {
-            try {
-                report.add(log, hooks)
-            } catch (e: ExportException) {
-                failures += e.message.orEmpty()
-            }
+    private fun say(result: ReportResult, console: Console) = when (form) {
+        ReportForm.TEXT -> console.say(reportText(result))
+        ReportForm.CSV -> {
+            console.say(reportCsv(result).trimEnd())
+            // No line of CSV tells them.
+            notesOf(result).forEach(console::warn)
         }
-
-        fun finish(result: ReportResult) {
-            try {
-                console.err.println("The index is ${report.writeIndex(result)}.")
-            } catch (e: IOException) {
-                failures += "$folder cannot be written (${e.message}); choose another folder."
-            }
-            failures.forEach(console.err::println)
-        }
+        ReportForm.JSON -> Unit
     }
 }

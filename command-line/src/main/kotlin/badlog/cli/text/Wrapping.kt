@@ -1,5 +1,9 @@
 package badlog.cli.text
 
+import badlog.report.displayWidth
+import badlog.report.printable
+import badlog.report.startOf
+
 /** How wide a terminal is, at the least. */
 internal const val LINE_WIDTH = 80
 
@@ -7,28 +11,25 @@ internal const val LINE_WIDTH = 80
  * [first], then [text] in lines of [width] that are broken between words, or inside one that is longer than a line; the second
  * and later lines stand [indent] to the right.
  */
-internal fun wrapped(first: String, text: String, indent: Int = first.length, width: Int = LINE_WIDTH): String {
+internal fun wrapped(first: String, text: String, indent: Int = displayWidth(first), width: Int = LINE_WIDTH): String {
     val lines = WrappedLines(first, indent, width)
     printable(text).split(' ').forEach(lines::add)
     return lines.toString()
 }
 
-/** [text] without what would move a terminal's cursor, or change its colours: names and texts come from files. */
-internal fun printable(text: String): String =
-    if (text.none { it.isISOControl() }) text else text.map { if (it.isISOControl()) ' ' else it }.joinToString("")
-
 private class WrappedLines(first: String, private val indent: Int, private val width: Int) {
     private val out = StringBuilder(first)
-    private var at = first.length
+    private var at = displayWidth(first)
     private var isStart = true
 
     fun add(word: String) {
         var rest = word
-        while (at + gap() + rest.length > width) {
+        while (at + gap() + displayWidth(rest) > width) {
             val room = width - at - gap()
-            if (rest.length > width - indent && room > 0) {
-                append(rest.take(room))
-                rest = rest.drop(room)
+            if (displayWidth(rest) > width - indent) {
+                val start = startOf(rest, room)
+                if (start.isNotEmpty()) append(start)
+                rest = rest.drop(start.length)
             }
             breakLine()
         }
@@ -40,7 +41,7 @@ private class WrappedLines(first: String, private val indent: Int, private val w
     private fun append(text: String) {
         if (!isStart) out.append(' ')
         out.append(text)
-        at += gap() + text.length
+        at += gap() + displayWidth(text)
         isStart = false
     }
 

@@ -2,6 +2,7 @@ package badlog.cli.export
 
 import badlog.cli.BAG
 import badlog.cli.CUT_BAG
+import badlog.cli.Ended
 import badlog.cli.ExitCode
 import badlog.cli.HAS_PYTHON
 import badlog.cli.badlog
@@ -29,6 +30,14 @@ class ExportSpec : FunSpec({
             ended.code shouldBe ExitCode.SALVAGED
             ended.out shouldContain "error    line 7"
             (folder / "pages").names() shouldContainExactly listOf("a.bag.html", "deep")
+        }
+    }
+
+    test("a log with the longest name there may be has a page") {
+        inFolder { folder ->
+            val log = folder.with("n".repeat(251) + ".bag", BAG)
+            badlog("export", log).code shouldBe ExitCode.WHOLE
+            folder.names().count { it.startsWith("nnn") && it.endsWith(".html") } shouldBe 1
         }
     }
 
@@ -61,6 +70,23 @@ class ExportSpec : FunSpec({
             (folder / "a.bag.html").readText() shouldContain "It was fast."
             badlog("export", log, "--rules", "default", "--force").out shouldContain "  0 findings"
             badlog("export", log, "--rules", folder / "nix.toml", "--force").code shouldBe ExitCode.USAGE
+        }
+    }
+
+    test("rules that are wrong, or that a log cannot be asked, are told") {
+        inFolder { folder ->
+            val log = folder.with("a.bag", BAG)
+            fun export(condition: String): Ended {
+                val rules = folder.with("r.toml", "[[rule]]\nname='R'\nseverity='note'\nwhen='$condition'\ntext='x'")
+                return badlog("export", log, "--force", "--rules", rules)
+            }
+            val wrong = export("Speed <")
+            wrong.code shouldBe ExitCode.USAGE
+            wrong.out shouldContain "The rule “R” is wrong"
+            val missing = export("Sped < 1")
+            missing.code shouldBe ExitCode.SALVAGED
+            missing.out shouldContain "There is no topic “Sped”"
+            export("Speed < 1").code shouldBe ExitCode.WHOLE
         }
     }
 

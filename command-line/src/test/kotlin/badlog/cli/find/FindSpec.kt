@@ -1,23 +1,26 @@
 package badlog.cli.find
 
 import badlog.cli.BAG
+import badlog.cli.CUT_BAG
 import badlog.cli.ExitCode
 import badlog.cli.SAMPLES
 import badlog.cli.badlog
+import badlog.cli.badlogJson
 import badlog.cli.inFolder
 import badlog.cli.with
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import kotlin.io.path.div
-import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.jsonPrimitive
 
 class FindSpec : FunSpec({
     val samples = SAMPLES
 
     test("the matches in which it holds are told with time and value") {
         val ended = badlog("find", samples, "min(System/Battery Voltage) < 7", "--no-cache")
-        ended.code shouldBe ExitCode.WHOLE
+        // Two of the samples are damaged.
+        ended.code shouldBe ExitCode.SALVAGED
         ended.out shouldContain "93.7096 s  6.73 V"
         ended.out shouldContain "Found in 1 of 4 logs."
     }
@@ -31,17 +34,49 @@ class FindSpec : FunSpec({
     test("programs get JSON; a log that is missing counts as left out") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
-            val ended = badlog("find", log, folder / "nix.bag", "1 < 2", "--no-cache", "--json")
+            folder.with("sub/photo.gz", ByteArray(100) { 7 })
+            folder.with("sub/b.bag", CUT_BAG.replace("Speed", "Größe"))
+            val ended = badlogJson("find", log, folder / "nix.bag", folder / "sub", "max(Speed) > 5", "--no-cache")
             ended.code shouldBe ExitCode.SALVAGED
-            Json.parseToJsonElement(ended.out)
-            ended.err shouldContain "nix.bag"
+            ended.out.all { it.code < 0x7F } shouldBe true
+            ended.json.map { it.getValue("command").jsonPrimitive.content }.distinct() shouldBe listOf("find")
+            ended.json.map { it.getValue("status").jsonPrimitive.content } shouldBe listOf("whole", "failed", "salvaged", "skipped")
+            ended.json[0].getValue("outcome").jsonPrimitive.content shouldBe "holds"
+            ended.json[2].getValue("outcome").jsonPrimitive.content shouldBe "not_asked"
         }
+    }
+
+    test("the exit code is 0 when every log is whole, however often it is named, and what is no log is only counted") {
+        inFolder { folder ->
+            val log = folder.with("a.bag", BAG)
+            badlog("find", log, log, "max(Speed) > 5", "--no-cache").code shouldBe ExitCode.WHOLE
+            folder.with("photo.gz", ByteArray(100) { 7 })
+            val ended = badlog("find", folder, "max(Speed) > 5", "--no-cache")
+            ended.code shouldBe ExitCode.WHOLE
+            ended.out shouldContain "Found in 1 of 1 log."
+            ended.err shouldBe "1 file is no log and was skipped.\n"
+            badlog("find", folder, folder / "nix.bag", "max(Speed) > 5", "--no-cache").code shouldBe ExitCode.SALVAGED
+            folder.with("cut.bag", CUT_BAG)
+            badlog("find", folder, "max(Speed) > 3", "--no-cache").code shouldBe ExitCode.SALVAGED
+            badlog("find", folder / "nix.bag", "max(Speed) > 3", "--no-cache").code shouldBe ExitCode.NOTHING
+        }
+    }
+
+    test("plain CSV can be asked by time") {
+        val csv = samples / "elevator-bench.csv"
+        badlog("find", csv, "Time > 1 for 1 s", "--x", "Time", "--no-cache").out shouldContain "Found in 1 of 1 log."
+        badlog("find", csv, "Time >= 0 for 100 s", "--x", "Time", "--no-cache").out shouldContain "Found in 0 of 1 log."
+        badlog("find", csv, "Time > 0", "--x", "Nix", "--no-cache").err shouldContain "elevator-bench.csv has no topic “Nix”"
+    }
+
+    test("a mistake in the question is told without a log") {
+        inFolder { folder -> badlog("find", folder, "min(Speed < 7", "--no-cache").code shouldBe ExitCode.USAGE }
     }
 
     test("a question may use topics that are calculated") {
         val power = "Power [W] = System/Battery Voltage * PDP/Total Current"
         val ended = badlog("find", samples, "max(Power) > 2000", "--topic", power, "--no-cache")
-        ended.code shouldBe ExitCode.WHOLE
+        ended.code shouldBe ExitCode.SALVAGED
         ended.out shouldContain "2708.3 W"
     }
 

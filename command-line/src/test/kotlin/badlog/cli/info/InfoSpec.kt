@@ -82,12 +82,20 @@ class InfoSpec : FunSpec({
         }
     }
 
+    test("of many logs, a topic that they cannot be given is told once") {
+        inFolder { folder ->
+            for (i in 1..4) folder.with("$i.bag", BAG)
+            folder.with("5.bag", BAG.replace("Speed", "Sped"))
+            badlog("info", folder, "--topic", "Odd = Sped").out shouldContain "“Odd = Sped” is not in 4 logs: There is no topic “Sped”"
+        }
+    }
+
     test("topics that are calculated are told as others, and those that cannot be are pointed at") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
             val ended = badlog("info", log, "--topic", "Twice [m/s] = Speed * 2", "--topic", "Odd = Sped")
             ended.out shouldContain Regex("Twice +m/s +numeric +4 .* 3 … 11 ")
-            ended.out shouldContain "Odd = Sped\n        ^^^^"
+            ended.out shouldContain "Odd = Sped\n      ^^^^"
             val json = badlogJson("info", log, "--topic", "Twice [m/s] = Speed * 2", "--topic", "Odd = Sped").json.single()
             topic(json, "Twice").getValue("count").jsonPrimitive.int shouldBe 4
             json.getValue("undefined").jsonArray.size shouldBe 1

@@ -3,11 +3,15 @@ package badlog.cli.replay
 import badlog.cli.ExitCode
 import badlog.cli.SAMPLES
 import badlog.cli.badlog
+import badlog.cli.badlogJson
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import java.net.InetAddress
 import java.net.ServerSocket
+import kotlinx.serialization.json.int
+import kotlinx.serialization.json.jsonPrimitive
 
 class ReplaySpec : FunSpec({
     val match = SAMPLES.resolve("qualification-42.bag")
@@ -17,6 +21,24 @@ class ReplaySpec : FunSpec({
         ended.code shouldBe ExitCode.WHOLE
         ended.out shouldContain "is served on port"
         ended.err shouldContain "There is no topic “Nix”"
+    }
+
+    test("a program is told the port, and why there is none") {
+        val json = badlogJson("replay", match, "--port", "0", "--from", "0:10", "--to", "10.5", "--speed", "5").json.single()
+        json.getValue("command").jsonPrimitive.content shouldBe "replay"
+        json.getValue("status").jsonPrimitive.content shouldBe "whole"
+        json.getValue("port").jsonPrimitive.int shouldBeGreaterThan 0
+        badlogJson("replay", "nix.bag").json.single().getValue("status").jsonPrimitive.content shouldBe "failed"
+    }
+
+    test("a part that is not there is told with what is there") {
+        badlog("replay", match, "--port", "0", "--from", "100", "--to", "50").err shouldContain "from 0 to 155.991"
+        badlog("replay", match, "--port", "0", "--from", "1:40", "--to", "50").code shouldBe ExitCode.NOTHING
+    }
+
+    test("plain CSV is replayed in the time of a topic") {
+        val csv = SAMPLES.resolve("elevator-bench.csv")
+        badlog("replay", csv, "--x", "Time", "--port", "0", "--to", "0.5", "--speed", "5").code shouldBe ExitCode.WHOLE
     }
 
     test("a port that is taken is told, and two logs are a wrong usage") {

@@ -1,18 +1,25 @@
 package badlog.cli.report
 
 import badlog.cli.BAG
+import badlog.cli.CUT_BAG
 import badlog.cli.ExitCode
 import badlog.cli.HAS_PYTHON
 import badlog.cli.SAMPLES
 import badlog.cli.badlog
+import badlog.cli.badlogJson
 import badlog.cli.inFolder
 import badlog.cli.with
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import java.nio.file.Files
+import java.nio.file.Path
 import kotlin.io.path.div
 import kotlin.io.path.readText
-import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.jsonArray
+import kotlinx.serialization.json.jsonObject
+import kotlinx.serialization.json.jsonPrimitive
 
 class ReportSpec : FunSpec({
     val match = SAMPLES.resolve("qualification-42.bag")
@@ -20,7 +27,74 @@ class ReportSpec : FunSpec({
     test("the rules that badlog brings along find the brownout, as text, CSV and JSON") {
         badlog("report", match, "--no-cache").out shouldContain "browned out at 93.7096 s"
         badlog("report", match, "--no-cache", "--csv").out shouldContain ",Browned out,error,"
-        Json.parseToJsonElement(badlog("report", match, "--no-cache", "--json").out)
+        val json = badlogJson("report", match, "--no-cache").json.single()
+        json.getValue("status").jsonPrimitive.content shouldBe "whole"
+        json.getValue("findings").jsonArray.first().jsonObject.getValue("rule").jsonPrimitive.content shouldBe "Browned out"
+    }
+
+    test("damaged logs, files that are missing and what is no log have a line of JSON each, and count") {
+        inFolder { folder ->
+            folder.with("logs/a.bag", BAG)
+            folder.with("logs/b.bag", CUT_BAG)
+            folder.with("logs/photo.gz", ByteArray(100) { 7 })
+            val ended = badlogJson("report", folder / "logs", folder / "nix.bag", "--no-cache", "--out", folder / "pages")
+            ended.code shouldBe ExitCode.SALVAGED
+            ended.json.map { it.getValue("status").jsonPrimitive.content } shouldBe listOf("whole", "salvaged", "skipped", "failed")
+            ended.json[0].getValue("output").jsonPrimitive.content shouldBe "${folder / "pages/a.html"}"
+            ended.json[0].getValue("notAsked").jsonArray.size shouldBeGreaterThan 1
+        }
+    }
+
+    test("rules that are wrong are a wrong usage, and rules that no log can be asked are left out") {
+        inFolder { folder ->
+            val log = folder.with("a.bag", BAG)
+            fun rules(condition: String) = folder.with("r.toml", "[[rule]]\nname='R'\nseverity='note'\nwhen='$condition'\ntext='x'")
+            badlog("report", log, "--no-cache", "--rules", rules("Speed <")).code shouldBe ExitCode.USAGE
+            badlogJson("report", log, "--no-cache", "--rules", rules("Speed <")).code shouldBe ExitCode.USAGE
+            badlog("report", log, "--no-cache", "--csv", "--rules", rules("Speed <")).err shouldContain "The rule “R” is wrong"
+            badlog("report", log, "--no-cache", "--rules", rules("Sped < 1")).code shouldBe ExitCode.SALVAGED
+            badlog("report", log, "--no-cache", "--rules", rules("Speed < 1")).code shouldBe ExitCode.WHOLE
+        }
+    }
+
+    test("a report is made again where it was, but nothing else is replaced without being asked to") {
+        inFolder { folder ->
+            val log = folder.with("a.bag", BAG)
+            repeat(2) { badlog("report", log, "--no-cache", "--out", folder / "pages").code shouldBe ExitCode.WHOLE }
+            folder.with("pages/index.html", "mine")
+            val refused = badlog("report", log, "--no-cache", "--out", folder / "pages")
+            refused.code shouldBe ExitCode.NOTHING
+            refused.err shouldContain "--force"
+            (folder / "pages/index.html").readText() shouldBe "mine"
+            badlog("report", log, "--no-cache", "--out", folder / "pages", "--force").code shouldBe ExitCode.WHOLE
+        }
+    }
+
+    test("a folder without logs gets no index") {
+        inFolder { folder ->
+            Files.createDirectories(folder / "none")
+            badlog("report", folder / "none", "--no-cache", "--out", folder / "pages").code shouldBe ExitCode.NOTHING
+            Files.exists(folder / "pages") shouldBe false
+        }
+    }
+
+    test("rules may count the time of a CSV file, but not beside pages, which show it as it is") {
+        inFolder { folder ->
+            val csv = SAMPLES.resolve("elevator-bench.csv")
+            val rules = folder.with("r.toml", "[[rule]]\nname='R'\nseverity='note'\nwhen='Time > 1 for 1 s'\ntext='at {time}'")
+            badlog("report", csv, "--x", "Time", "--rules", rules, "--no-cache").out shouldContain "1 note in 1 of 1 log"
+            badlog("report", csv, "--x", "Time", "--out", folder / "pages").code shouldBe ExitCode.USAGE
+        }
+    }
+
+    test("rules that cannot be read are told apart") {
+        inFolder { folder ->
+            val log = folder.with("a.bag", BAG)
+            fun said(rules: Path) = badlog("report", log, "--rules", rules).also { it.code shouldBe ExitCode.USAGE }.err
+            said(folder / "nix.toml") shouldContain "There is no file"
+            said(folder) shouldContain "is a folder"
+            said(folder.with("latin.toml", byteArrayOf(0x23, 0xE4.toByte()))) shouldContain "not in UTF-8"
+        }
     }
 
     test("pages and an index that links to the findings stand in the folder asked for") {

@@ -33,8 +33,4 @@ class TextSpec : FunSpec({
     test("times are told as on a clock") {
         listOf(0.04, 92.0, 155.99, 3599.96, 20031.0).map(XTime::clock) shouldBe listOf("0:00.0", "1:32.0", "2:36.0", "1:00:00", "5:33:51")
     }
-
-    test("a cell that is too long loses its middle") {
-        TextTable.shortened("samples/qualification-42.bag", 20) shouldBe "sampl…ication-42.bag"
-    }
 })

@@ -1,65 +1,94 @@
 package badlog.report.page
 
+import badlog.file.LogFile
 import badlog.html.ExportException
 import badlog.html.HtmlExporter
+import badlog.html.NewFile
+import badlog.html.writing
 import badlog.report.LogReport
 import badlog.report.ReportResult
 import badlog.report.hook.HookOutcome
+import badlog.report.startOfBytes
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
-import java.nio.file.StandardCopyOption
-import java.util.UUID
 
 /**
- * A folder with a report: `index.html`, and a page for each log that was added. Pages that were there are replaced, others stay.
+ * A folder with a report: `index.html`, and a page for each log that was added. Pages that badlog made before are replaced, other
+ * files stay.
  *
+ * @param logs what is read, and therefore never replaced.
  * @param virtualTopics definitions of topics that the pages show beside the logs' own, where a log can be given them.
+ * @param isForced whether files are replaced that badlog did not make, too.
  * @param exporter makes the pages of the logs.
  */
 public class ReportFolder(
     private val folder: Path,
+    logs: List<LogFile>,
     private val virtualTopics: List<String> = emptyList(),
+    private val isForced: Boolean = false,
     private val exporter: HtmlExporter = HtmlExporter(),
 ) {
+    private val read = logs.mapTo(HashSet()) { realPath(it.path) }
     private val pages = HashMap<LogReport, String>()
     private val taken = hashSetOf(INDEX)
+    private val index = folder.resolve(INDEX)
+
+    /**
+     * Makes sure that the index can stand there, so that nobody waits for a refusal.
+     *
+     * @throws ExportException when another file stands there.
+     */
+    public fun checkIndex(): Unit = check(index)
 
     /**
      * Makes the page of [log], unless it cannot be read, with its findings and what [hooks] came to.
      *
-     * @throws ExportException when the page cannot be made; the others can.
+     * @return where it is, or null without one.
+     * @throws ExportException when the page cannot be made, or another file stands there; the others can.
      * @throws InterruptedException when the thread was interrupted.
      */
-    public fun add(log: LogReport, hooks: List<HookOutcome> = emptyList()) {
-        if (log.unreadable != null) return
+    public fun add(log: LogReport, hooks: List<HookOutcome> = emptyList()): Path? {
+        if (log.unreadable != null) return null
         val name = freeName(log)
+        val page = folder.resolve(name)
+        check(page)
         val defined = virtualTopics - log.undefined.mapTo(HashSet()) { it.definition }
-        exporter.export(log.file.path, folder.resolve(name), pageAdditions(defined, log.findings, hooks))
+        exporter.export(log.file.path, page, pageAdditions(defined, log.findings, hooks))
         pages[log] = name
+        return page
     }
 
     /**
      * Writes the index of [result].
      *
      * @return where it is.
-     * @throws IOException when it cannot be written.
+     * @throws ExportException when it cannot be written, or another file stands there.
      */
     public fun writeIndex(result: ReportResult, title: String = "Report"): Path {
-        Files.createDirectories(folder)
-        val index = folder.resolve(INDEX)
-        val draft = folder.resolve(".badlog-${UUID.randomUUID()}.part")
-        try {
-            Files.writeString(draft, reportPage(result, title) { pages[it] })
-            Files.move(draft, index, StandardCopyOption.REPLACE_EXISTING)
-        } finally {
-            Files.deleteIfExists(draft)
+        check(index)
+        writing(index) {
+            Files.createDirectories(folder)
+            NewFile(index.toAbsolutePath().normalize()).use { draft ->
+                draft.out.write(reportPage(result, title) { pages[it] }.encodeToByteArray())
+                draft.commit()
+            }
         }
         return index
     }
 
+    private fun check(page: Path) {
+        if (!Files.exists(page)) return
+        val reason = when {
+            realPath(page) in read -> "$page would overwrite a log that is read; choose another folder."
+            isForced || isOfBadlog(page) -> return
+            else -> "$page exists already, and badlog did not make it; choose another folder, or give --force to replace it."
+        }
+        throw ExportException.Unwritable(page, reason)
+    }
+
     private fun freeName(log: LogReport): String {
-        val base = log.file.name.replace(ENDINGS, "")
+        val base = startOfBytes(log.file.name.replace(ENDINGS, ""), MOST_BYTES)
         return generateSequence(1) { it + 1 }
             .map { if (it == 1) "$base.html" else "$base ($it).html" }
             .first { taken.add(it.lowercase()) }
@@ -67,6 +96,23 @@ public class ReportFolder(
 
     private companion object {
         const val INDEX = "index.html"
+        const val HEAD = 16_384
+
+        /** File systems allow 255, and a page has a longer name while it is written. */
+        const val MOST_BYTES = 180
         val ENDINGS = Regex("(\\.(bag|badbag|csv|wpilog))?(\\.gz)?$", RegexOption.IGNORE_CASE)
+
+        fun realPath(file: Path): Path = try {
+            file.toRealPath()
+        } catch (_: IOException) {
+            file.toAbsolutePath().normalize()
+        }
+
+        fun isOfBadlog(page: Path): Boolean = try {
+            val head = Files.newInputStream(page).use { it.readNBytes(HEAD) }.decodeToString()
+            head.startsWith("<!DOCTYPE html>") && GENERATOR in head
+        } catch (_: IOException) {
+            false
+        }
     }
 }

@@ -1,10 +1,14 @@
 package badlog.report.page
 
+import badlog.file.LogFile
+import badlog.html.BADLOG_VERSION
 import badlog.report.LogReport
 import badlog.report.ORDER
 import badlog.report.ReportResult
 import badlog.report.notesOf
+import badlog.report.printable
 import badlog.report.rules.Finding
+import badlog.report.shortNames
 import badlog.report.summary
 import badlog.report.timeText
 import java.net.URLEncoder
@@ -26,29 +30,32 @@ public fun reportPage(result: ReportResult, title: String = "Report", pageOf: (L
     out.append("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n")
     out.append("<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'sha256-${hash(style)}'; ")
     out.append("base-uri 'none'; form-action 'none'\">\n")
+    out.append("$GENERATOR${escaped(BADLOG_VERSION)}\">\n")
     out.append("<meta name=\"viewport\" content=\"width=device-width\">\n<meta name=\"color-scheme\" content=\"light dark\">\n")
     out.append("<title>${escaped(title)}</title>\n<style>$style</style>\n</head>\n<body>\n")
     out.append("<h1>${escaped(title)}</h1>\n<p>${escaped(summary(result))}</p>\n")
+    val names = shortNames(result.logs.map { it.file })
     val withFindings = result.logs.filter { it.findings.isNotEmpty() }
-    if (withFindings.isNotEmpty()) appendTable(out, withFindings, pageOf)
+    if (withFindings.isNotEmpty()) appendTable(out, withFindings, names, pageOf)
     appendList(out, "Not looked for", notesOf(result))
-    appendList(out, "Not read", result.logs.mapNotNull { log -> log.unreadable?.let { "${log.file.name}: $it" } })
+    appendList(out, "Not read", result.logs.mapNotNull { log -> log.unreadable?.let { "${names[log.file]}: $it" } })
     val clean = result.logs.filter { it.findings.isEmpty() && it.unreadable == null }
-    appendLogs(out, clean, pageOf)
+    appendLogs(out, clean, names, pageOf)
     out.append("</body>\n</html>\n")
     return out.toString()
 }
 
-private fun appendTable(out: StringBuilder, logs: List<LogReport>, pageOf: (LogReport) -> String?) {
+private fun appendTable(out: StringBuilder, logs: List<LogReport>, names: Map<LogFile, String>, pageOf: (LogReport) -> String?) {
     out.append("<table>\n<thead><tr><th>Match</th><th>Time</th><th>Severity</th><th>Rule</th><th>Finding</th></tr></thead>\n")
     for (log in logs) {
         val page = pageOf(log)
+        val name = names.getValue(log.file)
         out.append("<tbody>\n")
         log.findings.sortedBy { ORDER.indexOf(it.severity) }.forEachIndexed { index, finding ->
             out.append("<tr class=\"${finding.severity.name.lowercase()}\">")
             if (index == 0) {
-                out.append("<th scope=\"rowgroup\" rowspan=\"${log.findings.size}\">${linked(log.name, page, "")}")
-                if (log.title != null) out.append("<br><small>${escaped(log.file.name)}</small>")
+                out.append("<th scope=\"rowgroup\" rowspan=\"${log.findings.size}\">${linked(log.title ?: name, page, "")}")
+                if (log.title != null) out.append("<br><small>${escaped(name)}</small>")
                 out.append("</th>")
             }
             out.append("<td class=\"time\">${linked(timeText(finding.time, finding.timeUnit), page, fragmentOf(finding))}</td>")
@@ -67,10 +74,10 @@ private fun appendList(out: StringBuilder, title: String, items: List<String>) {
     out.append("</ul>\n")
 }
 
-private fun appendLogs(out: StringBuilder, logs: List<LogReport>, pageOf: (LogReport) -> String?) {
+private fun appendLogs(out: StringBuilder, logs: List<LogReport>, names: Map<LogFile, String>, pageOf: (LogReport) -> String?) {
     if (logs.isEmpty()) return
     out.append("<details>\n<summary>Nothing found in ${logs.size}</summary>\n<ul>\n")
-    for (log in logs) out.append("<li>${linked(log.name, pageOf(log), "")}</li>\n")
+    for (log in logs) out.append("<li>${linked(log.title ?: names.getValue(log.file), pageOf(log), "")}</li>\n")
     out.append("</ul>\n</details>\n")
 }
 
@@ -86,17 +93,20 @@ private fun urlOf(path: String): String =
     path.split('/').joinToString("/") { URLEncoder.encode(it, Charsets.UTF_8).replace("+", "%20") }
 
 private fun escaped(text: String): String = buildString(text.length) {
-    for (char in text) {
+    for (char in text.split('\n').joinToString("\n", transform = ::printable)) {
         when (char) {
             '&' -> append("&amp;")
             '<' -> append("&lt;")
             '>' -> append("&gt;")
             '"' -> append("&quot;")
             '\'' -> append("&#39;")
-            else -> append(if (char.isISOControl() && char != '\n') ' ' else char)
+            else -> append(char)
         }
     }
 }
+
+/** How the pages of badlog say what made them; its version follows. */
+internal const val GENERATOR = "<meta name=\"generator\" content=\"badlog "
 
 private fun hash(text: String): String =
     Base64.getEncoder().encodeToString(MessageDigest.getInstance("SHA-256").digest(text.encodeToByteArray()))

@@ -1,5 +1,7 @@
 package badlog.report.page
 
+import badlog.file.LogFile
+import badlog.html.ExportException
 import badlog.html.HtmlExporter
 import badlog.html.PageParts
 import badlog.report.Report
@@ -9,11 +11,13 @@ import badlog.report.inFolder
 import badlog.report.logsIn
 import badlog.report.put
 import badlog.report.rules.RuleSet
+import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
 import java.nio.file.Files
+import java.nio.file.Path
 import java.security.MessageDigest
 import java.util.Base64
 import javax.xml.parsers.DocumentBuilderFactory
@@ -49,12 +53,46 @@ class ReportPageSpec : FunSpec({
             val rules = RuleSet.parse("[[rule]]\nname='R'\nseverity='note'\nwhen='min(Battery Voltage) < 7'\ntext='low'")
             val out = folder.resolve("out/report")
             val exporter = HtmlExporter(parts = PageParts("", ""))
-            val report = ReportFolder(out, exporter = exporter)
-            val index = report.writeIndex(Report(rules).over(logsIn(folder.resolve("logs"))) { log, hooks -> report.add(log, hooks) })
+            val logs = logsIn(folder.resolve("logs"))
+            val report = ReportFolder(out, logs, exporter = exporter)
+            val index = report.writeIndex(Report(rules).over(logs) { log, hooks -> report.add(log, hooks) })
             Files.list(out).use { files -> files.map { it.fileName.toString() }.toList() }.sorted() shouldBe
                 listOf("Q1 (2).html", "Q1.html", "index (2).html", "index.html")
             Files.readString(index) shouldContain "href=\"./Q1.html#t=0\""
             Files.readString(index) shouldContain "href=\"./index%20%282%29.html\""
+        }
+    }
+
+    test("what badlog made is replaced, what others made only by force, and what is read never") {
+        inFolder { folder ->
+            val log = folder.put("index.html", batteryBag(6.0))
+            folder.put("Q1.bag", batteryBag(6.0))
+            val logs = listOf(log, folder.resolve("Q1.bag")).map { LogFile.of(it) }
+            val exporter = HtmlExporter(parts = PageParts("", ""))
+            fun report(out: Path, isForced: Boolean) {
+                val pages = ReportFolder(out, logs, isForced = isForced, exporter = exporter)
+                pages.checkIndex()
+                pages.writeIndex(Report(RuleSet.NONE).over(logs) { read, hooks -> pages.add(read, hooks) })
+            }
+            val own = Files.readString(log)
+            shouldThrow<ExportException> { report(folder, isForced = true) }.message shouldContain "would overwrite a log that is read"
+            Files.readString(log) shouldBe own
+
+            val out = folder.resolve("out")
+            repeat(2) { report(out, isForced = false) }
+            folder.put("out/Q1.html", "mine")
+            shouldThrow<ExportException> { report(out, isForced = false) }.message shouldContain "badlog did not make it"
+            Files.readString(out.resolve("Q1.html")) shouldBe "mine"
+            report(out, isForced = true)
+            Files.readString(out.resolve("Q1.html")).take(15) shouldBe "<!DOCTYPE html>"
+        }
+    }
+
+    test("a log with the longest name there may be has a page") {
+        inFolder { folder ->
+            val log = LogFile.of(folder.put("\u00e9".repeat(125) + ".bag", batteryBag(6.0)))
+            val pages = ReportFolder(folder.resolve("out"), listOf(log), exporter = HtmlExporter(parts = PageParts("", "")))
+            Report(RuleSet.NONE).over(listOf(log)) { read, hooks -> Files.exists(checkNotNull(pages.add(read, hooks))) shouldBe true }
         }
     }
 })

@@ -1,8 +1,11 @@
-package badlog.cli.cut
+package badlog.cli.input
 
+import badlog.analysis.Units
 import badlog.analysis.XAxis
 import badlog.cli.Failure
-import badlog.cli.text.XTime
+import com.github.ajalt.clikt.parameters.options.NullableOption
+import com.github.ajalt.clikt.parameters.options.RawOption
+import com.github.ajalt.clikt.parameters.options.convert
 
 /** Where on an x axis, as it was typed. */
 internal class Position private constructor(private val text: String, private val number: Double, private val isClock: Boolean) {
@@ -13,7 +16,7 @@ internal class Position private constructor(private val text: String, private va
      */
     fun on(axis: XAxis): Double {
         if (!isClock) return number
-        val secondsPerX = XTime.secondsPer(axis.unit)
+        val secondsPerX = Units.secondsIn(axis.unit)
             ?: throw Failure(
                 "$text is a time, but the x axis ${axis.title} has no unit of time; name the topic of time by --x, " +
                     "or give a number.",
@@ -35,3 +38,7 @@ internal class Position private constructor(private val text: String, private va
         }
     }
 }
+
+/** This option as a position on the x axis. */
+internal fun RawOption.position(): NullableOption<Position, Position> =
+    convert { Position.of(it) ?: fail("“$it” is neither a number nor a time such as 1:32.5") }

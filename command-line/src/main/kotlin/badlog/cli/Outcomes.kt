@@ -1,16 +1,18 @@
 package badlog.cli
 
+import badlog.cli.input.LogInput
 import java.nio.file.Path
 import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 
 /** Says what came of each log, and counts it for the exit code. */
-internal class Report(private val command: String, private val console: Console, private val isJson: Boolean) {
+internal class Outcomes(private val command: String, private val console: Console, private val isJson: Boolean) {
     private var whole = 0
     private var salvaged = 0
     private var failed = 0
     private var skipped = 0
+    private var isIncomplete = false
 
     /** [file] was worked on. */
     fun done(file: Path, outcome: Outcome) {
@@ -18,33 +20,45 @@ internal class Report(private val command: String, private val console: Console,
         if (isJson) {
             line(file, if (outcome.isSalvaged) "salvaged" else "whole", outcome.json)
         } else if (outcome.text.isNotEmpty()) {
-            console.out.println(outcome.text)
+            console.say(outcome.text)
         }
     }
 
     /** Nothing could be done with [file], for the reason of [message]. */
     fun failed(file: Path, message: String) {
         failed++
-        if (isJson) line(file, "failed", mapOf("error" to JsonPrimitive(message))) else console.err.println(message)
+        if (isJson) line(file, "failed", mapOf("error" to JsonPrimitive(message))) else console.warn(message)
+    }
+
+    /** [input] cannot be read, for the reason of [message]; [isNoLog] when it is something else than a log. */
+    fun unreadable(input: LogInput, message: String, isNoLog: Boolean) {
+        val file = input.file
+        if (isNoLog && input.isFound) skipped(file) else failed(file, if ("$file" in message) message else "$file: $message")
     }
 
     /** [file], which nobody named, is no log. */
-    fun skipped(file: Path) {
+    private fun skipped(file: Path) {
         skipped++
         if (isJson) line(file, "skipped", emptyMap())
+    }
+
+    /** Something of the result is missing beside logs, for the reason of [message], which may be told already. */
+    fun leaveOut(message: String = "") {
+        isIncomplete = true
+        if (message.isNotEmpty()) console.warn(message)
     }
 
     /** Says what there is to say about all; how the program ends. */
     fun end(): ExitCode {
         if (!isJson) {
-            if (skipped == 1) console.err.println("1 file is no log and was skipped.")
-            if (skipped > 1) console.err.println("$skipped files are no logs and were skipped.")
+            if (skipped == 1) console.warn("1 file is no log and was skipped.")
+            if (skipped > 1) console.warn("$skipped files are no logs and were skipped.")
         }
         val done = whole + salvaged
-        if (done + failed == 0) console.err.println("No log was found. Name a log, or the folder it is in.")
+        if (done + failed == 0) console.warn("No log was found. Name a log, or the folder it is in.")
         return when {
             done == 0 -> ExitCode.NOTHING
-            salvaged + failed > 0 -> ExitCode.SALVAGED
+            salvaged + failed > 0 || isIncomplete -> ExitCode.SALVAGED
             else -> ExitCode.WHOLE
         }
     }
@@ -54,7 +68,7 @@ internal class Report(private val command: String, private val console: Console,
         if (json.all { it.code < ASCII }) return json
         return buildString {
             for (char in json) {
-                if (char.code < ASCII) append(char) else append("\\u").append(char.code.toString(16).padStart(4, '0'))
+                if (char.code < ASCII) append(char) else append(Spelling.escaped(char))
             }
         }
     }
@@ -65,7 +79,7 @@ internal class Report(private val command: String, private val console: Console,
             "file" to JsonPrimitive(file.toString()),
             "status" to JsonPrimitive(status),
         )
-        console.out.println(asciiOf(JsonObject(start + rest).toString()))
+        console.say(asciiOf(JsonObject(start + rest).toString()))
     }
 
     private companion object {

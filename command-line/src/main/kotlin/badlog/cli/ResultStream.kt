@@ -1,0 +1,27 @@
+package badlog.cli
+
+import java.io.IOException
+import java.io.OutputStream
+
+/** Passes what is written on to [out], and keeps why that failed, which a print stream does not tell. */
+internal class ResultStream(private val out: OutputStream) : OutputStream() {
+    /** Why something could not be written, or null. */
+    var failure: IOException? = null
+        private set
+
+    /** Whether the program that read the results has ended, as `head` does. */
+    val isReaderGone: Boolean get() = failure?.message.orEmpty().contains("pipe", ignoreCase = true)
+
+    override fun write(byte: Int) = write(byteArrayOf(byte.toByte()), 0, 1)
+
+    override fun write(bytes: ByteArray, from: Int, size: Int) = noting { out.write(bytes, from, size) }
+
+    override fun flush() = noting { out.flush() }
+
+    private fun noting(work: () -> Unit) = try {
+        work()
+    } catch (e: IOException) {
+        failure = e
+        throw e
+    }
+}

@@ -1,0 +1,27 @@
+package badlog.cli
+
+import java.nio.charset.Charset
+
+/** Spells texts with the characters of [charset], so that no two names look the same because both are question marks. */
+internal class Spelling(charset: Charset) {
+    private val encoder = charset.newEncoder()
+
+    /** [text] with simpler signs for those that [charset] lacks, and the numbers of letters, such as `\u00f6`. */
+    fun of(text: String): String {
+        if (encoder.canEncode(text)) return text
+        return buildString {
+            for (char in text) if (char.isSurrogate() || !encoder.canEncode(char)) append(SIMPLER[char] ?: escaped(char)) else append(char)
+        }
+    }
+
+    companion object {
+        private val SIMPLER = mapOf(
+            '“' to "\"", '”' to "\"", '‘' to "'", '’' to "'", '…' to "...", '–' to "-", '—' to "-", '−' to "-", '×' to "x", 'µ' to "u", 'μ' to "u",
+            '°' to " deg ", '²' to "^2", '³' to "^3", '·' to "*", '≤' to "<=", '≥' to ">=", '≠' to "!=", '\u00A0' to " ", '\u202F' to " ",
+            '\uFFFD' to "?",
+        )
+
+        /** [char] as JSON and programs write it. */
+        fun escaped(char: Char): String = "\\u" + char.code.toString(16).padStart(4, '0')
+    }
+}

@@ -1,0 +1,55 @@
+package badlog.cli.report
+
+import badlog.cli.Outcomes
+import badlog.html.ExportException
+import badlog.report.LogReport
+import badlog.report.ReportResult
+import badlog.report.hook.HookOutcome
+import badlog.report.page.ReportFolder
+import java.nio.file.Path
+import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonPrimitive
+
+/**
+ * The pages of the logs, made as soon as each log was looked at, and their index.
+ *
+ * @throws ExportException when the index cannot stand where it is to stand.
+ */
+internal class ReportPages(private val folder: ReportFolder) {
+    private val pages = HashMap<LogReport, Path>()
+    private val failures = HashMap<LogReport, String>()
+
+    /** Where the index is, once it is written. */
+    var index: Path? = null
+        private set
+
+    init {
+        folder.checkIndex()
+    }
+
+    /** Makes the page of [log]. */
+    fun add(log: LogReport, hooks: List<HookOutcome>) {
+        try {
+            folder.add(log, hooks)?.let { pages[log] = it }
+        } catch (e: ExportException) {
+            failures[log] = e.message.orEmpty()
+        }
+    }
+
+    /** Why [log] has no page, or null. */
+    fun failureOf(log: LogReport): String? = failures[log]
+
+    /** What a program is told about the page of [log]. */
+    fun json(log: LogReport): Map<String, JsonElement> =
+        mapOf("output" to JsonPrimitive(pages[log]?.toString()), "outputError" to JsonPrimitive(failures[log]))
+
+    /** Writes the index of [result], unless there is no log to be in it. */
+    fun finish(result: ReportResult, outcomes: Outcomes) {
+        if (result.logs.all { it.unreadable != null }) return
+        try {
+            index = folder.writeIndex(result)
+        } catch (e: ExportException) {
+            outcomes.leaveOut(e.message.orEmpty())
+        }
+    }
+}

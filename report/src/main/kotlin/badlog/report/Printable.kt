@@ -1,0 +1,24 @@
+package badlog.report
+
+/**
+ * [text] on one line, without what would move a terminal's cursor, change its colours or turn the direction of writing: names and texts
+ * come from files. Control characters become blanks. What nobody would see, such as characters without width, becomes `�`.
+ */
+public fun printable(text: String): String {
+    if (text.codePoints().noneMatch { isControl(it) || isUnseen(it) }) return text
+    return buildString {
+        text.codePoints().forEach { character ->
+            when {
+                isControl(character) -> append(' ')
+                isUnseen(character) -> append('\uFFFD')
+                else -> appendCodePoint(character)
+            }
+        }
+    }
+}
+
+private fun isControl(character: Int) = Character.isISOControl(character)
+
+private fun isUnseen(character: Int) = Character.getType(character).toByte() in UNSEEN
+
+private val UNSEEN = setOf(Character.FORMAT, Character.LINE_SEPARATOR, Character.PARAGRAPH_SEPARATOR, Character.SURROGATE)

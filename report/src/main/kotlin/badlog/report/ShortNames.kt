@@ -1,0 +1,15 @@
+package badlog.report
+
+import badlog.file.LogFile
+
+/**
+ * What each of [files] is called in a table: its name, and where several have the same name, its path in the folder that is common to
+ * these.
+ */
+internal fun shortNames(files: List<LogFile>): Map<LogFile, String> = files.groupBy { it.name }.values.flatMap { alike ->
+    if (alike.size == 1) return@flatMap listOf(alike[0] to alike[0].name)
+    val paths = alike.map { it.path.toAbsolutePath().normalize() }
+    var common = paths[0].parent
+    while (!paths.all { it.startsWith(common) }) common = common.parent ?: return@flatMap alike.map { it to it.path.toString() }
+    alike.mapIndexed { index, file -> file to common.relativize(paths[index]).toString() }
+}.toMap()
