@@ -11,7 +11,7 @@ import badlog.recording.Severity
  * @property text what was found, as a sentence.
  * @property time where, in the unit of the recording's x axis; NaN when it is about the whole.
  * @property until where it ends, not before [time]; NaN when it is a moment or about the whole.
- * @property further where else it was found, in the order of x, apart from each other; marked, but not listed by themselves.
+ * @property further where else it was found; marked, but not listed by themselves.
  */
 class PageFinding(
     val source: String,

@@ -82,7 +82,7 @@ public class Find(
         const val MOST_VOCABULARIES = 64
 
         fun answered(answer: Answer) = Reply.Answered(
-            answer.outcome, answer.spans.take(MOST_SPANS), answer.spans.size, answer.figures, answer.time, answer.timeUnit,
+            answer.outcome, answer.spans.take(MOST_SPANS), answer.times, answer.figures, answer.time, answer.timeUnit,
         )
 
         fun notAsked(error: ExpressionError) =

@@ -31,7 +31,8 @@ public sealed interface Reply {
      * The log has an answer; see [badlog.expression.Answer].
      *
      * @property outcome whether it holds.
-     * @property spans when it holds, the first hundred of [spanCount].
+     * @property spans when it holds, at most the first hundred.
+     * @property spanCount how often it holds.
      * @property figures the numbers that tell most.
      * @property time where to look first; NaN when nothing tells.
      * @property timeUnit the unit of all times, empty where x has none.

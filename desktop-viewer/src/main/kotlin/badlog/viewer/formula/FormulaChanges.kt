@@ -8,7 +8,8 @@ import badlog.viewer.recording.OpenRecording
 /** The names that the definition [definition] of [open] may use: the topics, and the formulas before it; all for null. */
 internal fun vocabularyFor(open: OpenRecording, definition: String?): Vocabulary {
     val earlier = open.formulas.takeWhile { it.definition != definition }.mapNotNull { it.topic?.signal }
-    return Vocabulary(LogViewSignals(open.logged).vocabulary.signals + earlier)
+    val logged = LogViewSignals(open.logged).vocabulary
+    return Vocabulary(logged.signals + earlier, logged.hasTime)
 }
 
 /** Adds the formula [definition], whose topic is called [name], and draws it. */

@@ -1,7 +1,7 @@
 package badlog.viewer.inspector
 
+import badlog.analysis.Units
 import badlog.viewer.recording.OpenRecording
-import badlog.viewer.recording.secondsPer
 import badlog.viewer.text.decimalsFor
 import badlog.viewer.text.fixedText
 import badlog.viewer.text.minutesText
@@ -10,7 +10,7 @@ import badlog.viewer.text.minutesText
 internal class EventTimes(recording: OpenRecording) {
     private val decimals = decimalsFor(recording.span.width)
     private val enabledFrom = recording.enabled.firstOrNull()?.span?.from
-    private val seconds = secondsPer(recording.view.xAxis.unit)
+    private val seconds = Units.secondsIn(recording.view.xAxis.unit)
 
     /** [x] as it was logged, all with as many decimals; `–` for none. */
     fun logged(x: Double): String = fixedText(x, decimals)

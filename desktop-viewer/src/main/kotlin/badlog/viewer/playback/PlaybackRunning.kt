@@ -3,10 +3,10 @@ package badlog.viewer.playback
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.withFrameNanos
+import badlog.analysis.Units
 import badlog.analysis.XAxis
 import badlog.plot.Span
 import badlog.viewer.app.Viewer
-import badlog.viewer.recording.secondsPer
 
 /** Lets the cursor run, frame by frame, while it is to. */
 @Composable
@@ -62,7 +62,7 @@ private fun follow(viewer: Viewer, x: Double) {
 }
 
 /** How much of x passes in a second at speed 1: what its unit says, or else all of it in a minute. */
-internal fun perSecond(axis: XAxis, full: Span): Double = secondsPer(axis.unit)?.let { 1 / it } ?: (full.width / SECONDS_OF_MINUTE)
+internal fun perSecond(axis: XAxis, full: Span): Double = Units.secondsIn(axis.unit)?.let { 1 / it } ?: (full.width / SECONDS_OF_MINUTE)
 
 private const val NANOS = 1e9
 private const val LONGEST_STEP = 0.25

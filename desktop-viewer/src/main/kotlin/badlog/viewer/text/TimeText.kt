@@ -1,9 +1,9 @@
 package badlog.viewer.text
 
 import badlog.analysis.EnabledSpan
+import badlog.analysis.Units
 import badlog.analysis.XAxis
 import badlog.recording.Topic
-import badlog.viewer.recording.secondsPer
 import kotlin.math.abs
 
 /** [x] as a place on [axis], as exactly as a screen that shows [width] of it can tell, without the unit. */
@@ -27,7 +27,7 @@ private fun twoDigits(number: Long) = number.toString().padStart(2, '0')
 /** Where the cursor stands: `93.740 s · 1:31.7 since enabled`, the latter where [enabled] tells when that was. */
 internal fun cursorText(x: Double, axis: XAxis, width: Double, enabled: List<EnabledSpan>): String {
     val place = withUnit(placeText(x, axis, width), axis.unit)
-    val seconds = secondsPer(axis.unit)
+    val seconds = Units.secondsIn(axis.unit)
     if (seconds == null || !x.isFinite()) return place
     val start = enabled.firstOrNull()?.span?.from
     return when {
@@ -41,7 +41,7 @@ internal fun cursorText(x: Double, axis: XAxis, width: Double, enabled: List<Ena
 internal fun lengthText(length: Double, axis: XAxis): String {
     val number = withUnit(exactText(fixedText(length, decimalsFor(length).coerceAtMost(MOST_DECIMALS)).toDouble()), axis.unit)
     val name = if (axis.unit == Topic.UNITLESS && axis.topic == null) "$number rows" else number
-    val seconds = secondsPer(axis.unit)?.let { length * it } ?: 0.0
+    val seconds = Units.secondsIn(axis.unit)?.let { length * it } ?: 0.0
     return if (seconds >= SECONDS) "$name · ${minutesText(seconds)}" else name
 }
 

@@ -27,15 +27,13 @@ internal class Alias(val name: String, val names: List<NamePattern>, val unit: S
 /** What a number in [from] is to be multiplied with to be one in [to]; null when they do not measure the same. */
 private fun scale(from: String, to: String): Double? {
     if (Units.isNone(from) || from.equals(to, ignoreCase = true)) return 1.0
+    val seconds = Units.secondsIn(from)
+    if (seconds != null) return Units.secondsIn(to)?.let { seconds / it }
     val group = UNITS.find { from.lowercase() in it && to.lowercase() in it } ?: return null
     return group.getValue(from.lowercase()) / group.getValue(to.lowercase())
 }
 
 private val UNITS = listOf(
-    mapOf(
-        "h" to 3600.0, "min" to 60.0, "s" to 1.0, "sec" to 1.0, "second" to 1.0, "seconds" to 1.0, "ms" to 1e-3,
-        "us" to 1e-6, "µs" to 1e-6, "μs" to 1e-6, "ns" to 1e-9,
-    ),
     mapOf("kv" to 1e3, "v" to 1.0, "volt" to 1.0, "volts" to 1.0, "mv" to 1e-3),
     mapOf("a" to 1.0, "amp" to 1.0, "amps" to 1.0, "ma" to 1e-3),
     mapOf("%" to 1.0, "percent" to 1.0),

@@ -13,7 +13,8 @@ import kotlinx.serialization.Serializable
  * @property topic the topic it is about; null when there is none.
  * @property text the rule's text, filled in.
  * @property time where to look first; NaN when it is about the whole log.
- * @property spans when, the first hundred of [spanCount].
+ * @property spans when, at most the first hundred.
+ * @property spanCount how often.
  * @property timeUnit the unit of all times, empty where x has none.
  * @property isOfHook whether a hook found it, and no rule.
  */

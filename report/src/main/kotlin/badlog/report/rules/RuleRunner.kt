@@ -53,12 +53,12 @@ internal class RuleRunner(private val rules: RuleSet) {
                 "match" to match,
                 "file" to file,
                 "topic" to question.topic.orEmpty(),
-                "count" to spans.size.toString(),
+                "count" to (if (whole == null) answer.times else whole.size).toString(),
                 "duration" to timeText(spans.sumOf { it.width }, answer.timeUnit),
             ),
         )
         return Finding(
-            rule.name, rule.severity, question.topic, text, answer.time, answer.spans.take(MOST_SPANS), answer.spans.size,
+            rule.name, rule.severity, question.topic, text, answer.time, answer.spans.take(MOST_SPANS), answer.times,
             answer.timeUnit,
         )
     }
