@@ -30,9 +30,9 @@ public final class ReportBenchmark {
         try {
             for (String run : List.of("read", "from the cache")) {
                 measure("find, " + run, () -> FindTextKt.findText(
-                    new Find(QUESTION, List.of(), cache).over(files, ReportBenchmark::ignore, result -> Unit.INSTANCE)));
+                    new Find(QUESTION, List.of(), cache, null).over(files, ReportBenchmark::ignore, result -> Unit.INSTANCE)));
                 measure("report, " + run, () -> ReportTextKt.reportText(
-                        new Report(RuleSet.Companion.getDEFAULT(), List.of(), List.of(), cache)
+                        new Report(RuleSet.Companion.getDEFAULT(), List.of(), List.of(), cache, null)
                         .over(files, ReportBenchmark::ignore, (log, hooks) -> Unit.INSTANCE)));
             }
         } finally {
