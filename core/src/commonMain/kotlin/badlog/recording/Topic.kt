@@ -11,8 +11,8 @@ package badlog.recording
  * @property texts the cells that hold a text.
  * @property counts what the cells held.
  * @property times when each sample was taken, finite and ascending, perhaps repeating; in the unit of the recording's x axis,
- *   which is s where there are no rows. Null where sample `i` belongs to row `i` of the recording. Topics that were logged together share one array. Of size 0 when samples were not kept. Not to
- *   be changed.
+ *   which is s where there are no rows. Null where sample `i` belongs to row `i` of the recording. Topics that were logged
+ *   together share one array. Of size 0 when samples were not kept. Not to be changed.
  * @property type what the file calls the type of the samples, such as `double` or `struct:Pose2d`; empty where it names none.
  * @property metadata what else the file says of the topic, often JSON; may be empty.
  */

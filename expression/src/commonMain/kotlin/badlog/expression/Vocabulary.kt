@@ -16,7 +16,8 @@ public class Vocabulary(public val signals: List<Signal>, public val hasTime: Bo
 
     private val entries by lazy { Entries(signals) }
 
-    override fun equals(other: Any?): Boolean = this === other || (other is Vocabulary && hasTime == other.hasTime && signals == other.signals)
+    override fun equals(other: Any?): Boolean =
+        this === other || other is Vocabulary && hasTime == other.hasTime && signals == other.signals
 
     override fun hashCode(): Int = signals.hashCode()
 

@@ -52,7 +52,8 @@ public class Find(
         each: (FindResult) -> Unit = {},
     ): List<FindResult> {
         val results = ArrayList<FindResult>(files.size)
-        val known = cache?.let { ResultCache(it, "find\n${virtualTopics.joinToString("\n")}\n\n${xTopic.orEmpty()}\n$question", Stored.serializer()) }
+        val asked = "find\n${virtualTopics.joinToString("\n")}\n\n${xTopic.orEmpty()}\n$question"
+        val known = cache?.let { ResultCache(it, asked, Stored.serializer()) }
         runCached(files, known, ::ask) { file, stored ->
             val result = FindResult(file, stored.title, stored.reply, stored.undefined, stored.isSalvaged)
             results += result

@@ -33,8 +33,11 @@ internal sealed interface LogContent {
         private fun of(file: LogFile, definitions: List<String>, xTopic: String?): LogContent = try {
             val recording = readRecording(file.path)
             val problem = recording.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
-            if (problem != null) None(problem.message, isNoLog = true)
-            else withVirtualTopics(if (xTopic == null) recording else recording.withX(xTopic, file.path), definitions)
+            if (problem != null) {
+                None(problem.message, isNoLog = true)
+            } else {
+                withVirtualTopics(if (xTopic == null) recording else recording.withX(xTopic, file.path), definitions)
+            }
         } catch (e: UnreadableFileException) {
             None(e.message, isNoLog = false)
         } catch (e: TopicException) {
@@ -42,8 +45,8 @@ internal sealed interface LogContent {
         }
 
         /**
-         * What [work] makes of [file], read with the topics of [definitions], and with [xTopic] as x axis if it is not null. Whatever fails, fails for this file alone: [work] is then
-         * given a [None] that says so.
+         * What [work] makes of [file], read with the topics of [definitions], and with [xTopic] as x axis if it is not null.
+         * Whatever fails, fails for this file alone: [work] is then given a [None] that says so.
          *
          * @throws InterruptedException when the thread was interrupted.
          */

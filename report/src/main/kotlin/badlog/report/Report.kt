@@ -75,7 +75,9 @@ public class Report(
             progress(logs.size, files.size)
         }
         val readable = logs.count { it.unreadable == null }
-        val skipped = rules.rules.mapNotNull { rule -> asked[rule.name].let { if (it == null) unasked(rule, readable) else skipped(rule.name, it) } }
+        val skipped = rules.rules.mapNotNull { rule ->
+            asked[rule.name].let { if (it == null) unasked(rule, readable) else skipped(rule.name, it) }
+        }
         return ReportResult(logs, skipped)
     }
 

@@ -8,7 +8,7 @@ import kotlinx.serialization.Serializable
  * A virtual topic that a log could not be given.
  *
  * @property definition what was to define it.
- * @property isMissing whether the log only lacks a topic that another log may have.
+ * @property isMissing whether the log only lacks what another log may have: a topic, or an x axis that is a time.
  * @property message what is wrong, as a sentence.
  * @property pointed the message, the definition, and carets below it.
  */
@@ -21,7 +21,12 @@ public class UndefinedTopic internal constructor(
 ) {
     /** The topic of a definition that has this [error]. */
     public constructor(error: ExpressionError) :
-        this(error.text, error.kind == ExpressionErrorKind.UNKNOWN_TOPIC, error.message, error.pointed())
+        this(error.text, error.kind in OF_THIS_LOG, error.message, error.pointed())
+
+    private companion object {
+        /** Another log may have the topic, or a time. */
+        val OF_THIS_LOG = setOf(ExpressionErrorKind.UNKNOWN_TOPIC, ExpressionErrorKind.NO_TIME)
+    }
 }
 
 /**

@@ -73,7 +73,8 @@ internal class ConvertTask(
         } else {
             "${counted(recording.sampleCount, "sample")} of ${counted(recording.topics.size.toLong(), "topic")}"
         }
-        val text = listOf("${input.file} -> $target", wrapped("  ", count + leftOut.tail, INDENT)) + leftOut.lines + undefinedLines(with.errors) +
+        val text = listOf("${input.file} -> $target", wrapped("  ", count + leftOut.tail, INDENT)) + leftOut.lines +
+            undefinedLines(with.errors) +
             lossLines(recording.problems)
         val json = mapOf(
             "output" to JsonPrimitive(target.toString()),

@@ -15,7 +15,8 @@ import com.github.ajalt.clikt.parameters.types.path
 internal class ExportCommand : SubCommand(
     "export",
     "Makes a web page of each log.",
-    "A page opens from disk and needs nothing else. Without --out, match.bag.html stands beside match.bag. With --rules or --hook it also shows what they find.",
+    "A page opens from disk and needs nothing else. Without --out, match.bag.html stands beside match.bag. With --rules " +
+        "or --hook it also shows what they find.",
 ) {
     private val output by OutputOptions()
     private val attachments by option("-a", "--attach", metavar = "FILE").path().multiple()

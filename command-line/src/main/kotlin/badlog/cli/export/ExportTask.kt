@@ -62,7 +62,9 @@ internal class ExportTask(
         val code = LogLoop("export", console, isJson).run(paths) { input, progress ->
             // Only what looks for something reads a log before it is in a page.
             if (search.isEmpty) return@run export(exporter, input, null, progress)
-            val found = Found.of(input.file, rules, search.hooksWith(rules), search.virtualTopics) { done, total -> progress.advanced(done, total * 2) }
+            val found = Found.of(input.file, rules, search.hooksWith(rules), search.virtualTopics) { done, total ->
+                progress.advanced(done, total * 2)
+            }
             if (found.unreadable == null) refused += found.skipped
             export(exporter, input, found) { done, total -> progress.advanced(total + done, total * 2) }
         }

@@ -30,7 +30,9 @@ internal class ReportCommand : SubCommand(
     override fun makeTask(): Task {
         if (isCsv && isJson) throw UsageError("choose one of --csv and --json")
         if (xTopic != null && folder != null) {
-            throw UsageError("--x and --out exclude each other, since a page shows a log as it is; make bags of the logs by convert --x first")
+            throw UsageError(
+                "--x and --out exclude each other, since a page shows a log as it is; make bags of the logs by convert --x first",
+            )
         }
         val form = if (isCsv) ReportForm.CSV else if (isJson) ReportForm.JSON else ReportForm.TEXT
         return ReportTask(paths, search.search(virtual.definitions), form, folder, isForced, if (isFresh) null else cacheFolder(), xTopic)

@@ -1,8 +1,6 @@
 package badlog.viewer.app
 
 import androidx.compose.foundation.VerticalScrollbar
-import androidx.compose.foundation.background
-import androidx.compose.foundation.border
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
@@ -11,40 +9,26 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
-import androidx.compose.foundation.layout.widthIn
 import androidx.compose.foundation.layout.wrapContentWidth
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.rememberScrollbarAdapter
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.foundation.verticalScroll
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.draw.shadow
-import androidx.compose.ui.semantics.contentDescription
-import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
+import badlog.viewer.theme.sheet
 
 /** What the keyboard and the pointer do; lies above the window, which goes on behind it. */
 @Composable
 internal fun HelpSheet(commands: List<Command>, gestures: List<GestureHelp>, modifier: Modifier = Modifier, onClose: () -> Unit) {
-    val palette = LocalPalette.current
-    val shape = RoundedCornerShape(8.dp)
-    Column(
-        modifier
-            .padding(16.dp)
-            .widthIn(max = 960.dp)
-            .shadow(12.dp, shape)
-            .background(palette.surface, shape)
-            .border(1.dp, palette.border, shape)
-            .semantics { contentDescription = "Keys and gestures sheet" },
-    ) {
+    Column(modifier.sheet("Keys and gestures sheet", widest = 960.dp)) {
         Row(Modifier.fillMaxWidth().padding(start = 20.dp, end = 8.dp, top = 8.dp), verticalAlignment = Alignment.CenterVertically) {
             Text("Keys and gestures", Modifier.weight(1f), fontSize = 16.sp, fontWeight = FontWeight.SemiBold)
             ToolButton("Close the sheet", Icons.Close, onClick = onClose)

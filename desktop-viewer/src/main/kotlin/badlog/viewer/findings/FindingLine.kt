@@ -1,7 +1,6 @@
 package badlog.viewer.findings
 
 import androidx.compose.foundation.background
-import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
@@ -12,10 +11,6 @@ import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.graphics.Color
-import androidx.compose.ui.semantics.contentDescription
-import androidx.compose.ui.semantics.selected
-import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.text.style.TextOverflow
@@ -23,6 +18,7 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.report.rules.Finding
 import badlog.viewer.inspector.EventTimes
+import badlog.viewer.inspector.inspectorLine
 import badlog.viewer.theme.LocalPalette
 
 /** A finding: how bad, when, which rule, and what it says. */
@@ -30,15 +26,7 @@ import badlog.viewer.theme.LocalPalette
 internal fun FindingLine(finding: Finding, times: EventTimes, isChosen: Boolean, onClick: () -> Unit) {
     val palette = LocalPalette.current
     Row(
-        Modifier
-            .fillMaxWidth()
-            .background(if (isChosen) palette.accentSoft else Color.Transparent)
-            .clickable(onClick = onClick)
-            .semantics(mergeDescendants = true) {
-                contentDescription = "Finding, ${finding.severity.word}: ${finding.rule}"
-                selected = isChosen
-            }
-            .padding(start = 12.dp, end = 14.dp, top = 5.dp, bottom = 5.dp),
+        Modifier.inspectorLine("Finding, ${finding.severity.word}: ${finding.rule}", isChosen, gap = 5.dp, onClick),
         horizontalArrangement = Arrangement.spacedBy(8.dp),
     ) {
         Column(Modifier.width(62.dp)) {

@@ -1,30 +1,23 @@
 package badlog.viewer.formula
 
-import androidx.compose.foundation.background
-import androidx.compose.foundation.border
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.layout.widthIn
 import androidx.compose.foundation.rememberScrollState
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.foundation.verticalScroll
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.draw.shadow
 import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.input.key.KeyEvent
 import androidx.compose.ui.input.key.KeyEventType
 import androidx.compose.ui.input.key.key
 import androidx.compose.ui.input.key.onPreviewKeyEvent
 import androidx.compose.ui.input.key.type
-import androidx.compose.ui.semantics.contentDescription
-import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
@@ -32,6 +25,7 @@ import badlog.viewer.app.Viewer
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
+import badlog.viewer.theme.sheet
 
 /** Lets a person write the formula of [sheet] over the open recording; lies above the window. */
 @Composable
@@ -42,15 +36,9 @@ internal fun FormulaDialog(viewer: Viewer, sheet: FormulaSheet, modifier: Modifi
     val writer = remember(sheet, open.file) { FormulaWriter(sheet.start, vocabularyFor(open, sheet.before)) }
     val close = { viewer.formulaSheet = null }
     val keep = { keepFormula(viewer, sheet, writer) }
-    val shape = RoundedCornerShape(8.dp)
     Column(
         modifier
-            .padding(16.dp)
-            .widthIn(max = 640.dp)
-            .shadow(12.dp, shape)
-            .background(palette.surface, shape)
-            .border(1.dp, palette.border, shape)
-            .semantics { contentDescription = "Formula sheet" }
+            .sheet("Formula sheet", widest = 640.dp)
             .onPreviewKeyEvent { hears(it, writer, keep, close) }
             .verticalScroll(rememberScrollState())
             .padding(start = 20.dp, end = 12.dp, top = 8.dp, bottom = 12.dp),

@@ -1,12 +1,9 @@
 package badlog.viewer.inspector
 
-import androidx.compose.foundation.background
-import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
-import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
@@ -15,10 +12,6 @@ import androidx.compose.runtime.derivedStateOf
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.graphics.Color
-import androidx.compose.ui.semantics.contentDescription
-import androidx.compose.ui.semantics.selected
-import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
@@ -40,15 +33,7 @@ internal fun EventLine(
     val x = events.x[index]
     val text = events.textOf(index)
     Row(
-        Modifier
-            .fillMaxWidth()
-            .background(if (isNearest) palette.accentSoft else Color.Transparent)
-            .clickable(onClick = onClick)
-            .semantics(mergeDescendants = true) {
-                contentDescription = "Event at ${times.logged(x)}: $text"
-                selected = isNearest
-            }
-            .padding(start = 12.dp, end = 14.dp, top = 3.dp, bottom = 3.dp),
+        Modifier.inspectorLine("Event at ${times.logged(x)}: $text", isNearest, gap = 3.dp, onClick),
         horizontalArrangement = Arrangement.spacedBy(10.dp),
     ) {
         Column(Modifier.width(64.dp)) {

@@ -85,7 +85,11 @@ internal class FindingList(private val scene: Scene, private val onJump: () -> U
             rows.clear()
             listed = 0
         }
-        for (i in listed until until) body.appendChild(findingRow(found[i], decimals, { go(it.places[0]) }, { zoom(it.places[0]) }).also { rows[found[i]] = it })
+        for (finding in found.subList(listed, until)) {
+            val row = findingRow(finding, decimals, { go(it.places[0]) }, { zoom(it.places[0]) })
+            rows[finding] = row
+            body.appendChild(row)
+        }
         listed = until
         more.isHidden = listed == found.size
         val left = found.size - listed

@@ -3,7 +3,10 @@ package badlog.report.rules
 import badlog.analysis.Units
 import badlog.expression.Signal
 
-/** The topics that a rule is asked of one by one. Each list is empty, or the unit null, where the rules do not say. A topic without a unit may have any. */
+/**
+ * The topics that a rule is asked of one by one. Each list is empty, or the unit null, where the rules do not say. A topic without
+ * a unit may have any.
+ */
 internal class TopicChoice(
     private val patterns: List<NamePattern>,
     private val except: List<NamePattern>,
