@@ -43,7 +43,8 @@ class FindingsWindowSpec : FunSpec({
         }
         RealWindow(home, match).use { window ->
             window.awaitState("the formula of last time") { it.open?.signal("twice") != null }
-            window.look { viewer -> viewer.graphs.graphs.last().lines.single().signal } shouldBe "twice"
+            // A log is open a moment before the layout of last time is laid over it.
+            window.awaitState("its graph") { viewer -> viewer.graphs.graphs.lastOrNull()?.lines?.singleOrNull()?.signal == "twice" }
             window.look { it.open }.shouldNotBeNull().formulas.single().error shouldBe null
         }
     }
