@@ -49,14 +49,12 @@ internal class BadlogCommand(val arguments: List<String>) : CoreCliktCommand(NAM
         context { readArgumentFile = null }
     }
 
-    override fun help(context: Context): String =
-        paragraph(
-            "Works on the logs of robots: bags, WPILOGs and CSV files, also gzipped, also damaged. The content decides what a file is, " +
-                "never its name. No log is ever changed.",
-        )
+    override fun help(context: Context): String = paragraph(
+        "Works on the logs of robots: bags, WPILOGs and CSV files, also gzipped, also damaged. The content decides what a file is, " +
+            "never its name. No log is ever changed.",
+    )
 
-    override fun helpEpilog(context: Context): String =
-        paragraph("“$NAME help cut” tells more about cut, and so on. $EXIT_CODES")
+    override fun helpEpilog(context: Context): String = paragraph("“$NAME help cut” tells more about cut, and so on. $EXIT_CODES")
 
     override fun run() = Unit
 

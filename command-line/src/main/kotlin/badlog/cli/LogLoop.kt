@@ -46,10 +46,15 @@ internal class LogLoop(command: String, private val console: Console, isJson: Bo
         /** What to tell about [failure], which ended the work on [file]. */
         fun sentenceOf(failure: Throwable, file: Path): String = when (failure) {
             is Failure -> failure.message
+
             is TopicException -> failure.message
+
             is UnreadableFileException -> failure.message
+
             is ExportException -> failure.message.orEmpty()
+
             is OutOfMemoryError -> "$file is too large for the memory at hand; set JAVA_OPTS=-Xmx8g or so and try again."
+
             else -> {
                 val defect = failure.toString().lineSequence().first()
                 "$file: this is a defect of badlog; please report it with the file ($defect)."

@@ -1,10 +1,10 @@
 package badlog.cli
 
 import badlog.cli.input.LogInput
-import java.nio.file.Path
 import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
+import java.nio.file.Path
 
 /** Says what came of each log, and counts it for the exit code. */
 internal class Outcomes(private val command: String, private val console: Console, private val isJson: Boolean) {

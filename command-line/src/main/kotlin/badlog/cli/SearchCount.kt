@@ -8,11 +8,8 @@ import java.io.PrintStream
  *
  * @param patience nanoseconds for which nothing is shown, and after which it is shown anew.
  */
-internal class SearchCount(
-    private val err: PrintStream,
-    private val isShown: Boolean,
-    private val patience: Long = 500_000_000L,
-) : AutoCloseable {
+internal class SearchCount(private val err: PrintStream, private val isShown: Boolean, private val patience: Long = 500_000_000L) :
+    AutoCloseable {
     private var shown = System.nanoTime()
     private var files = 0L
     private var width = 0

@@ -16,7 +16,8 @@ internal class Spelling(charset: Charset) {
 
     companion object {
         private val SIMPLER = mapOf(
-            '“' to "\"", '”' to "\"", '‘' to "'", '’' to "'", '…' to "...", '–' to "-", '—' to "-", '−' to "-", '×' to "x", 'µ' to "u", 'μ' to "u",
+            '“' to "\"", '”' to "\"", '‘' to "'", '’' to "'", '…' to "...", '–' to "-", '—' to "-", '−' to "-", '×' to "x", 'µ' to "u",
+            'μ' to "u",
             '°' to " deg ", '²' to "^2", '³' to "^3", '·' to "*", '≤' to "<=", '≥' to ">=", '≠' to "!=", '\u00A0' to " ", '\u202F' to " ",
             '\uFFFD' to "?",
         )

@@ -29,20 +29,21 @@ class GuideSpec : FunSpec({
         return "$command\n${ended.out}${ended.err}"
     }
 
-    fun matches(wanted: String, printed: String): Boolean =
-        Regex(wanted.split("\n…\n").joinToString("\n(?:.*\n)*?") { Regex.escape(it) }).matches(printed)
+    fun matches(wanted: String, printed: String): Boolean = Regex(wanted.split("\n…\n").joinToString("\n(?:.*\n)*?") { Regex.escape(it) }).matches(printed)
 
-    for (name in listOf("command-line.md", "wpilog.md")) test("what $name shows is what the program prints") {
-        val guide = ROOT / "docs" / name
-        val text = guide.readText()
-        val examples = example.findAll(text).map { it.value }.toList()
-        examples.shouldNotBeEmpty()
-        val printed = examples.map { block -> block.lines().filter { it.startsWith("$ ") }.joinToString("", transform = ::run) }
-        if (System.getenv("BADLOG_WRITE_GUIDE") != null) {
-            val next = printed.iterator()
-            guide.writeText(example.replace(text) { found -> next.next().let { if (matches(found.value, it)) found.value else it } })
-        } else {
-            for ((wanted, was) in examples.zip(printed)) if (!matches(wanted, was)) was shouldBe wanted
+    for (name in listOf("command-line.md", "wpilog.md")) {
+        test("what $name shows is what the program prints") {
+            val guide = ROOT / "docs" / name
+            val text = guide.readText()
+            val examples = example.findAll(text).map { it.value }.toList()
+            examples.shouldNotBeEmpty()
+            val printed = examples.map { block -> block.lines().filter { it.startsWith("$ ") }.joinToString("", transform = ::run) }
+            if (System.getenv("BADLOG_WRITE_GUIDE") != null) {
+                val next = printed.iterator()
+                guide.writeText(example.replace(text) { found -> next.next().let { if (matches(found.value, it)) found.value else it } })
+            } else {
+                for ((wanted, was) in examples.zip(printed)) if (!matches(wanted, was)) was shouldBe wanted
+            }
         }
     }
 })

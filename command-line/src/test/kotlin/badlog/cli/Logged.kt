@@ -33,9 +33,8 @@ internal fun wpilogBytes(topics: List<Logged>): ByteArray {
     return out.toByteArray()
 }
 
-private fun record(id: Int, seconds: Double, payload: ByteArray): ByteArray =
-    byteArrayOf(0x7F) + littleEndian(4) { putInt(id) } + littleEndian(4) { putInt(payload.size) } +
-        littleEndian(8) { putLong((seconds * 1e6).roundToLong()) } + payload
+private fun record(id: Int, seconds: Double, payload: ByteArray): ByteArray = byteArrayOf(0x7F) + littleEndian(4) { putInt(id) } + littleEndian(4) { putInt(payload.size) } +
+    littleEndian(8) { putLong((seconds * 1e6).roundToLong()) } + payload
 
 private fun payload(type: String, value: Any): ByteArray = when (type) {
     "boolean" -> byteArrayOf(if (value as Boolean) 1 else 0)
@@ -45,5 +44,4 @@ private fun payload(type: String, value: Any): ByteArray = when (type) {
     else -> (value as String).encodeToByteArray()
 }
 
-private fun littleEndian(size: Int, put: ByteBuffer.() -> Unit): ByteArray =
-    ByteBuffer.allocate(size).order(ByteOrder.LITTLE_ENDIAN).apply(put).array()
+private fun littleEndian(size: Int, put: ByteBuffer.() -> Unit): ByteArray = ByteBuffer.allocate(size).order(ByteOrder.LITTLE_ENDIAN).apply(put).array()

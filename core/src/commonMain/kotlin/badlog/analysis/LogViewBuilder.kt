@@ -106,7 +106,11 @@ internal class LogViewBuilder(private val recording: Recording, private val regi
                 gaps++
                 continue
             }
-            if (position < last) backwards++ else if (position == last) repeats++
+            if (position < last) {
+                backwards++
+            } else if (position == last) {
+                repeats++
+            }
             last = position
         }
         if (backwards > 0) {

@@ -125,7 +125,13 @@ private class Holder(private val topic: Topic, rows: Int) {
         if (topic.isSparse && textOf[index] < 0 && topic.samples.getOrElse(index) { Double.NaN }.isNaN()) return
         last = index
         val met = textOf[index]
-        text = if (isEvent && text >= 0 && met >= 0) joined(text, met) else if (isEvent && met < 0) text else met
+        text = if (isEvent && text >= 0 && met >= 0) {
+            joined(text, met)
+        } else if (isEvent && met < 0) {
+            text
+        } else {
+            met
+        }
     }
 
     private fun joined(one: Int, other: Int): Int {

@@ -46,8 +46,10 @@ internal fun seriesOf(topic: Topic, xAxis: XAxis): GraphSeries {
     return when (topic.kind) {
         TopicKind.STATE ->
             GraphSeries(name, topic.unit, topic, topic.texts.dictionary) { statesOf(topic, xAxis) }
+
         TopicKind.BOOLEAN ->
             GraphSeries(name, topic.unit, topic, listOf("false", "true")) { samplesOf(topic, xAxis) }
+
         else -> GraphSeries(name, topic.unit, topic, null) { samplesOf(topic, xAxis) }
     }
 }

@@ -34,7 +34,13 @@ public fun select(values: DoubleArray, place: Int, from: Int = 0, until: Int = v
             }
         }
         // What stands between the two, if anything, is the pivot.
-        if (place >= left) low = left else if (place <= right) high = right else return
+        if (place >= left) {
+            low = left
+        } else if (place <= right) {
+            high = right
+        } else {
+            return
+        }
     }
 }
 

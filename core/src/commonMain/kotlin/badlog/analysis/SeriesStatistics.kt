@@ -36,10 +36,7 @@ public data class SeriesStatistics(
  * The statistics of the samples whose x lies from [from] to [to], both included. In a series that is ordered it looks at
  * those alone; it allocates one array for them.
  */
-public fun Series.statistics(
-    from: Double = Double.NEGATIVE_INFINITY,
-    to: Double = Double.POSITIVE_INFINITY,
-): SeriesStatistics {
+public fun Series.statistics(from: Double = Double.NEGATIVE_INFINITY, to: Double = Double.POSITIVE_INFINITY): SeriesStatistics {
     val begin = if (isOrdered) firstAtOrAfter(from) else 0
     val end = if (isOrdered) firstAfter(to) else size
     val values = DoubleArray(maxOf(0, end - begin))

@@ -10,15 +10,8 @@ import badlog.recording.TopicKind
  *
  * @property topic the topic.
  */
-public class TopicPlan internal constructor(
-    public val topic: Topic,
-    private val report: (Problem) -> Unit,
-) {
-    internal class Derivation(
-        val name: String,
-        val unit: (unit: String, xUnit: String) -> String,
-        val series: (Series) -> Series,
-    )
+public class TopicPlan internal constructor(public val topic: Topic, private val report: (Problem) -> Unit) {
+    internal class Derivation(val name: String, val unit: (unit: String, xUnit: String) -> String, val series: (Series) -> Series)
 
     internal var isHidden = false
         private set

@@ -14,18 +14,23 @@ public object Units {
     public fun ofDerivative(unit: String, xUnit: String): String = "${if (isNone(unit)) "1" else unit}/${ofX(xUnit)}"
 
     /** The unit of an integral: `unit·xunit`, or that of x alone where the topic has none. */
-    public fun ofIntegral(unit: String, xUnit: String): String =
-        if (isNone(unit)) ofX(xUnit) else "$unit·${ofX(xUnit)}"
+    public fun ofIntegral(unit: String, xUnit: String): String = if (isNone(unit)) ofX(xUnit) else "$unit·${ofX(xUnit)}"
 
     /** How many seconds one [unit] is, such as 0.001 for `ms` and `Milliseconds`; null when it is no unit of time. */
     public fun secondsIn(unit: String): Double? = when (unit.trim().lowercase()) {
         "h", "hr", "hrs", "hour", "hours" -> 3600.0
+
         "min", "mins", "minute", "minutes" -> 60.0
+
         "s", "sec", "secs", "second", "seconds" -> 1.0
+
         "ms", "msec", "msecs", "millis", "millisecond", "milliseconds" -> 1e-3
+
         // Both signs for micro.
         "us", "\u00b5s", "\u03bcs", "usec", "usecs", "micros", "microsecond", "microseconds" -> 1e-6
+
         "ns", "nsec", "nsecs", "nanos", "nanosecond", "nanoseconds" -> 1e-9
+
         else -> null
     }
 

@@ -37,7 +37,4 @@ public data class BagTopic(
  * @property value what the reader shows.
  * @property unknown unknown keys, each with its value as JSON.
  */
-public data class BagValue(
-    public val value: Value,
-    public val unknown: Map<String, String> = emptyMap(),
-)
+public data class BagValue(public val value: Value, public val unknown: Map<String, String> = emptyMap())

@@ -18,10 +18,7 @@ import badlog.recording.Topic
  *   is not known.
  * @param keepSamples false to find only topics, counts and problems, in memory that does not grow with the file.
  */
-public class BagParser(
-    private val expectedBytes: Long = 0,
-    private val keepSamples: Boolean = true,
-) {
+public class BagParser(private val expectedBytes: Long = 0, private val keepSamples: Boolean = true) {
     private val decoder = TextDecoder()
     private val problems = ProblemList()
     private val pending = PendingBytes()
@@ -82,7 +79,13 @@ public class BagParser(
     }
 
     private fun rowsOf(columns: HeaderColumns) = RowReader(
-        pending, columns, decoder, problems, keepSamples, endsInNewline = header.line != null, expectedBytes,
+        pending,
+        columns,
+        decoder,
+        problems,
+        keepSamples,
+        endsInNewline = header.line != null,
+        expectedBytes,
     )
 
     /** Without a line of titles there are no rows, but the line of JSON may still tell which topics there were to be. */
@@ -120,10 +123,12 @@ public class BagParser(
     private fun reportEmptiness(topics: List<Topic>, rowCount: Int) {
         when {
             ignoresTheRest -> return
+
             header.line == null && topics.isEmpty() -> problems.add(
                 ProblemKind.EMPTY_FILE,
                 "The file is empty; the robot may have been switched off too early.",
             )
+
             rowCount == 0 -> problems.add(
                 ProblemKind.NO_ROWS,
                 "There is a header but not one row of samples; the robot may have been switched off too early.",

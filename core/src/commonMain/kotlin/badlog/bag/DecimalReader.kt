@@ -55,9 +55,12 @@ internal class DecimalReader {
         }
         val magnitude = when {
             significant <= 9 && scale in -22..22 -> scaledExactly(high, scale)
+
             significant <= 15 && scale in -22..22 ->
                 scaledExactly(high * EXACT_POWERS_OF_TEN[significant - 9] + low, scale)
+
             significant <= 18 && scale in -44..44 -> scaledTwofold(high, low, significant, scale)
+
             else -> Double.NaN
         }
         value = when {

@@ -45,7 +45,17 @@ public object FiveDigitFormat {
         if (magnitude <= Double.MAX_VALUE) {
             return writeExact(value < 0.0, magnitude, into, at)
         }
-        return writeWord(if (value > 0.0) "Infinity" else if (value < 0.0) "-Infinity" else "NaN", into, at)
+        return writeWord(
+            if (value > 0.0) {
+                "Infinity"
+            } else if (value < 0.0) {
+                "-Infinity"
+            } else {
+                "NaN"
+            },
+            into,
+            at,
+        )
     }
 
     /**

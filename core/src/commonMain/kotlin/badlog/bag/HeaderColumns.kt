@@ -10,11 +10,7 @@ import badlog.recording.ProblemList
  * @property topics for each column, its topic of line 1, or null.
  * @property order the columns in the order in which they are shown: that of line 1, then those it does not name.
  */
-internal class HeaderColumns private constructor(
-    val columnNames: List<String>,
-    val topics: List<BagTopic?>,
-    val order: List<Int>,
-) {
+internal class HeaderColumns private constructor(val columnNames: List<String>, val topics: List<BagTopic?>, val order: List<Int>) {
     companion object {
         /**
          * Matches the topics of [header], or of none in a plain CSV file, to the column titles of line [line] by name, the
@@ -60,13 +56,7 @@ internal class HeaderColumns private constructor(
             }
         }
 
-        private fun reportColumns(
-            titles: List<String>,
-            names: List<String>,
-            topicOfColumn: List<Int?>,
-            line: Int,
-            problems: ProblemList,
-        ) {
+        private fun reportColumns(titles: List<String>, names: List<String>, topicOfColumn: List<Int?>, line: Int, problems: ProblemList) {
             names.forEachIndexed { index, name ->
                 if (topicOfColumn[index] == null) {
                     problems.add(

@@ -30,11 +30,9 @@ private fun valueOf(members: List<JsonMember>) = BagValue(
 
 private fun List<JsonMember>.value(key: String): JsonValue? = findLast { it.key == key }?.value
 
-private fun List<JsonMember>.objects(key: String): List<List<JsonMember>> =
-    value(key)?.items.orEmpty().mapNotNull { it.members }
+private fun List<JsonMember>.objects(key: String): List<List<JsonMember>> = value(key)?.items.orEmpty().mapNotNull { it.members }
 
-private fun List<JsonMember>.text(key: String): String? =
-    value(key)?.let { value -> value.text ?: value.json.takeIf { it != "null" } }
+private fun List<JsonMember>.text(key: String): String? = value(key)?.let { value -> value.text ?: value.json.takeIf { it != "null" } }
 
 private fun List<JsonMember>.without(vararg known: String): Map<String, String> =
     filter { it.key !in known }.associate { it.key to it.value.json }

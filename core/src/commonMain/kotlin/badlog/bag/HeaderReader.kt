@@ -5,11 +5,7 @@ import badlog.recording.ProblemKind
 import badlog.recording.ProblemList
 
 /** Reads what stands before the rows: the line of JSON, if there is one, and the line of column titles. */
-internal class HeaderReader(
-    private val pending: PendingBytes,
-    private val decoder: TextDecoder,
-    private val problems: ProblemList,
-) {
+internal class HeaderReader(private val pending: PendingBytes, private val decoder: TextDecoder, private val problems: ProblemList) {
     private enum class Stage { SIGNATURE, FIRST_LINE, TITLES, DONE }
 
     private var stage = Stage.SIGNATURE
@@ -59,8 +55,7 @@ internal class HeaderReader(
         return start + BYTE_ORDER_MARK.size
     }
 
-    private fun startsWith(bytes: ByteArray, first: Int, second: Int) =
-        bytes[0] == first.toByte() && bytes[1] == second.toByte()
+    private fun startsWith(bytes: ByteArray, first: Int, second: Int) = bytes[0] == first.toByte() && bytes[1] == second.toByte()
 
     private fun readLine(isEnd: Boolean, take: (lineEnd: Int, next: Int) -> Int): Int {
         val bytes = pending.bytes
@@ -108,7 +103,7 @@ internal class HeaderReader(
             val names = header?.topics.orEmpty().map { it.name }
             // The line of JSON knows the topics better than a line of titles that is cut, or that a hole has taken.
             val isRow = pending.holeLine > 0 && names.isNotEmpty() && titles.none { it in names }
-            val known = if (isRow || isCut && names.isNotEmpty()) names else titles
+            val known = if (isRow || (isCut && names.isNotEmpty())) names else titles
             columns = HeaderColumns.match(header, known, pending.line, problems)
             if (isRow) return pending.start
         }
@@ -135,8 +130,7 @@ internal class HeaderReader(
         }
     }
 
-    private fun decode(lineEnd: Int): String =
-        decoder.decode(pending.bytes, pending.start, lineEnd).also { reportEncoding() }
+    private fun decode(lineEnd: Int): String = decoder.decode(pending.bytes, pending.start, lineEnd).also { reportEncoding() }
 
     private fun reportEncoding() {
         if (!decoder.wasNotUtf8) return

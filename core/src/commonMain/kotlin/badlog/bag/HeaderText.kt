@@ -9,8 +9,7 @@ package badlog.bag
  * @param asOriginal true to write the very bytes that the original badlog wrote: a topic's unit stands before its name,
  *   and more characters are escaped than need be.
  */
-public fun headerText(header: BagHeader, asOriginal: Boolean = false): String =
-    HeaderText(asOriginal).apply { append(header) }.toString()
+public fun headerText(header: BagHeader, asOriginal: Boolean = false): String = HeaderText(asOriginal).apply { append(header) }.toString()
 
 /** [text] as a string of JSON, with its quotes. */
 internal fun quotedJson(text: String): String = HeaderText(asOriginal = false).apply { quoted(text) }.toString()
@@ -78,8 +77,10 @@ private class HeaderText(private val asOriginal: Boolean) {
         val short = SHORT.indexOf(char)
         when {
             short >= 0 -> out.append('\\').append(SHORT_LETTERS[short])
+
             char < ' ' || char in '\u007f'..'\u009f' || char in '\u2000'..'\u20ff' ->
                 hex(char.code.toString(16).uppercase())
+
             else -> out.append(char)
         }
     }

@@ -14,10 +14,7 @@ import badlog.recording.RecordingFormat
  * @param recording what to write; read with its samples.
  * @param format how; what was read from a bag can be written as CSV and the other way round.
  */
-public class RecordingWriter(
-    private val recording: Recording,
-    private val format: RecordingFormat = recording.format,
-) {
+public class RecordingWriter(private val recording: Recording, private val format: RecordingFormat = recording.format) {
     /**
      * Writes the header and the rows from [fromRow] until [untilRow].
      *
@@ -63,6 +60,7 @@ public class RecordingWriter(
                 out.line(headerLineOf(recording))
                 if (names.isNotEmpty()) out.titles(names)
             }
+
             else -> if (names.isNotEmpty()) csvTitles(names, out)
         }
     }
@@ -71,7 +69,7 @@ public class RecordingWriter(
     private fun csvTitles(names: List<String>, out: RowWriter) {
         val isAlone = names.size == 1
         names.forEachIndexed { index, name ->
-            val isLost = { char: Char -> char < ' ' && char != '\t' || isAlone && char in SEPARATORS }
+            val isLost = { char: Char -> (char < ' ' && char != '\t') || (isAlone && char in SEPARATORS) }
             val title = name.map { if (isLost(it)) ' ' else it }.joinToString("")
             if (index == 0 && MISLEADING.any(title::startsWith)) out.quoted(title) else out.text(title)
         }

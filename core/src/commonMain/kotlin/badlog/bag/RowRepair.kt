@@ -114,8 +114,7 @@ internal class RowRepair(
     }
 
     // A line of a quoted text may have the cells of a row, but seldom a number where the row has one.
-    private fun hasSameNumbers(bytes: ByteArray): Boolean =
-        hasNumber.indices.none { hasNumber[it] && kindOf(bytes, it) == CellKind.TEXT }
+    private fun hasSameNumbers(bytes: ByteArray): Boolean = hasNumber.indices.none { hasNumber[it] && kindOf(bytes, it) == CellKind.TEXT }
 
     private fun kindOf(bytes: ByteArray, cell: Int): Int = reader.read(bytes, splitter.starts[cell], splitter.ends[cell])
 
@@ -126,10 +125,10 @@ internal class RowRepair(
      */
     private fun readWithOddQuotes(bytes: ByteArray, from: Int, end: Int, mayBeOpen: Boolean): Boolean {
         val wanted = cells.columns
-        val fits = splitter.split(bytes, from, end, Quotes.LENIENT) == wanted && !splitter.isOpen ||
-            splitter.mergeTornQuotes(bytes, wanted) == wanted && !splitter.isOpen ||
-            mayBeOpen && splitter.split(bytes, from, end, Quotes.LITERAL) == wanted ||
-            mayBeOpen && splitter.split(bytes, from, end, Quotes.LENIENT) == wanted
+        val fits = (splitter.split(bytes, from, end, Quotes.LENIENT) == wanted && !splitter.isOpen) ||
+            (splitter.mergeTornQuotes(bytes, wanted) == wanted && !splitter.isOpen) ||
+            (mayBeOpen && splitter.split(bytes, from, end, Quotes.LITERAL) == wanted) ||
+            (mayBeOpen && splitter.split(bytes, from, end, Quotes.LENIENT) == wanted)
         if (fits) {
             problems.add(
                 ProblemKind.QUOTES_REPAIRED,
@@ -150,7 +149,7 @@ internal class RowRepair(
             val pieceEnd = lineEndIn(bytes, start, until)
             if (pieceEnd - from > MOST_BYTES) return NOT_SO
             if (pieceEnd == until && !isEnd) return RowScanner.INCOMPLETE
-            if (start == until || pieceEnd < until && bytes[pieceEnd].toInt() == NUL) return NOT_SO
+            if (start == until || (pieceEnd < until && bytes[pieceEnd].toInt() == NUL)) return NOT_SO
             if (isCompleteRow(bytes, start, pieceEnd)) return NOT_SO
             commas += bytes.count(COMMA, start, pieceEnd)
             quotes += bytes.count(QUOTE, start, pieceEnd)
@@ -329,9 +328,7 @@ internal class RowRepair(
         }
     }
 
-    private fun quotation(bytes: ByteArray, from: Int, until: Int): String {
-        return "“${decoder.excerpt(bytes, from, until, QUOTED_BYTES)}”"
-    }
+    private fun quotation(bytes: ByteArray, from: Int, until: Int): String = "“${decoder.excerpt(bytes, from, until, QUOTED_BYTES)}”"
 
     private fun ByteArray.count(byte: Int, from: Int, until: Int): Int {
         var count = 0

@@ -158,16 +158,21 @@ public class RowWriter {
             val code = char.code
             when {
                 code == NUL -> put3(REPLACEMENT)
+
                 code < 0x80 -> {
                     if (code == QUOTE && quotesDoubled) put(QUOTE)
                     put(code)
                 }
+
                 code < 0x800 -> {
                     put(0xC0 or (code shr 6))
                     put(0x80 or (code and 0x3F))
                 }
+
                 char.isHighSurrogate() && i < text.length && text[i].isLowSurrogate() -> put4(char, text[i++])
+
                 char.isSurrogate() -> put3(REPLACEMENT)
+
                 else -> put3(code)
             }
         }
@@ -200,7 +205,6 @@ public class RowWriter {
         private const val REPLACEMENT = 0xFFFD
 
         /** The title of a topic named [name]: the same but for what a line of titles cannot hold. */
-        fun titleOf(name: String): String =
-            name.replace('\n', ' ').replace('\r', ' ').replace(NUL.toChar(), REPLACEMENT.toChar())
+        fun titleOf(name: String): String = name.replace('\n', ' ').replace('\r', ' ').replace(NUL.toChar(), REPLACEMENT.toChar())
     }
 }

@@ -12,10 +12,7 @@ import badlog.wpilog.WpilogParser
  * @param expectedBytes how long the file will be, if known; else 0.
  * @param keepSamples false to find only topics, counts and problems, in memory that does not grow with the file.
  */
-public class RecordingParser(
-    private val expectedBytes: Long = 0,
-    private val keepSamples: Boolean = true,
-) {
+public class RecordingParser(private val expectedBytes: Long = 0, private val keepSamples: Boolean = true) {
     private val beginning = ByteArray(FileSignature.BYTES)
     private var seen = 0
     private var bag: BagParser? = null

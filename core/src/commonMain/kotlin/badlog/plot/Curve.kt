@@ -17,6 +17,7 @@ public class Curve(private val series: Series, private val holdsUntil: Double? =
     /** Where each point stands, in its first [size] entries. */
     public var x: DoubleArray = DoubleArray(0)
         private set
+
     /** The value of each point, NaN where the line is broken, in its first [size] entries. */
     public var y: DoubleArray = DoubleArray(0)
         private set

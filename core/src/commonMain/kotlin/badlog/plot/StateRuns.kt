@@ -35,8 +35,10 @@ public class StateRuns(series: Series, end: Double) {
             from[run] = x[start]
             to[run] = when {
                 next == starts.size -> maxOf(end, x[start])
+
                 // Where x jumps back, the state is known until the last sample before.
                 x[starts[next]] < x[start] -> x[starts[next] - 1]
+
                 else -> x[starts[next]]
             }
             states[run] = y[start].toInt()

@@ -6,14 +6,7 @@ internal class ProblemList {
     private val seen = HashMap<Pair<ProblemKind, String?>, Int>()
     private val overflow = LinkedHashMap<Pair<ProblemKind, String?>, Problem>()
 
-    fun add(
-        kind: ProblemKind,
-        message: String,
-        line: Int? = null,
-        topic: String? = null,
-        count: Int = 1,
-        loss: Loss = Loss.NONE,
-    ) {
+    fun add(kind: ProblemKind, message: String, line: Int? = null, topic: String? = null, count: Int = 1, loss: Loss = Loss.NONE) {
         val key = kind to topic
         val times = (seen[key] ?: 0) + 1
         seen[key] = times

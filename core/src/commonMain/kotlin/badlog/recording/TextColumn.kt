@@ -8,11 +8,7 @@ package badlog.recording
  * @property ids for each of [rows], the place of its text in [dictionary]; same size.
  * @property dictionary every different text once, in the order in which they were met.
  */
-public class TextColumn(
-    public val rows: IntArray,
-    public val ids: IntArray,
-    public val dictionary: List<String>,
-) {
+public class TextColumn(public val rows: IntArray, public val ids: IntArray, public val dictionary: List<String>) {
     /** How many cells have a text. */
     public val size: Int get() = rows.size
 

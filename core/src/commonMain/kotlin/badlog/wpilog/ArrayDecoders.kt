@@ -1,10 +1,7 @@
 package badlog.wpilog
 
 /** Payloads with any number of values, each of which gets a block of its own; those far behind are dropped. */
-internal abstract class ArrayDecoder(
-    private val source: ColumnSource,
-    private val leafPaths: List<String>,
-) : PayloadDecoder() {
+internal abstract class ArrayDecoder(private val source: ColumnSource, private val leafPaths: List<String>) : PayloadDecoder() {
     protected val elements = ElementBlocks(source.keepsSamples, ::newBlock)
     override val clock: Clock get() = elements.clock
     override val blocks: List<SampleBlock> get() = elements.blocks

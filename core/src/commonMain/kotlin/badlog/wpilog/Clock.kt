@@ -88,7 +88,7 @@ private fun merge(from: IntArray, to: IntArray, keys: DoubleArray, start: Int, m
     var left = start
     var right = middle
     for (i in start until end) {
-        val takesLeft = right == end || left < middle && keys[from[left]] <= keys[from[right]]
+        val takesLeft = right == end || (left < middle && keys[from[left]] <= keys[from[right]])
         to[i] = if (takesLeft) from[left++] else from[right++]
     }
 }

@@ -6,10 +6,7 @@ package badlog.wpilog
  *
  * @param newBlock makes the block of the element with this index, or null when there are too many.
  */
-internal class ElementBlocks(
-    private val keepsSamples: Boolean,
-    private val newBlock: (index: Int, clock: Clock) -> SampleBlock?,
-) {
+internal class ElementBlocks(private val keepsSamples: Boolean, private val newBlock: (index: Int, clock: Clock) -> SampleBlock?) {
     private val list = ArrayList<SampleBlock>()
     private var present = 0
 

@@ -98,11 +98,14 @@ internal class EntryBook(private val source: ColumnSource, private val problems:
                 if (id == 0) return false
                 start(id, texts[0], texts[1], texts[2])
             }
+
             FINISH -> if (until - from == CONTROL_HEAD) put(id, null) else return false
+
             SET_METADATA -> {
                 val texts = texts(bytes, from + CONTROL_HEAD, until, 1) ?: return false
                 (if (id in byId.indices) byId[id] else byLargeId[id])?.metadata = texts[0]
             }
+
             else -> return false
         }
         return true

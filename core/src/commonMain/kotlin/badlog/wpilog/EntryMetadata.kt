@@ -37,7 +37,7 @@ internal fun metadataOf(topic: Topic): String {
     val attributes = attributesOf(topic)
     val isX = X_AXIS in topic.attributes
     val unit = unitIn(topic.metadata)
-    val isSameUnit = unit == topic.unit || Units.isNone(unit) && Units.isNone(topic.unit)
+    val isSameUnit = unit == topic.unit || (Units.isNone(unit) && Units.isNone(topic.unit))
     if (!isX && isSameUnit && attributesIn(topic.metadata, topic.name) == attributes) return topic.metadata
     val own = JsonReader.readObject(topic.metadata)
     val members = ArrayList<String>()

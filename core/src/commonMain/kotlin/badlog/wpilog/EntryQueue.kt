@@ -36,6 +36,6 @@ internal class EntryQueue(entries: List<EntryWriter>) {
     private fun isBefore(one: Int, other: Int): Boolean {
         val x = all[one].nextX
         val y = all[other].nextX
-        return if (x == y || x.isNaN() && y.isNaN()) one < other else x < y || x.isNaN()
+        return if (x == y || (x.isNaN() && y.isNaN())) one < other else x < y || x.isNaN()
     }
 }

@@ -127,6 +127,6 @@ internal class EntryWriter(
         /** The type of a topic, or of the array that it was an element of. */
         private fun wholeType(topic: Topic) = topic.type.removeSuffix("[]")
 
-        private fun isWhole(number: Double) = number.isNaN() || abs(number) <= LARGEST_EXACT && number == floor(number)
+        private fun isWhole(number: Double) = number.isNaN() || (abs(number) <= LARGEST_EXACT && number == floor(number))
     }
 }

@@ -55,8 +55,11 @@ internal class Leaf(
                 val text = names[number] ?: number.toString().encodeToByteArray()
                 column.addText(text, 0, text.size)
             }
+
             type == ValueType.BOOL -> column.addTruth(number != 0L)
+
             type == ValueType.UINT64 -> column.addUnsigned(number)
+
             else -> column.addLong(number)
         }
     }

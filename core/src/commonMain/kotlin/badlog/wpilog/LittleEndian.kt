@@ -1,13 +1,11 @@
 package badlog.wpilog
 
 /** The 32 bits at [at]. */
-internal fun intAt(bytes: ByteArray, at: Int): Int =
-    (bytes[at].toInt() and 0xFF) or (bytes[at + 1].toInt() and 0xFF shl 8) or
-        (bytes[at + 2].toInt() and 0xFF shl 16) or (bytes[at + 3].toInt() shl 24)
+internal fun intAt(bytes: ByteArray, at: Int): Int = (bytes[at].toInt() and 0xFF) or (bytes[at + 1].toInt() and 0xFF shl 8) or
+    (bytes[at + 2].toInt() and 0xFF shl 16) or (bytes[at + 3].toInt() shl 24)
 
 /** The 64 bits at [at]. */
-internal fun longAt(bytes: ByteArray, at: Int): Long =
-    (intAt(bytes, at).toLong() and 0xFFFFFFFFL) or (intAt(bytes, at + 4).toLong() shl 32)
+internal fun longAt(bytes: ByteArray, at: Int): Long = (intAt(bytes, at).toLong() and 0xFFFFFFFFL) or (intAt(bytes, at + 4).toLong() shl 32)
 
 /** The [width] bytes at [at], from 1 to 4, as a number without sign; of 4 bytes the highest bit becomes the sign. */
 internal fun unsignedAt(bytes: ByteArray, at: Int, width: Int): Int {

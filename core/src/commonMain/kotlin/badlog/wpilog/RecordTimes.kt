@@ -1,7 +1,7 @@
 package badlog.wpilog
 
-import badlog.analysis.XAxis
 import badlog.analysis.Units
+import badlog.analysis.XAxis
 import badlog.recording.Topic
 import kotlin.math.abs
 import kotlin.math.round

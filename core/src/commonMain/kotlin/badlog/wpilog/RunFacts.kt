@@ -30,16 +30,20 @@ internal class RunFacts {
                 entry.listener = EntryListener { _, bytes, from, until ->
                     if (until > from) event = bytes.decodeToString(from, until)
                 }
+
             name == "MatchNumber" && entry.type == "int64" ->
                 entry.listener = longListener { _, number -> if (number > 0) matchNumber = number }
+
             name == "MatchType" && entry.type == "int64" ->
                 entry.listener = longListener { _, number ->
                     if (number in 1L..MATCH_TYPES.size) matchType = MATCH_TYPES[number.toInt() - 1]
                 }
+
             name == "IsRedAlliance" && entry.type == "boolean" ->
                 entry.listener = EntryListener { _, bytes, from, until ->
                     if (until > from) alliance = if (bytes[from].toInt() != 0) "Red" else "Blue"
                 }
+
             name == "AllianceStation" && entry.type == "int64" ->
                 entry.listener = longListener { _, number -> if (number in 1L..6L) alliance = if (number <= 3) "Red" else "Blue" }
         }

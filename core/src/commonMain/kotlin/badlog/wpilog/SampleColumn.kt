@@ -12,11 +12,7 @@ import badlog.recording.Topic
  * @property path what follows the entry's name in the topic's.
  * @param keepsSamples false to count only, in memory that does not grow.
  */
-internal class SampleColumn(
-    val path: String,
-    private val keepsSamples: Boolean,
-    private val decoder: TextDecoder,
-) {
+internal class SampleColumn(val path: String, private val keepsSamples: Boolean, private val decoder: TextDecoder) {
     private val numbers = GrowingDoubles()
     private var texts: TextPool? = null
     private var textRows = IntArray(0)

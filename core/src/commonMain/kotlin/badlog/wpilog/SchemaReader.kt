@@ -36,6 +36,7 @@ internal class SchemaReader private constructor(private val text: String) {
                 count = number().toInt().takeIf { it >= 0 } ?: throw Malformed()
                 expect(']')
             }
+
             ':' -> {
                 at++
                 bits = number().toInt().takeIf { it in 1..Long.SIZE_BITS } ?: throw Malformed()
@@ -51,7 +52,11 @@ internal class SchemaReader private constructor(private val text: String) {
             val name = word()
             expect('=')
             names[number()] = name.encodeToByteArray()
-            if (peek() == ',') at++ else if (peek() != '}') throw Malformed()
+            if (peek() == ',') {
+                at++
+            } else if (peek() != '}') {
+                throw Malformed()
+            }
         }
         at++
         return names

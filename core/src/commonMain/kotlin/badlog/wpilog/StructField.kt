@@ -8,10 +8,4 @@ package badlog.wpilog
  * @property bits how many bits it has, of a bit-field; else 0.
  * @property names what its numbers are called, of an enumeration; else null.
  */
-internal class StructField(
-    val name: String,
-    val type: String,
-    val count: Int?,
-    val bits: Int,
-    val names: Map<Long, ByteArray>?,
-)
+internal class StructField(val name: String, val type: String, val count: Int?, val bits: Int, val names: Map<Long, ByteArray>?)

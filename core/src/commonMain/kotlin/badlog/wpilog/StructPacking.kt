@@ -30,7 +30,7 @@ internal class StructPacking {
 
     fun addBits(field: StructField, type: ValueType): Boolean {
         val isBool = type == ValueType.BOOL
-        if (!(type.isInteger || isBool && field.bits == 1) || field.bits > type.width * BITS) return false
+        if (!(type.isInteger || (isBool && field.bits == 1)) || field.bits > type.width * BITS) return false
         if (field.count != null || leaves.size == MOST_LEAVES) return false
         val joinsAny = isBool && openWidth > 0 && usedBits < openWidth * BITS
         if (!joinsAny && (openWidth != type.width || usedBits + field.bits > openWidth * BITS)) {
@@ -52,7 +52,7 @@ internal class StructPacking {
 
     private inline fun addEach(field: StructField, width: Int, addAt: (path: String, offset: Int) -> Unit): Boolean {
         val count = field.count ?: 1
-        if (width.toLong() * count > WIDEST - offset || count > MOST_LEAVES - leaves.size && width > 0) return false
+        if (width.toLong() * count > WIDEST - offset || (count > MOST_LEAVES - leaves.size && width > 0)) return false
         if (width == 0) return true
         for (i in 0 until count) {
             addAt("/" + field.name + if (field.count == null) "" else "[$i]", offset)

@@ -38,7 +38,9 @@ internal class StructSchemas {
                     val nested = if (field.bits > 0 || field.names != null) null else layoutOf(field.type, depth + 1)
                     nested != null && packing.add(field, nested)
                 }
+
                 field.bits > 0 -> packing.addBits(field, type)
+
                 else -> packing.add(field, type)
             }
             if (!isFitting) return null

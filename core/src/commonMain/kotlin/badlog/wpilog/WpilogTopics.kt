@@ -7,10 +7,7 @@ import badlog.recording.TextColumn
 import badlog.recording.Topic
 
 /** Makes the topics of the entries, each with a name of its own. Keeps what lies in [span], in s. */
-internal class WpilogTopics(
-    private val span: ClosedFloatingPointRange<Double>,
-    private val problems: ProblemList,
-) {
+internal class WpilogTopics(private val span: ClosedFloatingPointRange<Double>, private val problems: ProblemList) {
     private val names = HashSet<String>()
     private val topics = ArrayList<Topic>()
 

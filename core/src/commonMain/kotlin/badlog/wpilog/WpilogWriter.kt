@@ -13,10 +13,7 @@ import badlog.recording.Recording
  * @param recording what to write; read with its samples.
  * @param changesOnly true to leave out a sample that is the same as the one before it in its topic.
  */
-public class WpilogWriter(
-    private val recording: Recording,
-    private val changesOnly: Boolean = false,
-) {
+public class WpilogWriter(private val recording: Recording, private val changesOnly: Boolean = false) {
     /**
      * Writes all of it, in the order of time.
      *

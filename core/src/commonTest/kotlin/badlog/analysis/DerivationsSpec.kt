@@ -6,8 +6,7 @@ import io.kotest.matchers.shouldBe
 
 private const val GAP = Double.NaN
 
-private fun series(vararg samples: Pair<Double, Double>) =
-    Series(DoubleArray(samples.size) { samples[it].first }, DoubleArray(samples.size) { samples[it].second })
+private fun series(vararg samples: Pair<Double, Double>) = Series(DoubleArray(samples.size) { samples[it].first }, DoubleArray(samples.size) { samples[it].second })
 
 private fun Series.pairs() = x.zip(y)
 

@@ -12,13 +12,15 @@ private fun expected(series: Series, from: Double, to: Double, count: Int): List
     val values = indices.map { i -> series.y[i].let { if (it.isFinite()) it else Double.NaN } }
     val finite = values.filter { it.isFinite() }
     listOf(
-        values.firstOrNull() ?: Double.NaN, finite.minOrNull() ?: Double.NaN,
-        finite.maxOrNull() ?: Double.NaN, values.lastOrNull() ?: Double.NaN, indices.size.toDouble(),
+        values.firstOrNull() ?: Double.NaN,
+        finite.minOrNull() ?: Double.NaN,
+        finite.maxOrNull() ?: Double.NaN,
+        values.lastOrNull() ?: Double.NaN,
+        indices.size.toDouble(),
     )
 }
 
-private fun columnOf(x: Double, from: Double, to: Double, count: Int): Int =
-    (0 until count - 1).firstOrNull { x < from + (to - from) * (it + 1) / count } ?: (count - 1)
+private fun columnOf(x: Double, from: Double, to: Double, count: Int): Int = (0 until count - 1).firstOrNull { x < from + (to - from) * (it + 1) / count } ?: (count - 1)
 
 private fun found(series: Series, from: Double, to: Double, count: Int): List<List<Double>> {
     val columns = PixelColumns(count)

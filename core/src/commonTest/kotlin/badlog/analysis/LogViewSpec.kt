@@ -66,7 +66,10 @@ class LogViewSpec : FunSpec({
     test("delta, differentiate and integrate add bracketed graphs with derived units, in the order of the attributes") {
         val view = view(TIME, topic("Arm/Angle", "differentiate", "integrate", "delta", unit = "deg"))
         view.graphs.map { it.title to it.unit } shouldBe listOf(
-            "Angle" to "deg", "[ Angle Derivative ]" to "deg/s", "[ Angle Integral ]" to "deg·s", "[ Angle Delta ]" to "deg",
+            "Angle" to "deg",
+            "[ Angle Derivative ]" to "deg/s",
+            "[ Angle Integral ]" to "deg·s",
+            "[ Angle Delta ]" to "deg",
         )
         view.graphs.map { it.folder }.toSet() shouldBe setOf("Arm")
         view.graph("[ Angle Derivative ]").series.single().data.y.toList() shouldBe listOf(1.0)
@@ -88,7 +91,8 @@ class LogViewSpec : FunSpec({
 
     test("join puts topics of any folder as lines into one graph, behind all others") {
         val view = view(
-            TIME, topic("PDP/Current 0", "hide", "join:Power/Currents", unit = "A"),
+            TIME,
+            topic("PDP/Current 0", "hide", "join:Power/Currents", unit = "A"),
             topic("Arm/Current", "join:Power/Currents", unit = "A"),
         )
         val joined = view.graph("[ Currents ]")
@@ -99,7 +103,11 @@ class LogViewSpec : FunSpec({
 
     test("joining different units, equal names or the graph of a topic works and is noted") {
         val view = view(
-            TIME, topic("A/x", "join:G"), topic("B/x", "join:G", unit = "A"), topic("C"), topic("D", "join:C"),
+            TIME,
+            topic("A/x", "join:G"),
+            topic("B/x", "join:G", unit = "A"),
+            topic("C"),
+            topic("D", "join:C"),
         )
         view.graph("[ G ]").series.map { it.name } shouldBe listOf("x", "x")
         view.graph("C").series.map { it.name } shouldBe listOf("C", "D")
@@ -195,7 +203,11 @@ class LogViewSpec : FunSpec({
 
     test("folders are sorted regardless of case, the root first; members keep the order of the file") {
         val view = view(
-            topic("zeta/B"), topic("zeta/A"), topic("Root"), topic("Arm/A"), topic("arm/B"),
+            topic("zeta/B"),
+            topic("zeta/A"),
+            topic("Root"),
+            topic("Arm/A"),
+            topic("arm/B"),
             values = listOf(Value("Match", "8"), Value("Beta/Gain", "0.5")),
         )
         view.folders.map { it.name } shouldBe listOf("", "Arm", "arm", "Beta", "zeta")
@@ -226,9 +238,14 @@ class LogViewSpec : FunSpec({
     }
 
     test("event and match values make the title; without them there is none") {
-        view(topic("A"), values = listOf(
-            Value("Event Name", "OHCL"), Value("Match Type", "Qualification"), Value("Match_Number", "42"),
-        )).title shouldBe "OHCL Qualification 42"
+        view(
+            topic("A"),
+            values = listOf(
+                Value("Event Name", "OHCL"),
+                Value("Match Type", "Qualification"),
+                Value("Match_Number", "42"),
+            ),
+        ).title shouldBe "OHCL Qualification 42"
         view(topic("A"), values = listOf(Value("System/Match Number", "7"))).title shouldBe "Match 7"
         view(topic("A"), values = listOf(Value("Match Type", "None"), Value("Match Number", "0"))).title shouldBe null
     }

@@ -16,8 +16,7 @@ private fun withOwnTimes(text: String, times: DoubleArray): LogView {
     return recording.run { LogView.of(Recording(format, headerLine, values, topics + calculated, rowCount, problems)) }
 }
 
-private fun LogView.points(name: String) =
-    seriesOf(recording.topics.single { it.name == name }).data.run { x.toList().zip(y.toList()) }
+private fun LogView.points(name: String) = seriesOf(recording.topics.single { it.name == name }).data.run { x.toList().zip(y.toList()) }
 
 class MixedClocksSpec : FunSpec({
     val bag = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"a","unit":"V"}],"values":[]}""" +

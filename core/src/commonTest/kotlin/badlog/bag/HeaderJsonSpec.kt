@@ -54,7 +54,10 @@ class HeaderJsonSpec : FunSpec({
             val json = buildJsonObject {
                 put("text", text)
                 if (number.isFinite()) put("number", number)
-                putJsonArray("array") { add(truth); add(text) }
+                putJsonArray("array") {
+                    add(truth)
+                    add(text)
+                }
             }.toString()
             val members = JsonReader.readObject(json)!!.associate { it.key to it.value }
             members.getValue("text").text shouldBe text

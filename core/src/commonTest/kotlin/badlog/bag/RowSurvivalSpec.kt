@@ -25,7 +25,7 @@ class RowSurvivalSpec : FunSpec({
             val found = List(recording.rowCount) { row -> recording.topics.joinToString(",") { cellText(it, row) } }
             for (row in rows.indices) {
                 // What stands between a NUL and the next newline is no whole row.
-                if (row == damaged || row == damaged + 1 && '\u0000' in lines[damaged]) continue
+                if (row == damaged || (row == damaged + 1 && '\u0000' in lines[damaged])) continue
                 // A damaged line may pass for more of the text above it.
                 val isThere = found.any { it == rows[row] || it.startsWith(rows[row] + "\n") }
                 if (recording.isReadable && !isThere) throw AssertionError("row $row is lost in:\n$file")

@@ -36,15 +36,12 @@ private fun topicJson(topic: ExpectedTopic): String {
     return members.joinToString(",", "{", "\n    }") { "\n      $it" }
 }
 
-private fun <T> jsonArray(items: List<T>, json: (T) -> String): String =
-    items.joinToString(", ", "[", "]", transform = json)
+private fun <T> jsonArray(items: List<T>, json: (T) -> String): String = items.joinToString(", ", "[", "]", transform = json)
 
-private fun problemJson(problem: ExpectedProblem): String =
-    "{\"kind\": \"${problem.kind}\", \"line\": ${problem.line}, \"topic\": ${problem.topic?.let(::quoted)}}"
+private fun problemJson(problem: ExpectedProblem): String = "{\"kind\": \"${problem.kind}\", \"line\": ${problem.line}, \"topic\": ${problem.topic?.let(::quoted)}}"
 
 /** By line, those without one last; then by kind, then by topic. */
-private fun sorted(problems: List<ExpectedProblem>): List<ExpectedProblem> =
-    problems.sortedWith(compareBy({ it.line ?: Int.MAX_VALUE }, { it.kind.name }, { it.topic ?: "" }))
+private fun sorted(problems: List<ExpectedProblem>): List<ExpectedProblem> = problems.sortedWith(compareBy({ it.line ?: Int.MAX_VALUE }, { it.kind.name }, { it.topic ?: "" }))
 
 private fun sampleJson(sample: Double?): String = when {
     sample == null -> "null"

@@ -6,8 +6,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
 class CurveSpec : FunSpec({
-    fun ramp(count: Int, y: (Int) -> Double = { it.toDouble() }) =
-        Series(DoubleArray(count) { it.toDouble() }, DoubleArray(count) { y(it) })
+    fun ramp(count: Int, y: (Int) -> Double = { it.toDouble() }) = Series(DoubleArray(count) { it.toDouble() }, DoubleArray(count) { y(it) })
 
     fun Curve.points() = List(size) { x[it] to y[it] }
 
@@ -44,7 +43,17 @@ class CurveSpec : FunSpec({
     }
 
     test("gaps and infinities break the line") {
-        val curve = Curve(ramp(5) { if (it == 2) Double.NaN else if (it == 3) Double.POSITIVE_INFINITY else 1.0 })
+        val curve = Curve(
+            ramp(5) {
+                if (it == 2) {
+                    Double.NaN
+                } else if (it == 3) {
+                    Double.POSITIVE_INFINITY
+                } else {
+                    1.0
+                }
+            },
+        )
         curve.draw(0.0, 4.0, PixelColumns(10))
         (0 until curve.size).map { curve.y[it].isNaN() } shouldBe listOf(false, false, true, true, false)
     }

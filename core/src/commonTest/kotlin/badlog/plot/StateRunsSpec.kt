@@ -5,8 +5,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
 class StateRunsSpec : FunSpec({
-    fun runs(x: List<Double>, y: List<Double>, end: Double) =
-        StateRuns(Series(x.toDoubleArray(), y.toDoubleArray()), end)
+    fun runs(x: List<Double>, y: List<Double>, end: Double) = StateRuns(Series(x.toDoubleArray(), y.toDoubleArray()), end)
 
     fun StateRuns.texts() = List(states.size) { "${states[it]}: ${from[it]}..${to[it]}" }
 

@@ -39,8 +39,12 @@ class StructSpec : FunSpec({
             "abc".encodeToByteArray() + byteArrayOf(0, 0)
         values(read("uint8 n; P p[2]; char name[5]", payload, others)) shouldBe mapOf(
             "s/n" to 7.0,
-            "s/p[0]/x" to 1.0, "s/p[0]/q/v[0]" to 1.0, "s/p[0]/q/v[1]" to 2.0,
-            "s/p[1]/x" to 2.0, "s/p[1]/q/v[0]" to 3.0, "s/p[1]/q/v[1]" to 4.0,
+            "s/p[0]/x" to 1.0,
+            "s/p[0]/q/v[0]" to 1.0,
+            "s/p[0]/q/v[1]" to 2.0,
+            "s/p[1]/x" to 2.0,
+            "s/p[1]/q/v[0]" to 3.0,
+            "s/p[1]/q/v[1]" to 4.0,
             "s/name" to "abc",
         )
     }
@@ -55,7 +59,13 @@ class StructSpec : FunSpec({
         val schema = "int8 a:4; uint8 b:3; bool f:1; int8 c:4; int16 d:9; bool g:1; double e"
         val payload = byteArrayOf(0b1_101_1110.toByte(), 0b0111, (0x1FF and 0xFF).toByte(), 0b11) + doubles(2.0)
         values(read(schema, payload)) shouldBe mapOf(
-            "s/a" to -2.0, "s/b" to 5.0, "s/f" to 1.0, "s/c" to 7.0, "s/d" to -1.0, "s/g" to 1.0, "s/e" to 2.0,
+            "s/a" to -2.0,
+            "s/b" to 5.0,
+            "s/f" to 1.0,
+            "s/c" to 7.0,
+            "s/d" to -1.0,
+            "s/g" to 1.0,
+            "s/e" to 2.0,
         )
     }
 

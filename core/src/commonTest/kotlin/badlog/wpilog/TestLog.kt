@@ -14,13 +14,11 @@ internal class TestLog(extraHeader: String = "") {
         out += text(extraHeader).asList()
     }
 
-    fun start(id: Int, name: String, type: String, metadata: String = "", at: Long = 0): TestLog =
-        record(0, at, byteArrayOf(0) + number(id.toLong(), 4) + text(name) + text(type) + text(metadata))
+    fun start(id: Int, name: String, type: String, metadata: String = "", at: Long = 0): TestLog = record(0, at, byteArrayOf(0) + number(id.toLong(), 4) + text(name) + text(type) + text(metadata))
 
     fun finish(id: Int, at: Long = 0): TestLog = record(0, at, byteArrayOf(1) + number(id.toLong(), 4))
 
-    fun metadata(id: Int, metadata: String, at: Long = 0): TestLog =
-        record(0, at, byteArrayOf(2) + number(id.toLong(), 4) + text(metadata))
+    fun metadata(id: Int, metadata: String, at: Long = 0): TestLog = record(0, at, byteArrayOf(2) + number(id.toLong(), 4) + text(metadata))
 
     fun record(id: Int, micros: Long, payload: ByteArray): TestLog {
         val idSize = sizeOf(id.toUInt().toLong(), 4)
@@ -48,14 +46,11 @@ internal class TestLog(extraHeader: String = "") {
 
 internal fun number(value: Long, width: Int): ByteArray = ByteArray(width) { (value ushr 8 * it).toByte() }
 
-internal fun doubles(vararg values: Double): ByteArray =
-    values.fold(ByteArray(0)) { bytes, value -> bytes + number(value.toRawBits(), 8) }
+internal fun doubles(vararg values: Double): ByteArray = values.fold(ByteArray(0)) { bytes, value -> bytes + number(value.toRawBits(), 8) }
 
-internal fun floats(vararg values: Float): ByteArray =
-    values.fold(ByteArray(0)) { bytes, value -> bytes + number(value.toRawBits().toLong(), 4) }
+internal fun floats(vararg values: Float): ByteArray = values.fold(ByteArray(0)) { bytes, value -> bytes + number(value.toRawBits().toLong(), 4) }
 
-internal fun longs(vararg values: Long): ByteArray =
-    values.fold(ByteArray(0)) { bytes, value -> bytes + number(value, 8) }
+internal fun longs(vararg values: Long): ByteArray = values.fold(ByteArray(0)) { bytes, value -> bytes + number(value, 8) }
 
 /** A text with its length before it. */
 internal fun text(text: String): ByteArray = text.encodeToByteArray().let { number(it.size.toLong(), 4) + it }

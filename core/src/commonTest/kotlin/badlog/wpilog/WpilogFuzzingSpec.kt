@@ -35,10 +35,15 @@ class WpilogFuzzingSpec : FunSpec({
             repeat(random.nextInt(60)) {
                 when (random.nextInt(12)) {
                     0 -> log.string(random.nextInt(90, 92), 5, schemas.random(random))
+
                     1 -> log.start(random.nextInt(1, 10), "entry ${random.nextInt(4)}", types.random(random))
+
                     2 -> log.finish(random.nextInt(1, 10))
+
                     3 -> log.metadata(random.nextInt(1, 10), "{\"unit\":${random.nextInt()}")
+
                     4 -> log.record(random.nextInt(1, 9), random.nextLong(), doubles(1.0))
+
                     else -> {
                         val size = random.nextInt(40)
                         val payload = if (random.nextBoolean()) random.nextBytes(size) else doubles(1.0, 2.0).copyOf(size / 13 * 8)

@@ -76,5 +76,5 @@ private fun isNamedLikeLog(name: String): Boolean {
 private fun isPassedOver(folder: Path): Boolean {
     val name = folder.fileName.toString()
     return name.startsWith(".") || name == "node_modules" || name == "\$RECYCLE.BIN" ||
-        name == "build" && listOf("build.gradle", "build.gradle.kts").any { Files.exists(folder.resolveSibling(it)) }
+        (name == "build" && listOf("build.gradle", "build.gradle.kts").any { Files.exists(folder.resolveSibling(it)) })
 }

@@ -19,12 +19,15 @@ internal class GzipHeader {
                 if (at == FLAGS_AT) flags = byte
                 if (at < FIXED_SIZE - 1) return State.MORE
             }
+
             EXTRA -> {
                 if (at == 0) extraLeft = byte
                 if (at == 1) extraLeft += byte shl 8
                 if (at < 1 || at < 1 + extraLeft) return State.MORE
             }
+
             NAME, COMMENT -> if (byte != 0) return State.MORE
+
             CHECK -> if (at == 0) return State.MORE
         }
         return nextPart()

@@ -36,7 +36,7 @@ public class GzipReader(private val sink: (bytes: ByteArray, size: Int) -> Unit)
      * A stream that its writer flushed but never closed, as the original badlog leaves it, lacks nothing.
      */
     public val isCut: Boolean
-        get() = isDamaged || !sawBody || stage == Stage.BODY && tail != FLUSH_MARK
+        get() = isDamaged || !sawBody || (stage == Stage.BODY && tail != FLUSH_MARK)
 
     /** Reads the bytes from [from] until [until] of [bytes], which follow those of the calls before. */
     public fun accept(bytes: ByteArray, from: Int, until: Int) {

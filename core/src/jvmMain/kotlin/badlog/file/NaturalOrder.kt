@@ -23,8 +23,7 @@ public object NaturalOrder : Comparator<String> {
         return if (difference != 0) difference else a.compareTo(b)
     }
 
-    private fun compareNumbers(a: String, b: String) =
-        if (a.length != b.length) a.length.compareTo(b.length) else a.compareTo(b)
+    private fun compareNumbers(a: String, b: String) = if (a.length != b.length) a.length.compareTo(b.length) else a.compareTo(b)
 
     private fun endOfDigits(text: String, from: Int): Int {
         var end = from

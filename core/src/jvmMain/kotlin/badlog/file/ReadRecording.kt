@@ -30,10 +30,12 @@ public fun readRecording(
         val pieces = FilePieces(file, channel, progress)
         when (pieces.signature()) {
             FileSignature.GZIP -> readGzip(pieces, RecordingParser(pieces.inflatedSize(), keepSamples))
+
             FileSignature.WPILOG -> {
                 val recording = readPlain(pieces, Long.MAX_VALUE, RecordingParser(pieces.total, keepSamples))
                 if (untilLastLineEnd) recording.without(ProblemKind.RECORD_CUT) else recording
             }
+
             FileSignature.OTHER -> {
                 val end = if (untilLastLineEnd) pieces.lastLineEnd() else pieces.total
                 readPlain(pieces, if (untilLastLineEnd) end else Long.MAX_VALUE, RecordingParser(end, keepSamples))

@@ -8,8 +8,5 @@ import java.nio.file.Path
  *
  * @property file what was to be read.
  */
-public class UnreadableFileException(
-    public val file: Path,
-    override val message: String,
-    cause: Throwable? = null,
-) : IOException(message, cause)
+public class UnreadableFileException(public val file: Path, override val message: String, cause: Throwable? = null) :
+    IOException(message, cause)

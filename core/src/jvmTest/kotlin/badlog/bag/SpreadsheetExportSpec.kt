@@ -39,12 +39,15 @@ private fun cellsOf(text: String): List<List<String>> {
     for (char in text.replace("\r\n", "\n")) {
         when {
             char == '"' -> quoted = !quoted
+
             char == ',' && !quoted -> row += cell.toString().also { cell.clear() }
+
             char == '\n' && !quoted -> {
                 row += cell.toString().also { cell.clear() }
                 rows += row
                 row = ArrayList()
             }
+
             else -> cell.append(char)
         }
     }

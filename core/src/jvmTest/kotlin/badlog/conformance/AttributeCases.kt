@@ -97,6 +97,5 @@ internal val ATTRIBUTE_CASES = listOf(
     ),
 )
 
-private fun powerBag(attributes: String, rows: String, timeAttributes: String = "[]") =
-    """{"topics":[{"name":"Time","unit":"s","attrs":$timeAttributes},""" +
-        """{"name":"Volts","unit":"V","attrs":$attributes}],"values":[]}""" + "\nTime,Volts\n$rows"
+private fun powerBag(attributes: String, rows: String, timeAttributes: String = "[]") = """{"topics":[{"name":"Time","unit":"s","attrs":$timeAttributes},""" +
+    """{"name":"Volts","unit":"V","attrs":$attributes}],"values":[]}""" + "\nTime,Volts\n$rows"

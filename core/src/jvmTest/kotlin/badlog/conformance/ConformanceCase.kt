@@ -12,12 +12,10 @@ import badlog.recording.Value
  */
 internal class ConformanceCase(val name: String, val why: String, val bytes: ByteArray, val expected: Expectation)
 
-internal fun case(name: String, why: String, file: String, expected: Expectation) =
-    ConformanceCase(name, why, file.encodeToByteArray(), expected)
+internal fun case(name: String, why: String, file: String, expected: Expectation) = ConformanceCase(name, why, file.encodeToByteArray(), expected)
 
 /** A case whose file is not UTF-8: each character below U+0100 is that byte. */
-internal fun bytesCase(name: String, why: String, file: String, expected: Expectation) =
-    ConformanceCase(name, why, file.toByteArray(Charsets.ISO_8859_1), expected)
+internal fun bytesCase(name: String, why: String, file: String, expected: Expectation) = ConformanceCase(name, why, file.toByteArray(Charsets.ISO_8859_1), expected)
 
 /** A bag of which these [topics] are read. */
 internal fun bag(
@@ -28,8 +26,7 @@ internal fun bag(
 ) = expectation(RecordingFormat.BAG, values, topics.asList(), problems, attributeProblems)
 
 /** A plain CSV file of which these [topics] are read. */
-internal fun csv(vararg topics: ExpectedTopic, problems: List<ExpectedProblem> = emptyList()) =
-    expectation(RecordingFormat.CSV, emptyList(), topics.asList(), problems, emptyList())
+internal fun csv(vararg topics: ExpectedTopic, problems: List<ExpectedProblem> = emptyList()) = expectation(RecordingFormat.CSV, emptyList(), topics.asList(), problems, emptyList())
 
 private fun expectation(
     format: RecordingFormat,

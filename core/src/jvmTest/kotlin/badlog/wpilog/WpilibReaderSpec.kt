@@ -19,7 +19,10 @@ private val PYTHON = listOf("../build/python/bin/python", "python3").firstOrNull
 
 private fun hasReader(python: String): Boolean = try {
     ProcessBuilder(python, "-c", "import wpiutil.log").redirectErrorStream(true).start()
-        .run { inputStream.readAllBytes(); waitFor() } == 0
+        .run {
+            inputStream.readAllBytes()
+            waitFor()
+        } == 0
 } catch (_: IOException) {
     false
 }

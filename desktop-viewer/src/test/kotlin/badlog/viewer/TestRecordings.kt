@@ -33,8 +33,14 @@ internal fun bagOf(topics: List<String>, rows: List<String>, values: Map<String,
 
 /** A topic of numbers as a WPILOG has it: each of [samples] a time in s and what was logged then. */
 internal fun loggedTopic(name: String, vararg samples: Pair<Double, Double>, unit: String = "V"): Topic = Topic(
-    name, unit, emptyList(), DoubleArray(samples.size) { samples[it].second }, TextColumn.EMPTY,
-    CellCounts(samples.size, 0, 0, 0, 0, 0), DoubleArray(samples.size) { samples[it].first }, "double",
+    name,
+    unit,
+    emptyList(),
+    DoubleArray(samples.size) { samples[it].second },
+    TextColumn.EMPTY,
+    CellCounts(samples.size, 0, 0, 0, 0, 0),
+    DoubleArray(samples.size) { samples[it].first },
+    "double",
 )
 
 /** A topic of texts likewise. */

@@ -12,9 +12,4 @@ import java.nio.file.Path
  * @property inflatedBytes how many bytes the recording has once it is inflated; [originalBytes] unless the input is
  *   gzip.
  */
-class ExportReport(
-    val page: Path,
-    val recording: Recording,
-    val originalBytes: Long,
-    val inflatedBytes: Long,
-)
+class ExportReport(val page: Path, val recording: Recording, val originalBytes: Long, val inflatedBytes: Long)

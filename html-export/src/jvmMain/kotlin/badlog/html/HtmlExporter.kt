@@ -17,10 +17,7 @@ import java.nio.file.Path
  * @param attachments files to put into every page beside the recording.
  * @param parts the program and the styles of the pages.
  */
-class HtmlExporter(
-    private val attachments: List<Path> = emptyList(),
-    private val parts: PageParts = PageParts.bundled(),
-) {
+class HtmlExporter(private val attachments: List<Path> = emptyList(), private val parts: PageParts = PageParts.bundled()) {
     /**
      * Makes the page [output] of the file [input], a bag, a CSV file or a WPILOG, perhaps compressed with gzip. Whatever is wrong
      * in it is told in the report and on the page. [output] is replaced only by a whole page; its folder is made if

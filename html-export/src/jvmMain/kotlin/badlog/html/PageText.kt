@@ -16,8 +16,10 @@ internal fun quoteJson(text: String): String = buildString(text.length + 2) {
     for (char in text) {
         when {
             char == '"' || char == '\\' -> append('\\').append(char)
+
             // Half of a pair alone cannot be written as UTF-8.
             char < ' ' || char == '<' || char.isSurrogate() -> append("\\u").append(char.code.toString(16).padStart(4, '0'))
+
             else -> append(char)
         }
     }

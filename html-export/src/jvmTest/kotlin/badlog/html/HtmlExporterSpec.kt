@@ -24,14 +24,13 @@ class HtmlExporterSpec : FunSpec({
     val parts = PageParts("draw()", "main{}")
     val exporter = HtmlExporter(parts = parts)
 
-    fun pageOf(bytes: ByteArray, name: String = "match.bag", check: (ReadPage, ExportReport) -> Unit) =
-        inFolder { folder ->
-            val input = folder / name
-            input.writeBytes(bytes)
-            val report = exporter.export(input, folder / "page.html")
-            folder.names() shouldContainExactly listOf(name, "page.html").sorted()
-            check(ReadPage(folder / "page.html"), report)
-        }
+    fun pageOf(bytes: ByteArray, name: String = "match.bag", check: (ReadPage, ExportReport) -> Unit) = inFolder { folder ->
+        val input = folder / name
+        input.writeBytes(bytes)
+        val report = exporter.export(input, folder / "page.html")
+        folder.names() shouldContainExactly listOf(name, "page.html").sorted()
+        check(ReadPage(folder / "page.html"), report)
+    }
 
     test("a bag is in its page byte for byte, under the name of its match") {
         pageOf(BAG.encodeToByteArray()) { page, report ->

@@ -1,12 +1,12 @@
 package badlog.page
 
 import io.kotest.core.test.Enabled
-import java.io.File
-import java.nio.file.Files
-import java.nio.file.Path
 import org.openqa.selenium.chrome.ChromeDriver
 import org.openqa.selenium.chrome.ChromeDriverService
 import org.openqa.selenium.chrome.ChromeOptions
+import java.io.File
+import java.nio.file.Files
+import java.nio.file.Path
 
 /** The one Chromium that all page tests share, started when the first of them needs it. */
 internal object Chromium {
@@ -71,8 +71,7 @@ internal object Chromium {
         while (!folder.toFile().deleteRecursively() && tries++ < MOST_TRIES) Thread.sleep(PAUSE_MILLISECONDS)
     }
 
-    private fun present(program: Path?, name: String): Path =
-        checkNotNull(program) { "BADLOG_BROWSER=required, but $name is not on the PATH." }
+    private fun present(program: Path?, name: String): Path = checkNotNull(program) { "BADLOG_BROWSER=required, but $name is not on the PATH." }
 
     private fun onPath(vararg names: String): Path? {
         val folders = System.getenv("PATH").orEmpty().split(File.pathSeparator).filter { it.isNotEmpty() }

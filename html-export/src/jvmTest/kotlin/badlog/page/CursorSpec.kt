@@ -5,9 +5,9 @@ import io.kotest.inspectors.forAll
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
-import kotlin.math.roundToInt
 import org.openqa.selenium.By
 import org.openqa.selenium.Keys
+import kotlin.math.roundToInt
 
 private const val ROWS = 100_000
 private const val SPIKE_ROW = 54_321

@@ -1,6 +1,7 @@
 package badlog.page
 
 import io.kotest.matchers.shouldBe
+import org.openqa.selenium.By
 import java.io.ByteArrayOutputStream
 import java.io.EOFException
 import java.nio.file.Files
@@ -10,11 +11,9 @@ import java.util.zip.GZIPOutputStream
 import kotlin.io.path.deleteIfExists
 import kotlin.io.path.exists
 import kotlin.io.path.readBytes
-import org.openqa.selenium.By
 
 internal class DownloadSpec : PageSpec({
-    fun gzip(bytes: ByteArray): ByteArray =
-        ByteArrayOutputStream().also { out -> GZIPOutputStream(out).use { it.write(bytes) } }.toByteArray()
+    fun gzip(bytes: ByteArray): ByteArray = ByteArrayOutputStream().also { out -> GZIPOutputStream(out).use { it.write(bytes) } }.toByteArray()
 
     fun csvOf(bag: ByteArray) = bag.copyOfRange(bag.indexOf('\n'.code.toByte()) + 1, bag.size)
 

@@ -9,7 +9,17 @@ internal class FolderSpec : PageSpec({
     val folders = listOf("Arm", "Drivetrain", "Elevator")
     val page by lazy {
         val topics = listOf(TIME) + folders.flatMap { folder -> List(3) { BagTopic("$folder/Step ${it + 1}") } }
-        TestPages.of(bagOf(topics, 1001) { row, column -> if (column == 0) row / 100.0 else if (row < 300) 0 else 1 })
+        TestPages.of(
+            bagOf(topics, 1001) { row, column ->
+                if (column == 0) {
+                    row / 100.0
+                } else if (row < 300) {
+                    0
+                } else {
+                    1
+                }
+            },
+        )
     }
 
     fun OpenPage.toggle(folder: String) = click(".folder[data-name='$folder'] .folder-toggle")

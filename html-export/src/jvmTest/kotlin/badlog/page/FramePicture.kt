@@ -17,8 +17,7 @@ internal class FramePicture private constructor(private val image: BufferedImage
     fun rowsOf(colour: Int): List<Int> = List(height) { y -> (0 until width).count { x -> isLike(x, y, colour) } }
 
     /** How opaque the picture is at the shares [across] and [down] of its size: from 0, nothing drawn, to 255. */
-    fun opacityAt(across: Double, down: Double): Int =
-        image.getRGB((width * across).toInt(), (height * down).toInt()) ushr 24
+    fun opacityAt(across: Double, down: Double): Int = image.getRGB((width * across).toInt(), (height * down).toInt()) ushr 24
 
     private fun isLike(x: Int, y: Int, colour: Int): Boolean {
         val pixel = image.getRGB(x, y)

@@ -21,10 +21,9 @@ internal class GapSpec : PageSpec({
     }
 
     /** The share of the frame's columns between [from] and [to] in which the line is drawn. */
-    fun OpenPage.drawnBetween(name: String, from: Double, to: Double): Int =
-        graph(name).scrollTo().lineColumns().let { columns ->
-            columns.subList((columns.size * from).toInt(), (columns.size * to).toInt()).count { it > 0 }
-        }
+    fun OpenPage.drawnBetween(name: String, from: Double, to: Double): Int = graph(name).scrollTo().lineColumns().let { columns ->
+        columns.subList((columns.size * from).toInt(), (columns.size * to).toInt()).count { it > 0 }
+    }
 
     browserTest("a gap in a line is empty") {
         onPage(page) {

@@ -1,8 +1,8 @@
 package badlog.page
 
-import java.util.Base64
 import org.openqa.selenium.Keys
 import org.openqa.selenium.WebElement
+import java.util.Base64
 
 /** One graph of an open page, as a person sees and touches it. */
 internal class GraphOnPage(private val page: OpenPage, private val name: String) {
@@ -48,8 +48,7 @@ internal class GraphOnPage(private val page: OpenPage, private val name: String)
     /** A rectangle in CSS pixels. */
     data class Box(val x: Double, val y: Double, val width: Double, val height: Double) {
         /** The pixel at the share [across] of the width and [down] of the height. */
-        fun at(across: Double, down: Double = 0.5): Pair<Int, Int> =
-            (x + width * across).toInt() to (y + height * down).toInt()
+        fun at(across: Double, down: Double = 0.5): Pair<Int, Int> = (x + width * across).toInt() to (y + height * down).toInt()
     }
 
     /** Moves the mouse to the share [across] of the frame's width. */
@@ -79,8 +78,7 @@ internal class GraphOnPage(private val page: OpenPage, private val name: String)
     }
 
     /** What its legend says of [line] at the cursor. */
-    fun value(line: String): String =
-        page.script("return arguments[0].querySelector('.value').textContent", legend(line)) as String
+    fun value(line: String): String = page.script("return arguments[0].querySelector('.value').textContent", legend(line)) as String
 
     /** What it says of the finding at the cursor. */
     val label: String
@@ -89,7 +87,8 @@ internal class GraphOnPage(private val page: OpenPage, private val name: String)
     /** The legend's button of [line]. */
     fun legend(line: String): WebElement = page.script(
         "return [...arguments[0].querySelectorAll('.legend-entry')].find(e => e.dataset.series === arguments[1])",
-        card, line,
+        card,
+        line,
     ) as WebElement
 
     /** What it has drawn inside its frame: read from the canvas itself, not from what the page says. */

@@ -2,9 +2,6 @@ package badlog.page
 
 import io.kotest.assertions.withClue
 import io.kotest.matchers.shouldBe
-import java.nio.file.Files
-import java.nio.file.Path
-import java.time.Duration
 import org.openqa.selenium.By
 import org.openqa.selenium.Keys
 import org.openqa.selenium.OutputType
@@ -12,6 +9,9 @@ import org.openqa.selenium.WebElement
 import org.openqa.selenium.WindowType
 import org.openqa.selenium.chrome.ChromeDriver
 import org.openqa.selenium.interactions.Actions
+import java.nio.file.Files
+import java.nio.file.Path
+import java.time.Duration
 
 /** A page in a tab of its own. */
 internal class OpenPage private constructor(val driver: ChromeDriver, private val before: String) : AutoCloseable {
@@ -72,8 +72,7 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
     fun script(code: String, vararg arguments: Any?): Any? = driver.executeScript(code, *arguments)
 
     /** The result of JavaScript that is a number. */
-    fun number(code: String, vararg arguments: Any?): Double =
-        (script(code, *arguments) as Number).toDouble()
+    fun number(code: String, vararg arguments: Any?): Double = (script(code, *arguments) as Number).toDouble()
 
     /** Waits until what was just done is on the screen, and beside it: the page draws that a frame later. */
     fun settle() {

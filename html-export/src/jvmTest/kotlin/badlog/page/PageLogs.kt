@@ -1,9 +1,9 @@
 package badlog.page
 
-import java.util.logging.Level
 import org.openqa.selenium.chrome.ChromeDriver
 import org.openqa.selenium.json.Json
 import org.openqa.selenium.logging.LogType
+import java.util.logging.Level
 
 /** What the browser notes about a page. */
 internal class PageLogs(private val driver: ChromeDriver) {

@@ -35,6 +35,12 @@ internal fun bagOf(
 internal fun stepBag(graphs: Int, stepAt: Double = 3.0): ByteArray {
     val topics = listOf(TIME) + List(graphs) { BagTopic("Step ${it + 1}", "V") }
     return bagOf(topics, 1001) { row, column ->
-        if (column == 0) row / 100.0 else if (row / 100.0 < stepAt) 0 else 1
+        if (column == 0) {
+            row / 100.0
+        } else if (row / 100.0 < stepAt) {
+            0
+        } else {
+            1
+        }
     }
 }

@@ -84,7 +84,13 @@ internal class UnusualFilesSpec : PageSpec({
     browserTest("states and truth values are lanes with their texts") {
         val topics = listOf(TIME, BagTopic("Gear"), BagTopic("Enabled"))
         val bag = bagOf(topics, 100) { row, column ->
-            if (column == 0) row else if (column == 1) (if (row < 50) "LOW" else "HIGH") else row >= 50
+            if (column == 0) {
+                row
+            } else if (column == 1) {
+                (if (row < 50) "LOW" else "HIGH")
+            } else {
+                row >= 50
+            }
         }
         onPage(TestPages.of(bag)) {
             graph("Gear").hover(0.2)

@@ -6,19 +6,17 @@ import io.kotest.matchers.collections.shouldNotContain
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
+import org.openqa.selenium.Keys
 import java.io.ByteArrayOutputStream
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import java.util.zip.GZIPOutputStream
-import org.openqa.selenium.Keys
 
 /** Four seconds of a robot: a number at 50 Hz, one at 10 Hz that ends early, a pose, a state and messages. */
 private fun wpilog(): ByteArray {
     val out = ByteArrayOutputStream()
-    fun bytes(size: Int, fill: ByteBuffer.() -> Unit) =
-        out.write(ByteBuffer.allocate(size).order(ByteOrder.LITTLE_ENDIAN).apply(fill).array())
-    fun record(id: Int, micros: Int, size: Int, fill: ByteBuffer.() -> Unit) =
-        bytes(13 + size) { put(0x3F).putInt(id).putInt(size).putInt(micros).fill() }
+    fun bytes(size: Int, fill: ByteBuffer.() -> Unit) = out.write(ByteBuffer.allocate(size).order(ByteOrder.LITTLE_ENDIAN).apply(fill).array())
+    fun record(id: Int, micros: Int, size: Int, fill: ByteBuffer.() -> Unit) = bytes(13 + size) { put(0x3F).putInt(id).putInt(size).putInt(micros).fill() }
     fun start(id: Int, name: String, type: String, metadata: String = "") {
         val texts = listOf(name, type, metadata)
         record(0, 0, 5 + texts.sumOf { 4 + it.length }) {

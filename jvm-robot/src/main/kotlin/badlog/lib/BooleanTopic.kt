@@ -5,11 +5,8 @@ import badlog.bag.RowWriter
 import java.util.function.BooleanSupplier
 
 /** A queried topic that is true or false. */
-internal class BooleanTopic(
-    description: BagTopic,
-    faults: Faults,
-    private val supplier: BooleanSupplier,
-) : QueriedTopic(description, faults) {
+internal class BooleanTopic(description: BagTopic, faults: Faults, private val supplier: BooleanSupplier) :
+    QueriedTopic(description, faults) {
     private var sample = false
     private var current = false
 

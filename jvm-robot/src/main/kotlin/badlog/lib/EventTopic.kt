@@ -5,7 +5,8 @@ import badlog.bag.RowWriter
 
 /** A topic of events: each row takes all that happened since the row before, however often the topics were updated. */
 internal class EventTopic(name: String, override val texts: EventTexts) :
-    Topic(BagTopic(name, attributes = listOf("log"))), EventRoom {
+    Topic(BagTopic(name, attributes = listOf("log"))),
+    EventRoom {
 
     override fun sample() = Unit
 

@@ -5,10 +5,7 @@ import java.time.Instant
 import java.util.function.Supplier
 
 /** Does with files what a robot's loop must not wait for: opens, renames, makes space, and stops when there is none. */
-internal class LogKeeper(
-    private val session: LogSession,
-    private val options: RobotLogOptions,
-) : Thread("badlog keeper") {
+internal class LogKeeper(private val session: LogSession, private val options: RobotLogOptions) : Thread("badlog keeper") {
     private val faults = session.faults
     private val folder = LogFolder(LogFolder.choose(options.folder), options.freeBytes)
     private val ending = if (options.isCompressed) ".bag.gz" else ".bag"

@@ -5,11 +5,7 @@ import badlog.bag.RowWriter
 import java.util.function.LongSupplier
 
 /** A queried topic of whole numbers, written with all their digits. */
-internal class LongTopic(
-    description: BagTopic,
-    faults: Faults,
-    private val supplier: LongSupplier,
-) : QueriedTopic(description, faults) {
+internal class LongTopic(description: BagTopic, faults: Faults, private val supplier: LongSupplier) : QueriedTopic(description, faults) {
     private var sample = 0L
     private var current = 0L
 

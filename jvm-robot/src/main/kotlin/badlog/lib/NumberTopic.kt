@@ -5,12 +5,8 @@ import badlog.bag.RowWriter
 import java.util.function.DoubleSupplier
 
 /** A queried topic of numbers. */
-internal class NumberTopic(
-    description: BagTopic,
-    faults: Faults,
-    private val supplier: DoubleSupplier,
-    private val text: NumberText,
-) : QueriedTopic(description, faults) {
+internal class NumberTopic(description: BagTopic, faults: Faults, private val supplier: DoubleSupplier, private val text: NumberText) :
+    QueriedTopic(description, faults) {
     private var sample = 0.0
     private var current = 0.0
 

@@ -4,10 +4,7 @@ import badlog.bag.BagTopic
 import badlog.bag.RowWriter
 
 /** A topic whose value the log asks the robot's code for. A question that fails leaves a gap. */
-internal abstract class QueriedTopic(
-    description: BagTopic,
-    private val faults: Faults,
-) : Topic(description) {
+internal abstract class QueriedTopic(description: BagTopic, private val faults: Faults) : Topic(description) {
     private var isSampleMissing = true
     private var isGap = true
 

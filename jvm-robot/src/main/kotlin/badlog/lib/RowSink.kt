@@ -8,11 +8,7 @@ import java.io.IOException
  * write before. Rows that cannot be written are lost and counted; it then waits a little before it tries again, because
  * a disk that is full or gone may be slow to say so. Guarded by the log's lock.
  */
-internal class RowSink(
-    private val file: LogFile,
-    private val flushesEachRow: Boolean,
-    private val faults: Faults,
-) {
+internal class RowSink(private val file: LogFile, private val flushesEachRow: Boolean, private val faults: Faults) {
     private val output = file.output
     private val counters = faults.counters
     private var events = emptyArray<EventTexts>()

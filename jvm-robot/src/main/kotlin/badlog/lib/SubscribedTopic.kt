@@ -14,7 +14,8 @@ internal class SubscribedTopic(
     private val mode: DataInferMode,
     private val numberText: NumberText,
     override val texts: EventTexts,
-) : Topic(description), EventRoom {
+) : Topic(description),
+    EventRoom {
     /** Whether it can take the log's own events. */
     val isEventLog: Boolean = "log" in description.attributes
 

@@ -5,11 +5,8 @@ import badlog.bag.RowWriter
 import java.util.function.Supplier
 
 /** A queried topic of texts. */
-internal class TextTopic(
-    description: BagTopic,
-    faults: Faults,
-    private val supplier: Supplier<out String?>,
-) : QueriedTopic(description, faults) {
+internal class TextTopic(description: BagTopic, faults: Faults, private val supplier: Supplier<out String?>) :
+    QueriedTopic(description, faults) {
     private var sample = ""
     private var current = ""
 

@@ -20,5 +20,4 @@ fun run(command: List<String>): Pair<Int, String> {
     return process.waitFor() to said
 }
 
-fun canRun(program: String): Boolean =
-    System.getenv("PATH").orEmpty().split(File.pathSeparator).any { File(it, program).canExecute() }
+fun canRun(program: String): Boolean = System.getenv("PATH").orEmpty().split(File.pathSeparator).any { File(it, program).canExecute() }

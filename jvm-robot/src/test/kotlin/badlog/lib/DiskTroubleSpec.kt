@@ -145,24 +145,26 @@ class DiskTroubleSpec : FunSpec({
             "deleted" to { it.deleteRecursively() },
             "renamed" to { it.renameTo(File(it.parentFile, "gone")) },
         )
-        for ((name, happen) in trouble) inFolder { folder ->
-            val usb = File(folder, name)
-            standardErrorOf {
-                BadLog.init("$usb/logs/a.bag").use { log ->
-                    createTopics()
-                    log.finishInitialization()
-                    repeat(10) { log.row() }
-                    happen(usb)
-                    slowestOf(700) {
-                        log.row()
-                        Thread.sleep(1)
-                    } shouldBeLessThan MOST_NANOS
-                    log.state shouldBe LogState.FAILING
-                    val counters = log.counters()
-                    counters.rowsMissed shouldBeGreaterThan 0
-                    counters.rowsWritten + counters.rowsMissed shouldBe 710
-                }
-            } shouldContain "was deleted, or its disk pulled out"
+        for ((name, happen) in trouble) {
+            inFolder { folder ->
+                val usb = File(folder, name)
+                standardErrorOf {
+                    BadLog.init("$usb/logs/a.bag").use { log ->
+                        createTopics()
+                        log.finishInitialization()
+                        repeat(10) { log.row() }
+                        happen(usb)
+                        slowestOf(700) {
+                            log.row()
+                            Thread.sleep(1)
+                        } shouldBeLessThan MOST_NANOS
+                        log.state shouldBe LogState.FAILING
+                        val counters = log.counters()
+                        counters.rowsMissed shouldBeGreaterThan 0
+                        counters.rowsWritten + counters.rowsMissed shouldBe 710
+                    }
+                } shouldContain "was deleted, or its disk pulled out"
+            }
         }
     }
 

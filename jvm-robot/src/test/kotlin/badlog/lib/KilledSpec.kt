@@ -40,9 +40,11 @@ private fun killOne(folder: File, number: Int): String? {
     val said = File(folder, "$number.txt").readText()
     listOf(file, path, returned).forEach(File::delete)
     val lost = recording.problems.filter { it.severity == Severity.ERROR && recording.rowCount <= rows }
-    return if (rows > 0 && whole && lost.isEmpty() && said.isEmpty()) null
-    else "robot $number: $rows rows returned, ${samples.size} found, ${recording.problems}, said: $said"
+    return if (rows > 0 && whole && lost.isEmpty() && said.isEmpty()) {
+        null
+    } else {
+        "robot $number: $rows rows returned, ${samples.size} found, ${recording.problems}, said: $said"
+    }
 }
 
-private fun rowsReturned(file: File): Long =
-    if (file.length() < Long.SIZE_BYTES) 0 else ByteBuffer.wrap(file.readBytes()).getLong()
+private fun rowsReturned(file: File): Long = if (file.length() < Long.SIZE_BYTES) 0 else ByteBuffer.wrap(file.readBytes()).getLong()

@@ -95,7 +95,13 @@ class LoopFaultsSpec : FunSpec({
                     BadLog.createTopic("Three", "ul", { 3.0 })
                 }) { log ->
                     log.setDoubleToStringFunction {
-                        if (it == 1.0) error("no ones") else if (it == 2.0) null else "three"
+                        if (it == 1.0) {
+                            error("no ones")
+                        } else if (it == 2.0) {
+                            null
+                        } else {
+                            "three"
+                        }
                     }
                     log.row()
                 }

@@ -136,7 +136,8 @@ class RobotLogSpec : FunSpec({
             names.size shouldBe 2
             names.forEach { it shouldMatch "FRC_\\d{8}_\\d{6}_ABC_E3(_2)?\\.bag\\.gz" }
             recordingIn(inflated(File(folder, "logs/${names[0]}").readBytes())).values.map { "$it" } shouldBe listOf(
-                "Value(name=Event Name, text=A/B: C)", "Value(name=Match Type, text=Elimination)",
+                "Value(name=Event Name, text=A/B: C)",
+                "Value(name=Match Type, text=Elimination)",
                 "Value(name=Match Number, text=3)",
             )
         }

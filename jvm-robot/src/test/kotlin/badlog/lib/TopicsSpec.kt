@@ -88,7 +88,10 @@ class TopicsSpec : FunSpec({
                 log.counters().callsIgnored shouldBe 2
             }
             rowsIn(file) shouldBe listOf(
-                "1.0000,early", "1.0000,\"enabled; auto: \"\"left\"\"\"", "1.0000,", "1.0000,event 42",
+                "1.0000,early",
+                "1.0000,\"enabled; auto: \"\"left\"\"\"",
+                "1.0000,",
+                "1.0000,event 42",
                 "1.0000,\"The event log \"\"Events\"\" was given an event without a text.\"",
             )
             recordingIn(file).topics[1].run {

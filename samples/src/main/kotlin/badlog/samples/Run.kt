@@ -10,13 +10,7 @@ import badlog.samples.robot.Noise
 import badlog.samples.robot.Robot
 
 /** A robot that runs through a schedule, loop by loop. */
-class Run(
-    seed: Long,
-    val robot: Robot,
-    private val schedule: Schedule,
-    orders: List<Order>,
-    private val mishaps: Mishaps,
-) {
+class Run(seed: Long, val robot: Robot, private val schedule: Schedule, orders: List<Order>, private val mishaps: Mishaps) {
     private val noise = Noise(seed xor 0x10CA1)
     private val driver = Driver(seed xor 0xD21FE2, orders)
     private val announcer = Announcer(robot, driver, mishaps)

@@ -15,6 +15,7 @@ class ReadmeSpec : FunSpec({
         val printed = StringBuilder()
 
         // The example speaks of files below the project's root and prints; here both are caught.
+        @Suppress("ktlint:standard:function-naming")
         fun File(path: String) = ROOT.resolve(path)
 
         fun println(text: String) {

@@ -23,11 +23,9 @@ fun LogView.topic(name: String): Topic = recording.topics.single { it.name == na
 fun LogView.rowAt(seconds: Double): Int = xAxis.positions.indexOfFirst { it >= seconds }
 
 /** The samples of [topic] from second [from] until second [until]. */
-fun LogView.samples(topic: String, from: Double, until: Double): List<Double> =
-    topic(topic).samples.slice(rowAt(from) until rowAt(until))
+fun LogView.samples(topic: String, from: Double, until: Double): List<Double> = topic(topic).samples.slice(rowAt(from) until rowAt(until))
 
-fun LogView.events(): List<Pair<Double, String>> =
-    folders.flatMap { it.eventLogs }.flatMap { it.events }.map { it.x to it.text }
+fun LogView.events(): List<Pair<Double, String>> = folders.flatMap { it.eventLogs }.flatMap { it.events }.map { it.x to it.text }
 
 /** What comes out of a gzip [file] as far as it goes, and whether it came to its end. */
 class Inflated(file: ByteArray) {

@@ -15,13 +15,14 @@ import com.github.ajalt.clikt.parameters.types.choice
 import com.github.ajalt.clikt.parameters.types.double
 
 /** `badlog convert`. */
-internal class ConvertCommand : SubCommand(
-    "convert",
-    "Writes logs in another format.",
-    "Every number is kept to its last bit; what the format has no place for is listed. A WPILOG has no rows: a bag or CSV " +
-        "made of it has the last value of each topic in each row. Without --out, match.csv stands beside match.bag. A name " +
-        "that ends in .gz is compressed.",
-) {
+internal class ConvertCommand :
+    SubCommand(
+        "convert",
+        "Writes logs in another format.",
+        "Every number is kept to its last bit; what the format has no place for is listed. A WPILOG has no rows: a bag or CSV " +
+            "made of it has the last value of each topic in each row. Without --out, match.csv stands beside match.bag. A name " +
+            "that ends in .gz is compressed.",
+    ) {
     private val to by option("--to").choice(LogFormat.entries.associateBy { it.option }, metavar = "FORMAT")
         .help("${LogFormat.entries.joinToString { it.option }}; unless the name after --out tells it.")
     private val output by OutputOptions()

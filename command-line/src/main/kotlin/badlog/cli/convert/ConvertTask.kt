@@ -28,8 +28,8 @@ import badlog.recording.Recording
 import badlog.recording.RecordingFormat
 import badlog.report.undefinedJson
 import badlog.report.withX
-import java.nio.file.Path
 import kotlinx.serialization.json.JsonPrimitive
+import java.nio.file.Path
 
 /**
  * Writes logs in another format.

@@ -20,8 +20,7 @@ internal fun rowLosses(recording: Recording, times: DoubleArray): LeftOut {
     )
 }
 
-private fun topicsText(what: String, count: Int): String? =
-    if (count == 0) null else "$what of ${counted(count.toLong(), "topic")}"
+private fun topicsText(what: String, count: Int): String? = if (count == 0) null else "$what of ${counted(count.toLong(), "topic")}"
 
 /** How many samples of [topic] no row at [times] shows. */
 private fun samplesBetween(topic: Topic, times: DoubleArray): Long {

@@ -12,13 +12,14 @@ import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.double
 
 /** `badlog cut`. */
-internal class CutCommand : SubCommand(
-    "cut",
-    "Writes a part of each log.",
-    "Rows, or the samples of a WPILOG, are kept when they meet all of --from, --to, --enabled and --around that are given. A " +
-        "part of a WPILOG begins with what each topic held there. A position is a number in the unit of the x axis, or 1:32.5 " +
-        "in minutes and seconds. Without --out, the part of match.bag is match.cut.bag.",
-) {
+internal class CutCommand :
+    SubCommand(
+        "cut",
+        "Writes a part of each log.",
+        "Rows, or the samples of a WPILOG, are kept when they meet all of --from, --to, --enabled and --around that are given. A " +
+            "part of a WPILOG begins with what each topic held there. A position is a number in the unit of the x axis, or 1:32.5 " +
+            "in minutes and seconds. Without --out, the part of match.bag is match.cut.bag.",
+    ) {
     private val from by option("--from", metavar = "X").position().help("Leave out what comes before this position.")
     private val to by option("--to", metavar = "X").position().help("Leave out what comes after this position.")
     private val isEnabled by option("--enabled").flag().help("Keep what the robot did while it was enabled.")

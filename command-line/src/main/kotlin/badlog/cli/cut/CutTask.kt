@@ -22,10 +22,10 @@ import badlog.cli.text.lossLines
 import badlog.cli.text.wrapped
 import badlog.html.ExportProgress
 import badlog.recording.RecordingFormat
-import java.nio.file.Path
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
+import java.nio.file.Path
 
 /**
  * Writes a part of each log.

@@ -28,7 +28,15 @@ internal fun BitSet.runs(): List<IntRange> = buildList {
 
 private fun isInside(x: Double, spans: List<Span>): Boolean {
     // By the operators, to which 0 and -0 are the same.
-    val place = spans.binarySearch { if (it.from < x) -1 else if (it.from > x) 1 else 0 }
+    val place = spans.binarySearch {
+        if (it.from < x) {
+            -1
+        } else if (it.from > x) {
+            1
+        } else {
+            0
+        }
+    }
     if (place >= 0) return true
     val before = -place - 2
     return before >= 0 && x <= spans[before].to

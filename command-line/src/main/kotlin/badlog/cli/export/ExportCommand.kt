@@ -12,18 +12,18 @@ import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.path
 
 /** `badlog export`. */
-internal class ExportCommand : SubCommand(
-    "export",
-    "Makes a web page of each log.",
-    "A page opens from disk and needs nothing else. Without --out, match.bag.html stands beside match.bag. With --rules " +
-        "or --hook it also shows what they find.",
-) {
+internal class ExportCommand :
+    SubCommand(
+        "export",
+        "Makes a web page of each log.",
+        "A page opens from disk and needs nothing else. Without --out, match.bag.html stands beside match.bag. With --rules " +
+            "or --hook it also shows what they find.",
+    ) {
     private val output by OutputOptions()
     private val attachments by option("-a", "--attach", metavar = "FILE").path().multiple()
         .help("Include this file in each page; may be given again.")
     private val search by SearchOptions()
     private val virtual by VirtualTopicOption()
 
-    override fun makeTask(): Task =
-        ExportTask(paths, output.plan(paths), attachments, search.search(virtual.definitions), isJson)
+    override fun makeTask(): Task = ExportTask(paths, output.plan(paths), attachments, search.search(virtual.definitions), isJson)
 }

@@ -28,9 +28,9 @@ import badlog.report.failureJson
 import badlog.report.rules.RuleSet
 import badlog.report.skippedJson
 import badlog.report.undefinedJson
-import java.nio.file.Path
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonPrimitive
+import java.nio.file.Path
 
 /**
  * Makes a page of each log, one after the other: each takes all cores by itself.

@@ -20,11 +20,7 @@ import java.nio.file.Path
  *
  * @property unreadable why nothing could be looked for, or null.
  */
-internal class Found private constructor(
-    private val rules: LogFindings,
-    private val hooks: List<HookOutcome>,
-    val unreadable: String?,
-) {
+internal class Found private constructor(private val rules: LogFindings, private val hooks: List<HookOutcome>, val unreadable: String?) {
     /** How much that is. */
     val count: Int get() = rules.findings.size + hooks.sumOf { it.result?.findings?.size ?: 0 }
 

@@ -9,12 +9,13 @@ import com.github.ajalt.clikt.parameters.options.help
 import com.github.ajalt.clikt.parameters.options.option
 
 /** `badlog info`. */
-internal class InfoCommand : SubCommand(
-    "info",
-    "Says what is in logs.",
-    "Of one log it tells the match, the x axis, values, topics and problems; of several, one line each. HZ is samples per " +
-        "second. A log is held in memory while it is looked at, 8 bytes a number.",
-) {
+internal class InfoCommand :
+    SubCommand(
+        "info",
+        "Says what is in logs.",
+        "Of one log it tells the match, the x axis, values, topics and problems; of several, one line each. HZ is samples per " +
+            "second. A log is held in memory while it is looked at, 8 bytes a number.",
+    ) {
     private val showsTopics by option("--topics").flag().help("Show the topics, of several logs too.")
     private val showsAttributes by option("--attributes").flag().help("Show the topics with their attributes.")
     private val showsValues by option("--values").flag().help("Show the values, of several logs too.")

@@ -50,7 +50,13 @@ internal class InfoText(private val summary: LogSummary, private val parts: Set<
         view.title?.let { add(wrapped("  match   ", it)) }
         add("  format  ${recording.format.name.lowercase()}, ${sizeText(summary.bytes)}")
         val sizes = listOf(
-            if (recording.format == RecordingFormat.WPILOG) counted(recording.sampleCount, "sample") else counted(recording.rowCount.toLong(), "row"),
+            if (recording.format ==
+                RecordingFormat.WPILOG
+            ) {
+                counted(recording.sampleCount, "sample")
+            } else {
+                counted(recording.rowCount.toLong(), "row")
+            },
             counted(recording.topics.size.toLong(), "topic"),
             counted(recording.values.size.toLong(), "value"),
         )
@@ -95,8 +101,7 @@ internal class InfoText(private val summary: LogSummary, private val parts: Set<
         )
     }
 
-    private fun rateText(rate: Double) =
-        if (rate >= 10) rate.roundToLong().toString() else shortNumber((rate * 100).roundToLong() / 100.0)
+    private fun rateText(rate: Double) = if (rate >= 10) rate.roundToLong().toString() else shortNumber((rate * 100).roundToLong() / 100.0)
 
     private fun rangeText(summary: TopicSummary): String = when {
         summary.hasTexts -> counted(summary.topic.texts.dictionary.size.toLong(), "text")

@@ -16,7 +16,7 @@ internal class JoinedRows(private val groups: List<AppendedRows>) {
             for (group in groups.indices) {
                 val isNext = next[group] < groups[group].size && !isAlone && isSame(groups[group].x(next[group]), x)
                 rows[group][size] = if (isNext) next[group]++ else NONE
-                isAlone = isAlone || isNext && x.isNaN()
+                isAlone = isAlone || (isNext && x.isNaN())
             }
             size++
         }
@@ -43,7 +43,7 @@ internal class JoinedRows(private val groups: List<AppendedRows>) {
         return least
     }
 
-    private fun isSame(x: Double, y: Double) = x == y || x.isNaN() && y.isNaN()
+    private fun isSame(x: Double, y: Double) = x == y || (x.isNaN() && y.isNaN())
 
     companion object {
         /** There is no such row. */

@@ -8,11 +8,11 @@ import badlog.cli.text.json
 import badlog.cli.text.shortNumber
 import badlog.cli.text.wrapped
 import badlog.recording.RecordingFormat
-import java.nio.file.Path
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
+import java.nio.file.Path
 
 /** What to say about [merge], which was written to [target] without [leftOut]. */
 internal fun mergeOutcome(merge: Merged, target: Path, leftOut: LeftOut): Outcome {
@@ -61,8 +61,7 @@ private fun textLines(merge: Merged, leftOut: LeftOut): List<String> = buildList
     if (merge.renamed.size > LISTED) add("  renamed: ${grouped((merge.renamed.size - LISTED).toLong())} more in the same way")
 }
 
-private fun rangeOf(part: LogPart): String =
-    if (part.firstX.isNaN()) "" else " (${shortNumber(part.firstX)} to ${shortNumber(part.lastX)})"
+private fun rangeOf(part: LogPart): String = if (part.firstX.isNaN()) "" else " (${shortNumber(part.firstX)} to ${shortNumber(part.lastX)})"
 
 private fun overlapJson(overlap: Overlap): JsonElement = JsonObject(
     mapOf(

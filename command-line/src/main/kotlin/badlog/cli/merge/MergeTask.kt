@@ -51,12 +51,11 @@ internal class MergeTask(
     }
 
     /** Topics keep times of their own where one log has them, or the result can. */
-    private fun merged(parts: List<LogPart>, wanted: LogFormat?): Merged =
-        if (parts.all { it.hasRows } && wanted?.hasRows != false) {
-            Merge(parts, mode).merged()
-        } else {
-            SampleMerge(parts.map { it.withOwnTimes() }, mode).merged()
-        }
+    private fun merged(parts: List<LogPart>, wanted: LogFormat?): Merged = if (parts.all { it.hasRows } && wanted?.hasRows != false) {
+        Merge(parts, mode).merged()
+    } else {
+        SampleMerge(parts.map { it.withOwnTimes() }, mode).merged()
+    }
 
     private fun read(input: LogInput, console: Console, outcomes: Outcomes): LogPart? {
         try {

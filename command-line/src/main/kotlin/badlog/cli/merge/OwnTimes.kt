@@ -36,7 +36,7 @@ private fun topicAt(topic: Topic, rows: IntArray, times: DoubleArray): Topic {
     // What is logged at times of its own has nothing between them, not a gap.
     if (!isEvent && !topic.isSparse) return whole
     val hasText = BooleanArray(rows.size).also { has -> whole.texts.rows.forEach { has[it] = true } }
-    val kept = rows.indices.filter { hasText[it] || whole.samples.isNotEmpty() && !whole.samples[it].isNaN() }.toIntArray()
+    val kept = rows.indices.filter { hasText[it] || (whole.samples.isNotEmpty() && !whole.samples[it].isNaN()) }.toIntArray()
     return whole.part(kept, DoubleArray(kept.size) { times[kept[it]] })
 }
 

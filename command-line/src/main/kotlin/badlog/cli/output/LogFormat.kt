@@ -40,9 +40,11 @@ internal enum class LogFormat(val ending: String, private val recordingFormat: R
         changesOnly: Boolean,
         progress: (done: Long, total: Long) -> Unit,
         sink: (ByteArray, Int) -> Unit,
-    ): LeftOut =
-        if (hasRows) writeRows(recording, recordingFormat, runs, progress, sink)
-        else writeSamples(recording, runs, changesOnly, progress, sink)
+    ): LeftOut = if (hasRows) {
+        writeRows(recording, recordingFormat, runs, progress, sink)
+    } else {
+        writeSamples(recording, runs, changesOnly, progress, sink)
+    }
 
     /**
      * Makes sure that [recording] can be written so, to [target].

@@ -11,9 +11,9 @@ import badlog.recording.ProblemKind
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
 import badlog.recording.Severity
-import java.nio.file.Path
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonPrimitive
+import java.nio.file.Path
 
 /** What a damaged log has lost, and what was mended in it. */
 internal class Losses(private val recording: Recording) {

@@ -19,18 +19,14 @@ import badlog.recording.Recording
 import java.nio.file.Path
 
 /** Writes clean logs from damaged ones. */
-internal class RecoverTask(
-    private val paths: List<Path>,
-    private val plan: OutputPlan,
-    private val isJson: Boolean,
-) : Task {
+internal class RecoverTask(private val paths: List<Path>, private val plan: OutputPlan, private val isJson: Boolean) : Task {
     override fun run(console: Console): ExitCode = LogLoop("recover", console, isJson).run(paths, ::recover)
 
     private fun recover(input: LogInput, progress: ExportProgress): Outcome {
         val recording = readLog(input.file, progress)
         val losses = Losses(recording)
         if (!plan.isGiven && !losses.isDamaged) return losses.outcome(input.file, target = null, LeftOut())
-        if (recording.topics.isEmpty() || losses.isDamaged && recording.sampleCount == 0L) {
+        if (recording.topics.isEmpty() || (losses.isDamaged && recording.sampleCount == 0L)) {
             val reason = recording.problems.firstOrNull()?.message.orEmpty()
             throw Failure("${input.file}: nothing can be recovered. $reason".trim())
         }

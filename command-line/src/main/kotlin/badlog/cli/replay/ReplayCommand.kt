@@ -17,12 +17,13 @@ import com.github.ajalt.clikt.parameters.types.int
 import com.github.ajalt.clikt.parameters.types.restrictTo
 
 /** `badlog replay`. */
-internal class ReplayCommand : SubCommand(
-    "replay",
-    "Shows a log to dashboards again, in real time.",
-    "It is an NT4 server on this computer, as a robot is; Ctrl+C ends it. docs/replay.md tells how dashboards connect.",
-    logHelp = "The log.",
-) {
+internal class ReplayCommand :
+    SubCommand(
+        "replay",
+        "Shows a log to dashboards again, in real time.",
+        "It is an NT4 server on this computer, as a robot is; Ctrl+C ends it. docs/replay.md tells how dashboards connect.",
+        logHelp = "The log.",
+    ) {
     private val port by option("--port", metavar = "N").int().restrictTo(0..MOST_PORT).default(ReplayOptions.USUAL_PORT)
         .help("The port; ${ReplayOptions.USUAL_PORT} unless told.")
     private val speed by option("--speed", metavar = "FACTOR").double().default(1.0)

@@ -18,8 +18,8 @@ import badlog.replay.ReplayOptions
 import badlog.replay.ReplayServer
 import badlog.replay.UnavailablePortException
 import badlog.report.undefinedJson
-import java.nio.file.Path
 import kotlinx.serialization.json.JsonPrimitive
+import java.nio.file.Path
 
 /**
  * Serves [file] with [virtualTopics] to dashboards until its end, or, where it [isLooping], until the program is ended.
@@ -64,7 +64,7 @@ internal class ReplayTask(
 
     private fun rangeOn(view: LogView): ClosedFloatingPointRange<Double>? {
         val whole = view.xAxis.range
-        if (from == null && to == null || whole == null) return null
+        if ((from == null && to == null) || whole == null) return null
         val start = from?.on(view.xAxis) ?: whole.start
         val end = to?.on(view.xAxis) ?: whole.endInclusive
         if (start > end || start > whole.endInclusive || end < whole.start) {

@@ -13,11 +13,12 @@ import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.path
 
 /** `badlog report`. */
-internal class ReportCommand : SubCommand(
-    "report",
-    "Runs rules over every log.",
-    "Without --rules, those that badlog brings along: brownouts, slow loops, gaps, flat sensors and the like.",
-) {
+internal class ReportCommand :
+    SubCommand(
+        "report",
+        "Runs rules over every log.",
+        "Without --rules, those that badlog brings along: brownouts, slow loops, gaps, flat sensors and the like.",
+    ) {
     private val search by SearchOptions()
     private val virtual by VirtualTopicOption()
     private val isCsv by option("--csv").flag().help("Print a line of CSV for each finding.")
@@ -34,7 +35,13 @@ internal class ReportCommand : SubCommand(
                 "--x and --out exclude each other, since a page shows a log as it is; make bags of the logs by convert --x first",
             )
         }
-        val form = if (isCsv) ReportForm.CSV else if (isJson) ReportForm.JSON else ReportForm.TEXT
+        val form = if (isCsv) {
+            ReportForm.CSV
+        } else if (isJson) {
+            ReportForm.JSON
+        } else {
+            ReportForm.TEXT
+        }
         return ReportTask(paths, search.search(virtual.definitions), form, folder, isForced, if (isFresh) null else cacheFolder(), xTopic)
     }
 }

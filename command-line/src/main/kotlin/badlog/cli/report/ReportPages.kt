@@ -6,9 +6,9 @@ import badlog.report.LogReport
 import badlog.report.ReportResult
 import badlog.report.hook.HookOutcome
 import badlog.report.page.ReportFolder
-import java.nio.file.Path
 import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonPrimitive
+import java.nio.file.Path
 
 /**
  * The pages of the logs, made as soon as each log was looked at, and their index.

@@ -81,11 +81,13 @@ internal class ReportTask(
 
     private fun say(result: ReportResult, console: Console) = when (form) {
         ReportForm.TEXT -> console.say(reportText(result))
+
         ReportForm.CSV -> {
             console.say(reportCsv(result).trimEnd())
             // No line of CSV tells them.
             notesOf(result).forEach(console::warn)
         }
+
         ReportForm.JSON -> Unit
     }
 }

@@ -7,8 +7,11 @@ import kotlin.math.abs
 /** [number] as a person reads it: at most [digits] digits that count, no zeros that do not; nothing when it is NaN. */
 internal fun shortNumber(number: Double, digits: Int = DIGITS): String = when {
     number.isNaN() -> ""
+
     number.isInfinite() -> if (number > 0) "Infinity" else "-Infinity"
+
     number == 0.0 -> "0"
+
     else -> {
         val rounded = BigDecimal(number).round(MathContext(digits)).stripTrailingZeros()
         if (abs(number) in PLAIN_FROM..PLAIN_TO) rounded.toPlainString() else rounded.toString().lowercase()

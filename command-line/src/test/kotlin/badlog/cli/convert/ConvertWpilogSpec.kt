@@ -31,15 +31,15 @@ import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.map
 import io.kotest.property.arbitrary.string
 import io.kotest.property.checkAll
+import kotlinx.serialization.json.int
+import kotlinx.serialization.json.jsonArray
+import kotlinx.serialization.json.jsonPrimitive
 import java.nio.file.Path
 import java.util.zip.GZIPInputStream
 import kotlin.io.path.div
 import kotlin.io.path.fileSize
 import kotlin.io.path.inputStream
 import kotlin.io.path.readBytes
-import kotlinx.serialization.json.int
-import kotlinx.serialization.json.jsonArray
-import kotlinx.serialization.json.jsonPrimitive
 
 /** All that a recording says of its topics and values; as text, because NaN does not equal NaN. */
 private fun contentOf(recording: Recording): List<String> = recording.values.map { it.toString() } + recording.topics.map { topic ->
@@ -50,7 +50,13 @@ private fun contentOf(recording: Recording): List<String> = recording.values.map
 /** A bag in which every topic has a value in every row, or is numeric, or an event log. */
 private val bags: Arb<String> = arbitrary { random ->
     val unit = Arb.element("s", "ms", "us").bind()
-    val step = if (unit == "s") 1e-6 else if (unit == "ms") 1e-3 else 1.0
+    val step = if (unit == "s") {
+        1e-6
+    } else if (unit == "ms") {
+        1e-3
+    } else {
+        1.0
+    }
     val numbers = Arb.double().filter { !it.isNaN() }
     val modes = Arb.element("IDLE", "RUN", "a, \"b\"", "Ω").map { "\"${it.replace("\"", "\"\"")}\"" }
     val words = Arb.string(1..6, Codepoint.az())
@@ -68,8 +74,7 @@ private val bags: Arb<String> = arbitrary { random ->
 }
 
 class ConvertWpilogSpec : FunSpec({
-    fun leftOut(folder: Path, vararg arguments: Any): List<String> =
-        badlogJson("convert", *arguments, "--force").json.single().getValue("leftOut").jsonArray.map { it.jsonPrimitive.content }
+    fun leftOut(folder: Path, vararg arguments: Any): List<String> = badlogJson("convert", *arguments, "--force").json.single().getValue("leftOut").jsonArray.map { it.jsonPrimitive.content }
 
     test("a bag comes back from a WPILOG with the same numbers, texts, units, attributes and values") {
         inFolder { folder ->

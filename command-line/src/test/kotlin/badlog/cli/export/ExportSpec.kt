@@ -14,10 +14,10 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
-import kotlin.io.path.div
-import kotlin.io.path.readText
 import kotlinx.serialization.json.int
 import kotlinx.serialization.json.jsonPrimitive
+import kotlin.io.path.div
+import kotlin.io.path.readText
 
 class ExportSpec : FunSpec({
     test("a page stands beside its log, or below the folder for all") {

@@ -11,8 +11,8 @@ import badlog.cli.with
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
-import kotlin.io.path.div
 import kotlinx.serialization.json.jsonPrimitive
+import kotlin.io.path.div
 
 class FindSpec : FunSpec({
     val samples = SAMPLES

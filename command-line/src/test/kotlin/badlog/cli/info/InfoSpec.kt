@@ -13,17 +13,16 @@ import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
-import kotlin.io.path.div
 import kotlinx.serialization.json.JsonNull
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.int
 import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
+import kotlin.io.path.div
 
 class InfoSpec : FunSpec({
-    fun topic(json: JsonObject, name: String) =
-        json.getValue("topics").jsonArray.first { it.jsonObject["name"]?.jsonPrimitive?.content == name }.jsonObject
+    fun topic(json: JsonObject, name: String) = json.getValue("topics").jsonArray.first { it.jsonObject["name"]?.jsonPrimitive?.content == name }.jsonObject
 
     test("every sample fits a terminal, in every form") {
         for (options in listOf(listOf(), listOf("--topics"), listOf("--attributes", "--values", "--problems"))) {

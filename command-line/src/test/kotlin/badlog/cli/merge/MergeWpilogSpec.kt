@@ -6,8 +6,8 @@ import badlog.cli.badlog
 import badlog.cli.badlogJson
 import badlog.cli.inFolder
 import badlog.cli.sampleLog
-import badlog.cli.wpilog
 import badlog.cli.with
+import badlog.cli.wpilog
 import badlog.file.readRecording
 import badlog.recording.Recording
 import io.kotest.core.spec.style.FunSpec
@@ -20,10 +20,10 @@ import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.pair
 import io.kotest.property.checkAll
-import kotlin.io.path.div
 import kotlinx.serialization.json.int
 import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonPrimitive
+import kotlin.io.path.div
 
 /** What [name] holds: its times, with its number or text at each. */
 private fun Recording.held(name: String): List<String> {

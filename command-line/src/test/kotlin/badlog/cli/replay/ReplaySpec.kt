@@ -8,10 +8,10 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
-import java.net.InetAddress
-import java.net.ServerSocket
 import kotlinx.serialization.json.int
 import kotlinx.serialization.json.jsonPrimitive
+import java.net.InetAddress
+import java.net.ServerSocket
 
 class ReplaySpec : FunSpec({
     val match = SAMPLES.resolve("qualification-42.bag")

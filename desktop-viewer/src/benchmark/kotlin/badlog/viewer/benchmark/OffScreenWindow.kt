@@ -6,11 +6,11 @@ import androidx.compose.ui.ImageComposeScene
 import androidx.compose.ui.unit.Density
 import badlog.viewer.app.Viewer
 import badlog.viewer.settings.UserFolders
-import java.nio.file.Files
-import java.nio.file.Path
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.SupervisorJob
 import org.jetbrains.skia.EncodedImageFormat
+import java.nio.file.Files
+import java.nio.file.Path
 
 /** A window of 1600×900 pixels whose pictures nobody sees, drawn by software as on a pit laptop without a driver. */
 internal class OffScreenWindow(content: @Composable (Viewer) -> Unit) : AutoCloseable {

@@ -4,9 +4,9 @@ import badlog.viewer.app.ViewerScreen
 import badlog.viewer.compare.drawnRecordings
 import badlog.viewer.graph.warmUpGraphs
 import badlog.viewer.recording.RecordingLoading
+import kotlinx.coroutines.launch
 import java.nio.file.Files
 import java.nio.file.Path
-import kotlinx.coroutines.launch
 
 /**
  * How long it takes from asking for a bag to the picture of its first graphs.
@@ -40,7 +40,13 @@ internal fun measureOpening(file: Path, picture: Path): Opening {
     val options = System.getProperty("badlog.viewer.options").split(' ')
     val process = ProcessBuilder(
         listOf(java) + options +
-            listOf("-cp", System.getProperty("java.class.path"), "badlog.viewer.benchmark.OpeningBenchmarkKt", file.toString(), picture.toString()),
+            listOf(
+                "-cp",
+                System.getProperty("java.class.path"),
+                "badlog.viewer.benchmark.OpeningBenchmarkKt",
+                file.toString(),
+                picture.toString(),
+            ),
     ).redirectError(ProcessBuilder.Redirect.INHERIT).start()
     val output = process.inputStream.bufferedReader().readText()
     check(process.waitFor() == 0) { "The window could not open $file: $output" }

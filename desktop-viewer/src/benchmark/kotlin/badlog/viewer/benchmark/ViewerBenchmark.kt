@@ -49,7 +49,7 @@ private fun reportOf(frames: List<FrameTimes>, openings: List<Pair<Path, List<Op
     appendLine()
     appendLine("## Opening")
     appendLine()
-    appendLine("From asking for the file to the picture of its first graphs, in a fresh window; the median of ${OPENINGS}.")
+    appendLine("From asking for the file to the picture of its first graphs, in a fresh window; the median of $OPENINGS.")
     appendLine()
     appendLine("| bag | size | first graphs | peak memory of the process |")
     appendLine("|---|---|---|---|")

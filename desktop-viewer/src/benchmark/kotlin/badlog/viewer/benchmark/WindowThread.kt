@@ -1,9 +1,9 @@
 package badlog.viewer.benchmark
 
+import kotlinx.coroutines.CoroutineDispatcher
 import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit
 import kotlin.coroutines.CoroutineContext
-import kotlinx.coroutines.CoroutineDispatcher
 
 /** Runs what is dispatched on the thread that asks for it: the window's thread of a window that is not there. */
 internal class WindowThread : CoroutineDispatcher() {

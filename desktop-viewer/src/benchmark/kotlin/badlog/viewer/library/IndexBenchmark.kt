@@ -3,6 +3,11 @@ package badlog.viewer.library
 import badlog.file.FolderScan
 import badlog.viewer.library.index.IndexCache
 import badlog.viewer.library.index.Indexing
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.cancelAndJoin
+import kotlinx.coroutines.delay
+import kotlinx.coroutines.launch
+import kotlinx.coroutines.runBlocking
 import java.io.IOException
 import java.lang.management.ManagementFactory
 import java.nio.file.Files
@@ -10,11 +15,6 @@ import java.nio.file.Path
 import kotlin.time.DurationUnit
 import kotlin.time.TimeSource
 import kotlin.time.measureTime
-import kotlinx.coroutines.Dispatchers
-import kotlinx.coroutines.cancelAndJoin
-import kotlinx.coroutines.delay
-import kotlinx.coroutines.launch
-import kotlinx.coroutines.runBlocking
 
 /**
  * Measures the index of the folder that `args[0]` names: with an empty cache, then with the cache that this filled, each in a

@@ -67,8 +67,7 @@ private fun inTwo(groups: Map<String, Lines>): List<List<Map.Entry<String, Lines
 }
 
 // Which of these need Shift depends on the keyboard.
-private fun keysText(command: Command) =
-    command.keys.map { if (it.label in "+=<>?") it.label else it.text }.distinct().joinToString("  ")
+private fun keysText(command: Command) = command.keys.map { if (it.label in "+=<>?") it.label else it.text }.distinct().joinToString("  ")
 
 @Composable
 private fun HelpGroup(title: String, lines: Lines) {

@@ -1,8 +1,6 @@
 package badlog.viewer.app
 
 import androidx.compose.runtime.mutableStateListOf
-import java.io.IOException
-import java.util.concurrent.atomic.AtomicReference
 import kotlinx.coroutines.CancellationException
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.CoroutineStart
@@ -12,6 +10,8 @@ import kotlinx.coroutines.delay
 import kotlinx.coroutines.job
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.runInterruptible
+import java.io.IOException
+import java.util.concurrent.atomic.AtomicReference
 
 /**
  * What a person waits for, each with its progress and a way to give it up. To be used on the window's thread only.

@@ -94,7 +94,9 @@ private fun MainPart(viewer: Viewer, modifier: Modifier) {
                 CompareBar(viewer)
                 GraphPane(viewer, Modifier.weight(1f).fillMaxWidth())
             }
+
             MainView.LOGS -> LogTable(viewer, Modifier.fillMaxSize())
+
             MainView.STATISTICS -> StatisticsTable(viewer, Modifier.fillMaxSize())
         }
     }

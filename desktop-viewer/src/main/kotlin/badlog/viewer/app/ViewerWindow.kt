@@ -20,9 +20,9 @@ import badlog.viewer.graph.warmUpGraphs
 import badlog.viewer.settings.SettingsFile
 import badlog.viewer.settings.UserFolders
 import badlog.viewer.settings.keepSettings
-import java.io.IOException
 import kotlinx.coroutines.launch
 import org.jetbrains.skia.Image
+import java.io.IOException
 
 /**
  * The window, from its opening on [start] to its closing, which ends the application.

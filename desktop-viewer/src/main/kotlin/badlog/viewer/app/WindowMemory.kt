@@ -42,9 +42,11 @@ internal fun placeOf(state: WindowState, before: WindowPlace?): WindowPlace {
     )
 }
 
-private fun screens(): List<Rectangle> =
-    if (GraphicsEnvironment.isHeadless()) emptyList()
-    else GraphicsEnvironment.getLocalGraphicsEnvironment().screenDevices.map { usablePart(it.defaultConfiguration) }
+private fun screens(): List<Rectangle> = if (GraphicsEnvironment.isHeadless()) {
+    emptyList()
+} else {
+    GraphicsEnvironment.getLocalGraphicsEnvironment().screenDevices.map { usablePart(it.defaultConfiguration) }
+}
 
 /** What of a screen the system's own bars leave. */
 private fun usablePart(screen: GraphicsConfiguration): Rectangle {

@@ -13,13 +13,13 @@ import androidx.compose.foundation.verticalScroll
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
-import androidx.compose.ui.Alignment as Place
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import badlog.viewer.app.Viewer
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
+import androidx.compose.ui.Alignment as Place
 
 /** What is compared with the open recording, and how it is aligned; nothing while nothing is. */
 @Composable

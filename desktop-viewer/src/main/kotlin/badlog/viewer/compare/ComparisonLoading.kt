@@ -2,8 +2,8 @@ package badlog.viewer.compare
 
 import badlog.viewer.app.Viewer
 import badlog.viewer.recording.OpenRecording
-import java.nio.file.Path
 import kotlinx.coroutines.Job
+import java.nio.file.Path
 
 /** Reads the recordings that are compared, and lets go of those that no longer are. To be used on the window's thread only. */
 internal class ComparisonLoading(private val viewer: Viewer) {

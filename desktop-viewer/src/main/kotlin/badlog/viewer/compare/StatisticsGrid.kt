@@ -29,18 +29,27 @@ internal class StatisticsGrid(rows: List<StatisticsRow>, choice: StatisticsChoic
     }
 
     /** Whether the figure of [row] is the smallest of [column], and not all are the same. */
-    fun isLowest(column: FigureColumn, row: StatisticsRow): Boolean =
-        figures.getValue(column).run { min < max && column.of(row) == min }
+    fun isLowest(column: FigureColumn, row: StatisticsRow): Boolean = figures.getValue(column).run { min < max && column.of(row) == min }
 
     /** Whether it is the largest. */
-    fun isHighest(column: FigureColumn, row: StatisticsRow): Boolean =
-        figures.getValue(column).run { min < max && column.of(row) == max }
+    fun isHighest(column: FigureColumn, row: StatisticsRow): Boolean = figures.getValue(column).run { min < max && column.of(row) == max }
 
     /** What stands in [column] of [row]; the unit only where that of the column is not one. */
     fun textOf(column: StatisticsColumn, row: StatisticsRow): String = when (column) {
         LabelColumn -> row.label
+
         DateColumn -> row.date
-        is FigureColumn -> withUnit(textOf(column.statistic, column.of(row)), if (unitOf(column) == null) column.unitIn(row) else Topic.UNITLESS)
+
+        is FigureColumn -> withUnit(
+            textOf(column.statistic, column.of(row)),
+            if (unitOf(column) ==
+                null
+            ) {
+                column.unitIn(row)
+            } else {
+                Topic.UNITLESS
+            },
+        )
     }
 
     /** The table as CSV (RFC 4180): exact figures, an empty cell for none; beside a column of several units one that says them. */
@@ -68,22 +77,22 @@ internal class StatisticsGrid(rows: List<StatisticsRow>, choice: StatisticsChoic
 }
 
 /** [text] as a cell of CSV: in quotes where it must be. */
-internal fun csvCell(text: String): String =
-    if (text.any { it in ",\"\r\n" }) "\"" + text.replace("\"", "\"\"") + "\"" else text
+internal fun csvCell(text: String): String = if (text.any { it in ",\"\r\n" }) "\"" + text.replace("\"", "\"\"") + "\"" else text
 
 // How many samples there are is known exactly, however many they are.
-private fun textOf(statistic: Statistic, value: Double) =
-    if (statistic == Statistic.SAMPLES) exactText(value) else figureText(value)
+private fun textOf(statistic: Statistic, value: Double) = if (statistic == Statistic.SAMPLES) exactText(value) else figureText(value)
 
 private fun sorted(rows: List<StatisticsRow>, choice: StatisticsChoice): List<StatisticsRow> = when (val column = choice.sort) {
     null -> rows
+
     LabelColumn -> rows.sortedWith(directed(choice, compareBy(String.CASE_INSENSITIVE_ORDER) { it.label }))
+
     DateColumn -> rows.sortedWith(directed(choice, compareBy { it.date }))
+
     is FigureColumn -> {
         val (without, with) = rows.partition { column.of(it).isNaN() }
         with.sortedWith(directed(choice, compareBy { column.of(it) })) + without
     }
 }
 
-private fun directed(choice: StatisticsChoice, order: Comparator<StatisticsRow>) =
-    if (choice.isDescending) order.reversed() else order
+private fun directed(choice: StatisticsChoice, order: Comparator<StatisticsRow>) = if (choice.isDescending) order.reversed() else order

@@ -32,9 +32,9 @@ import badlog.viewer.files.askToWrite
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
-import java.nio.file.Path
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
+import java.nio.file.Path
 
 /**
  * A statistic of topics across recordings.
@@ -83,13 +83,7 @@ internal fun StatisticsTable(
 }
 
 @Composable
-private fun Table(
-    viewer: Viewer,
-    source: StatisticsSource,
-    grid: StatisticsGrid,
-    chooseFile: () -> Path?,
-    modifier: Modifier,
-) {
+private fun Table(viewer: Viewer, source: StatisticsSource, grid: StatisticsGrid, chooseFile: () -> Path?, modifier: Modifier) {
     Column(modifier) {
         Head(viewer, grid, chooseFile)
         HorizontalDivider()

@@ -4,13 +4,13 @@ import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableIntStateOf
 import androidx.compose.runtime.setValue
 import badlog.viewer.app.Notices
-import java.nio.file.Path
-import javax.swing.SwingUtilities
 import kotlinx.coroutines.CoroutineExceptionHandler
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.SupervisorJob
 import kotlinx.coroutines.job
 import kotlinx.coroutines.plus
+import java.nio.file.Path
+import javax.swing.SwingUtilities
 
 /**
  * Hears of what nobody else has caught, defects of ours. They are kept in [log] and said in a sentence, and the window goes on: a

@@ -9,10 +9,10 @@ import androidx.compose.ui.ExperimentalComposeUiApi
 import androidx.compose.ui.window.LocalWindowExceptionHandlerFactory
 import androidx.compose.ui.window.WindowExceptionHandler
 import androidx.compose.ui.window.WindowExceptionHandlerFactory
-import javax.swing.JOptionPane
-import kotlin.time.Duration.Companion.seconds
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.flow.collectLatest
+import javax.swing.JOptionPane
+import kotlin.time.Duration.Companion.seconds
 
 /** The windows of [content] tell [failures] what fails in them, rather than to close. */
 @OptIn(ExperimentalComposeUiApi::class)

@@ -20,8 +20,7 @@ internal data class Findings(
     val shown: Finding? get() = pointed ?: chosen
 
     /** Knows [list]; what was chosen before stays so where it was found again. */
-    fun knowing(list: FindingList): Findings =
-        copy(list = list, chosen = chosen?.let(list::like), pointed = pointed?.let(list::like))
+    fun knowing(list: FindingList): Findings = copy(list = list, chosen = chosen?.let(list::like), pointed = pointed?.let(list::like))
 
     /** Knows nothing yet. */
     fun unknown(): Findings = Findings(timesAsked = timesAsked)

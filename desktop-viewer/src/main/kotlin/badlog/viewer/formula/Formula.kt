@@ -1,7 +1,7 @@
 package badlog.viewer.formula
 
-import badlog.expression.ExpressionError
 import badlog.expression.Expression
+import badlog.expression.ExpressionError
 import badlog.expression.VirtualTopic
 import badlog.expression.Vocabulary
 

@@ -51,8 +51,11 @@ internal fun FormulaDialog(viewer: Viewer, sheet: FormulaSheet, modifier: Modifi
         }
         FormulaField(writer)
         val error = writer.error
-        if (error != null) Text(error.message, color = palette.error)
-        else Text(writer.topic?.let { "Makes the topic “${it.name}”." } ?: HOW, color = palette.muted)
+        if (error != null) {
+            Text(error.message, color = palette.error)
+        } else {
+            Text(writer.topic?.let { "Makes the topic “${it.name}”." } ?: HOW, color = palette.muted)
+        }
         SuggestedNames(writer)
         FormulaHelp()
         Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp, Alignment.End)) {

@@ -45,7 +45,11 @@ internal fun YAxes(scene: GraphScene, state: PlotState, modifier: Modifier) {
             picture.lanes.forEachIndexed { index, lane ->
                 val name = lane.line.signal.title.take(MOST_LETTERS)
                 val text = letters.measure(
-                    name, style, TextOverflow.Ellipsis, softWrap = false, maxLines = 1,
+                    name,
+                    style,
+                    TextOverflow.Ellipsis,
+                    softWrap = false,
+                    maxLines = 1,
                     constraints = Constraints(maxWidth = (left - 2 * margin).toInt().coerceAtLeast(1)),
                 )
                 val top = picture.laneTop(index) + (picture.laneHeight - text.size.height) / 2

@@ -56,7 +56,9 @@ internal fun DrawScope.drawSelection(selection: Span, visible: Span, palette: Pa
 private fun DrawScope.drawGesture(gesture: PlotGesture, id: Int, visible: Span, picture: PlotPicture?, palette: Palette) {
     when (gesture.kind) {
         GestureKind.PAN -> Unit
+
         GestureKind.ZOOM, GestureKind.SELECT -> drawSelection(gesture.xSpan, visible, palette)
+
         GestureKind.ZOOM_Y -> {
             val axis = picture?.axes?.firstOrNull() ?: return
             if (gesture.graph != id) return

@@ -16,8 +16,11 @@ internal fun graphCommands(viewer: Viewer): List<Command> {
         command("Cursor ten samples on", KeyPress(Key.DirectionRight, "→", shift = true)) { stepCursor(viewer, STRIDE) },
         command(
             "Zoom in",
-            KeyPress(Key.Plus, "+"), KeyPress(Key.Plus, "+", shift = true), KeyPress(Key.Equals, "="),
-            KeyPress(Key.Equals, "=", shift = true), KeyPress(Key.NumPadAdd, "+"),
+            KeyPress(Key.Plus, "+"),
+            KeyPress(Key.Plus, "+", shift = true),
+            KeyPress(Key.Equals, "="),
+            KeyPress(Key.Equals, "=", shift = true),
+            KeyPress(Key.NumPadAdd, "+"),
         ) { zoomBy(viewer, 1 / ZOOM) },
         command("Zoom out", KeyPress(Key.Minus, "-"), KeyPress(Key.NumPadSubtract, "-")) { zoomBy(viewer, ZOOM) },
         command("Show everything", KeyPress(Key.Zero, "0"), KeyPress(Key.MoveHome, "Home")) { viewer.viewport = viewer.viewport.reset() },

@@ -31,9 +31,11 @@ internal fun GraphPane(viewer: Viewer, modifier: Modifier = Modifier) {
     Column(modifier.background(LocalPalette.current.surface).takesKeyboard()) {
         GraphToolbar(scene)
         Overview(scene)
-        Box(Modifier.weight(1f).fillMaxWidth().receivesSignals(scene) { names ->
-            viewer.graphs = viewer.graphs.withGraph(names)
-        }) {
+        Box(
+            Modifier.weight(1f).fillMaxWidth().receivesSignals(scene) { names ->
+                viewer.graphs = viewer.graphs.withGraph(names)
+            },
+        ) {
             when {
                 open.signals.isEmpty() -> NothingRecorded(open, Modifier.fillMaxSize())
                 viewer.graphs.graphs.isEmpty() -> NothingChosen(viewer, Modifier.fillMaxSize())

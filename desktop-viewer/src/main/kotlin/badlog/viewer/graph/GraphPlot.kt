@@ -39,8 +39,11 @@ internal fun GraphPlot(scene: GraphScene, spec: GraphSpec, modifier: Modifier) {
     }
     PictureKeeping(state, scene.plots.curves) {
         val size = state.size
-        if (size.width <= 0 || size.height <= 0) null
-        else PlotRequest(latest, scene.recordings, scene.viewer.viewport.visible, size.width, size.height, palette, density)
+        if (size.width <= 0 || size.height <= 0) {
+            null
+        } else {
+            PlotRequest(latest, scene.recordings, scene.viewer.viewport.visible, size.width, size.height, palette, density)
+        }
     }
     Box(modifier) {
         YAxes(scene, state, Modifier.fillMaxSize())

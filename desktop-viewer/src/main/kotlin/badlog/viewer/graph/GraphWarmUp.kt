@@ -9,11 +9,11 @@ import badlog.viewer.app.ViewerScreen
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.settings.UserFolders
 import badlog.viewer.view.Viewport
-import java.nio.file.Path
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.coroutineScope
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.withContext
+import java.nio.file.Path
 
 /**
  * Draws a few small graphs that nobody sees. The first graphs of a program take half a second longer than the next, because their
@@ -58,7 +58,9 @@ private const val REPEATS = 60
 /** A little of everything: numbers, states, events, and a robot that is enabled. */
 private val BAG_HEADER = buildString {
     append("""{"topics":[{"name":"Time","unit":"s","attrs":["hide"]},{"name":"A/Number","unit":"V","attrs":["differentiate"]},""")
-    append("""{"name":"A/State","unit":"ul","attrs":[]},{"name":"Enabled","unit":"ul","attrs":[]},{"name":"Events","unit":"ul","attrs":[]}""")
+    append(
+        """{"name":"A/State","unit":"ul","attrs":[]},{"name":"Enabled","unit":"ul","attrs":[]},{"name":"Events","unit":"ul","attrs":[]}""",
+    )
     repeat(NUMBERS) { append(""",{"name":"B/$it","unit":"m","attrs":["hide"]}""") }
     append("""],"values":[]}""")
     append("\nTime,A/Number,A/State,Enabled,Events")

@@ -49,7 +49,12 @@ internal fun LegendEntry(scene: GraphScene, spec: GraphSpec, line: DrawnLine, ha
         if (line.signal.states == null) {
             Spacer(Modifier.size(10.dp, 3.dp).background(palette.line(line.colour), RoundedCornerShape(2.dp)))
         }
-        val name = listOfNotNull(line.signal.title.takeIf { hasName }, line.label?.let { shortLabel(it, LABEL_LETTERS) }).joinToString(" · ")
+        val name = listOfNotNull(
+            line.signal.title.takeIf {
+                hasName
+            },
+            line.label?.let { shortLabel(it, LABEL_LETTERS) },
+        ).joinToString(" · ")
         if (name.isNotEmpty()) {
             Text(name, Modifier.widthIn(max = 260.dp), fontSize = 12.sp, maxLines = 1, overflow = TextOverflow.Ellipsis)
         }

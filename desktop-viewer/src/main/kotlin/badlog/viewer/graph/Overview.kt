@@ -49,8 +49,11 @@ internal fun Overview(scene: GraphScene) {
     val spec = remember(viewer.open) { viewer.open?.let(::overviewSpec) }
     PictureKeeping(state, scene.plots.curves) {
         val size = state.size
-        if (spec == null || size.width <= 0 || size.height <= 0) null
-        else PlotRequest(spec, scene.recordings.take(1), viewer.viewport.full, size.width, size.height, palette, density)
+        if (spec == null || size.width <= 0 || size.height <= 0) {
+            null
+        } else {
+            PlotRequest(spec, scene.recordings.take(1), viewer.viewport.full, size.width, size.height, palette, density)
+        }
     }
     Box(Modifier.fillMaxWidth().height(HEIGHT.dp).background(palette.surface)) {
         Box(
@@ -107,7 +110,11 @@ private fun DrawScope.drawVisible(visible: Span, full: Span, palette: Palette) {
     drawRect(shade, Offset.Zero, Size(left.coerceAtLeast(0f), size.height))
     drawRect(shade, Offset(right, 0f), Size((size.width - right).coerceAtLeast(0f), size.height))
     drawRoundRect(
-        palette.accent, Offset(left, 0.5f), Size(right - left, size.height - 1), CornerRadius(3 * density), Stroke(1.5f * density),
+        palette.accent,
+        Offset(left, 0.5f),
+        Size(right - left, size.height - 1),
+        CornerRadius(3 * density),
+        Stroke(1.5f * density),
     )
     // Grips, where there is room for them between the edges.
     if (right - left < 4 * least) return

@@ -53,10 +53,13 @@ internal class PlotGestures(private val viewer: Viewer) {
         viewer.gesture = null
         when (gesture.kind) {
             GestureKind.ZOOM -> if (gesture.xSpan.width > 0) viewer.viewport = viewer.viewport.showing(gesture.startX, gesture.x)
+
             GestureKind.ZOOM_Y -> if (gesture.graph != null && gesture.ySpan.width > 0) {
                 viewer.graphs = viewer.graphs.withYRange(gesture.graph, gesture.ySpan)
             }
+
             GestureKind.SELECT -> viewer.selection = gesture.xSpan.takeIf { it.width > 0 }
+
             GestureKind.PAN -> Unit
         }
     }
@@ -102,9 +105,13 @@ internal fun giveUpGesture(viewer: Viewer): Boolean {
             viewer.gesture = null
             viewer.viewport = gesture.before
         }
+
         viewer.selection != null -> viewer.selection = null
+
         viewer.isCursorPinned -> viewer.isCursorPinned = false
+
         viewer.cursor != null -> viewer.cursor = null
+
         else -> return false
     }
     return true

@@ -92,7 +92,11 @@ private class PlotPointer(
     private fun release(change: PointerInputChange) {
         if (pressedAt == null) return
         pressedAt = null
-        if (isDragging) gestures.end() else if (kind != GestureKind.SELECT) click(change)
+        if (isDragging) {
+            gestures.end()
+        } else if (kind != GestureKind.SELECT) {
+            click(change)
+        }
         isDragging = false
         change.consume()
     }

@@ -46,7 +46,6 @@ private fun changes(graph: Graph) = graph.series.any { it.topic.times == null ||
 private fun nameOf(graph: Graph) =
     if (graph.isVirtual) listOf(graph.folder, graph.title).filter { it.isNotEmpty() }.joinToString("/") else graph.name
 
-private fun linesOf(graph: Graph) =
-    graph.series.map { line -> LineSpec(if (line.isDerived) graph.name else line.topic.name) }
+private fun linesOf(graph: Graph) = graph.series.map { line -> LineSpec(if (line.isDerived) graph.name else line.topic.name) }
 
 private const val MOST_LANES = 16

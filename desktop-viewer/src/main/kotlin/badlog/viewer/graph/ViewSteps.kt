@@ -32,8 +32,10 @@ internal fun stepCursor(viewer: Viewer, samples: Int) {
     val found = positions.binarySearch(cursor)
     val next = when {
         found >= 0 -> found + samples
+
         // Between two rows, the first step leads to the next one.
         samples > 0 -> -found - 1 + samples - 1
+
         else -> -found - 1 + samples
     }
     val x = positions[next.coerceIn(positions.indices)]

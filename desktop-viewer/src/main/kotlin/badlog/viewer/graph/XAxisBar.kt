@@ -64,7 +64,11 @@ internal fun XAxisBar(scene: GraphScene) {
 private fun DrawScope.drawPlaces(visible: Span, title: String, letters: TextMeasurer, style: TextStyle, palette: Palette) {
     drawLine(palette.border, Offset.Zero, Offset(size.width, 0f))
     val name = letters.measure(
-        title.take(MOST_LETTERS), style, TextOverflow.Ellipsis, softWrap = false, maxLines = 1,
+        title.take(MOST_LETTERS),
+        style,
+        TextOverflow.Ellipsis,
+        softWrap = false,
+        maxLines = 1,
         constraints = Constraints(maxWidth = (size.width / 4).toInt().coerceAtLeast(1)),
     )
     val top = TICK * density
@@ -81,14 +85,7 @@ private fun DrawScope.drawPlaces(visible: Span, title: String, letters: TextMeas
 }
 
 /** Where the cursor stands, in words; framed by the accent's colour while it is pinned. */
-private fun DrawScope.drawFlag(
-    x: Float,
-    text: String,
-    isPinned: Boolean,
-    letters: TextMeasurer,
-    style: TextStyle,
-    palette: Palette,
-) {
+private fun DrawScope.drawFlag(x: Float, text: String, isPinned: Boolean, letters: TextMeasurer, style: TextStyle, palette: Palette) {
     val layout = letters.measure(text, style, softWrap = false, maxLines = 1)
     val margin = GAP * density / 2
     val width = layout.size.width + 2 * margin

@@ -6,8 +6,8 @@ import androidx.compose.runtime.rememberCoroutineScope
 import androidx.compose.ui.ExperimentalComposeUiApi
 import androidx.compose.ui.platform.ClipEntry
 import androidx.compose.ui.platform.LocalClipboard
-import java.awt.datatransfer.StringSelection
 import kotlinx.coroutines.launch
+import java.awt.datatransfer.StringSelection
 
 /** Puts a text on the clipboard. */
 @OptIn(ExperimentalComposeUiApi::class)

@@ -16,12 +16,11 @@ import badlog.viewer.theme.LocalPalette
 
 /** Makes a line of a list that takes the window to a time: called [name], with [gap] above and below. */
 @Composable
-internal fun Modifier.inspectorLine(name: String, isChosen: Boolean, gap: Dp, onClick: () -> Unit): Modifier =
-    fillMaxWidth()
-        .background(if (isChosen) LocalPalette.current.accentSoft else Color.Transparent)
-        .clickable(onClick = onClick)
-        .semantics(mergeDescendants = true) {
-            contentDescription = name
-            selected = isChosen
-        }
-        .padding(start = 12.dp, end = 14.dp, top = gap, bottom = gap)
+internal fun Modifier.inspectorLine(name: String, isChosen: Boolean, gap: Dp, onClick: () -> Unit): Modifier = fillMaxWidth()
+    .background(if (isChosen) LocalPalette.current.accentSoft else Color.Transparent)
+    .clickable(onClick = onClick)
+    .semantics(mergeDescendants = true) {
+        contentDescription = name
+        selected = isChosen
+    }
+    .padding(start = 12.dp, end = 14.dp, top = gap, bottom = gap)

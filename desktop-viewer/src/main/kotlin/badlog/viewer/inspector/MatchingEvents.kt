@@ -14,12 +14,7 @@ import kotlin.math.abs
  * @property logOf for each event the place of its log in [logs]. Not to be changed.
  * @property placedCount how many have an x; they are the first ones.
  */
-internal class MatchingEvents(
-    val x: DoubleArray,
-    val logs: List<EventLog>,
-    val logOf: IntArray,
-    private val cells: IntArray,
-) {
+internal class MatchingEvents(val x: DoubleArray, val logs: List<EventLog>, val logOf: IntArray, private val cells: IntArray) {
     /** How many there are. */
     val size: Int get() = x.size
 

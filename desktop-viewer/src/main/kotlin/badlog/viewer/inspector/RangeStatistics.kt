@@ -27,13 +27,7 @@ internal class RangeStatistics(val span: Span, val xUnit: String, val isSelectio
  * @property place of that recording among those drawn, which is that of its colour.
  * @property figures what is shown of it, in its order: a name, and a number or a state with its unit.
  */
-internal class SignalStatistics(
-    val signal: String,
-    val unit: String,
-    val recording: String,
-    val place: Int,
-    val figures: List<Figure>,
-)
+internal class SignalStatistics(val signal: String, val unit: String, val recording: String, val place: Int, val figures: List<Figure>)
 
 /** A name and what stands beside it; [unit] is `ul` for none. */
 internal class Figure(val name: String, val text: String, val unit: String)
@@ -64,7 +58,9 @@ private fun textOf(statistic: Statistic, signal: Signal, statistics: SeriesStati
     return when {
         statistic == Statistic.SAMPLES ->
             statistics.count.toString() + if (statistics.gaps > 0) " + ${countText(statistics.gaps, "gap")}" else ""
+
         statistic.isSample -> sampleText(signal, value)
+
         else -> figureText(value)
     }
 }

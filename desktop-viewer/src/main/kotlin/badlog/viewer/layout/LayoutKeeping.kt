@@ -7,12 +7,12 @@ import badlog.viewer.formula.takeFormulas
 import badlog.viewer.graph.GraphList
 import badlog.viewer.graph.standardGraphs
 import badlog.viewer.recording.OpenRecording
-import java.io.IOException
-import java.nio.file.Path
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.flow.collectLatest
 import kotlinx.coroutines.withContext
+import java.io.IOException
+import java.nio.file.Path
 
 /**
  * Remembers how the window was arranged over each folder of logs, and arranges it so again when the folder is opened. To be
@@ -117,8 +117,7 @@ internal class LayoutKeeping(private val viewer: Viewer) {
     private fun fittedTo(recording: OpenRecording): FittedGraphs? =
         remembered?.graphs?.takeIf { isInFolder(recording) }?.let { fitted(it, recording) }?.takeIf { it.graphs.graphs.isNotEmpty() }
 
-    private fun isInFolder(recording: OpenRecording) =
-        folder?.let { recording.file.startsWith(it.toAbsolutePath().normalize()) } ?: false
+    private fun isInFolder(recording: OpenRecording) = folder?.let { recording.file.startsWith(it.toAbsolutePath().normalize()) } ?: false
 
     private companion object {
         const val PAUSE_MILLIS = 600L

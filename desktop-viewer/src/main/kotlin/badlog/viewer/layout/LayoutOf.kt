@@ -40,5 +40,4 @@ private fun layoutGraph(graph: GraphSpec) = LayoutGraph(
 // JSON has no numbers that are not finite.
 private fun layoutSpan(span: Span) = LayoutSpan(span.from, span.to).takeIf { it.from.isFinite() && it.to.isFinite() }
 
-private fun layoutPanels(panels: Panels) =
-    LayoutPanels(panels.library, panels.topics, panels.inspector?.name, panels.main.name)
+private fun layoutPanels(panels: Panels) = LayoutPanels(panels.library, panels.topics, panels.inspector?.name, panels.main.name)

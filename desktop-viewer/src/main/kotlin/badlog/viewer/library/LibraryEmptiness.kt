@@ -29,11 +29,18 @@ internal fun LibraryEmptiness(viewer: Viewer, modifier: Modifier = Modifier) {
 
 private fun emptinessOf(library: LibraryState): String = when {
     library.folder == null -> "Open the folder where the robot’s logs are, or drop it onto this window."
+
     library.listing.size > 0 && library.listing.filter.isNotBlank() -> "No log has all of “${library.listing.filter.trim()}”."
+
     library.listing.size > 0 -> "Nothing happened in any of these logs."
+
     !library.hasLooked -> "Looking for logs…"
+
     library.reading != null -> "Reading the first logs…"
+
     library.trouble != null -> "No log is to be seen here."
-    else -> "No logs here yet. Bags (.bag, .badbag), tables (.csv) and logs of WPILib (.wpilog) of this folder and the folders in it " +
-        "are listed, also when they are compressed (.gz). A new one appears by itself."
+
+    else ->
+        "No logs here yet. Bags (.bag, .badbag), tables (.csv) and logs of WPILib (.wpilog) of this folder and the folders in it " +
+            "are listed, also when they are compressed (.gz). A new one appears by itself."
 }

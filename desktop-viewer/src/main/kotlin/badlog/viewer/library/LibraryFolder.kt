@@ -4,13 +4,13 @@ import badlog.viewer.app.Viewer
 import badlog.viewer.library.index.IndexCache
 import badlog.viewer.library.index.IndexQueue
 import badlog.viewer.library.index.Indexing
-import java.nio.file.Path
-import kotlin.time.Duration.Companion.milliseconds
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.Job
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.withContext
+import java.nio.file.Path
+import kotlin.time.Duration.Companion.milliseconds
 
 /** Keeps the window's library as its folder is. To be used on the window's thread only. */
 internal class LibraryFolder(private val viewer: Viewer) {

@@ -88,7 +88,13 @@ internal fun SortMenu(viewer: Viewer) {
         ToolButton("Sort logs", Icons.Sort) { isOpen = true }
         DropdownMenu(isOpen, onDismissRequest = { isOpen = false }) {
             for (column in LogColumn.entries) {
-                val mark = if (column != listing.column) null else if (listing.isDescending) Icons.Down else Icons.Up
+                val mark = if (column != listing.column) {
+                    null
+                } else if (listing.isDescending) {
+                    Icons.Down
+                } else {
+                    Icons.Up
+                }
                 MenuLine(column.title, mark) { viewer.library = viewer.library.sorted(column) }
             }
         }

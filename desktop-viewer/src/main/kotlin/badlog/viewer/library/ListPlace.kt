@@ -15,7 +15,9 @@ internal fun KeepInSight(list: LazyListState, index: Int) {
         val item = layout.visibleItemsInfo.firstOrNull { it.index == index }
         when {
             item == null -> if (layout.visibleItemsInfo.isNotEmpty()) list.scrollToItem(maxOf(0, index - 2))
+
             item.offset < layout.viewportStartOffset -> list.scrollToItem(index)
+
             item.offset + item.size > layout.viewportEndOffset ->
                 list.scrollToItem(index, item.size - (layout.viewportEndOffset - layout.viewportStartOffset))
         }

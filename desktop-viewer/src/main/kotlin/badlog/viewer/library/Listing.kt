@@ -36,9 +36,11 @@ internal data class Listing(
     val size: Int by lazy { entries.count { it.content != Content.NO_LOG } }
 
     /** Sorted by [column]; the other way round when that is so already. */
-    fun sorted(column: LogColumn): Listing =
-        if (column == this.column) copy(isDescending = !isDescending)
-        else copy(column = column, isDescending = column.beginsDescending)
+    fun sorted(column: LogColumn): Listing = if (column == this.column) {
+        copy(isDescending = !isDescending)
+    } else {
+        copy(column = column, isDescending = column.beginsDescending)
+    }
 
     private fun hasAll(entry: LogEntry, words: List<String>): Boolean {
         if (words.isEmpty()) return true

@@ -123,15 +123,22 @@ private fun onTableKey(viewer: Viewer, key: Key): Boolean {
     val library = viewer.library
     val target = when (key) {
         Key.DirectionUp -> library.stepped(-1)
+
         Key.DirectionDown -> library.stepped(1)
+
         Key.PageUp -> library.stepped(-PAGE)
+
         Key.PageDown -> library.stepped(PAGE)
+
         Key.MoveHome -> library.visible.firstOrNull()
+
         Key.MoveEnd -> library.visible.lastOrNull()
+
         Key.Enter, Key.NumPadEnter -> {
             library.visible.firstOrNull { it.file == library.selected }?.let { openFromTable(viewer, it) }
             return true
         }
+
         else -> return false
     }
     if (target != null) viewer.library = library.copy(selected = target.file)

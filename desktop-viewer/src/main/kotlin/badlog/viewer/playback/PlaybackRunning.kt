@@ -50,8 +50,7 @@ internal fun advance(viewer: Viewer, seconds: Double) {
 }
 
 /** What is played: when looping the selection or what is seen, else to the end of the selection or of everything. */
-private fun rangeOf(viewer: Viewer): Span =
-    viewer.selection ?: if (viewer.playback.loops) viewer.viewport.visible else viewer.viewport.full
+private fun rangeOf(viewer: Viewer): Span = viewer.selection ?: if (viewer.playback.loops) viewer.viewport.visible else viewer.viewport.full
 
 private fun follow(viewer: Viewer, x: Double) {
     val visible = viewer.viewport.visible

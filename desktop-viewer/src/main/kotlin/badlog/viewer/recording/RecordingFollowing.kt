@@ -1,13 +1,13 @@
 package badlog.viewer.recording
 
 import badlog.viewer.app.Viewer
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.delay
+import kotlinx.coroutines.runInterruptible
 import java.io.IOException
 import kotlin.time.Duration
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.TimeSource
-import kotlinx.coroutines.Dispatchers
-import kotlinx.coroutines.delay
-import kotlinx.coroutines.runInterruptible
 
 /**
  * Keeps the open recording as its file is: a robot's simulation may be writing it. While it grows, a row that is half

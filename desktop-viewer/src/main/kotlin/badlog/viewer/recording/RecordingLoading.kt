@@ -3,9 +3,9 @@ package badlog.viewer.recording
 import badlog.viewer.app.FrontPart
 import badlog.viewer.app.Viewer
 import badlog.viewer.view.Viewport
-import java.nio.file.Path
 import kotlinx.coroutines.Job
 import kotlinx.coroutines.launch
+import java.nio.file.Path
 
 /** Opens recordings in a window and keeps the open one as its file is. A file asked for takes the place of the one before. */
 internal class RecordingLoading(private val viewer: Viewer) {

@@ -14,12 +14,7 @@ import badlog.recording.TopicKind
  * @property isDerived whether it was calculated rather than logged; its [title] then stands in brackets.
  * @property definition the formula that makes it; null for all that no formula makes.
  */
-internal class Signal(
-    val name: String,
-    val isDerived: Boolean,
-    private val line: GraphSeries,
-    val definition: String? = null,
-) {
+internal class Signal(val name: String, val isDerived: Boolean, private val line: GraphSeries, val definition: String? = null) {
     /** The unit, `ul` for none. */
     val unit: String get() = line.unit
 

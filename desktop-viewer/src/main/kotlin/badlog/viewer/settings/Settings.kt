@@ -22,8 +22,7 @@ internal data class Settings(
     val window: WindowPlace? = null,
 ) {
     /** Remembers that [folder] was opened. */
-    fun opened(folder: String): Settings =
-        copy(recentFolders = (listOf(folder) + (recentFolders - folder)).take(MOST_RECENT))
+    fun opened(folder: String): Settings = copy(recentFolders = (listOf(folder) + (recentFolders - folder)).take(MOST_RECENT))
 
     companion object {
         private const val MOST_RECENT = 10
@@ -36,10 +35,4 @@ internal enum class Theme { SYSTEM, LIGHT, DARK }
 
 /** Where a window is on the screen, in dp, and whether it fills it. */
 @Serializable
-internal data class WindowPlace(
-    val x: Int,
-    val y: Int,
-    val width: Int,
-    val height: Int,
-    val isMaximized: Boolean,
-)
+internal data class WindowPlace(val x: Int, val y: Int, val width: Int, val height: Int, val isMaximized: Boolean)

@@ -1,11 +1,11 @@
 package badlog.viewer.settings
 
+import kotlinx.serialization.SerializationException
+import kotlinx.serialization.json.Json
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.StandardCopyOption
-import kotlinx.serialization.SerializationException
-import kotlinx.serialization.json.Json
 
 /** Keeps [Settings] in a file of the user's. A missing or damaged one is as none. */
 internal class SettingsFile(private val file: Path) {

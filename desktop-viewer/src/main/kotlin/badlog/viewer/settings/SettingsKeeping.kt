@@ -2,13 +2,13 @@ package badlog.viewer.settings
 
 import androidx.compose.runtime.snapshotFlow
 import badlog.viewer.app.Viewer
-import java.io.IOException
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.FlowPreview
 import kotlinx.coroutines.flow.collectLatest
-import kotlinx.coroutines.flow.dropWhile
 import kotlinx.coroutines.flow.debounce
+import kotlinx.coroutines.flow.dropWhile
 import kotlinx.coroutines.withContext
+import java.io.IOException
 
 /** Writes the settings of [viewer] into [file], which holds [kept], a moment after each change, until cancelled. */
 @OptIn(FlowPreview::class)

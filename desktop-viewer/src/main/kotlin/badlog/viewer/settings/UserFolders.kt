@@ -22,10 +22,12 @@ internal class UserFolders(val settings: Path, val cache: Path) {
                     settings = named("APPDATA", home.resolve("AppData/Roaming")).resolve(NAME),
                     cache = named("LOCALAPPDATA", home.resolve("AppData/Local")).resolve(NAME).resolve("cache"),
                 )
+
                 system.startsWith("Mac") -> UserFolders(
                     settings = home.resolve("Library/Application Support").resolve(NAME),
                     cache = home.resolve("Library/Caches").resolve(NAME),
                 )
+
                 else -> UserFolders(
                     settings = named("XDG_CONFIG_HOME", home.resolve(".config")).resolve(NAME),
                     cache = named("XDG_CACHE_HOME", home.resolve(".cache")).resolve(NAME),

@@ -26,8 +26,7 @@ import java.io.IOException
  *
  * @throws IOException with a sentence for the person, when there is none or another program holds it.
  */
-internal fun copyImage(bitmap: ImageBitmap, clipboard: () -> Clipboard = ::systemClipboard) =
-    copyImage(bitmap.toAwtImage(), clipboard)
+internal fun copyImage(bitmap: ImageBitmap, clipboard: () -> Clipboard = ::systemClipboard) = copyImage(bitmap.toAwtImage(), clipboard)
 
 /** Draws [graphs] as a figure of the visible range, and puts its picture onto the [clipboard], the system's. */
 internal fun copyGraphs(viewer: Viewer, graphs: List<GraphSpec>, clipboard: () -> Clipboard = ::systemClipboard) {

@@ -2,13 +2,13 @@ package badlog.viewer.takeaway
 
 import badlog.viewer.app.NoticeAction
 import badlog.viewer.app.Viewer
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.launch
+import kotlinx.coroutines.withContext
 import java.awt.Desktop
 import java.awt.GraphicsEnvironment
 import java.io.IOException
 import java.nio.file.Path
-import kotlinx.coroutines.Dispatchers
-import kotlinx.coroutines.launch
-import kotlinx.coroutines.withContext
 
 /** What opens [place], a file or a folder, by the system's program for it; null where the system cannot. */
 internal fun openAction(viewer: Viewer, place: Path): NoticeAction? {

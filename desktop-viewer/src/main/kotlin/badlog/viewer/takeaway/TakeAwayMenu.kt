@@ -24,7 +24,9 @@ internal fun TakeAwayMenu(viewer: Viewer) {
         val ticked = viewer.comparison.ticked.size
         val part = if (viewer.selection != null) "The selection" else "The visible range"
         listOf(
-            MenuEntry("Export the page of this log…", "One HTML file that opens anywhere, offline", whyNoLog, PAGE.text) { savePage(viewer) },
+            MenuEntry("Export the page of this log…", "One HTML file that opens anywhere, offline", whyNoLog, PAGE.text) {
+                savePage(viewer)
+            },
             MenuEntry(
                 if (ticked == 0) "Export the pages of ticked logs…" else "Export the pages of $ticked ticked logs…",
                 whyNot = "Tick logs in the list first.".takeIf { ticked == 0 },
@@ -34,8 +36,16 @@ internal fun TakeAwayMenu(viewer: Viewer) {
                 "Every log of the folder, with its sub-folders",
                 "Open a folder first.".takeIf { viewer.library.folder == null },
             ) { savePagesOfFolder(viewer) },
-            MenuEntry("Figure for a report…", "The graphs as PNG or SVG, with axes and legend", whyNoGraph, keepsMenu = true, action = openPanel),
-            MenuEntry("Copy the picture of the graphs", "To paste it into a chat or a document", whyNoGraph, COPY.text) { copyShown(viewer) },
+            MenuEntry(
+                "Figure for a report…",
+                "The graphs as PNG or SVG, with axes and legend",
+                whyNoGraph,
+                keepsMenu = true,
+                action = openPanel,
+            ),
+            MenuEntry("Copy the picture of the graphs", "To paste it into a chat or a document", whyNoGraph, COPY.text) {
+                copyShown(viewer)
+            },
             MenuEntry("$part as a bag…", "With all topics, values and attributes", whyNoLog) { saveCut(viewer, RecordingFormat.BAG) },
             MenuEntry("$part as CSV…", "With all topics, for a spreadsheet", whyNoLog) { saveCut(viewer, RecordingFormat.CSV) },
         )

@@ -43,7 +43,8 @@ internal object Icons {
 
     val Wave = icon("M1.5 9.5 L4.5 4.5 L8 11 L11 6 L14.5 9.5")
     val Lanes = icon("M1.5 5.5 H6.5 V10.5 H11 V5.5 H14.5")
-    val Formula = icon("M10.5 3.2 C8.8 2 7.8 3 7.5 4.8 L6.2 11.5 C5.8 13.6 4.6 14 3.2 13 M4.6 6.8 H10 M10.5 9.2 L13.8 12.8 M13.8 9.2 L10.5 12.8")
+    val Formula =
+        icon("M10.5 3.2 C8.8 2 7.8 3 7.5 4.8 L6.2 11.5 C5.8 13.6 4.6 14 3.2 13 M4.6 6.8 H10 M10.5 9.2 L13.8 12.8 M13.8 9.2 L10.5 12.8")
     val Flag = icon("M4 14 V2.5 H12.5 L10 5.5 L12.5 8.5 H4")
     val Diamond = icon("M8 2 L14 8 L8 14 L2 8 Z M8 5.5 V8.5 M8 10.5 V10.6")
     val Sigma = icon("M12.5 4.5 V3 H4 L8.5 8 L4 13 H12.5 V11.5")

@@ -8,8 +8,7 @@ import badlog.viewer.recording.OpenRecording
 import badlog.viewer.recording.Signal
 
 /** Whether [signal] is a list of what happened, which no line draws. */
-internal fun OpenRecording.isEvents(signal: Signal): Boolean =
-    !signal.isDerived && signal.topic.samples.isEmpty() && signal.states == null
+internal fun OpenRecording.isEvents(signal: Signal): Boolean = !signal.isDerived && signal.topic.samples.isEmpty() && signal.states == null
 
 /** Gives [signal] a graph of its own, or takes that away; of events, opens the list. */
 internal fun toggleDrawn(viewer: Viewer, signal: Signal) {

@@ -65,7 +65,15 @@ internal fun SignalLine(viewer: Viewer, open: OpenRecording, row: SignalRow, row
             Modifier
                 .fillMaxWidth()
                 .height(26.dp)
-                .background(if (isChosen) palette.accentSoft else if (isHovered) palette.raised else Color.Transparent)
+                .background(
+                    if (isChosen) {
+                        palette.accentSoft
+                    } else if (isHovered) {
+                        palette.raised
+                    } else {
+                        Color.Transparent
+                    },
+                )
                 .hoverable(interactions)
                 .draggedAsSignals(palette.accent) { namesToTake(viewer.topicList, signal.name) }
                 .onPointerEvent(PointerEventType.Press, PointerEventPass.Initial) { held = it.keyboardModifiers }

@@ -7,11 +7,7 @@ package badlog.viewer.topic
  * @property folded the paths of the folders that are closed; a search opens them all.
  * @property chosen the names of the signals that are chosen, in the order in which they were.
  */
-internal data class TopicList(
-    val query: String = "",
-    val folded: Set<String> = emptySet(),
-    val chosen: List<String> = emptyList(),
-) {
+internal data class TopicList(val query: String = "", val folded: Set<String> = emptySet(), val chosen: List<String> = emptyList()) {
     /** Closes folder [path], or opens it. */
     fun toggledFolder(path: String): TopicList = copy(folded = if (path in folded) folded - path else folded + path)
 

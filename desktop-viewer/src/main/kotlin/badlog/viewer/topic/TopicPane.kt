@@ -85,6 +85,7 @@ private fun Rows(viewer: Viewer, open: OpenRecording, modifier: Modifier) {
                     is FolderRow -> FolderLine(row, query) {
                         viewer.topicList = viewer.topicList.toggledFolder(row.path)
                     }
+
                     is SignalRow -> SignalLine(viewer, open, row, listed, places[row.signal.name])
                 }
             }

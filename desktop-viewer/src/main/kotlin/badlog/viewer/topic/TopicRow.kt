@@ -20,13 +20,8 @@ internal sealed interface TopicRow {
  * @property title its own name.
  * @property count how many signals are listed in it, and in the folders in it.
  */
-internal data class FolderRow(
-    override val depth: Int,
-    val path: String,
-    val title: String,
-    val count: Int,
-    val isOpen: Boolean,
-) : TopicRow {
+internal data class FolderRow(override val depth: Int, val path: String, val title: String, val count: Int, val isOpen: Boolean) :
+    TopicRow {
     override val key: String get() = "folder $path"
 }
 

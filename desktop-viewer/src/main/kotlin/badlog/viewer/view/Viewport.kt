@@ -10,11 +10,7 @@ import kotlin.math.abs
  * @property visible what is seen now; always within [full].
  * @property history what [back] returns to, the latest last.
  */
-internal data class Viewport(
-    val full: Span,
-    val visible: Span = full,
-    val history: List<Span> = emptyList(),
-) {
+internal data class Viewport(val full: Span, val visible: Span = full, val history: List<Span> = emptyList()) {
     val isZoomed: Boolean get() = visible != full
 
     // Narrower, and neighbouring pixels would be the same number.
@@ -57,13 +53,14 @@ internal data class Viewport(
     }
 
     /** Shows [x], moving no further than needed. */
-    fun revealing(x: Double): Viewport =
-        if (x in visible || !x.isFinite()) this else showing(x - visible.width / 2, x + visible.width / 2)
+    fun revealing(x: Double): Viewport = if (x in visible || !x.isFinite()) this else showing(x - visible.width / 2, x + visible.width / 2)
 
     /** What is seen when the recording has grown to [grown]: its end follows when that was in sight. */
     fun grown(grown: Span): Viewport = when {
         !isZoomed -> copy(full = grown, visible = grown)
+
         visible.to >= full.to -> copy(full = grown).moved(grown.to - visible.width, grown.to)
+
         // A program that begins its log anew makes it shorter.
         else -> copy(full = grown).moved(visible.from, visible.to)
     }

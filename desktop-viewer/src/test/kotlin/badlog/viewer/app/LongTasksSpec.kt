@@ -4,9 +4,9 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
+import kotlinx.coroutines.coroutineScope
 import java.io.IOException
 import java.util.concurrent.CountDownLatch
-import kotlinx.coroutines.coroutineScope
 
 class LongTasksSpec : FunSpec({
     /** What the window says when a task called Opening ends by [failure]. */

@@ -43,7 +43,8 @@ class FindingListSpec : FunSpec({
     test("the pixels at which a finding holds are of the worst that does") {
         val runs = coveredPixels(list.placed, Span(0.0, 100.0), 100)
         runs.map { Triple(it.from, it.until, it.severity) } shouldContainExactly listOf(
-            Triple(21, 31, Severity.ERROR), Triple(51, 100, Severity.WARNING),
+            Triple(21, 31, Severity.ERROR),
+            Triple(51, 100, Severity.WARNING),
         )
         coveredPixels(list.placed, Span(0.0, 10.0), 100) shouldBe emptyList()
         coveredPixels(list.placed, Span(0.0, 100.0), 0) shouldBe emptyList()

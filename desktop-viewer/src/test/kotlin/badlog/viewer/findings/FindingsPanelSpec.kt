@@ -14,8 +14,8 @@ import badlog.viewer.app.InspectorTab
 import badlog.viewer.app.Viewer
 import badlog.viewer.app.ViewerScreen
 import badlog.viewer.graph.savePicture
-import badlog.viewer.graph.waitForPictures
 import badlog.viewer.graph.viewerOf
+import badlog.viewer.graph.waitForPictures
 import badlog.viewer.inspector.InspectorPane
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.settings.Theme

@@ -7,12 +7,10 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /** A rule as a file has it. */
-internal fun ruleText(name: String, condition: String, severity: String = "warning", text: String = "$name at {time}"): String =
-    "[[rule]]\nname = \"$name\"\nseverity = \"$severity\"\nwhen = \"$condition\"\ntext = \"$text\"\n"
+internal fun ruleText(name: String, condition: String, severity: String = "warning", text: String = "$name at {time}"): String = "[[rule]]\nname = \"$name\"\nseverity = \"$severity\"\nwhen = \"$condition\"\ntext = \"$text\"\n"
 
 /** Writes [rules] as the rules of [folder]. */
-internal fun writeRules(folder: Path, vararg rules: String): Path =
-    Files.writeString(Files.createDirectories(folder).resolve(RulesFor.NAME), rules.joinToString("\n"))
+internal fun writeRules(folder: Path, vararg rules: String): Path = Files.writeString(Files.createDirectories(folder).resolve(RulesFor.NAME), rules.joinToString("\n"))
 
 /** A recording in [folder] of a hundred rows, one each second: `A` counts them, `B` is 1 in every tenth. */
 internal fun counted(folder: Path, rows: Int = 100): OpenRecording = recordingOf(

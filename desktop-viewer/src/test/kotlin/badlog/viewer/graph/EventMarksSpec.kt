@@ -11,8 +11,7 @@ import java.awt.datatransfer.StringSelection
 import java.awt.datatransfer.Transferable
 
 class EventMarksSpec : FunSpec({
-    fun events(places: List<Double>) =
-        recordingOf(bagOf(listOf("Time|xaxis", "Log|log"), places.map { "$it,at $it" })).events.all
+    fun events(places: List<Double>) = recordingOf(bagOf(listOf("Time|xaxis", "Log|log"), places.map { "$it,at $it" })).events.all
 
     fun timeline(vararg places: Double) = events(places.toList())
 

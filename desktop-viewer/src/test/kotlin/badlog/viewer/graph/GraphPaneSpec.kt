@@ -100,7 +100,10 @@ class GraphPaneSpec : FunSpec({
     test("graphs share the height when they fit, and are as high as was chosen when they do not") {
         graphHeights(listOf(0, 0, 0), room = 300, chosen = 150, fit = true) shouldBe listOf(100, 100, 100)
         graphHeights(listOf(0, 0, 0), room = 170, chosen = 150, fit = true) shouldBe listOf(150, 150, 150)
-        graphHeights(listOf(0, 2, 0), room = 300, chosen = 150, fit = true).let { it[1] shouldBe 72; it[0] shouldBe 114 }
+        graphHeights(listOf(0, 2, 0), room = 300, chosen = 150, fit = true).let {
+            it[1] shouldBe 72
+            it[0] shouldBe 114
+        }
         graphHeights(emptyList(), room = 300, chosen = 150, fit = true) shouldBe emptyList()
     }
 

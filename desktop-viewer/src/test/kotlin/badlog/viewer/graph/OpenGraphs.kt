@@ -18,11 +18,11 @@ import badlog.viewer.settings.Theme
 import badlog.viewer.settings.UserFolders
 import badlog.viewer.theme.ViewerTheme
 import badlog.viewer.view.Viewport
-import java.nio.file.Files
-import java.nio.file.Path
 import kotlinx.coroutines.MainScope
 import org.jetbrains.skia.EncodedImageFormat
 import org.jetbrains.skia.Image
+import java.nio.file.Files
+import java.nio.file.Path
 
 /** A viewer that shows [recording] with its standard graphs. */
 internal fun viewerOf(recording: OpenRecording?): Viewer {

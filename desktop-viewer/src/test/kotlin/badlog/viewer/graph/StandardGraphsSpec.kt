@@ -12,7 +12,11 @@ class StandardGraphsSpec : FunSpec({
 
     test("of a WPILOG, what never changes or was never logged is not drawn at first") {
         val open = wpilogRecording(
-            setting, loggedTopic("Nothing"), voltage, loggedTexts("title", 0.0 to "a"), loggedTexts("mode", 0.0 to "a", 1.0 to "b"),
+            setting,
+            loggedTopic("Nothing"),
+            voltage,
+            loggedTexts("title", 0.0 to "a"),
+            loggedTexts("mode", 0.0 to "a", 1.0 to "b"),
         )
         standardGraphs(open.view).graphs.map { graph -> graph.lines.map { it.signal } } shouldBe listOf(listOf("Voltage"), listOf("mode"))
         overviewSpec(open)!!.lines.single().signal shouldBe "Voltage"

@@ -18,9 +18,9 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.shouldBe
+import kotlinx.coroutines.MainScope
 import java.nio.file.Files
 import java.nio.file.Path
-import kotlinx.coroutines.MainScope
 
 @OptIn(ExperimentalTestApi::class)
 class LayoutKeepingSpec : FunSpec({

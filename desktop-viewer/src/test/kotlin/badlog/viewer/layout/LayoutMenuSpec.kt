@@ -19,8 +19,8 @@ import badlog.viewer.view.Viewport
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe
-import java.nio.file.Files
 import kotlinx.coroutines.MainScope
+import java.nio.file.Files
 
 @OptIn(ExperimentalTestApi::class)
 class LayoutMenuSpec : FunSpec({

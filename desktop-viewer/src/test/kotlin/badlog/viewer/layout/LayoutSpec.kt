@@ -21,9 +21,9 @@ import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import kotlinx.coroutines.MainScope
 import java.io.IOException
 import java.nio.file.Files
-import kotlinx.coroutines.MainScope
 
 class LayoutSpec : FunSpec({
     val home = tempdir().toPath()

@@ -26,8 +26,8 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
-import java.nio.file.Path
 import kotlinx.coroutines.MainScope
+import java.nio.file.Path
 
 @OptIn(ExperimentalTestApi::class)
 class LibraryScreenSpec : FunSpec({

@@ -14,14 +14,14 @@ import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
-import java.io.IOException
-import java.nio.file.Files
-import kotlin.time.Duration.Companion.seconds
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.Job
 import kotlinx.coroutines.cancel
 import kotlinx.coroutines.withContext
+import java.io.IOException
+import java.nio.file.Files
+import kotlin.time.Duration.Companion.seconds
 
 class RecordingFollowingSpec : FunSpec({
     val file = tempdir().resolve("live.bag").apply { writeText("x") }

@@ -12,12 +12,12 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import kotlinx.coroutines.MainScope
 import java.awt.HeadlessException
 import java.awt.Image
 import java.awt.datatransfer.Clipboard
 import java.awt.datatransfer.DataFlavor
 import java.io.IOException
-import kotlinx.coroutines.MainScope
 
 @OptIn(ExperimentalTestApi::class)
 class CopyImageSpec : FunSpec({

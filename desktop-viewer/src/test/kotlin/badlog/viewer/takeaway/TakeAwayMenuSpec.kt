@@ -25,10 +25,10 @@ import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldStartWith
+import kotlinx.coroutines.MainScope
 import java.nio.file.Files
 import java.nio.file.Path
 import javax.imageio.ImageIO
-import kotlinx.coroutines.MainScope
 
 @OptIn(ExperimentalTestApi::class)
 class TakeAwayMenuSpec : FunSpec({

@@ -8,8 +8,7 @@ import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
 
 class TopicRowsSpec : FunSpec({
-    fun signalsOf(vararg names: String) =
-        recordingOf(bagOf(listOf("Time|xaxis") + names, listOf("0," + names.joinToString(",") { "1" }))).signals
+    fun signalsOf(vararg names: String) = recordingOf(bagOf(listOf("Time|xaxis") + names, listOf("0," + names.joinToString(",") { "1" }))).signals
 
     fun text(rows: List<TopicRow>) = rows.map { row ->
         "  ".repeat(row.depth) + when (row) {

@@ -41,7 +41,9 @@ import kotlin.math.roundToInt
 internal class RealWindow(home: Path, opened: Path, width: Int = 1400, height: Int = 860) : AutoCloseable {
     // Never asked to wait until all is quiet: something always moves.
     private val robot = Robot().apply { autoDelay = 15 }
+
     @Volatile private var shown: ComposeWindow? = null
+
     @Volatile private var state: Viewer? = null
 
     init {
@@ -115,8 +117,7 @@ internal class RealWindow(home: Path, opened: Path, width: Int = 1400, height: I
     /** Presses the mouse at ([fromX], [fromY]) and lets it go at ([toX], [toY]), in shares of what is described by [text]. */
     fun drag(text: String, fromX: Double, fromY: Double, toX: Double, toY: Double, vararg held: Int) {
         val place = checkNotNull(placeOf(text)) { "There is no “$text” to drag over." }
-        fun move(x: Double, y: Double) =
-            robot.mouseMove((place.x + place.width * x).roundToInt(), (place.y + place.height * y).roundToInt())
+        fun move(x: Double, y: Double) = robot.mouseMove((place.x + place.width * x).roundToInt(), (place.y + place.height * y).roundToInt())
         move(fromX, fromY)
         for (key in held) robot.keyPress(key)
         robot.mousePress(InputEvent.BUTTON1_DOWN_MASK)

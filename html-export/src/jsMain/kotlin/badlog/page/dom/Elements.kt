@@ -4,12 +4,7 @@ import kotlinx.browser.document
 import org.w3c.dom.HTMLElement
 
 /** Makes an element. [text] becomes a text node, so that nothing in a file can become markup. */
-internal fun element(
-    tag: String,
-    className: String = "",
-    text: String = "",
-    build: HTMLElement.() -> Unit = {},
-): HTMLElement {
+internal fun element(tag: String, className: String = "", text: String = "", build: HTMLElement.() -> Unit = {}): HTMLElement {
     val element = document.createElement(tag).unsafeCast<HTMLElement>()
     if (className.isNotEmpty()) element.className = className
     if (text.isNotEmpty()) element.textContent = text
@@ -18,39 +13,26 @@ internal fun element(
 }
 
 /** Makes an element as the last child of this one. */
-internal fun HTMLElement.add(
-    tag: String,
-    className: String = "",
-    text: String = "",
-    build: HTMLElement.() -> Unit = {},
-): HTMLElement {
+internal fun HTMLElement.add(tag: String, className: String = "", text: String = "", build: HTMLElement.() -> Unit = {}): HTMLElement {
     val child = element(tag, className, text, build)
     appendChild(child)
     return child
 }
 
 /** Makes a button as the last child of this one. */
-internal fun HTMLElement.addButton(
-    className: String,
-    text: String,
-    hint: String = "",
-    onClick: () -> Unit,
-): HTMLElement = add("button", className, text) {
-    setAttribute("type", "button")
-    if (hint.isNotEmpty()) title = hint
-    addEventListener("click", { onClick() })
-}
+internal fun HTMLElement.addButton(className: String, text: String, hint: String = "", onClick: () -> Unit): HTMLElement =
+    add("button", className, text) {
+        setAttribute("type", "button")
+        if (hint.isNotEmpty()) title = hint
+        addEventListener("click", { onClick() })
+    }
 
 /** Makes a button that shows only an icon; [hint] is its name for those who do not see it. */
-internal fun HTMLElement.addIconButton(
-    className: String,
-    icon: Icon,
-    hint: String,
-    onClick: () -> Unit,
-): HTMLElement = addButton("icon-button $className", "", hint, onClick).apply {
-    setAttribute("aria-label", hint)
-    appendChild(icon.draw())
-}
+internal fun HTMLElement.addIconButton(className: String, icon: Icon, hint: String, onClick: () -> Unit): HTMLElement =
+    addButton("icon-button $className", "", hint, onClick).apply {
+        setAttribute("aria-label", hint)
+        appendChild(icon.draw())
+    }
 
 /** Takes an element out of sight and out of the tab order, or puts it back. */
 internal var HTMLElement.isHidden: Boolean

@@ -3,10 +3,7 @@ package badlog.page.dom
 import org.w3c.dom.Element
 
 /** The browser's own; tells when elements come near the screen or leave it. */
-internal external class IntersectionObserver(
-    callback: (entries: Array<IntersectionObserverEntry>) -> Unit,
-    options: dynamic,
-) {
+internal external class IntersectionObserver(callback: (entries: Array<IntersectionObserverEntry>) -> Unit, options: dynamic) {
     fun observe(target: Element)
     fun unobserve(target: Element)
 }

@@ -11,13 +11,7 @@ import kotlinx.browser.document
  * @property isCut whether something of that gzip stream is missing.
  * @property version the version of badlog that made the page.
  */
-internal class About(
-    val name: String,
-    val isCompressed: Boolean,
-    val inflatedBytes: Double,
-    val isCut: Boolean,
-    val version: String,
-) {
+internal class About(val name: String, val isCompressed: Boolean, val inflatedBytes: Double, val isCut: Boolean, val version: String) {
     /** Tells this file from others, for what the browser remembers of it. */
     val fileKey: String get() = "$name:$inflatedBytes"
 

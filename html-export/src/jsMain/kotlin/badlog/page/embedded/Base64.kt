@@ -38,6 +38,5 @@ internal object Base64 {
         return bytes
     }
 
-    private fun digitAt(text: String, index: Int): Int =
-        if (index < text.length) digits[text[index].code and 127] else 0
+    private fun digitAt(text: String, index: Int): Int = if (index < text.length) digits[text[index].code and 127] else 0
 }

@@ -13,10 +13,12 @@ internal class CsvPart(private val hasHeaderLine: Boolean) {
         while (at < chunk.size && isInHeader) {
             when (chunk[at++].toInt()) {
                 LINE_FEED -> isInHeader = !sawHeader
+
                 CARRIAGE_RETURN -> {
                     isInHeader = !sawHeader
                     sawReturn = sawHeader
                 }
+
                 else -> sawHeader = true
             }
         }

@@ -1,10 +1,10 @@
 package badlog.page.embedded
 
-import kotlin.js.Promise
 import org.khronos.webgl.Int8Array
 import org.khronos.webgl.Uint8Array
 import org.w3c.dom.Element
 import org.w3c.files.Blob
+import kotlin.js.Promise
 
 /** A file that the page carries as base64 in a script element. */
 internal class EmbeddedFile(private val element: Element) {

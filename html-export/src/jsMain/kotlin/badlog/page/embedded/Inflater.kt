@@ -15,7 +15,17 @@ internal class Inflater(private val input: ByteArray, private val sink: (ByteArr
     private var at = 0
     private var bits = 0
     private var bitCount = 0
-    private val fixedLengths = HuffmanCode(ByteArray(288) { if (it in 144..255) 9 else if (it in 256..279) 7 else 8 })
+    private val fixedLengths = HuffmanCode(
+        ByteArray(288) {
+            if (it in 144..255) {
+                9
+            } else if (it in 256..279) {
+                7
+            } else {
+                8
+            }
+        },
+    )
     private val fixedDistances = HuffmanCode(ByteArray(30) { 5 })
 
     /** Inflates all that can be read. */
@@ -89,8 +99,11 @@ internal class Inflater(private val input: ByteArray, private val sink: (ByteArr
                     value = all[filled - 1]
                     3 + take(2)
                 }
+
                 17 -> 3 + take(3)
+
                 18 -> 11 + take(7)
+
                 else -> {
                     value = symbol.toByte()
                     1

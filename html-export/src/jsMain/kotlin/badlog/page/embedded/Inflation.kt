@@ -1,8 +1,8 @@
 package badlog.page.embedded
 
-import kotlin.js.Promise
 import org.khronos.webgl.Int8Array
 import org.khronos.webgl.Uint8Array
+import kotlin.js.Promise
 
 /**
  * Inflates a gzip stream that is pushed to it in pieces, with the browser's own `DecompressionStream`.
@@ -15,11 +15,7 @@ import org.khronos.webgl.Uint8Array
  * @param isWhole whether the stream is known to be a single, whole member, so that it may be closed.
  * @param sink is given the inflated bytes.
  */
-internal class Inflation(
-    private val expectedBytes: Double,
-    private val isWhole: Boolean,
-    private val sink: (ByteArray) -> Unit,
-) {
+internal class Inflation(private val expectedBytes: Double, private val isWhole: Boolean, private val sink: (ByteArray) -> Unit) {
     private val stream: dynamic = js("new DecompressionStream('gzip')")
     private val writer: dynamic = stream.writable.getWriter()
     private val reader: dynamic = stream.readable.getReader()

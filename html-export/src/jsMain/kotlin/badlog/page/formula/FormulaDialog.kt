@@ -17,11 +17,7 @@ import org.w3c.dom.events.KeyboardEvent
  * @param onAdd is called with a definition that has no mistake.
  * @param onRemove is called with one of the person's definitions.
  */
-internal class FormulaDialog(
-    private val formulas: Formulas,
-    private val onAdd: (String) -> Unit,
-    private val onRemove: (String) -> Unit,
-) {
+internal class FormulaDialog(private val formulas: Formulas, private val onAdd: (String) -> Unit, private val onRemove: (String) -> Unit) {
     private lateinit var input: HTMLInputElement
     private lateinit var suggestions: HTMLElement
     private lateinit var message: HTMLElement

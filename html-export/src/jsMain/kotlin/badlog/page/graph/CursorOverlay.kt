@@ -61,7 +61,13 @@ internal class CursorOverlay(
         val share = figure.heightAt(index, x)
         val series = graph.series[index]
         val sample = series.indexAt(x)
-        val dotX = if (series.holds) x else if (sample < 0) Double.NaN else series.data.x[sample]
+        val dotX = if (series.holds) {
+            x
+        } else if (sample < 0) {
+            Double.NaN
+        } else {
+            series.data.x[sample]
+        }
         val sampleX = (dotX - now.from) / now.width
         dot.isHidden = !(share in 0.0..1.0 && sampleX in 0.0..1.0)
         if (!dot.isHidden) dot.style.transform = "translate(${sampleX * width}px, ${share * over.clientHeight}px)"

@@ -2,8 +2,8 @@ package badlog.page.graph
 
 import badlog.page.dom.json
 import badlog.plot.Curve
-import kotlin.math.PI
 import org.w3c.dom.Path2D
+import kotlin.math.PI
 
 /** [curve] on the canvas, as uPlot takes it: the line, and the area between it and 0 when it [isFilled]. */
 internal fun curvePath(curve: Curve, frame: PlotFrame, isFilled: Boolean): dynamic {

@@ -18,12 +18,7 @@ internal class EventMark(val pixel: Double, val isSerious: Boolean, val hasHead:
  * The marks of the events of [span] on [width] pixels, [onePixel] of which are one of the page: those that crowd behind
  * another are ticks, so that a chatty robot does not hide its graphs. What is serious keeps its head in any crowd.
  */
-internal fun eventMarks(
-    timeline: EventTimeline,
-    span: Span,
-    width: Double,
-    onePixel: Double,
-): List<EventMark> {
+internal fun eventMarks(timeline: EventTimeline, span: Span, width: Double, onePixel: Double): List<EventMark> {
     val pixels = ArrayList<Double>()
     val isSerious = ArrayList<Boolean>()
     for (i in timeline.firstAtOrAfter(span.from) until timeline.events.size) {
@@ -41,8 +36,8 @@ internal fun eventMarks(
     var lastLine = Double.NEGATIVE_INFINITY
     return pixels.indices.map { i ->
         val pixel = pixels[i]
-        val isCrowded = i > 0 && pixel - pixels[i - 1] < apart ||
-            i + 1 < pixels.size && isSerious[i + 1] && pixels[i + 1] - pixel < apart
+        val isCrowded = (i > 0 && pixel - pixels[i - 1] < apart) ||
+            (i + 1 < pixels.size && isSerious[i + 1] && pixels[i + 1] - pixel < apart)
         val hasLine = if (isSerious[i]) pixel - lastLine >= apart else !isCrowded
         if (hasLine) lastLine = pixel
         EventMark(pixel, isSerious[i], isSerious[i] || !isCrowded, hasLine)

@@ -7,12 +7,7 @@ import org.w3c.dom.CanvasRenderingContext2D
 import org.w3c.dom.Path2D
 
 /** Draws the marks of the events of [span] on the time line of a plot. */
-internal fun drawEventMarks(
-    context: CanvasRenderingContext2D,
-    frame: PlotFrame,
-    scene: Scene,
-    span: Span = scene.range.now,
-) {
+internal fun drawEventMarks(context: CanvasRenderingContext2D, frame: PlotFrame, scene: Scene, span: Span = scene.range.now) {
     if (scene.events.events.isEmpty()) return
     val ratio = window.devicePixelRatio
     val head = HEAD * ratio

@@ -3,21 +3,16 @@ package badlog.page.graph
 import badlog.page.view.Scene
 import badlog.plot.Span
 import badlog.recording.Severity
-import kotlin.math.PI
 import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D
 import org.w3c.dom.Path2D
+import kotlin.math.PI
 
 /**
  * Draws the marks of the findings of [span] at the foot of a plot, where no event has its: a diamond for an error, a triangle for
  * a warning, a ring for a note, below a dashed line; a band over what lasts.
  */
-internal fun drawFindingMarks(
-    context: CanvasRenderingContext2D,
-    frame: PlotFrame,
-    scene: Scene,
-    span: Span = scene.range.now,
-) {
+internal fun drawFindingMarks(context: CanvasRenderingContext2D, frame: PlotFrame, scene: Scene, span: Span = scene.range.now) {
     if (scene.findings.places.isEmpty()) return
     context.save()
     context.beginPath()
@@ -72,11 +67,13 @@ private class FindingPaths(private val frame: PlotFrame, private val severity: S
                 heads.lineTo(pixel, middle + size)
                 heads.lineTo(pixel - size, middle)
             }
+
             Severity.WARNING -> {
                 heads.moveTo(pixel, middle - size)
                 heads.lineTo(pixel + size, middle + size)
                 heads.lineTo(pixel - size, middle + size)
             }
+
             Severity.NOTE -> {
                 heads.moveTo(pixel + size - ratio, middle)
                 heads.arc(pixel, middle, size - ratio, 0.0, 2 * PI)

@@ -8,17 +8,13 @@ import badlog.plot.Span
 import badlog.plot.StateRuns
 import badlog.plot.YLimits
 import badlog.plot.laneBlocks
-import kotlin.math.ceil
 import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D
+import kotlin.math.ceil
 
 /** States as lanes of coloured blocks over x, each with its text where that fits. */
-internal class LaneFigure(
-    private val graph: Graph,
-    private val palette: Palette,
-    private val isShown: BooleanArray,
-    end: Double,
-) : Figure {
+internal class LaneFigure(private val graph: Graph, private val palette: Palette, private val isShown: BooleanArray, end: Double) :
+    Figure {
     private val runs = graph.series.map { StateRuns(it.data, end) }
     private var span = Span(0.0, 1.0)
 
@@ -57,13 +53,7 @@ internal class LaneFigure(
         context.restore()
     }
 
-    private fun drawBlock(
-        context: CanvasRenderingContext2D,
-        block: LaneBlock,
-        names: List<String>,
-        top: Double,
-        height: Double,
-    ) {
+    private fun drawBlock(context: CanvasRenderingContext2D, block: LaneBlock, names: List<String>, top: Double, height: Double) {
         // The quiet colours let through what is below them, as the longer block that a short one interrupts.
         context.clearRect(block.left, top, block.width, height)
         context.fillStyle = colourOf(block, names)
@@ -86,8 +76,10 @@ internal class LaneFigure(
     private fun colourOf(block: LaneBlock, names: List<String>) = when {
         // False is the quiet one: where a switch is pressed has to be seen at a glance.
         names.size == 2 && names[0] == "false" && block.state == 0 -> palette.off
+
         // And nobody sees a few pixels of a colour that is quiet enough for text.
         block.width < NARROW * window.devicePixelRatio -> palette.line(block.state)
+
         else -> palette.state(block.state)
     }
 

@@ -18,11 +18,7 @@ import org.w3c.dom.HTMLElement
  *
  * @param isShown for each series whether its line is drawn.
  */
-internal class Legend(
-    private val graph: Graph,
-    private val isShown: BooleanArray,
-    private val onToggle: () -> Unit,
-) {
+internal class Legend(private val graph: Graph, private val isShown: BooleanArray, private val onToggle: () -> Unit) {
     // The title says it already where a graph has but one line.
     val element: HTMLElement = element("div", if (graph.series.size == 1) "legend is-single" else "legend")
     private val values = graph.series.mapIndexed { index, series -> addEntry(index, series) }

@@ -1,8 +1,8 @@
 package badlog.page.graph
 
 import badlog.page.view.VisibleRange
-import kotlin.math.abs
 import org.w3c.dom.pointerevents.PointerEvent
+import kotlin.math.abs
 
 /** Two fingers that zoom: what was between them when they met stays between them. */
 internal class Pinch(private val range: VisibleRange, private val xAt: (Double) -> Double) {

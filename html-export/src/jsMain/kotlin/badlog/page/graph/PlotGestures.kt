@@ -5,13 +5,13 @@ import badlog.page.dom.add
 import badlog.page.dom.isHidden
 import badlog.page.dom.showText
 import badlog.page.view.Scene
-import kotlin.math.abs
-import kotlin.math.exp
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.events.Event
 import org.w3c.dom.events.WheelEvent
 import org.w3c.dom.pointerevents.PointerEvent
+import kotlin.math.abs
+import kotlin.math.exp
 
 /**
  * What a mouse or fingers do over a plot. A mouse moves the cursor, drags out what to zoom to, or, with Shift, drags

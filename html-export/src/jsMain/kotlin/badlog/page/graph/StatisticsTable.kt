@@ -9,8 +9,8 @@ import badlog.page.text.countText
 import badlog.page.text.numberText
 import badlog.page.view.Palette
 import badlog.page.view.Scene
-import kotlin.math.abs
 import org.w3c.dom.HTMLElement
+import kotlin.math.abs
 
 /** What each line of a graph does over the visible part of x, in figures. */
 internal class StatisticsTable(private val graph: Graph, private val scene: Scene) {
@@ -46,12 +46,11 @@ internal class StatisticsTable(private val graph: Graph, private val scene: Scen
 
     private companion object {
         // A figure that was calculated is not exact to the last of its digits.
-        fun rounded(value: Double): String =
-            if (value.isFinite() && abs(value) < 1e300) {
-                numberText(value.asDynamic().toPrecision(6).unsafeCast<String>().toDouble())
-            } else {
-                numberText(value)
-            }
+        fun rounded(value: Double): String = if (value.isFinite() && abs(value) < 1e300) {
+            numberText(value.asDynamic().toPrecision(6).unsafeCast<String>().toDouble())
+        } else {
+            numberText(value)
+        }
 
         val COLUMNS = listOf(
             Column("min", "the smallest value") { rounded(it.min) },

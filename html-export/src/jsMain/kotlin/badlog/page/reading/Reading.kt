@@ -5,22 +5,18 @@ import badlog.page.embedded.Base64Text
 import badlog.recording.Problem
 import badlog.recording.ProblemKind
 import badlog.recording.Recording
-import kotlin.js.Promise
 import kotlinx.browser.window
 import org.w3c.dom.Element
 import org.w3c.dom.MessageEvent
 import org.w3c.dom.Worker
+import kotlin.js.Promise
 
 /**
  * Reads the recording that the page carries, in a worker where there may be one, else on the page in slices.
  *
  * @param onProgress is told which share of the bytes has been read.
  */
-internal class Reading(
-    private val about: About,
-    private val element: Element,
-    private val onProgress: (Double) -> Unit,
-) {
+internal class Reading(private val about: About, private val element: Element, private val onProgress: (Double) -> Unit) {
     /** Starts, and promises the recording. */
     fun start(): Promise<Recording> = Promise { resolve, reject ->
         val worker = ReadingWorker.start()
@@ -48,7 +44,9 @@ internal class Reading(
             val message: dynamic = event.data
             when {
                 message == ReadingWorker.MORE -> worker.postMessage(text.next())
+
                 jsTypeOf(message) == "number" -> onProgress(message as Double)
+
                 else -> {
                     worker.terminate()
                     if (message.failure != undefined) {

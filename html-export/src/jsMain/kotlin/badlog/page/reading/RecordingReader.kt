@@ -15,11 +15,7 @@ import kotlin.js.Promise
  *
  * @param onProgress is told every now and then which share of the bytes has been read.
  */
-internal class RecordingReader(
-    private val expectedBytes: Double,
-    isWhole: Boolean,
-    private val onProgress: (Double) -> Unit,
-) {
+internal class RecordingReader(private val expectedBytes: Double, isWhole: Boolean, private val onProgress: (Double) -> Unit) {
     private val parser = RecordingParser(expectedBytes.toLong())
     private var told = 0.0
     private val inflation = Inflation(expectedBytes, isWhole, ::read)

@@ -10,23 +10,19 @@ import badlog.page.embedded.CsvPart
 import badlog.page.embedded.EmbeddedFile
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
-import kotlin.js.Promise
 import kotlinx.browser.document
 import org.w3c.dom.Element
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.asList
 import org.w3c.files.Blob
+import kotlin.js.Promise
 
 /**
  * The buttons that give files back: the original, byte for byte, its CSV part, and whatever else the page carries.
  *
  * @param read what the file was read as; only of rows there is a CSV part.
  */
-internal class Downloads(
-    private val about: About,
-    recording: Element,
-    private val read: Recording,
-) {
+internal class Downloads(private val about: About, recording: Element, private val read: Recording) {
     private val file = EmbeddedFile(recording)
 
     val element: HTMLElement = element("div", "downloads") {
@@ -47,8 +43,7 @@ internal class Downloads(
         }
     }
 
-    private fun csv(): Promise<Blob> =
-        file.inflated(about.inflatedBytes, !about.isCompressed, CsvPart(read.headerLine != null)::filter)
+    private fun csv(): Promise<Blob> = file.inflated(about.inflatedBytes, !about.isCompressed, CsvPart(read.headerLine != null)::filter)
 
     private fun HTMLElement.addDownload(
         id: String,

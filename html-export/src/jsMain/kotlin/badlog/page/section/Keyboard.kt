@@ -53,7 +53,7 @@ internal class Keyboard(
 
     private fun isTyping(event: KeyboardEvent): Boolean {
         val target = event.target.unsafeCast<Element?>() ?: return false
-        return target.tagName in TYPING || target.closest("dialog") != null && event.key != "?"
+        return target.tagName in TYPING || (target.closest("dialog") != null && event.key != "?")
     }
 
     private companion object {

@@ -19,13 +19,7 @@ import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
 /** The page of a recording, put together. */
-internal class LogPage(
-    private val formulas: Formulas,
-    about: About,
-    additions: Additions,
-    downloads: Downloads,
-    theme: ThemeSwitch,
-) {
+internal class LogPage(private val formulas: Formulas, about: About, additions: Additions, downloads: Downloads, theme: ThemeSwitch) {
     private val view = formulas.view
     private val scene = Scene(view, additions.findings + additions.hooks.flatMap { it.findings })
     private val folders = FolderList(view, scene, about.fileKey, additions.hooks) { graph ->

@@ -11,12 +11,12 @@ import badlog.page.graph.drawFindingMarks
 import badlog.page.view.Scene
 import badlog.page.view.findingText
 import badlog.plot.Span
-import kotlin.math.abs
 import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D
 import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.pointerevents.PointerEvent
+import kotlin.math.abs
 
 /**
  * The whole recording as a strip, with its events and findings and the part that is visible; dragging moves that part, or chooses

@@ -15,17 +15,16 @@ import badlog.recording.RecordingFormat
 import org.w3c.dom.HTMLElement
 
 /** What file this is, and what can be done with it. */
-internal fun pageHeader(scene: Scene, about: About, tools: List<HTMLElement>): HTMLElement =
-    element("header", "page-head") {
-        val view = scene.view
-        add("div", "page-title") {
-            add("h1", "", view.title ?: about.name)
-            add("p", "facts") {
-                for (fact in factsOf(view, scene, about)) add("span", "fact", fact)
-            }
+internal fun pageHeader(scene: Scene, about: About, tools: List<HTMLElement>): HTMLElement = element("header", "page-head") {
+    val view = scene.view
+    add("div", "page-title") {
+        add("h1", "", view.title ?: about.name)
+        add("p", "facts") {
+            for (fact in factsOf(view, scene, about)) add("span", "fact", fact)
         }
-        add("div", "page-tools") { for (tool in tools) appendChild(tool) }
     }
+    add("div", "page-tools") { for (tool in tools) appendChild(tool) }
+}
 
 private fun factsOf(view: LogView, scene: Scene, about: About): List<String> {
     val facts = ArrayList<String>()
@@ -42,9 +41,8 @@ private fun factsOf(view: LogView, scene: Scene, about: About): List<String> {
 }
 
 /** How many samples there are, as `7,500 samples each` where all topics share rows. */
-internal fun samplesText(recording: Recording): String =
-    if (recording.format == RecordingFormat.WPILOG) {
-        countText(recording.sampleCount.toInt(), "sample")
-    } else {
-        countText(recording.rowCount, "sample") + " each"
-    }
+internal fun samplesText(recording: Recording): String = if (recording.format == RecordingFormat.WPILOG) {
+    countText(recording.sampleCount.toInt(), "sample")
+} else {
+    countText(recording.rowCount, "sample") + " each"
+}

@@ -15,8 +15,7 @@ internal fun countText(count: Int): String {
 }
 
 /** `1 graph`, `7 graphs`. */
-internal fun countText(count: Int, one: String, many: String = one + "s"): String =
-    "${countText(count)} ${if (count == 1) one else many}"
+internal fun countText(count: Int, one: String, many: String = one + "s"): String = "${countText(count)} ${if (count == 1) one else many}"
 
 /** A number of bytes as a person reads it. */
 internal fun bytesText(bytes: Double): String = when {

@@ -6,5 +6,4 @@ import badlog.analysis.Units
 internal fun unitText(unit: String): String = if (Units.isNone(unit)) "" else unit
 
 /** A number and its unit. */
-internal fun withUnit(number: String, unit: String): String =
-    if (Units.isNone(unit)) number else "$number $unit"
+internal fun withUnit(number: String, unit: String): String = if (Units.isNone(unit)) number else "$number $unit"

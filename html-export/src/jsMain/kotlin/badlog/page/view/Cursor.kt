@@ -43,13 +43,11 @@ internal class Cursor(clocks: List<DoubleArray>) {
     }
 
     // Rows that share a time stamp are one step.
-    private fun after(place: Double): Double =
-        times.minOf { it.x.getOrElse(it.firstAfter(place)) { Double.POSITIVE_INFINITY } }
-            .let { if (it.isFinite()) it else times.maxOf { clock -> clock.x.last() } }
+    private fun after(place: Double): Double = times.minOf { it.x.getOrElse(it.firstAfter(place)) { Double.POSITIVE_INFINITY } }
+        .let { if (it.isFinite()) it else times.maxOf { clock -> clock.x.last() } }
 
-    private fun before(place: Double): Double =
-        times.maxOf { it.x.getOrElse(it.firstAtOrAfter(place) - 1) { Double.NEGATIVE_INFINITY } }
-            .let { if (it.isFinite()) it else times.minOf { clock -> clock.x.first() } }
+    private fun before(place: Double): Double = times.maxOf { it.x.getOrElse(it.firstAtOrAfter(place) - 1) { Double.NEGATIVE_INFINITY } }
+        .let { if (it.isFinite()) it else times.minOf { clock -> clock.x.first() } }
 }
 
 private fun seriesOf(positions: DoubleArray): Series {

@@ -12,8 +12,10 @@ class CsvPartSpec : FunSpec({
 
     test("the first line is left out, whatever ends it and wherever it is cut") {
         for (lineEnd in listOf("\n", "\r\n", "\r")) {
-            for (chunkSize in 1..20) csvOf("{\"topics\":[]}${lineEnd}a,b${lineEnd}1,2$lineEnd", chunkSize) shouldBe
-                "a,b${lineEnd}1,2$lineEnd"
+            for (chunkSize in 1..20) {
+                csvOf("{\"topics\":[]}${lineEnd}a,b${lineEnd}1,2$lineEnd", chunkSize) shouldBe
+                    "a,b${lineEnd}1,2$lineEnd"
+            }
         }
     }
 

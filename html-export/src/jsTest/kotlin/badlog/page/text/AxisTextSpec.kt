@@ -6,8 +6,7 @@ import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.ints.shouldBeLessThanOrEqual
 
 class AxisTextSpec : FunSpec({
-    fun texts(from: Double, step: Double, letters: Int, count: Int = 5) =
-        axisTexts(Array(count) { from + it * step }, step, letters).toList()
+    fun texts(from: Double, step: Double, letters: Int, count: Int = 5) = axisTexts(Array(count) { from + it * step }, step, letters).toList()
 
     test("quarters have two decimals, and fifths one") {
         texts(0.0, 0.25, 8).shouldContainExactly("0.00", "0.25", "0.50", "0.75", "1.00")

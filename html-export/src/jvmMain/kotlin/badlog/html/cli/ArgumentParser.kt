@@ -61,8 +61,7 @@ internal class ArgumentParser {
             context { readArgumentFile = null }
         }
 
-        private fun registerPast(short: String, long: String, text: String) =
-            registerOption(option(short, long).flag().help(text))
+        private fun registerPast(short: String, long: String, text: String) = registerOption(option(short, long).flag().help(text))
 
         override fun help(context: Context): String = """
             Makes a web page of each log: one that opens from disk and needs nothing else.

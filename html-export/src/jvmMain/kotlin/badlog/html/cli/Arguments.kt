@@ -10,9 +10,4 @@ import java.nio.file.Path
  * @property attachments files to put into each page.
  * @property opensPage whether to show a page in the browser.
  */
-internal class Arguments(
-    val paths: List<Path>,
-    val outFolder: Path?,
-    val attachments: List<Path>,
-    val opensPage: Boolean,
-)
+internal class Arguments(val paths: List<Path>, val outFolder: Path?, val attachments: List<Path>, val opensPage: Boolean)

@@ -28,7 +28,7 @@ internal class ExportPlan(private val arguments: Arguments) {
 
     // What exists without such a name is an output only as the page of an earlier run, so that a second one does the same.
     private fun isOutput(path: Path) =
-        isPage(path) || !path.endsIn(LOGS) && (Files.notExists(path) || Files.isRegularFile(path) && beginsAsPage(path))
+        isPage(path) || (!path.endsIn(LOGS) && (Files.notExists(path) || (Files.isRegularFile(path) && beginsAsPage(path))))
 
     private fun isPage(path: Path) = path.endsIn(PAGES)
 

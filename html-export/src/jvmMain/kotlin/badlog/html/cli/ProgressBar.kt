@@ -9,12 +9,9 @@ import java.io.PrintStream
  * @param label what is exported.
  * @param patience nanoseconds for which nothing is shown.
  */
-class ProgressBar(
-    label: String,
-    private val err: PrintStream,
-    private val isShown: Boolean,
-    private val patience: Long = 500_000_000L,
-) : ExportProgress, AutoCloseable {
+class ProgressBar(label: String, private val err: PrintStream, private val isShown: Boolean, private val patience: Long = 500_000_000L) :
+    ExportProgress,
+    AutoCloseable {
     private val label = label.takeLast(LABEL)
     private val start = System.nanoTime()
     private var percent = -1

@@ -15,13 +15,7 @@ class BagLog(private val numberText: NumberText, values: List<Pair<String, Strin
     private val writer = RowWriter()
 
     /** Creates a topic of numbers; a null is an empty cell. */
-    fun number(
-        name: String,
-        unit: String,
-        decimals: Int,
-        vararg attributes: String,
-        supplier: () -> Double?,
-    ) {
+    fun number(name: String, unit: String, decimals: Int, vararg attributes: String, supplier: () -> Double?) {
         columns += Column(BagTopic(name, unit, attributes.toList())) {
             val value = supplier()
             when {

@@ -56,13 +56,18 @@ class Driver(seed: Long, private val orders: List<Order>) {
 
     private fun wish(task: Task, drivetrain: Drivetrain) = when (task) {
         Task.Wait -> hold(0.0, 0.0)
+
         Task.Creep -> hold(0.2, 0.0)
+
         Task.Push -> hold(1.0, 0.0)
+
         Task.BackOff -> hold(-0.4, 0.0)
+
         Task.Aim -> {
             highGear = false
             approach(Camera.TARGET_X, Camera.TARGET_Y, SCORING_DISTANCE, 0.35, drivetrain)
         }
+
         is Task.DriveTo -> approach(task.x, task.y, 0.0, 0.88, drivetrain)
     }
 
@@ -82,7 +87,7 @@ class Driver(seed: Long, private val orders: List<Order>) {
     }
 
     // Who backs off is still held by the other robot at first.
-    private fun isHeld(task: Task) = task == Task.Push || task == Task.BackOff && throttle > 0
+    private fun isHeld(task: Task) = task == Task.Push || (task == Task.BackOff && throttle > 0)
 
     private fun defender(time: Double) = 4000 + 1500 * sine(time * 3.1)
 

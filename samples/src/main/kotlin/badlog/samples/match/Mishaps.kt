@@ -6,18 +6,15 @@ class Mishaps(private val all: List<Mishap> = emptyList()) {
     fun stallSeconds(time: Double): Double =
         all.filterIsInstance<Mishap.Stall>().filter { time >= it.at && time < it.at + 0.02 }.sumOf { it.seconds }
 
-    fun canIsSilent(time: Double): Boolean =
-        all.any { it is Mishap.CanSilence && time >= it.at && time < it.at + it.seconds }
+    fun canIsSilent(time: Double): Boolean = all.any { it is Mishap.CanSilence && time >= it.at && time < it.at + it.seconds }
 
-    fun isHitAt(time: Double, seconds: Double): Boolean =
-        all.any { it is Mishap.Hit && time >= it.at && time - seconds < it.at }
+    fun isHitAt(time: Double, seconds: Double): Boolean = all.any { it is Mishap.Hit && time >= it.at && time - seconds < it.at }
 
     fun contactOhms(time: Double): Double =
         if (all.any { it is Mishap.LooseLead && time >= it.at && time < it.at + it.seconds }) 0.035 else 0.0
 
     /** What the robot's program says of what happened between [from] and [until]. */
-    fun reportsBetween(from: Double, until: Double): List<String> =
-        all.filter { it.saidAt >= from && it.saidAt < until }.map { it.report }
+    fun reportsBetween(from: Double, until: Double): List<String> = all.filter { it.saidAt >= from && it.saidAt < until }.map { it.report }
 }
 
 /**

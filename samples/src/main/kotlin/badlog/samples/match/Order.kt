@@ -3,12 +3,7 @@ package badlog.samples.match
 import badlog.samples.robot.Superstructure
 
 /** What the drivers, or the autonomous program, want from second [at] on, until the next order. */
-class Order(
-    val at: Double,
-    val task: Task,
-    val state: Superstructure,
-    val note: String = "",
-)
+class Order(val at: Double, val task: Task, val state: Superstructure, val note: String = "")
 
 /** What is to be done with the drivetrain. */
 sealed interface Task {

@@ -9,12 +9,7 @@ package badlog.samples.robot
  * @param ampHours what it holds when full.
  * @param charge 1 for full.
  */
-class Battery(
-    private val ohms: Double,
-    private val slowOhms: Double,
-    private val ampHours: Double,
-    private var charge: Double,
-) {
+class Battery(private val ohms: Double, private val slowOhms: Double, private val ampHours: Double, private var charge: Double) {
     private var slowVolts = 0.0
 
     /** What a bad contact in the lead adds. */

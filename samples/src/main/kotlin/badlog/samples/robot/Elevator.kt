@@ -30,8 +30,7 @@ class Elevator(private val gain: Double = GAIN) {
     }
 
     /** What its motor controllers measure; they do not see what flows while they only brake. */
-    fun windingAmps(volts: Double): Double =
-        if (output == 0.0) 0.0 else abs(MOTORS * Motor.windingAmps(output, volts, velocity * GEARING))
+    fun windingAmps(volts: Double): Double = if (output == 0.0) 0.0 else abs(MOTORS * Motor.windingAmps(output, volts, velocity * GEARING))
 
     fun move(volts: Double, seconds: Double) {
         val lift = MOTORS * Motor.torque(output, volts, velocity * GEARING) * GEARING

@@ -5,11 +5,7 @@ import kotlin.math.sign
 import kotlin.math.sqrt
 
 /** A setpoint that travels to its goal with limited velocity and acceleration. */
-class MotionProfile(
-    position: Double,
-    private val maxVelocity: Double,
-    private val maxAcceleration: Double,
-) {
+class MotionProfile(position: Double, private val maxVelocity: Double, private val maxAcceleration: Double) {
     var goal = position
     var position = position
         private set

@@ -9,8 +9,7 @@ object Motor {
     private const val OHMS = 0.11
 
     /** The current in the windings. The battery gives only the share [duty] of it, as the controller is a chopper. */
-    fun windingAmps(duty: Double, volts: Double, speed: Double): Double =
-        (duty * volts - VOLTS_PER_SPEED * speed) / OHMS
+    fun windingAmps(duty: Double, volts: Double, speed: Double): Double = (duty * volts - VOLTS_PER_SPEED * speed) / OHMS
 
     fun torque(duty: Double, volts: Double, speed: Double): Double = TORQUE_PER_AMP * windingAmps(duty, volts, speed)
 

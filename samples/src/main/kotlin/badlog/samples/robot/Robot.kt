@@ -5,13 +5,7 @@ import badlog.samples.match.Mode
 import badlog.samples.match.Sticks
 
 /** The whole robot, stepped once for each of its 20 ms loops. */
-class Robot(
-    seed: Long,
-    val battery: Battery,
-    val drivetrain: Drivetrain,
-    pressure: Double,
-    private val mishaps: Mishaps,
-) {
+class Robot(seed: Long, val battery: Battery, val drivetrain: Drivetrain, pressure: Double, private val mishaps: Mishaps) {
     private val noise = Noise(seed)
     val power = PowerDistribution(noise)
     val roboRio = RoboRio(noise)

@@ -8,12 +8,7 @@ import badlog.viewer.text.axisTexts
  * The scales of y for [units], each so that the points [pointsOf] gives for it fill the graph. A person's choice of y is of the
  * first unit; the others keep the same part of theirs, so that all lines move together.
  */
-internal fun axesOf(
-    request: PlotRequest,
-    units: List<String>,
-    height: Float,
-    pointsOf: (String) -> List<CurvePoints>,
-): List<YAxis> {
+internal fun axesOf(request: PlotRequest, units: List<String>, height: Float, pointsOf: (String) -> List<CurvePoints>): List<YAxis> {
     val fitted = units.map { unit -> fit(pointsOf(unit), request.spec.includesZero) }
     val first = fitted.firstOrNull() ?: return emptyList()
     val chosen = request.spec.yRange?.takeIf { it.width > 0 && it.width.isFinite() }
@@ -21,7 +16,9 @@ internal fun axesOf(
         val whole = fitted[index]
         val shown = when {
             chosen == null -> whole
+
             index == 0 -> chosen
+
             else -> Span(
                 whole.from + (chosen.from - first.from) / first.width * whole.width,
                 whole.from + (chosen.to - first.from) / first.width * whole.width,

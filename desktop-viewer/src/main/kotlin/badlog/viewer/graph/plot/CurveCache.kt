@@ -19,10 +19,9 @@ internal class CurveCache {
     private val byRecording = WeakHashMap<OpenRecording, OfRecording>()
 
     /** The curve of [signal], one of [recording]'s. */
-    fun curve(recording: OpenRecording, signal: Signal): SharedCurve =
-        of(recording).curves.computeIfAbsent(signal.name) {
-            SharedCurve(signal.series, recording.holdsUntil(signal))
-        }
+    fun curve(recording: OpenRecording, signal: Signal): SharedCurve = of(recording).curves.computeIfAbsent(signal.name) {
+        SharedCurve(signal.series, recording.holdsUntil(signal))
+    }
 
     /** The states of [signal], one of [recording]'s. */
     fun runs(recording: OpenRecording, signal: Signal): StateRuns =

@@ -70,7 +70,12 @@ private fun DrawScope.drawName(
     if (room < LEAST_ROOM * density || height < LETTERS * density) return
     val style = TextStyle(color = palette.text, fontSize = LETTERS.sp)
     val text = letters.measure(
-        name.take(MOST_LETTERS), style, TextOverflow.Ellipsis, softWrap = false, maxLines = 1, Constraints(maxWidth = room),
+        name.take(MOST_LETTERS),
+        style,
+        TextOverflow.Ellipsis,
+        softWrap = false,
+        maxLines = 1,
+        Constraints(maxWidth = room),
     )
     // A few letters of a name say nothing, or what another state is called.
     if (text.hasVisualOverflow && room < LEAST_ROOM_OF_A_PART * density) return

@@ -45,8 +45,7 @@ private fun lanesHeight(request: PlotRequest, lanes: Int, hasLines: Boolean): Fl
 }
 
 /** What of the line's own x is visible. */
-private fun visibleOf(line: DrawnLine, request: PlotRequest) =
-    Span(request.visible.from - line.offset, request.visible.to - line.offset)
+private fun visibleOf(line: DrawnLine, request: PlotRequest) = Span(request.visible.from - line.offset, request.visible.to - line.offset)
 
 private fun pointsOf(line: DrawnLine, request: PlotRequest, curves: CurveCache): CurvePoints {
     val visible = visibleOf(line, request)

@@ -11,13 +11,7 @@ import badlog.recording.Topic
  * @param time the topic that only tells where on x a row stands, or null.
  * @param seconds how long it is, or null where nothing tells.
  */
-internal fun contentOf(
-    recording: Recording,
-    topics: List<TopicSummary>,
-    time: Topic?,
-    seconds: Double?,
-    isMatch: Boolean,
-): Content = when {
+internal fun contentOf(recording: Recording, topics: List<TopicSummary>, time: Topic?, seconds: Double?, isMatch: Boolean): Content = when {
     recording.sampleCount == 0L -> Content.NO_SAMPLES
     topics.none { it.name != time?.name && changes(it) } && recording.topics.none(::tells) -> Content.NOTHING_CHANGES
     seconds != null && seconds < 1 -> Content.TOO_SHORT

@@ -59,7 +59,13 @@ internal class PreviewLine(val bytes: ByteArray) {
                 val low = floor(share).toInt().coerceIn(0, 255)
                 val high = ceil(share).toInt().coerceIn(0, 255)
                 val first = columnOf(i)
-                val last = if (held == null) first else if (i + 1 < x.size) columnOf(i + 1) else COLUMNS - 1
+                val last = if (held == null) {
+                    first
+                } else if (i + 1 < x.size) {
+                    columnOf(i + 1)
+                } else {
+                    COLUMNS - 1
+                }
                 for (column in first..last) {
                     if (low < bytes[2 * column].toUByte().toInt()) bytes[2 * column] = low.toByte()
                     if (high > bytes[2 * column + 1].toUByte().toInt()) bytes[2 * column + 1] = high.toByte()

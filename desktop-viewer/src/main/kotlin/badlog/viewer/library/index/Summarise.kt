@@ -72,7 +72,9 @@ private fun summaryOf(file: LogFile, view: LogView): LogEntry {
                 val seconds = duration?.let { secondsOf(it, xUnit) }
                 contentOf(recording, topics, time, seconds, isMatch = matchTitle(recording.values) != null)
             }
+
             isNamedAsLog(file.name) -> Content.UNREADABLE
+
             else -> Content.NO_LOG
         },
         trouble = trouble,
@@ -87,7 +89,11 @@ private fun summaryOf(topic: Topic, view: LogView): TopicSummary {
     val statistics = line.data.statistics()
     val held = if (line.holds) view.xAxis.range else null
     return TopicSummary(
-        topic.name, topic.unit, topic.kind, statistics, PreviewLine.of(line.data, statistics.min, statistics.max, held),
+        topic.name,
+        topic.unit,
+        topic.kind,
+        statistics,
+        PreviewLine.of(line.data, statistics.min, statistics.max, held),
     )
 }
 

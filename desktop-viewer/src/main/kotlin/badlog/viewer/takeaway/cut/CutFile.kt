@@ -16,13 +16,7 @@ import java.nio.file.Path
  * @return what was written, in a sentence.
  * @throws IOException with a sentence for the person, when there is nothing to write or [target] is the recording's own file.
  */
-internal fun cutFile(
-    recording: OpenRecording,
-    span: Span,
-    format: RecordingFormat,
-    target: Path,
-    progress: (Float) -> Unit = {},
-): String {
+internal fun cutFile(recording: OpenRecording, span: Span, format: RecordingFormat, target: Path, progress: (Float) -> Unit = {}): String {
     val part = partOf(recording, span)
     if (part.rows.isEmpty()) throw IOException("There are no samples in what is visible; show a part of the recording that has some.")
     if (Files.exists(target) && Files.exists(recording.file) && Files.isSameFile(target, recording.file)) {

@@ -44,7 +44,7 @@ internal fun partOf(recording: OpenRecording, span: Span): Part {
 private fun rowsOf(recording: OpenRecording, whole: Recording, span: Span): Part {
     val rows = rowsWithin(recording, span)
     val (columns, others) = whole.topics.partition { topic ->
-        recording.signal(topic.name)?.definition == null || topic.times == null && topic.samples.size == whole.rowCount
+        recording.signal(topic.name)?.definition == null || (topic.times == null && topic.samples.size == whole.rowCount)
     }
     if (others.isEmpty()) return Part(whole, rows)
     val part = Recording(whole.format, whole.headerLine, whole.values, columns, whole.rowCount, whole.problems)

@@ -54,7 +54,9 @@ internal class FigureBuilder(private val recordings: List<DrawnRecording>, priva
 
     private fun labelOf(signal: Signal, recording: String, graph: GraphSpec): String = when {
         recordings.size == 1 -> plainLine(signal.title, LABEL_LETTERS)
+
         graph.lines.size == 1 -> plainLine(recording, LABEL_LETTERS)
+
         else -> {
             val title = plainLine(signal.title, LABEL_LETTERS / 2)
             "$title, ${plainLine(recording, LABEL_LETTERS - title.length - 2)}"
@@ -98,7 +100,9 @@ internal class FigureBuilder(private val recordings: List<DrawnRecording>, priva
     /** Of several recordings the lanes of one signal stand together, as they are to be compared. */
     private fun laneFrames(graph: GraphSpec, sources: List<Source>, columns: Int): List<FigureFrame> = when {
         sources.isEmpty() -> emptyList()
+
         recordings.size == 1 -> listOf(laneFrame(graph.title, sources, columns) { it.signal.title })
+
         else -> sources.groupBy { it.signal.name }.map { (name, lanes) ->
             laneFrame(name, lanes, columns) { names[recordings.indexOf(it.drawn)] }
         }
@@ -116,8 +120,7 @@ internal class FigureBuilder(private val recordings: List<DrawnRecording>, priva
         },
     )
 
-    private fun isNamed(graph: GraphSpec, signal: Signal) =
-        graph.title == signal.name || PathName.baseNameOf(graph.title) == signal.title
+    private fun isNamed(graph: GraphSpec, signal: Signal) = graph.title == signal.name || PathName.baseNameOf(graph.title) == signal.title
 
     private companion object {
         /** So many points make about one megabyte of SVG. */

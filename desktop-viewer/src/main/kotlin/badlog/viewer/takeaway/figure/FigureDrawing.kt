@@ -1,15 +1,14 @@
 package badlog.viewer.takeaway.figure
 
 import badlog.viewer.theme.Palette
-import org.jetbrains.letsPlot.Figure as LetsPlotFigure
 import org.jetbrains.letsPlot.coord.coordCartesian
 import org.jetbrains.letsPlot.geom.geomPath
 import org.jetbrains.letsPlot.geom.geomPoint
 import org.jetbrains.letsPlot.geom.geomRect
 import org.jetbrains.letsPlot.geom.geomRibbon
 import org.jetbrains.letsPlot.geom.geomText
-import org.jetbrains.letsPlot.ggsize
 import org.jetbrains.letsPlot.gggrid
+import org.jetbrains.letsPlot.ggsize
 import org.jetbrains.letsPlot.intern.Plot
 import org.jetbrains.letsPlot.label.labs
 import org.jetbrains.letsPlot.letsPlot
@@ -20,6 +19,7 @@ import org.jetbrains.letsPlot.scale.scaleFillIdentity
 import org.jetbrains.letsPlot.scale.scaleFillManual
 import org.jetbrains.letsPlot.scale.scaleXContinuous
 import org.jetbrains.letsPlot.scale.scaleYContinuous
+import org.jetbrains.letsPlot.Figure as LetsPlotFigure
 
 /** What lets-plot draws for [figure], in the sizes of [options]; always in the colours for bright rooms, as paper is. */
 internal fun drawingOf(figure: Figure, options: FigureOptions): LetsPlotFigure {

@@ -1,16 +1,16 @@
 package badlog.viewer.takeaway.figure
 
-import java.awt.Color
-import java.awt.image.BufferedImage
-import java.io.IOException
-import java.io.StringReader
-import java.util.Locale
 import org.apache.batik.transcoder.SVGAbstractTranscoder
 import org.apache.batik.transcoder.TranscoderInput
 import org.apache.batik.transcoder.TranscoderOutput
 import org.apache.batik.transcoder.image.ImageTranscoder
 import org.jetbrains.letsPlot.awt.plot.PlotSvgExport
 import org.jetbrains.letsPlot.intern.toSpec
+import java.awt.Color
+import java.awt.image.BufferedImage
+import java.io.IOException
+import java.io.StringReader
+import java.util.Locale
 
 /** [figure] as a document of SVG in the sizes of [options], with a white margin around it. */
 internal fun svgOf(figure: Figure, options: FigureOptions): String {

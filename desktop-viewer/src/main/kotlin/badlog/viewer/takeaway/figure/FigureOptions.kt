@@ -7,11 +7,7 @@ package badlog.viewer.takeaway.figure
  * @property graphHeight how high one graph's frame is, in points of SVG; lanes take what they need.
  * @property format what kind of file it becomes.
  */
-internal data class FigureOptions(
-    val width: Int = 900,
-    val graphHeight: Int = 150,
-    val format: FigureFormat = FigureFormat.PNG,
-)
+internal data class FigureOptions(val width: Int = 900, val graphHeight: Int = 150, val format: FigureFormat = FigureFormat.PNG)
 
 /**
  * The kinds of file that a figure can be.

@@ -9,13 +9,7 @@ package badlog.viewer.takeaway.figure
  * @property plotWidth about how wide the part with the lines is.
  * @property height how high it is in all.
  */
-internal class FrameSize(
-    val isFirst: Boolean,
-    val isLast: Boolean,
-    val legendRows: Int,
-    val plotWidth: Int,
-    val height: Int,
-) {
+internal class FrameSize(val isFirst: Boolean, val isLast: Boolean, val legendRows: Int, val plotWidth: Int, val height: Int) {
     companion object {
         /** The size of frame [index] of [figure]. */
         fun of(figure: Figure, index: Int, options: FigureOptions): FrameSize {

@@ -32,6 +32,7 @@ internal fun writeFigure(figure: Figure, options: FigureOptions, file: Path) {
     if (Thread.interrupted()) throw InterruptedException()
     when (options.format) {
         FigureFormat.SVG -> writeWhole(file) { it.write(svg.encodeToByteArray()) }
+
         FigureFormat.PNG -> {
             val image = imageOf(svg, options.width, PICTURE_SCALE)
             writeWhole(file) { ImageIO.write(image, "png", it) }

@@ -43,10 +43,12 @@ private fun tell(viewer: Viewer, pages: PagesMade) {
     val made = pages.made
     when {
         made.size == 1 -> viewer.notices.say("Made ${made.single()}.", openAction(viewer, made.single()))
+
         made.isNotEmpty() -> {
             val folder = made.first().parent
             viewer.notices.say("Made ${made.size} pages in $folder.", openAction(viewer, folder))
         }
+
         pages.failures.isEmpty() -> viewer.notices.complain("There is no log in the folder of which to make a page.")
     }
     if (pages.failures.isEmpty()) return

@@ -23,8 +23,7 @@ class PictureMakingSpec : FunSpec({
         val spec = GraphSpec(1, "Graph", names.map(::LineSpec), yRange = yRange)
         return makePicture(PlotRequest(spec, recordings, visible, width = 100, height = 50, Palette.LIGHT, density = 1f), CurveCache())
     }
-    fun picture(recording: OpenRecording, visible: Span = recording.span, yRange: Span? = null) =
-        picture(listOf(DrawnRecording(recording)), listOf("A/Voltage"), visible, yRange)
+    fun picture(recording: OpenRecording, visible: Span = recording.span, yRange: Span? = null) = picture(listOf(DrawnRecording(recording)), listOf("A/Voltage"), visible, yRange)
 
     test("a line goes from edge to edge, its ends where its samples stand") {
         val line = picture(recordingOf(bagOf(11) { it.toDouble() })).lines.single()

@@ -11,8 +11,7 @@ import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
 class IndexQueueSpec : FunSpec({
-    fun read(queue: IndexQueue, now: Duration = Duration.ZERO, took: Duration = 10.milliseconds): LogFile? =
-        queue.take()?.also { queue.finished(entry(it.name).copy(source = it), now, took) }
+    fun read(queue: IndexQueue, now: Duration = Duration.ZERO, took: Duration = 10.milliseconds): LogFile? = queue.take()?.also { queue.finished(entry(it.name).copy(source = it), now, took) }
 
     val old = entry("old.bag", second = 1).source
     val new = entry("new.bag", second = 2).source

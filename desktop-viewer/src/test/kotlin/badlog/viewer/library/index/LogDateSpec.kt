@@ -35,7 +35,11 @@ class LogDateSpec : FunSpec({
     }
 
     listOf(
-        "2018-04-14T10:22:03", "2018-04-14T10:22:03.123456", "2018-04-14 10:22:03", "04/14/2018 10:22:03", "20180414_102203",
+        "2018-04-14T10:22:03",
+        "2018-04-14T10:22:03.123456",
+        "2018-04-14 10:22:03",
+        "04/14/2018 10:22:03",
+        "20180414_102203",
     ).forEach { text ->
         test("the value “$text” tells the date, before the name") {
             date("20240316.bag", text).time.withNano(0) shouldBe LocalDateTime.of(2018, 4, 14, 10, 22, 3)
@@ -49,8 +53,14 @@ class LogDateSpec : FunSpec({
     }
 
     test("a date of a clock that nothing has set is passed over") {
-        date("FRC_19700101_000012.bag", "1970-01-01T00:00:12") shouldBe LogDate.of(emptyList(), LogFile(Path.of("a"), 1,
-            written.atZone(ZoneId.systemDefault()).toInstant().toEpochMilli()))
+        date("FRC_19700101_000012.bag", "1970-01-01T00:00:12") shouldBe LogDate.of(
+            emptyList(),
+            LogFile(
+                Path.of("a"),
+                1,
+                written.atZone(ZoneId.systemDefault()).toInstant().toEpochMilli(),
+            ),
+        )
         date("99999999_999999.bag").source shouldBe DateSource.FILE_TIME
     }
 

@@ -9,7 +9,9 @@ class MatchFactsSpec : FunSpec({
 
     test("values tell event, type, number and alliance") {
         val values = listOf(
-            Value("FMS/Event_Name", "OHCL"), Value("Match Type", "Qualification"), Value("MATCH NUMBER", "42"),
+            Value("FMS/Event_Name", "OHCL"),
+            Value("Match Type", "Qualification"),
+            Value("MATCH NUMBER", "42"),
             Value("Alliance Station", "Red2"),
         )
         MatchFacts.of(values, "any.bag") shouldBe MatchFacts("OHCL", "Qualification", "42", "Red")

@@ -68,8 +68,7 @@ class SummariseSpec : FunSpec({
     }
 
     test("a WPILOG in which nothing is logged or nothing changes is grey") {
-        fun contentOf(vararg topics: Topic) =
-            summaryOf(folder.resolve("empty.wpilog").also { Files.write(it, wpilogOf(topics.toList())) }).content
+        fun contentOf(vararg topics: Topic) = summaryOf(folder.resolve("empty.wpilog").also { Files.write(it, wpilogOf(topics.toList())) }).content
         contentOf(loggedTopic("Gain")) shouldBe Content.NO_SAMPLES
         contentOf(loggedTopic("Gain", 0.0 to 1.0, 9.0 to 1.0)) shouldBe Content.NOTHING_CHANGES
         contentOf(loggedTopic("Gain", 0.0 to 1.0, 0.5 to 2.0)) shouldBe Content.TOO_SHORT

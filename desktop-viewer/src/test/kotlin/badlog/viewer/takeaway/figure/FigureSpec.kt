@@ -24,19 +24,18 @@ import io.kotest.matchers.collections.shouldNotContain
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.shouldBe
+import org.w3c.dom.Document
+import org.w3c.dom.Element
 import java.nio.file.Path
 import javax.xml.parsers.DocumentBuilderFactory
 import kotlin.math.sin
-import org.w3c.dom.Document
-import org.w3c.dom.Element
 
 class FigureSpec : FunSpec({
     val options = FigureOptions()
     val arm = recordingOf(armBag(500))
     val joint = GraphSpec(1, "Arm/Both", listOf(LineSpec("Arm/Angle"), LineSpec("Arm/Current"), LineSpec("Arm/Mode")))
 
-    fun build(graphs: List<GraphSpec>, x: Span, vararg recordings: OpenRecording) =
-        FigureBuilder(recordings.map { DrawnRecording(it) }, x, options.width).build(graphs)
+    fun build(graphs: List<GraphSpec>, x: Span, vararg recordings: OpenRecording) = FigureBuilder(recordings.map { DrawnRecording(it) }, x, options.width).build(graphs)
 
     test("it says what it shows: the recording, the graphs, the axes with their units, the states") {
         val texts = textsIn(svgOf(build(standardGraphs(arm.view).graphs, arm.span, arm), options))
@@ -141,14 +140,11 @@ class FigureSpec : FunSpec({
     }
 })
 
-private fun topicOf(name: String, samples: DoubleArray) =
-    Topic(name, "V", emptyList(), samples, TextColumn.EMPTY, CellCounts(samples.size, 0, 0, 0, 0, 0))
+private fun topicOf(name: String, samples: DoubleArray) = Topic(name, "V", emptyList(), samples, TextColumn.EMPTY, CellCounts(samples.size, 0, 0, 0, 0, 0))
 
-private fun recordingOf(topics: List<Topic>, rows: Int) =
-    Recording(RecordingFormat.CSV, null, emptyList(), topics, rows, emptyList())
+private fun recordingOf(topics: List<Topic>, rows: Int) = Recording(RecordingFormat.CSV, null, emptyList(), topics, rows, emptyList())
 
-private fun documentOf(svg: String): Document =
-    DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(svg.byteInputStream())
+private fun documentOf(svg: String): Document = DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(svg.byteInputStream())
 
 private fun elements(svg: String, name: String): List<Element> {
     val nodes = documentOf(svg).getElementsByTagName(name)

@@ -1,0 +1,56 @@
+package badlog.expression
+
+import badlog.analysis.Series
+
+/**
+ * A question to a recording, or a formula between its topics, read and checked. `docs/expressions.md` has the language.
+ *
+ * It may be asked of every recording whose vocabulary is equal to [vocabulary], by several threads at once.
+ *
+ * @property text what it was read from.
+ * @property vocabulary the names it was read with.
+ */
+public class Expression internal constructor(public val text: String, public val vocabulary: Vocabulary, internal val root: Node) :
+    ParsedExpression {
+    /** What it gives. */
+    public val type: ExpressionType = ExpressionType(root.type.kind == Kind.CONDITION, root.type.isOverTime)
+
+    /** The full names of the topics it uses, in the order in which they come first. */
+    public val topics: List<String> = LinkedHashSet<String>().also { addTopics(root, it) }.toList()
+
+    /** Whether it holds in the recording of [signals], when, and with which numbers. */
+    public fun answer(signals: Signals): Answer = Answering(text, root, signals).answer()
+
+    /**
+     * Its samples over time: numbers, or 1 and 0, with NaN for gaps. One number for the whole recording is a line from its begin
+     * to its end.
+     */
+    public fun series(signals: Signals): Series = when (val value = Evaluation(signals, root.id + 1).valueOf(root)) {
+        is Column -> Series(value.stretches?.logged(value.x) ?: value.x, value.y)
+
+        is Scalar -> signals.range.let { range ->
+            val x = if (range == null) DoubleArray(0) else doubleArrayOf(range.from, range.to)
+            Series(x, DoubleArray(x.size) { value.value })
+        }
+    }
+
+    /** The expression with full names in quotes and no needless parentheses; reading it gives the same expression. */
+    override fun toString(): String = printed(root)
+
+    private fun addTopics(node: Node, names: MutableSet<String>) {
+        if (node is Node.Topic) names += node.signal.name
+        for (child in node.children) addTopics(child, names)
+    }
+
+    public companion object {
+        /** Reads [text], in which the names are those of [vocabulary]. Never throws, whatever the text. */
+        public fun parse(text: String, vocabulary: Vocabulary): ParsedExpression = try {
+            val root = Parser(text, vocabulary).parse()
+            Checker.check(root)
+            if (root.type.kind == Kind.TEXT) mistake(root, "This is a text, no answer; compare it, as in State == 'IDLE'.")
+            Expression(text, vocabulary, root)
+        } catch (mistake: Mistake) {
+            ExpressionError(text, mistake.from, mistake.until, mistake.kind, mistake.message)
+        }
+    }
+}

@@ -1,0 +1,84 @@
+package badlog.expression
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+import kotlin.math.abs
+import kotlin.random.Random
+
+class EvaluationSpec : FunSpec({
+    test("random expressions over random samples give what the slow evaluator gives, at the same times") {
+        repeat(ROUNDS) { seed ->
+            val random = Random(seed)
+            val signals = randomSignals(random)
+            val text = RandomExpressions(random).any()
+            val expression = parsed(text, signals.vocabulary)
+            val slow = SlowEvaluator(signals).valueOf(expression.root)
+            when (val fast = Evaluation(signals, expression.root.id + 1).valueOf(expression.root)) {
+                is Scalar -> if (!isSame(
+                        fast.value,
+                        slow.single,
+                    )
+                ) {
+                    throw AssertionError("seed $seed: $text is ${fast.value}, not ${slow.single}")
+                }
+
+                is Column -> {
+                    val rows = slow.rows!!
+                    val times = fast.x.indices.map { fast.time(it) }
+                    val isSame = times.size == rows.size &&
+                        times.zip(rows).all { (time, row) -> isSame(time, slow.course?.logged(row.time) ?: row.time) } &&
+                        rows.indices.all { isSame(fast.y[it], rows[it].value) }
+                    if (!isSame) throw AssertionError("seed $seed: $text is ${times.zip(fast.y.toList())}, not $rows")
+                }
+            }
+        }
+    }
+
+    test("random expressions are written so that they are read as the same again") {
+        repeat(ROUNDS) { seed ->
+            val random = Random(seed)
+            val vocabulary = randomSignals(random).vocabulary
+            val expression = parsed(RandomExpressions(random).any(), vocabulary)
+            val again = parsed(expression.toString(), vocabulary)
+            again.toString() shouldBe expression.toString()
+            shape(again.root) shouldBe shape(expression.root)
+        }
+    }
+
+    test("random expressions have an answer over random samples") {
+        repeat(ROUNDS) { seed ->
+            val random = Random(seed)
+            val signals = randomSignals(random)
+            val expression = parsed(RandomExpressions(random).any(), signals.vocabulary)
+            val answer = expression.answer(signals)
+            (answer.outcome == Outcome.NO_QUESTION) shouldBe !expression.type.isCondition
+            if (expression.type.isOverTime && expression.type.isCondition) answer.matches shouldBe answer.spans.isNotEmpty()
+            if (signals.series("A").isOrdered) answer.spans.zipWithNext().all { (a, b) -> a.to <= b.from } shouldBe true
+            answer.toString().isNotEmpty() shouldBe true
+        }
+    }
+})
+
+private const val ROUNDS = 8000
+
+private fun isSame(fast: Double, slow: Any?): Boolean = when (slow) {
+    null -> fast.isNaN()
+    is Boolean -> fast == if (slow) 1.0 else 0.0
+    is Double -> if (slow.isFinite()) abs(fast - slow) <= 1e-9 * maxOf(1.0, abs(slow)) else fast.compareTo(slow) == 0
+    else -> false
+}
+
+/** What [node] is made of, without places. */
+internal fun shape(node: Node): String = when (node) {
+    is Node.Number -> "${node.value}"
+    is Node.Time -> "${node.seconds}s"
+    is Node.Truth -> "${node.value}"
+    is Node.Text -> "'${node.text}'"
+    is Node.Topic -> node.signal.name
+    is Node.Enabled -> if (node.isAutonomous) "autonomous" else "enabled"
+    is Node.Negative -> "neg"
+    is Node.Not -> "not"
+    is Node.For -> "for"
+    is Node.Binary -> node.operator.symbol
+    is Node.Call -> node.function.name
+}.let { if (node.children.isEmpty()) it else node.children.joinToString(" ", "($it ", ")") { child -> shape(child) } }

@@ -1,0 +1,108 @@
+package badlog.expression
+
+import badlog.analysis.EnabledSpan
+import badlog.analysis.Series
+import badlog.plot.Span
+import kotlin.random.Random
+
+/** Makes expressions that fit together, over the signals of [randomSignals]. */
+internal class RandomExpressions(private val random: Random) {
+    fun any(): String = if (random.nextBoolean()) condition(4) else number(4)
+
+    private fun <T> pick(vararg choices: T): T = choices[random.nextInt(choices.size)]
+
+    private fun number(depth: Int): String = if (depth == 0 || random.nextInt(4) == 0) {
+        pick("A", "B", "C", "Dir/D", "2", "0.5", "-1", "min(A)", "0.5 s")
+    } else {
+        when (random.nextInt(6)) {
+            0 -> "(${number(depth - 1)} ${pick("+", "-", "*", "/", "%", "^")} ${number(depth - 1)})"
+
+            1 -> "(${pick(series(depth), "A", "C", "1")} when ${condition(depth - 1)})"
+
+            // Of whole numbers only: where a mean is 0 but for rounding, a root exists or not.
+            2 -> pick("abs(${number(depth - 1)})", "sqrt(${pick("A", "C", "delta(B)")})")
+
+            3 -> pick(
+                "delta(${series(depth)})", "derivative(${series(depth)})", "area(${series(depth)})", "hold(${series(depth)})",
+                "previous(${series(depth)})",
+                "shift(${series(depth)}, ${pick("0.5 s", "-0.25 s")})", "mean(${series(depth)}, 1 s)",
+                "min(${series(depth)}, 0.5 s)", "max(${series(depth)}, 2 s)",
+            )
+
+            4 -> pick(
+                "min", "max", "mean", "median", "stddev", "first", "last", "integral", "duration", "count", "time_of_min",
+                "time_of_max",
+            ).let {
+                "$it(${series(depth)})"
+            }
+
+            else -> pick(
+                "if(${condition(depth - 1)}, ${number(depth - 1)}, ${number(depth - 1)})",
+                "clamp(${number(depth - 1)}, 0, 2)",
+                "-${number(depth - 1)}",
+                "percentile(${series(depth)}, 30)",
+                "total(${conditionOverTime(depth)})",
+                "count(${conditionOverTime(depth)})",
+                "count(changed(S))",
+            )
+        }
+    }
+
+    // One with a topic always changes over time.
+    private fun series(depth: Int): String = "${number(depth - 1)} + ${pick("A", "B", "C", "Dir/D")}"
+
+    private fun conditionOverTime(depth: Int): String = "(${condition(depth - 1)} ${pick("and", "or")} ${pick("F", "G", "B > 0", "C < 1")})"
+
+    private fun condition(depth: Int): String = if (depth == 0 || random.nextInt(5) == 0) {
+        pick(
+            "F", "G", "true", "S == 'a'", "S != 'b'", "T = S", "E contains 'X'", "E matches '?*y'", "enabled", "autonomous",
+            "missing(C)", "changed(S)", "A > 0",
+        )
+    } else {
+        when (random.nextInt(8)) {
+            7 -> "(hold(E) ${pick("==", "!=")} 'xy' for ${pick("0.25 s", "0.5 s")})"
+            0 -> "(${condition(depth - 1)} ${pick("and", "or", "&&", "||")} ${condition(depth - 1)})"
+            1 -> "not ${condition(depth - 1)}"
+            2 -> "(${conditionOverTime(depth)} for ${pick("0.25 s", "0.5 s", "1 s")})"
+            3 -> pick("any", "all").let { "$it(${conditionOverTime(depth)})" }
+            4 -> "during(${pick("1", "2 s", "time_of_min(A)")}, 3.25 s)"
+            else -> "(${number(depth - 1)} ${pick("<", "<=", ">", ">=", "==", "!=", "=")} ${number(depth - 1)})"
+        }
+    }
+}
+
+/** A, B, F and S share their times; C, Dir/D, G, T and the events E have their own. Some are empty, some have gaps. */
+internal fun randomSignals(random: Random): Signals {
+    fun times(most: Int) = List(random.nextInt(most + 1)) { random.nextInt(24) * 0.25 }.distinct().sorted().toDoubleArray()
+    fun numbers(x: DoubleArray) = Series(
+        x,
+        DoubleArray(x.size) { if (random.nextInt(5) == 0) Double.NaN else random.nextInt(-2, 4).toDouble() },
+    )
+    fun among(x: DoubleArray, count: Int, hasGaps: Boolean = true) = Series(x, DoubleArray(x.size) { if (hasGaps && random.nextInt(5) == 0) Double.NaN else random.nextInt(count).toDouble() })
+    // Of every third recording the clock was set back.
+    val common = if (random.nextInt(3) > 0) times(14) else times(6) + times(6) + times(3)
+    val edges = List(4) { random.nextInt(24) * 0.25 }.sorted()
+    val isMeasured = edges.distinct().size == 4
+    return SampleSignals(
+        mapOf(
+            Signal("A", SignalKind.NUMBER) to numbers(common),
+            Signal("B", SignalKind.NUMBER) to numbers(common),
+            Signal("C", SignalKind.NUMBER) to numbers(times(8)),
+            Signal("Dir/D", SignalKind.NUMBER) to numbers(times(4)),
+            Signal("F", SignalKind.CONDITION) to among(common, 2),
+            Signal("G", SignalKind.CONDITION) to among(times(5), 2),
+            Signal("S", SignalKind.STATE) to among(common, 3),
+            Signal("T", SignalKind.STATE) to among(times(5), 2),
+            Signal("E", SignalKind.EVENT) to among(times(4), 3, hasGaps = false),
+        ),
+        texts = mapOf("S" to listOf("a", "b", "c"), "T" to listOf("c", "a"), "E" to listOf("xy", "Xerxes", "no")),
+        enabled = if (isMeasured) {
+            listOf(
+                EnabledSpan(Span(edges[0], edges[1]), true),
+                EnabledSpan(Span(edges[2], edges[3]), false),
+            )
+        } else {
+            emptyList()
+        },
+    )
+}

@@ -1,0 +1,41 @@
+package badlog.expression
+
+import badlog.analysis.LogView
+import badlog.bag.BagParser
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+
+/** Of 100 rows that are [step] apart, V counts up. With [unit] null, there is no x axis. */
+private fun signals(step: Double, unit: String?): Signals {
+    val attributes = if (unit == null) "" else """"xaxis""""
+    val header = """{"topics":[{"name":"Time","unit":"${unit.orEmpty()}","attrs":[$attributes]},{"name":"V","unit":"V"}],"values":[]}"""
+    val bag = header + "\nTime,V\n" + List(100) { "${it * step},$it\n" }.joinToString("")
+    return LogViewSignals(LogView.of(BagParser().apply { accept(bag.encodeToByteArray()) }.finish()))
+}
+
+class TimeUnitsSpec : FunSpec({
+    for ((unit, step) in mapOf(
+        "s" to 0.02, "Seconds" to 0.02, "ms" to 20.0, "milliseconds" to 20.0, "us" to 2e4, "ns" to 2e7,
+        "minutes" to 0.02 / 60, "h" to 0.02 / 3600, "" to 0.02,
+    )) {
+        test("a second is a second where x is in “$unit”") {
+            val signals = signals(step, unit)
+            val spans = parsed("V >= 50 for 0.5 s", signals.vocabulary).answer(signals).spans
+            readable(spans.single().from / step) shouldBe "75"
+            readable(parsed("max(V - min(V, 1 s))", signals.vocabulary).answer(signals).figures.single().value) shouldBe "49"
+        }
+    }
+
+    for (unit in listOf(null, "m", "rows")) {
+        test("a time is a mistake where x is in “$unit”") {
+            errorOf("V >= 50 for 0.5 s", signals(1.0, unit).vocabulary).kind shouldBe ExpressionErrorKind.NO_TIME
+        }
+    }
+
+    test("a virtual topic leaves time as it is") {
+        val signals = signals(1.0, null)
+        val with = signals.with(VirtualTopic.parse("Twice = 2 * V", signals.vocabulary) as VirtualTopic)
+        errorOf("Twice >= 50 for 0.5 s", with.vocabulary).kind shouldBe ExpressionErrorKind.NO_TIME
+        parsed("count(Twice >= 50)", with.vocabulary).answer(with).figures.single().value shouldBe 1.0
+    }
+})

@@ -1,0 +1,97 @@
+package badlog.replay
+
+import kotlinx.serialization.json.JsonObject
+import java.util.BitSet
+
+/**
+ * What one connected client wants and gets. To be used by one thread at a time.
+ *
+ * @param ignore hears of what was not understood or not done, in half a sentence.
+ */
+internal class Client(
+    private val player: Player,
+    private val wire: Wire,
+    private val frames: ValueFrames,
+    private val ignore: (String) -> Unit,
+) {
+    private val signals = player.signals
+    private val reader = RequestReader(ignore)
+    private val subscriptions = Subscriptions(signals)
+    private val ownTopics = OwnTopics(firstId = signals.size)
+    private val outbox = Outbox(signals.size, MOST_WAITING)
+    private val announced = BitSet()
+
+    fun receive(text: String) {
+        val answers = ArrayList<JsonObject>()
+        for (request in reader.read(text)) {
+            when (request) {
+                is Request.Subscribe -> subscribe(request, answers)
+
+                is Request.Unsubscribe -> {
+                    subscriptions.remove(request.id)
+                    outbox.retain(subscriptions::wantsValues)
+                }
+
+                is Request.Publish -> publish(request)?.let { answers += it }
+
+                is Request.Unpublish -> ownTopics.unpublish(request)?.let { answers += it }
+
+                // The recording's topics stay as they are.
+                is Request.SetProperties -> ownTopics.setProperties(request)?.let { answers += it }
+            }
+        }
+        textFrames(answers).forEach(wire::send)
+    }
+
+    /** Keeps for sending what of [updates] is wanted. */
+    fun offer(updates: List<Update>) {
+        for (update in updates) if (subscriptions.wantsValues(update.signal)) offer(update)
+    }
+
+    /** Sends what is due; nothing while the client has not taken what was sent before. */
+    fun flush(nowMicros: Long) {
+        if (outbox.isEmpty || wire.isBusy) return
+        frames.of(outbox.take(nowMicros, MOST_AT_ONCE, subscriptions.periodMicros)).forEach(wire::send)
+    }
+
+    private fun offer(update: Update) {
+        if (subscriptions.wantsAll(update.signal)) outbox.add(update) else outbox.replace(update)
+    }
+
+    private fun subscribe(request: Request.Subscribe, answers: MutableList<JsonObject>) {
+        if (subscriptions.nameCount + request.names.size > MOST_NAMES) {
+            return ignore("subscriptions to more than $MOST_NAMES names")
+        }
+        val matches = subscriptions.add(request)
+        outbox.retain(subscriptions::wantsValues)
+        for (signal in matches) {
+            if (!announced.get(signal)) {
+                announced.set(signal)
+                answers += announcement(signal)
+            }
+            if (!request.isTopicsOnly) player.current(signal)?.let(::offer)
+        }
+    }
+
+    private fun publish(request: Request.Publish): JsonObject? {
+        val signal = subscriptions.idOf(request.name)
+        if (signal != null) {
+            announced.set(signal)
+            return announcement(signal, request.id)
+        }
+        if (ownTopics.size < MOST_NAMES) return ownTopics.publish(request)
+        ignore("more than $MOST_NAMES published topics")
+        return null
+    }
+
+    private fun announcement(id: Int, publisher: Long? = null): JsonObject {
+        val signal = signals[id]
+        return announce(signal.name, id, signal.type.typeName, propertiesOf(signal), publisher)
+    }
+
+    private companion object {
+        const val MOST_NAMES = 20_000
+        const val MOST_AT_ONCE = 20_000
+        const val MOST_WAITING = 100_000
+    }
+}

@@ -1,0 +1,54 @@
+package badlog.replay
+
+/**
+ * Moves along [signals] as [playhead] does and knows what each of them is now.
+ */
+internal class Player(val signals: List<Signal>, val playhead: Playhead) {
+    // For each signal, how many of its samples were played, and when the last of these began to hold.
+    private val played = IntArray(signals.size)
+    private val sinceMicros = LongArray(signals.size)
+
+    /** What signal number [signal] is now; null before its first sample. */
+    fun current(signal: Int): Update? = if (played[signal] == 0) null else Update(signal, played[signal] - 1, sinceMicros[signal])
+
+    /** What changed until [nowNanos], in the order of time. After a jump that is every signal. */
+    fun advance(nowNanos: Long): List<Update> {
+        val updates = ArrayList<Update>()
+        playhead.advance(nowNanos) { stretch ->
+            val begin = updates.size
+            for (signal in signals.indices) {
+                if (stretch.isFresh) jump(signal, stretch, updates)
+                play(signal, stretch, updates)
+            }
+            updates.subList(begin, updates.size).sortBy { it.micros }
+        }
+        return updates
+    }
+
+    private fun jump(signal: Int, stretch: Stretch, updates: MutableList<Update>) {
+        played[signal] = signals[signal].countUntil(stretch.from)
+        sinceMicros[signal] = stretch.nanosAt(stretch.from) / NANOS_PER_MICRO
+        current(signal)?.let { updates += it }
+    }
+
+    private fun play(signal: Int, stretch: Stretch, updates: MutableList<Update>) {
+        val samples = signals[signal].samples
+        var next = played[signal]
+        if (next == samples.size || samples.x[next] > stretch.to) return
+        val end = signals[signal].countUntil(stretch.to)
+        next = maxOf(next, end - MOST_OF_A_SIGNAL)
+        while (next < end) {
+            val micros = stretch.nanosAt(samples.x[next]) / NANOS_PER_MICRO
+            updates += Update(signal, next++, micros)
+            sinceMicros[signal] = micros
+        }
+        played[signal] = end
+    }
+
+    private companion object {
+        const val NANOS_PER_MICRO = 1000
+
+        /** More are not told of at once, as when a laptop wakes after an hour: the earliest are left out. */
+        const val MOST_OF_A_SIGNAL = 10_000
+    }
+}

@@ -1,0 +1,101 @@
+package badlog.replay
+
+import kotlinx.serialization.SerializationException
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
+import kotlinx.serialization.json.booleanOrNull
+import kotlinx.serialization.json.doubleOrNull
+import kotlinx.serialization.json.longOrNull
+
+/** Reads a client's text frames. Whatever is not understood is told to [ignore], in half a sentence, and left out. */
+internal class RequestReader(private val ignore: (String) -> Unit) {
+    fun read(text: String): List<Request> {
+        if (isDeep(text)) return nothing("JSON within JSON within JSON, and so on")
+        val messages = try {
+            Json.parseToJsonElement(text)
+        } catch (_: SerializationException) {
+            return nothing("not JSON")
+        }
+        if (messages !is JsonArray) return nothing("not a list of messages")
+        return messages.mapNotNull(::request)
+    }
+
+    private fun request(message: JsonElement): Request? {
+        val method = (message as? JsonObject)?.get("method").text()
+        val params = (message as? JsonObject)?.get("params") as? JsonObject
+        if (method == null || params == null) return refuse("a message without a method or its parameters")
+        return when (method) {
+            "subscribe" -> subscribe(params)
+
+            "unsubscribe" -> params["subuid"].number()?.let(Request::Unsubscribe)
+
+            "publish" -> publish(params)
+
+            "unpublish" -> params["pubuid"].number()?.let(Request::Unpublish)
+
+            "setproperties" -> {
+                val name = params["name"].text()
+                val update = params["update"] as? JsonObject
+                if (name == null || update == null) null else Request.SetProperties(name, update)
+            }
+
+            else -> return refuse("an unknown method")
+        } ?: refuse("“$method” without what it needs")
+    }
+
+    private fun subscribe(params: JsonObject): Request? {
+        val id = params["subuid"].number() ?: return null
+        val names = (params["topics"] as? JsonArray)?.map { it.text() ?: return null } ?: return null
+        val options = params["options"] as? JsonObject ?: JsonObject(emptyMap())
+        val seconds = (options["periodic"] as? JsonPrimitive)?.doubleOrNull?.takeIf { it >= 0 } ?: USUAL_SECONDS
+        fun isSet(option: String) = (options[option] as? JsonPrimitive)?.booleanOrNull == true
+        return Request.Subscribe(
+            id,
+            names,
+            (seconds * 1e6).toLong(),
+            isSet("all"),
+            isSet("topicsonly"),
+            isSet("prefix"),
+        )
+    }
+
+    private fun publish(params: JsonObject): Request? {
+        val id = params["pubuid"].number() ?: return null
+        val name = params["name"].text() ?: return null
+        val type = params["type"].text() ?: return null
+        return Request.Publish(id, name, type, params["properties"] as? JsonObject ?: JsonObject(emptyMap()))
+    }
+
+    private fun JsonElement?.text() = (this as? JsonPrimitive)?.takeIf { it.isString }?.content
+
+    private fun JsonElement?.number() = (this as? JsonPrimitive)?.takeIf { !it.isString }?.longOrNull
+
+    private fun nothing(why: String): List<Request> = emptyList<Request>().also { ignore(why) }
+
+    private fun refuse(why: String): Request? = null.also { ignore(why) }
+
+    private companion object {
+        /** How often a value is sent to a client that does not say. */
+        const val USUAL_SECONDS = 0.1
+    }
+}
+
+/** No client nests deeply; one that does means to overflow the stack. */
+private fun isDeep(json: String): Boolean {
+    var depth = 0
+    var inString = false
+    var i = 0
+    while (i < json.length) {
+        when (json[i]) {
+            '\\' -> i++
+            '"' -> inString = !inString
+            '[', '{' -> if (!inString && ++depth > 100) return true
+            ']', '}' -> if (!inString) depth--
+        }
+        i++
+    }
+    return false
+}

@@ -1,0 +1,108 @@
+package badlog.replay
+
+import org.java_websocket.WebSocket
+import org.java_websocket.WebSocketImpl
+import org.java_websocket.drafts.Draft_6455
+import org.java_websocket.framing.Framedata
+import org.java_websocket.handshake.ClientHandshake
+import org.java_websocket.protocols.Protocol
+import org.java_websocket.server.WebSocketServer
+import org.msgpack.core.MessagePackException
+import java.io.IOException
+import java.net.InetSocketAddress
+import java.nio.ByteBuffer
+import java.util.concurrent.CompletableFuture
+import java.util.concurrent.ExecutionException
+import java.util.concurrent.TimeUnit
+
+/**
+ * Keeps the connections and answers questions for the time, at once and on the thread that reads them.
+ *
+ * @param micros the server's time.
+ */
+internal class SocketServer(
+    address: InetSocketAddress,
+    private val micros: () -> Long,
+    private val listener: Listener,
+    private val ignored: IgnoredMessages,
+) : WebSocketServer(address, 1, listOf(NT4, AliveAnswer())) {
+    private val binding = CompletableFuture<Unit>()
+
+    init {
+        isDaemon = true
+        isReuseAddr = true
+        isTcpNoDelay = true
+        // A 4.0 client must not be pinged, so that is done by whoever knows which ones are.
+        connectionLostTimeout = 0
+    }
+
+    /** Opens the port. Throws [UnavailablePortException] when it cannot be had. */
+    fun open() {
+        start()
+        try {
+            binding.get(BINDING_SECONDS, TimeUnit.SECONDS)
+        } catch (e: ExecutionException) {
+            stop()
+            throw UnavailablePortException(address, e.cause as Exception)
+        }
+    }
+
+    override fun onStart() {
+        binding.complete(Unit)
+    }
+
+    override fun onOpen(socket: WebSocket, request: ClientHandshake) {
+        val protocol = SubProtocol.entries.find { it.id == socket.protocol?.providedProtocol }
+        if (socket.draft is AliveAnswer || protocol == null) return socket.close()
+        val connection = Connection(socket, protocol, request.resourceDescriptor)
+        socket.setAttachment(connection)
+        listener.opened(connection)
+        // Another thread may have closed it before it was known here, and then nobody says so again.
+        if (!(socket as WebSocketImpl).channel.isOpen) listener.closed(connection)
+    }
+
+    override fun onMessage(socket: WebSocket, text: String) {
+        val connection = heard(socket) ?: return
+        if (connection.protocol == SubProtocol.TIME_ONLY) return ignored.add(connection.name, "text where only the time is told")
+        listener.received(connection, text)
+        endIfFlooded(socket, connection)
+    }
+
+    override fun onMessage(socket: WebSocket, binary: ByteBuffer) {
+        val connection = heard(socket) ?: return
+        try {
+            answerTime(binary, micros())?.let(connection::send)
+        } catch (_: MessagePackException) {
+            ignored.add(connection.name, "values that are not MessagePack")
+        } catch (_: IOException) {
+            ignored.add(connection.name, "values that end too early")
+        }
+        endIfFlooded(socket, connection)
+    }
+
+    override fun onWebsocketPong(socket: WebSocket, frame: Framedata) {
+        heard(socket)
+    }
+
+    override fun onClose(socket: WebSocket, code: Int, reason: String?, isRemote: Boolean) {
+        socket.getAttachment<Connection?>()?.let(listener::closed)
+    }
+
+    override fun onError(socket: WebSocket?, error: Exception) {
+        if (socket == null) binding.completeExceptionally(error)
+    }
+
+    private fun heard(socket: WebSocket): Connection? = socket.getAttachment<Connection?>()?.also { it.heardNanos = System.nanoTime() }
+
+    /** A client that asks and asks and never reads the answers would fill the memory. */
+    private fun endIfFlooded(socket: WebSocket, connection: Connection) {
+        if ((socket as WebSocketImpl).outQueue.size > MOST_FRAMES) connection.end("It does not read its answers.")
+    }
+
+    private companion object {
+        const val BINDING_SECONDS = 10L
+        const val MOST_FRAMES = 4_000
+        const val LONGEST_FRAME = 1 shl 20
+        val NT4 = Draft_6455(emptyList(), SubProtocol.entries.map { Protocol(it.id) }, LONGEST_FRAME)
+    }
+}

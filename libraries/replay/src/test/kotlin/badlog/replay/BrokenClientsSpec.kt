@@ -1,0 +1,120 @@
+package badlog.replay
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+import java.net.Socket
+import java.util.Random
+import java.util.concurrent.TimeUnit
+
+/** A connection whose handshake is done by hand, so that anything can be sent afterwards, and nothing be read. */
+private fun rawClient(port: Int): Socket {
+    val socket = Socket("127.0.0.1", port).apply { receiveBufferSize = 4096 }
+    socket.getOutputStream().write(
+        (
+            "GET /nt/raw HTTP/1.1\r\nHost: a\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n" +
+                "Sec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\nSec-WebSocket-Protocol: ${TestClient.V4_1}\r\n\r\n"
+            ).toByteArray(),
+    )
+    return socket
+}
+
+/** A text frame, masked with zeros as a client's has to be. */
+private fun textFrame(text: String): ByteArray {
+    // Long enough for a length of two bytes.
+    val bytes = text.padEnd(200).toByteArray()
+    return byteArrayOf(0x81.toByte(), 0xfe.toByte(), (bytes.size shr 8).toByte(), bytes.size.toByte(), 0, 0, 0, 0) + bytes
+}
+
+/** Ten topics of 100,000 rows, each of which counts as 20 ms. */
+private val LONG_VIEW by lazy {
+    val bag = StringBuilder("Time," + (1..10).joinToString(",") { "Topic $it" } + "\n")
+    for (row in 0 until 100_000) bag.append(row).append(",$row".repeat(10)).append('\n')
+    viewOf(bag.toString())
+}
+
+private fun shouldStillServe(server: ReplayServer) = TestClient(server.port).use { client ->
+    client.subscribe("", options = TestClient.ALL_CHANGES)
+    client.settle()
+    client.ids().size shouldBe 8
+}
+
+class BrokenClientsSpec : FunSpec({
+    test("Messages that are nonsense are counted and ignored; the client stays") {
+        ReplayServer(VARIED_VIEW, ReplayOptions(0)).use { server ->
+            server.open()
+            TestClient(server.port).use { client ->
+                client.send("{")
+                client.send("[".repeat(100_000))
+                client.send("""[{"method":"subscribe","params":[]}]""")
+                client.send(byteArrayOf(1, 2, 3))
+                client.send(ByteArray(0))
+                client.subscribe("/Time")
+                client.settle()
+                client.ids().keys shouldBe setOf("/Time")
+                server.ignoredMessages shouldBe 4
+                server.note shouldBe "4 messages were ignored; the first: “test client” sent not JSON."
+            }
+        }
+    }
+
+    test("A frame that is too long ends its client, not the server") {
+        ReplayServer(VARIED_VIEW, ReplayOptions(0)).use { server ->
+            server.open()
+            TestClient(server.port).use { client ->
+                runCatching { client.send("x".repeat(2_000_000)) }
+                client.closed.await(10, TimeUnit.SECONDS) shouldBe true
+            }
+            shouldStillServe(server)
+        }
+    }
+
+    test("Garbage in place of frames, and of a handshake, harms nobody") {
+        ReplayServer(VARIED_VIEW, ReplayOptions(0)).use { server ->
+            server.start()
+            val random = Random(5)
+            repeat(100) { round ->
+                val socket = if (round % 2 == 0) rawClient(server.port) else Socket("127.0.0.1", server.port)
+                socket.use { runCatching { it.getOutputStream().write(ByteArray(500).also(random::nextBytes)) } }
+            }
+            shouldStillServe(server)
+            waitUntil { server.clientNames.isEmpty() }
+        }
+    }
+
+    test("A client that never reads neither delays the others nor fills the memory") {
+        ReplayServer(LONG_VIEW, ReplayOptions(0, speed = 20.0)).use { server ->
+            server.open()
+            rawClient(server.port).use { stalled ->
+                stalled.getOutputStream().write(
+                    textFrame("""[{"method":"subscribe","params":{"topics":[""],"subuid":1,"options":${TestClient.ALL_CHANGES}}}]"""),
+                )
+                TestClient(server.port).use { client ->
+                    waitUntil { server.clientNames.size == 2 }
+                    client.subscribe("/Topic 3", options = """{"all":true}""")
+                    client.settle()
+                    server.start()
+                    waitUntil { client.valuesOf("/Topic 3").size > 2500 }
+                    val values = client.valuesOf("/Topic 3").map { it.value.asFloatValue().toDouble() }
+                    values shouldBe List(values.size) { it.toDouble() }
+                    // A thousand samples a second: half a second late at most.
+                    val late = server.position - client.valuesOf("/Topic 3").size
+                    (late in -500.0..500.0) shouldBe true
+                }
+            }
+        }
+    }
+
+    test("A client that asks without end and never reads is ended") {
+        ReplayServer(VARIED_VIEW, ReplayOptions(0)).use { server ->
+            server.open()
+            rawClient(server.port).use { flooding ->
+                waitUntil { server.clientNames == listOf("raw") }
+                val publish = """{"method":"publish","params":{"name":"/A","pubuid":1,"type":"int"}}"""
+                val question = textFrame(List(400) { publish }.joinToString(",", "[", "]"))
+                runCatching { repeat(100_000) { flooding.getOutputStream().write(question) } }
+                waitUntil { server.clientNames.isEmpty() }
+            }
+            shouldStillServe(server)
+        }
+    }
+})

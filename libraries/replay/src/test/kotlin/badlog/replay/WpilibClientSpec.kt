@@ -1,0 +1,122 @@
+package badlog.replay
+
+import badlog.analysis.LogView
+import badlog.file.readRecording
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.core.test.Enabled
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.doubles.shouldBeLessThan
+import io.kotest.matchers.shouldBe
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
+import kotlinx.serialization.json.jsonObject
+import kotlinx.serialization.json.jsonPrimitive
+import kotlinx.serialization.json.long
+import java.io.File
+import java.io.IOException
+import java.util.concurrent.ConcurrentLinkedQueue
+import java.util.concurrent.TimeUnit
+import kotlin.concurrent.thread
+
+/** The Python that CI has installed for these tests, or the one at hand. */
+private val PYTHON = listOf("../../build/python/bin/python", "python3").firstOrNull(::hasClient)
+
+private fun hasClient(python: String): Boolean = try {
+    ProcessBuilder(python, "-c", "import ntcore").redirectErrorStream(true).start()
+        .run {
+            inputStream.readAllBytes()
+            waitFor()
+        } == 0
+} catch (_: IOException) {
+    false
+}
+
+/** What WPILib's client receives of a replay from its start to its end: its lines. */
+private fun linesOf(view: LogView, options: ReplayOptions): List<JsonObject> = ReplayServer(view, options).use { server ->
+    server.open()
+    val topics = view.recording.topics.size + view.recording.values.size
+    val client = ProcessBuilder(PYTHON, "src/test/python/listen.py", "${server.port}", "$topics")
+        .redirectError(ProcessBuilder.Redirect.INHERIT).apply { environment()["PYTHONIOENCODING"] = "utf-8" }.start()
+    try {
+        val lines = ConcurrentLinkedQueue<JsonObject>()
+        val reader = thread {
+            client.inputStream.bufferedReader().forEachLine { lines += Json.parseToJsonElement(it).jsonObject }
+        }
+        waitUntil { lines.any { "ready" in it } }
+        server.start()
+        waitUntil { server.isAtEnd }
+        Thread.sleep(500)
+        client.outputStream.close()
+        client.waitFor(10, TimeUnit.SECONDS) shouldBe true
+        client.exitValue() shouldBe 0
+        reader.join()
+        server.note shouldBe null
+        lines.toList()
+    } finally {
+        client.destroyForcibly()
+    }
+}
+
+/** The value as text, for NaN would equal nothing. */
+private fun Signal.textAt(index: Int): String = when (type) {
+    SignalType.BOOLEAN -> "${samples.y[index] != 0.0}"
+    SignalType.DOUBLE -> "${samples.y[index]}"
+    SignalType.STRING -> texts[samples.y[index].toInt()].decodeToString()
+}
+
+private fun JsonPrimitive.textAs(type: SignalType): String = when (type) {
+    SignalType.DOUBLE -> "${content.toDouble()}"
+    else -> content
+}
+
+/** Compares what arrived with the recording itself: every topic, every sample, and when. */
+private fun shouldArrive(view: LogView, options: ReplayOptions) {
+    val lines = linesOf(view, options)
+    val signals = signalsOf(view, options.prefix)
+    val range = options.range ?: rangeOf(signals)
+    val announced = lines.filter { "topic" in it }.associateBy { it.getValue("topic").jsonPrimitive.content }
+    announced.keys shouldBe signals.map { it.name }.toSet()
+    val values = lines.filter { "value" in it }.groupBy { it.getValue("of").jsonPrimitive.content }
+    // When the playhead began to move, by the clock of the server, as each sample has it.
+    val begins = ArrayList<Double>()
+    val delays = ArrayList<Double>()
+    for (signal in signals) {
+        val topic = announced.getValue(signal.name)
+        topic.getValue("type").jsonPrimitive.content shouldBe signal.type.typeName
+        topic.getValue("properties") shouldBe propertiesOf(signal)
+        val first = maxOf(signal.countUntil(range.start) - 1, 0)
+        val expected = (first until signal.countUntil(range.endInclusive)).toList()
+        val arrived = values[signal.name].orEmpty()
+        arrived.map { it.getValue("value").jsonPrimitive.textAs(signal.type) } shouldBe expected.map(signal::textAt)
+        for ((line, index) in arrived zip expected) {
+            if (signal.samples.x[index] <= range.start) continue
+            val micros = line.getValue("micros").jsonPrimitive.long
+            begins += micros - (signal.samples.x[index] - range.start) * 1e6 / options.speed
+            delays += (line.getValue("arrived").jsonPrimitive.long - micros).toDouble()
+        }
+    }
+    // To the microsecond, for all topics alike.
+    (begins.max() - begins.min()) shouldBe (0.0 plusOrMinus 2.0)
+    // Their way takes no longer for one than for the other, but for the ticks and a machine that has other things to do.
+    delays.sorted().let { it[it.size * 9 / 10] - it.first() } shouldBeLessThan 300_000.0
+}
+
+class WpilibClientSpec :
+    FunSpec({
+        if (PYTHON == null) {
+            println("WPILib's client is missing; its tests are skipped. .ci/run installs it.")
+        }
+        val whenThere = { _: Any? ->
+            if (PYTHON != null) Enabled.enabled else Enabled.disabled("No Python here has pyntcore; .ci/run installs one.")
+        }
+
+        test("Every topic of every kind arrives with its type, unit, order and timing").config(enabledOrReasonIf = whenThere) {
+            for (speed in listOf(1.0, 0.25)) shouldArrive(VARIED_VIEW, ReplayOptions(0, speed = speed))
+        }
+
+        test("A match arrives, sample by sample, three times as fast").config(enabledOrReasonIf = whenThere) {
+            val view = LogView.of(readRecording(File("../../samples/qualification-42.bag").toPath()))
+            shouldArrive(view, ReplayOptions(0, speed = 3.0, range = 20.0..26.0, prefix = "/badlog"))
+        }
+    })

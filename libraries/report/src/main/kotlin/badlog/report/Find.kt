@@ -1,0 +1,98 @@
+package badlog.report
+
+import badlog.expression.Answer
+import badlog.expression.Expression
+import badlog.expression.ExpressionError
+import badlog.expression.LogViewSignals
+import badlog.expression.ParsedExpression
+import badlog.expression.Vocabulary
+import badlog.file.LogFile
+import kotlinx.serialization.Serializable
+import java.nio.file.Path
+
+/**
+ * A question to many logs: an expression, see `docs/expressions.md`.
+ *
+ * @param question the expression.
+ * @param virtualTopics definitions of topics that the question may use beside the log's own, such as `Power = Voltage * Current`.
+ * @param cache a folder for what was found out before, so that a file that did not change is not read again; null for none.
+ * @param xTopic the topic to take as x axis, which plain CSV does not tell; null for what the log itself says.
+ */
+public class Find(
+    private val question: String,
+    private val virtualTopics: List<String> = emptyList(),
+    private val cache: Path? = null,
+    private val xTopic: String? = null,
+) {
+    private val parsed = Remembered<Vocabulary, ParsedExpression>(MOST_VOCABULARIES) { Expression.parse(question, it) }
+
+    /** What is wrong with the question whatever a log has, such as a parenthesis that is never closed; null when nothing seems to be. */
+    public val mistake: Reply.NotAsked? = mistakeForAnyLog(question)?.let(::notAsked)
+
+    @Serializable
+    internal class Stored(
+        val title: String?,
+        val reply: Reply,
+        val undefined: List<UndefinedTopic> = emptyList(),
+        val isSalvaged: Boolean = false,
+    )
+
+    /**
+     * Asks each of [files], on all cores. With a [mistake] in the question that is the reply of each, and none is read.
+     *
+     * @param progress hears on this thread how many files are done.
+     * @param each gets each result on this thread, as soon as it and those before it are there. What it or [progress] throws stops
+     *   the work and is passed on.
+     * @return all results, in the order of [files].
+     * @throws InterruptedException when the thread was interrupted.
+     */
+    public fun over(
+        files: List<LogFile>,
+        progress: (done: Int, total: Int) -> Unit = { _, _ -> },
+        each: (FindResult) -> Unit = {},
+    ): List<FindResult> {
+        val results = ArrayList<FindResult>(files.size)
+        val asked = "find\n${virtualTopics.joinToString("\n")}\n\n${xTopic.orEmpty()}\n$question"
+        val known = cache?.let { ResultCache(it, asked, Stored.serializer()) }
+        runCached(files, known, ::ask) { file, stored ->
+            val result = FindResult(file, stored.title, stored.reply, stored.undefined, stored.isSalvaged)
+            results += result
+            each(result)
+            progress(results.size, files.size)
+        }
+        return results
+    }
+
+    private fun ask(file: LogFile): Found<Stored> =
+        if (mistake != null) Found(Stored(null, mistake), isLasting = false) else LogContent.examined(file, virtualTopics, xTopic, ::ask)
+
+    private fun ask(content: LogContent): Found<Stored> = when (content) {
+        is LogContent.None -> Found(Stored(null, Reply.Unreadable(content.message, content.isNoLog)), content.isNoLog)
+
+        is LogContent.Log -> {
+            val signals = LogViewSignals(content.view)
+            val reply = when (val expression = parsed[signals.vocabulary]) {
+                is ExpressionError -> notAsked(expression)
+                is Expression -> answered(expression.answer(signals))
+            }
+            Found(Stored(content.view.title, reply, content.undefined, content.recording.isSalvaged), isLasting = true)
+        }
+    }
+
+    private companion object {
+        const val MOST_SPANS = 100
+        const val MOST_VOCABULARIES = 64
+
+        fun answered(answer: Answer) = Reply.Answered(
+            answer.outcome,
+            answer.spans.take(MOST_SPANS),
+            answer.times,
+            answer.figures,
+            answer.time,
+            answer.timeUnit,
+        )
+
+        fun notAsked(error: ExpressionError) =
+            Reply.NotAsked(error.kind, error.text.substring(error.from, error.until), error.message, error.pointed())
+    }
+}

@@ -1,0 +1,76 @@
+package badlog.report
+
+import badlog.expression.ExpressionErrorKind
+import badlog.expression.Figure
+import badlog.expression.Outcome
+
+/**
+ * The logs in which the question holds, as a table of match, file, time and value at most 100 columns wide, and below it how many
+ * others there were and why, apart from those that cannot be read. Of a question that asks for a number, all logs that have it.
+ */
+public fun findText(results: List<FindResult>): String {
+    val found = results.filter(::isFound)
+    val lines = ArrayList<String>()
+    if (found.isNotEmpty()) {
+        val names = shortNames(results.map { it.file })
+        val rows = found.map { result ->
+            val reply = result.reply as Reply.Answered
+            val file = names.getValue(result.file)
+            listOf(result.title ?: file, file, timeText(reply.time, reply.timeUnit), valueText(reply))
+        }
+        lines += TABLE.lines(rows).flatten()
+        lines += ""
+    }
+    lines += summaryOf(results, found.size)
+    return lines.joinToString("\n")
+}
+
+/** How wide texts for a terminal are at most. */
+internal const val TEXT_WIDTH = 100
+
+private val TABLE = TextTable(listOf("Match", "File", "Time", "Value").map { TextTable.Column(it) }, TEXT_WIDTH)
+
+/** Whether the question holds there, or there is the number it asks for. */
+internal fun isFound(result: FindResult): Boolean = when (val reply = result.reply) {
+    is Reply.Answered -> when (reply.outcome) {
+        Outcome.HOLDS -> true
+        Outcome.NO_QUESTION -> reply.figures.any { !it.value.isNaN() }
+        else -> false
+    }
+
+    else -> false
+}
+
+private fun summaryOf(results: List<FindResult>, found: Int): List<String> {
+    val lines = ArrayList<String>()
+    lines += "Found in $found of ${count(results.size, "log")}."
+    val unknown = results.count { (it.reply as? Reply.Answered)?.outcome == Outcome.UNKNOWN }
+    if (unknown > 0) lines += "In ${count(unknown, "log")} it is not known, since samples are missing."
+    val notAsked = results.mapNotNull { it.reply as? Reply.NotAsked }
+    val isAnswered = results.any { it.reply is Reply.Answered }
+    val (missing, others) = notAsked.partition { it.kind == ExpressionErrorKind.UNKNOWN_TOPIC }
+    // Where a name is missing, what is left of it may read as anything; but what is right for one log is no mistake for another.
+    val (lacking, mistaken) = others.partition { isAnswered && it.kind == ExpressionErrorKind.SYNTAX }
+    missing.groupBy { it.topic }.forEach { (topic, replies) ->
+        lines += "${have(replies.size)} no topic “$topic”."
+    }
+    if (lacking.isNotEmpty()) lines += "${have(lacking.size)} not all topics of the question."
+    // Where no log has the topic it may be a typing error, of which the message knows more.
+    if (missing.isNotEmpty() && !isAnswered) lines += missing[0].pointed
+    mistaken.groupBy { it.pointed }.forEach { (pointed, replies) -> lines += "Not asked of ${count(replies.size, "log")}: $pointed" }
+    lines += undefinedTexts(results.filter { it.reply !is Reply.Unreadable }.map { it.undefined })
+    return lines
+}
+
+private fun have(logs: Int) = "${count(logs, "log")} ${if (logs == 1) "has" else "have"}"
+
+private fun valueText(reply: Reply.Answered): String {
+    val times = if (reply.spanCount > 1) " (${reply.spanCount} times)" else ""
+    val figures = reply.figures
+    return (if (figures.size == 1) figures[0].text else figures.joinToString { it.toString() }.ifEmpty { "yes" }) + times
+}
+
+/** [time] as a person reads it, such as `93.7 s`; empty when it is not known. */
+internal fun timeText(time: Double, unit: String): String = if (time.isNaN()) "" else Figure("", time, unit, Double.NaN).text
+
+internal fun count(number: Int, thing: String): String = "$number $thing${if (number == 1) "" else "s"}"

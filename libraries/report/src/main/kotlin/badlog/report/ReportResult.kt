@@ -1,0 +1,73 @@
+package badlog.report
+
+import badlog.file.LogFile
+import badlog.recording.Severity
+import badlog.report.rules.Finding
+
+/**
+ * What was found in many logs.
+ *
+ * @property logs every file, in the order in which they were given.
+ * @property skipped the rules that could not be asked of some logs, in the order of the rules.
+ */
+public class ReportResult internal constructor(public val logs: List<LogReport>, public val skipped: List<SkippedRule>) {
+    /** How many findings there are of [severity]. */
+    public fun count(severity: Severity): Int = logs.sumOf { log -> log.findings.count { it.severity == severity } }
+}
+
+/**
+ * What was found in one log.
+ *
+ * @property file the file.
+ * @property title what match it is, from its values; null when they do not tell or it cannot be read.
+ * @property findings in the order of the rules, then of the hooks.
+ * @property skipped the rules that could not be asked of it, in the order of the rules; one that is a mistake here may be right for
+ *   another log.
+ * @property unreadable why the file cannot be read or is no log, as a sentence; null when all is well.
+ * @property isNoLog whether it is [unreadable] because it is something else than a log.
+ * @property isSalvaged whether the log lost something, so that the findings are about what is left.
+ * @property undefined the virtual topics that the log could not be given.
+ * @property hookFailures the hooks that failed for it.
+ */
+public class LogReport internal constructor(
+    public val file: LogFile,
+    public val title: String?,
+    public val findings: List<Finding>,
+    public val skipped: List<SkippedRule>,
+    public val unreadable: String?,
+    public val isNoLog: Boolean,
+    public val isSalvaged: Boolean,
+    public val undefined: List<UndefinedTopic>,
+    public val hookFailures: List<HookFailure>,
+)
+
+/**
+ * A hook that failed for a log.
+ *
+ * @property hook what it is called.
+ * @property message what went wrong, as a sentence.
+ */
+public class HookFailure internal constructor(public val hook: String, public val message: String)
+
+/**
+ * A rule that could not be asked of some logs.
+ *
+ * @property rule its name.
+ * @property logs of how many.
+ * @property message why not in the first of them.
+ * @property isMistake whether the rule itself is wrong; [message] then points at the mistake in the file of rules.
+ */
+public class SkippedRule internal constructor(
+    public val rule: String,
+    public val logs: Int,
+    public val message: String,
+    public val isMistake: Boolean,
+) {
+    /** As a sentence, or more where the rule is wrong. */
+    override fun toString(): String = if (isMistake) {
+        "The rule “$rule” is wrong. $message"
+    } else {
+        val end = if (message.last() in ".?!") "" else "."
+        "The rule “$rule” was not asked of ${count(logs, "log")}: $message$end"
+    }
+}

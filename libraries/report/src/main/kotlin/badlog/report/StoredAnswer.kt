@@ -1,0 +1,35 @@
+package badlog.report
+
+import badlog.expression.Figure
+import badlog.plot.Span
+import kotlinx.serialization.KSerializer
+import kotlinx.serialization.Serializable
+import kotlinx.serialization.descriptors.SerialDescriptor
+import kotlinx.serialization.encoding.Decoder
+import kotlinx.serialization.encoding.Encoder
+
+/** Core's [Span] and [Figure] as a cache keeps them. */
+internal object SpanSerializer : KSerializer<Span> {
+    @Serializable
+    private class Stored(val from: Double, val to: Double)
+
+    override val descriptor: SerialDescriptor = Stored.serializer().descriptor
+
+    override fun serialize(encoder: Encoder, value: Span) =
+        encoder.encodeSerializableValue(Stored.serializer(), Stored(value.from, value.to))
+
+    override fun deserialize(decoder: Decoder): Span = decoder.decodeSerializableValue(Stored.serializer()).let { Span(it.from, it.to) }
+}
+
+internal object FigureSerializer : KSerializer<Figure> {
+    @Serializable
+    private class Stored(val name: String, val value: Double, val unit: String, val time: Double)
+
+    override val descriptor: SerialDescriptor = Stored.serializer().descriptor
+
+    override fun serialize(encoder: Encoder, value: Figure) =
+        encoder.encodeSerializableValue(Stored.serializer(), Stored(value.name, value.value, value.unit, value.time))
+
+    override fun deserialize(decoder: Decoder): Figure =
+        decoder.decodeSerializableValue(Stored.serializer()).let { Figure(it.name, it.value, it.unit, it.time) }
+}

@@ -1,0 +1,180 @@
+package badlog.report.hook
+
+import badlog.analysis.Series
+import badlog.recording.Severity
+import kotlinx.serialization.SerializationException
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonNull
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
+import kotlinx.serialization.json.doubleOrNull
+import java.util.Base64
+
+/** Checks what a hook printed. Throws [IllegalArgumentException] with a sentence at the first thing that is not as it has to be. */
+internal object HookOutput {
+    fun read(text: String): HookResult {
+        require(text.isNotBlank()) { "The hook printed nothing; it has to print one JSON object, at least {}." }
+        requireShallow(text)
+        val root = try {
+            Json.parseToJsonElement(text)
+        } catch (e: SerializationException) {
+            throw IllegalArgumentException("The hook printed no JSON: ${e.message.orEmpty().lineSequence().first().take(MOST_QUOTED)}.")
+        }
+        val members = membersOf(root, "the output", setOf("values", "findings", "series", "figures"))
+        return HookResult(
+            values = (members["values"] ?: JsonObject(emptyMap())).let(::values),
+            findings = items(members, "findings", MOST_FINDINGS, ::finding),
+            series = items(members, "series", MOST_SERIES, ::series),
+            figures = items(members, "figures", MOST_FIGURES, ::figure),
+        )
+    }
+
+    /** Nothing that a hook returns is nested deeper, and what is could overflow the stack. */
+    private fun requireShallow(text: String) {
+        var depth = 0
+        var isInText = false
+        var at = 0
+        while (at < text.length) {
+            when (text[at]) {
+                '"' -> isInText = !isInText
+                '\\' -> at++
+                '[', '{' -> if (!isInText) require(++depth <= MOST_DEPTH) { "What the hook printed is nested too deeply." }
+                ']', '}' -> if (!isInText) depth--
+            }
+            at++
+        }
+    }
+
+    private fun values(json: JsonElement): Map<String, String> {
+        require(json is JsonObject) { "“values” has to be an object of texts and numbers, not ${kindOf(json)}." }
+        require(json.size <= MOST_VALUES) { "There are ${json.size} values; $MOST_VALUES are the most." }
+        return json.mapValues { (name, value) ->
+            require(value is JsonPrimitive && value !is JsonNull) {
+                "The value “${name.take(MOST_NAME)}” has to be a text or a number, not ${kindOf(value)}."
+            }
+            limited(value.content, MOST_TEXT, "The value “${name.take(MOST_NAME)}”")
+        }
+    }
+
+    private fun finding(json: JsonElement, where: String): HookFinding {
+        val members = membersOf(json, where, setOf("severity", "text", "time", "until"))
+        val severity = text(members, "severity", where, MOST_NAME, "warning")
+        val time = numberIn(members, "time", where)
+        val until = numberIn(members, "until", where)
+        require(until.isNaN() || until >= time) { "In $where “until” has to be a time not before “time”." }
+        return HookFinding(
+            Severity.entries.find { it.name.lowercase() == severity }
+                ?: throw IllegalArgumentException("In $where “severity” has to be error, warning or note, not “$severity”."),
+            text(members, "text", where, MOST_TEXT),
+            time,
+            until,
+        )
+    }
+
+    private fun series(json: JsonElement, where: String): HookSeries {
+        val members = membersOf(json, where, setOf("name", "unit", "x", "y"))
+        val x = numbers(members, "x", where, areGapsAllowed = false)
+        val y = numbers(members, "y", where, areGapsAllowed = true)
+        require(x.size == y.size) { "In $where “x” has ${x.size} numbers and “y” has ${y.size}; they have to be as many." }
+        for (i in 1 until x.size) require(x[i] >= x[i - 1]) { "In $where “x” goes back at number ${i + 1}; it has to be sorted." }
+        return HookSeries(text(members, "name", where, MOST_NAME), text(members, "unit", where, MOST_NAME, ""), Series(x, y))
+    }
+
+    private fun figure(json: JsonElement, where: String): HookFigure {
+        val members = membersOf(json, where, setOf("title", "svg", "png"))
+        val title = text(members, "title", where, MOST_NAME)
+        require(("svg" in members) != ("png" in members)) { "In $where there has to be either “svg” or “png”." }
+        if ("svg" in members) {
+            val svg = text(members, "svg", where, MOST_FIGURE)
+            require(beginsAsSvg(svg)) { "In $where “svg” has to be an SVG picture that begins with <svg." }
+            return HookFigure(title, "image/svg+xml", picture(svg.encodeToByteArray(), "In $where “svg”"))
+        }
+        val png = try {
+            Base64.getMimeDecoder().decode(text(members, "png", where, MOST_BASE64))
+        } catch (_: IllegalArgumentException) {
+            throw IllegalArgumentException("In $where “png” has to be Base64.")
+        }
+        require(png.size > PNG.size && PNG.indices.all { png[it] == PNG[it] }) { "In $where “png” has to be a PNG picture in Base64." }
+        return HookFigure(title, "image/png", picture(png, "In $where “png”"))
+    }
+
+    private fun picture(bytes: ByteArray, what: String): ByteArray {
+        require(bytes.size <= MOST_FIGURE) { "$what has ${bytes.size} bytes; $MOST_FIGURE are the most." }
+        return bytes
+    }
+
+    private fun <T> items(members: JsonObject, key: String, most: Int, read: (JsonElement, String) -> T): List<T> {
+        val json = members[key] ?: return emptyList()
+        require(json is JsonArray) { "“$key” has to be a list, not ${kindOf(json)}." }
+        require(json.size <= most) { "There are ${json.size} $key; $most are the most." }
+        return json.mapIndexed { index, item -> read(item, "number ${index + 1} of “$key”") }
+    }
+
+    private fun membersOf(json: JsonElement, where: String, known: Set<String>): JsonObject {
+        require(json is JsonObject) { "What the hook printed is not as it has to be: $where is ${kindOf(json)}, not an object." }
+        val unknown = json.keys.firstOrNull { it !in known } ?: return json
+        throw IllegalArgumentException("In $where there is “${unknown.take(MOST_NAME)}”; it may have ${known.joinToString()}.")
+    }
+
+    private fun text(members: JsonObject, key: String, where: String, most: Int, absent: String? = null): String {
+        val json = members[key] ?: absent?.let { return it } ?: throw IllegalArgumentException("In $where “$key” is missing.")
+        require(json is JsonPrimitive && json.isString) { "In $where “$key” has to be a text, not ${kindOf(json)}." }
+        return limited(json.content, most, "In $where “$key”")
+    }
+
+    private fun limited(text: String, most: Int, what: String): String {
+        require(text.length <= most) { "$what has ${text.length} characters; $most are the most." }
+        return text
+    }
+
+    private fun numberIn(members: JsonObject, key: String, where: String): Double {
+        val json = members[key] ?: return Double.NaN
+        return number(json) ?: throw IllegalArgumentException("In $where “$key” has to be a number or left out, not ${kindOf(json)}.")
+    }
+
+    private fun number(json: JsonElement): Double? =
+        (json as? JsonPrimitive)?.takeIf { !it.isString }?.doubleOrNull?.takeIf { it.isFinite() }
+
+    private fun numbers(members: JsonObject, key: String, where: String, areGapsAllowed: Boolean): DoubleArray {
+        val json = members[key]
+        require(json is JsonArray) { "In $where “$key” has to be a list of numbers${if (areGapsAllowed) " and nulls" else ""}." }
+        require(json.size <= MOST_SAMPLES) { "In $where “$key” has ${json.size} numbers; $MOST_SAMPLES are the most." }
+        return DoubleArray(json.size) { index ->
+            val item = json[index]
+            if (areGapsAllowed && item is JsonNull) {
+                Double.NaN
+            } else {
+                number(item) ?: throw IllegalArgumentException(
+                    "In $where number ${index + 1} of “$key” is ${kindOf(
+                        item,
+                    )}, not a number${if (areGapsAllowed) "; a gap is null" else ""}.",
+                )
+            }
+        }
+    }
+
+    private fun kindOf(json: JsonElement) = when {
+        json is JsonObject -> "an object"
+        json is JsonArray -> "a list"
+        json is JsonNull -> "null"
+        (json as JsonPrimitive).isString -> "a text"
+        else -> json.content.take(MOST_NAME)
+    }
+
+    private const val MOST_QUOTED = 120
+    private const val MOST_DEPTH = 10
+    private const val MOST_NAME = 200
+    private const val MOST_TEXT = 10_000
+    private const val MOST_VALUES = 1000
+    private const val MOST_FINDINGS = 10_000
+    private const val MOST_SERIES = 100
+    private const val MOST_SAMPLES = 1_000_000
+    private const val MOST_FIGURES = 50
+    private const val MOST_FIGURE = 4 shl 20
+
+    // Three bytes are four characters, and there may be line breaks.
+    private const val MOST_BASE64 = MOST_FIGURE / 2 * 3
+    private val PNG = byteArrayOf(0x89.toByte(), 'P'.code.toByte(), 'N'.code.toByte(), 'G'.code.toByte(), 13, 10, 26, 10)
+}

@@ -1,0 +1,85 @@
+package badlog.report.hook
+
+import badlog.bag.RecordingWriter
+import badlog.recording.Recording
+import badlog.recording.RecordingFormat
+import java.io.IOException
+import java.util.concurrent.ConcurrentHashMap
+import java.util.concurrent.TimeUnit
+import kotlin.time.Duration
+
+/** A hook that runs as [process], and is given the rows of [recording]. Ends with [close], which may be called again by any thread. */
+internal class HookRun(private val process: Process, private val recording: Recording, private val timeLimit: Duration) : AutoCloseable {
+    private val output = PipeReader(process.inputStream, MOST_OUTPUT, keepsEnd = false)
+    private val errors = PipeReader(process.errorStream, MOST_ERRORS, keepsEnd = true)
+    private val started = ConcurrentHashMap.newKeySet<ProcessHandle>()
+    private val end = System.nanoTime() + timeLimit.inWholeNanoseconds
+    private val leftMillis get() = (end - System.nanoTime()) / 1_000_000
+    private val input = Thread(::feed, "badlog-hook-input").apply {
+        isDaemon = true
+        start()
+    }
+
+    /** What the program returns. Throws a [HookException] when it does not. */
+    fun result(): HookResult {
+        while (!process.waitFor(minOf(POLL, maxOf(1, leftMillis)), TimeUnit.MILLISECONDS)) {
+            // What a program started can no longer be found when it has ended itself.
+            process.descendants().forEach(started::add)
+            if (output.isTooLong) fail("The hook printed more than ${MOST_OUTPUT shr 20} MB.")
+            if (leftMillis <= 0) fail("The hook took longer than $timeLimit and was stopped.")
+        }
+        if (!output.join(leftMillis) || !errors.join(leftMillis)) {
+            fail("The hook ended, but something it started took longer than $timeLimit and was stopped.")
+        }
+        if (output.isTooLong) fail("The hook printed more than ${MOST_OUTPUT shr 20} MB.")
+        val code = process.exitValue()
+        if (code != 0) throw HookException("The hook ended with the exit code $code${lastError(" and said")}.")
+        return try {
+            HookOutput.read(output.text())
+        } catch (e: IllegalArgumentException) {
+            fail(e.message.orEmpty(), e)
+        }
+    }
+
+    /** What the program said last of what went wrong, after [intro]; empty when it said nothing. */
+    private fun lastError(intro: String): String {
+        val line = errors.text().lines().lastOrNull { it.isNotBlank() && it.trim() != R_ENDED } ?: return ""
+        return "$intro: ${line.trim().trimEnd('.').take(MOST_QUOTED)}"
+    }
+
+    private fun fail(message: String, cause: Throwable? = null): Nothing {
+        close()
+        errors.join(POLL)
+        val said = lastError(" To standard error it said").let { if (it.isEmpty()) "" else "$it." }
+        throw HookException(message + said, cause)
+    }
+
+    private fun feed() {
+        try {
+            process.outputStream.use { out ->
+                RecordingWriter(recording, RecordingFormat.CSV).write { bytes, size -> out.write(bytes, 0, size) }
+            }
+        } catch (_: IOException) {
+            // A program need not read all, or any, of its input.
+        }
+    }
+
+    @Synchronized
+    override fun close() {
+        process.descendants().forEach(started::add)
+        started += process.toHandle()
+        // Not the process itself, which would wait for its streams: for those who still read and write them.
+        started.forEach(ProcessHandle::destroyForcibly)
+        input.join(POLL)
+    }
+
+    private companion object {
+        const val POLL = 50L
+        const val MOST_OUTPUT = 64 shl 20
+        const val MOST_ERRORS = 64 shl 10
+        const val MOST_QUOTED = 300
+
+        /** What R says last of all, whatever went wrong. */
+        const val R_ENDED = "Execution halted"
+    }
+}

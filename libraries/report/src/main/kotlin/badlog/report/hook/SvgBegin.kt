@@ -1,0 +1,23 @@
+package badlog.report.hook
+
+/**
+ * Whether [text] begins as an SVG picture does: with what may stand before its root in XML, and the root. A document type that
+ * defines entities is not taken, since they may grow without bounds.
+ */
+internal fun beginsAsSvg(text: String): Boolean {
+    var at = 0
+    while (true) {
+        while (at < text.length && text[at].isWhitespace()) at++
+        val end = when {
+            text.startsWith("<?", at) -> "?>"
+            text.startsWith("<!--", at) -> "-->"
+            text.startsWith("<!DOCTYPE", at) -> ">"
+            else -> return text.startsWith(ROOT, at) && text.getOrNull(at + ROOT.length)?.let { it.isWhitespace() || it in "/>" } == true
+        }
+        val found = text.indexOf(end, at)
+        if (found < 0 || (end == ">" && text.substring(at, found).contains('['))) return false
+        at = found + end.length
+    }
+}
+
+private const val ROOT = "<svg"

@@ -1,0 +1,127 @@
+package badlog.report.page
+
+import badlog.file.LogFile
+import badlog.html.BADLOG_VERSION
+import badlog.report.LogReport
+import badlog.report.ORDER
+import badlog.report.ReportResult
+import badlog.report.notesOf
+import badlog.report.printable
+import badlog.report.rules.Finding
+import badlog.report.shortNames
+import badlog.report.summary
+import badlog.report.timeText
+import java.net.URLEncoder
+import java.security.MessageDigest
+import java.util.Base64
+
+/**
+ * One page that shows all findings and needs nothing else: no network, no script. It follows the system's light or dark colours.
+ *
+ * Each finding links to the page of its log at the finding's time, by the fragment `#t=` and the time in the unit of the log's x axis:
+ * `Q42.html#t=93.7`.
+ *
+ * @param title what stands above everything.
+ * @param pageOf where the page of a log is, as a path with `/` relative to this page, or null without one.
+ */
+public fun reportPage(result: ReportResult, title: String = "Report", pageOf: (LogReport) -> String? = { null }): String {
+    val style = STYLE.trimIndent()
+    val out = StringBuilder()
+    out.append("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n")
+    out.append("<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'sha256-${hash(style)}'; ")
+    out.append("base-uri 'none'; form-action 'none'\">\n")
+    out.append("$GENERATOR${escaped(BADLOG_VERSION)}\">\n")
+    out.append("<meta name=\"viewport\" content=\"width=device-width\">\n<meta name=\"color-scheme\" content=\"light dark\">\n")
+    out.append("<title>${escaped(title)}</title>\n<style>$style</style>\n</head>\n<body>\n")
+    out.append("<h1>${escaped(title)}</h1>\n<p>${escaped(summary(result))}</p>\n")
+    val names = shortNames(result.logs.map { it.file })
+    val withFindings = result.logs.filter { it.findings.isNotEmpty() }
+    if (withFindings.isNotEmpty()) appendTable(out, withFindings, names, pageOf)
+    appendList(out, "Not looked for", notesOf(result))
+    appendList(out, "Not read", result.logs.mapNotNull { log -> log.unreadable?.let { "${names[log.file]}: $it" } })
+    val clean = result.logs.filter { it.findings.isEmpty() && it.unreadable == null }
+    appendLogs(out, clean, names, pageOf)
+    out.append("</body>\n</html>\n")
+    return out.toString()
+}
+
+private fun appendTable(out: StringBuilder, logs: List<LogReport>, names: Map<LogFile, String>, pageOf: (LogReport) -> String?) {
+    out.append("<table>\n<thead><tr><th>Match</th><th>Time</th><th>Severity</th><th>Rule</th><th>Finding</th></tr></thead>\n")
+    for (log in logs) {
+        val page = pageOf(log)
+        val name = names.getValue(log.file)
+        out.append("<tbody>\n")
+        log.findings.sortedBy { ORDER.indexOf(it.severity) }.forEachIndexed { index, finding ->
+            out.append("<tr class=\"${finding.severity.name.lowercase()}\">")
+            if (index == 0) {
+                out.append("<th scope=\"rowgroup\" rowspan=\"${log.findings.size}\">${linked(log.title ?: name, page, "")}")
+                if (log.title != null) out.append("<br><small>${escaped(name)}</small>")
+                out.append("</th>")
+            }
+            out.append("<td class=\"time\">${linked(timeText(finding.time, finding.timeUnit), page, fragmentOf(finding))}</td>")
+            out.append("<td><b>${finding.severity.name.lowercase()}</b></td>")
+            out.append("<td>${escaped(finding.rule)}</td><td>${escaped(finding.text)}</td></tr>\n")
+        }
+        out.append("</tbody>\n")
+    }
+    out.append("</table>\n")
+}
+
+private fun appendList(out: StringBuilder, title: String, items: List<String>) {
+    if (items.isEmpty()) return
+    out.append("<h2>$title</h2>\n<ul>\n")
+    for (item in items) out.append("<li>${escaped(item)}</li>\n")
+    out.append("</ul>\n")
+}
+
+private fun appendLogs(out: StringBuilder, logs: List<LogReport>, names: Map<LogFile, String>, pageOf: (LogReport) -> String?) {
+    if (logs.isEmpty()) return
+    out.append("<details>\n<summary>Nothing found in ${logs.size}</summary>\n<ul>\n")
+    for (log in logs) out.append("<li>${linked(log.title ?: names.getValue(log.file), pageOf(log), "")}</li>\n")
+    out.append("</ul>\n</details>\n")
+}
+
+/** `#t=` and the time, or nothing for a finding without one. */
+private fun fragmentOf(finding: Finding): String =
+    if (finding.time.isFinite()) "#t=" + finding.time.toBigDecimal().stripTrailingZeros().toPlainString() else ""
+
+private fun linked(text: String, page: String?, fragment: String): String =
+    if (page == null || text.isEmpty()) escaped(text) else "<a href=\"${escaped("./" + urlOf(page))}$fragment\">${escaped(text)}</a>"
+
+/** [path] with everything but plain characters encoded, so that no name becomes a scheme, a query or a fragment. */
+private fun urlOf(path: String): String = path.split('/').joinToString("/") { URLEncoder.encode(it, Charsets.UTF_8).replace("+", "%20") }
+
+private fun escaped(text: String): String = buildString(text.length) {
+    for (char in text.split('\n').joinToString("\n", transform = ::printable)) {
+        when (char) {
+            '&' -> append("&amp;")
+            '<' -> append("&lt;")
+            '>' -> append("&gt;")
+            '"' -> append("&quot;")
+            '\'' -> append("&#39;")
+            else -> append(char)
+        }
+    }
+}
+
+/** How the pages of badlog say what made them; its version follows. */
+internal const val GENERATOR = "<meta name=\"generator\" content=\"badlog "
+
+private fun hash(text: String): String =
+    Base64.getEncoder().encodeToString(MessageDigest.getInstance("SHA-256").digest(text.encodeToByteArray()))
+
+private const val STYLE = """
+    :root { color-scheme: light dark; --text: #1b2330; --page: #f4f5f7; --surface: #fff; --border: #dfe3e8; --muted: #596477;
+      --accent: #0b62c4; --error: #b3261e; --warning: #8a5300; --note: #596477; }
+    @media (prefers-color-scheme: dark) { :root { --text: #e6eaf0; --page: #12161c; --surface: #1a2028; --border: #303a46;
+      --muted: #9eabbb; --accent: #6cb0ff; --error: #ff8f85; --warning: #f3bd62; --note: #9eabbb; } }
+    body { margin: 2rem auto; padding: 0 1rem; max-width: 75rem; background: var(--page); color: var(--text);
+      font: 15px/1.45 system-ui, sans-serif; }
+    h1 { font-size: 1.5rem; } h2 { font-size: 1.1rem; }
+    table { width: 100%; border-collapse: collapse; background: var(--surface); border: 1px solid var(--border); }
+    th, td { padding: .4rem .6rem; text-align: left; vertical-align: top; border-top: 1px solid var(--border); overflow-wrap: anywhere; }
+    thead th { color: var(--muted); font-weight: 600; } tbody { border-top: 2px solid var(--border); }
+    .time { white-space: nowrap; font-variant-numeric: tabular-nums; } small { color: var(--muted); font-weight: 400; }
+    .error b { color: var(--error); } .warning b { color: var(--warning); } .note b { color: var(--note); }
+    a { color: var(--accent); } li { white-space: pre-wrap; }
+"""

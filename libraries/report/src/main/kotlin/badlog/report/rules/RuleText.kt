@@ -1,0 +1,47 @@
+package badlog.report.rules
+
+/** What a finding says, with places for what was found: `{value} at {time}`. A brace itself is written twice. */
+internal class RuleText private constructor(private val parts: List<Part>) {
+    private class Part(val text: String, val isPlace: Boolean)
+
+    /** The text with [found], which has all of [PLACES], in its places. */
+    fun filled(found: Map<String, String>): String = parts.joinToString("") { if (it.isPlace) found.getValue(it.text) else it.text }
+
+    /** A mistake from [from] until [until] of the text. */
+    class Mistake(val from: Int, val until: Int, override val message: String) : Exception(message)
+
+    companion object {
+        val PLACES = listOf("value", "time", "match", "file", "topic", "count", "duration")
+
+        /** Reads [text]; throws a [Mistake]. */
+        fun parse(text: String): RuleText {
+            val parts = ArrayList<Part>()
+            val plain = StringBuilder()
+            var at = 0
+            while (at < text.length) {
+                val char = text[at]
+                if ((char == '{' || char == '}') && text.getOrNull(at + 1) == char) {
+                    plain.append(char)
+                    at += 2
+                } else if (char == '{') {
+                    val end = text.indexOf('}', at)
+                    if (end < 0) throw Mistake(at, at + 1, "This brace is never closed; a brace itself is written twice.")
+                    val place = text.substring(at + 1, end)
+                    if (place !in PLACES) {
+                        val known = PLACES.joinToString { "{$it}" }
+                        throw Mistake(at, end + 1, "There is no place “{$place}”; there are $known.")
+                    }
+                    parts += Part(plain.toString(), false)
+                    parts += Part(place, true)
+                    plain.clear()
+                    at = end + 1
+                } else {
+                    plain.append(char)
+                    at++
+                }
+            }
+            parts += Part(plain.toString(), false)
+            return RuleText(parts)
+        }
+    }
+}

@@ -1,0 +1,9 @@
+package badlog.report.rules
+
+/**
+ * A file of rules cannot be used.
+ *
+ * @property lineNumber the line of the mistake, counted from 1.
+ * @property message the line's number and what is wrong as a sentence, below it the line, and carets that point at the mistake.
+ */
+public class RulesException internal constructor(internal val lineNumber: Int, override val message: String) : Exception(message)

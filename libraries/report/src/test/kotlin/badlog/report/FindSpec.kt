@@ -1,0 +1,198 @@
+package badlog.report
+
+import badlog.expression.ExpressionErrorKind
+import badlog.expression.Outcome
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.ints.shouldBeLessThanOrEqual
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.types.shouldBeInstanceOf
+import kotlinx.serialization.json.JsonNull
+import kotlinx.serialization.json.jsonArray
+import kotlinx.serialization.json.jsonObject
+import kotlinx.serialization.json.jsonPrimitive
+import java.nio.file.Files
+
+class FindSpec : FunSpec({
+    test("results come in the order of the files, however many there are") {
+        inFolder { folder ->
+            for (i in 1..60) folder.put("Q$i.bag", batteryBag(12.0, 12.0 - i / 10.0, match = i))
+            val heard = ArrayList<Int>()
+            val results = Find("min(Battery Voltage) < 7").over(logsIn(folder), { done, _ -> heard += done })
+            results.map { it.title } shouldContainExactly (1..60).map { "Mill Creek Qualification $it" }
+            heard shouldContainExactly (1..60).toList()
+            results.filter { (it.reply as Reply.Answered).outcome == Outcome.HOLDS }.map { it.file.name } shouldContainExactly
+                (51..60).map { "Q$it.bag" }
+        }
+    }
+
+    test("logs without the topic and files that are no logs are told apart") {
+        inFolder { folder ->
+            folder.put("1.bag", batteryBag(6.0))
+            folder.put("2.bag", batteryBag(6.0, name = "Volts"))
+            folder.put("3.csv", "just some words\nand more of them\n")
+            folder.put("4.bag", batteryBag(6.0))
+            val files = logsIn(folder)
+            Files.delete(folder.resolve("4.bag"))
+            val replies = Find("Battery Voltage < 7").over(files).map { it.reply }
+            replies[0].shouldBeInstanceOf<Reply.Answered>().time shouldBe 0.0
+            replies[1].shouldBeInstanceOf<Reply.NotAsked>().run {
+                kind shouldBe ExpressionErrorKind.UNKNOWN_TOPIC
+                topic shouldBe "Battery Voltage"
+            }
+            replies[2].shouldBeInstanceOf<Reply.Unreadable>().isNoLog shouldBe true
+            replies[3].shouldBeInstanceOf<Reply.Unreadable>().run {
+                message shouldContain "There is no file"
+                isNoLog shouldBe false
+            }
+        }
+    }
+
+    test("the text says what was found, what is missing, and where a mistake is") {
+        inFolder { folder ->
+            folder.put("1.bag", batteryBag(6.0))
+            folder.put("long ${"x".repeat(120)}.bag", batteryBag(5.0))
+            val files = logsIn(folder)
+            findText(Find("Battery Voltage < 7").over(files)).lines().run {
+                maxOf { it.length } shouldBeLessThanOrEqual 100
+                last() shouldBe "Found in 2 of 2 logs."
+            }
+            findText(Find("Batery Voltage < 7").over(files)) shouldContain
+                "did you mean “System/Battery Voltage”?\nBatery Voltage < 7\n^^^"
+            findText(Find("Battery Voltage <").over(files)) shouldContain "Something is missing here"
+            findText(emptyList()) shouldBe "Found in 0 of 0 logs."
+        }
+    }
+
+    test("the JSON has every file, and null for what is not known") {
+        inFolder { folder ->
+            folder.put("1.bag", batteryBag(6.0))
+            folder.put("2.bag", batteryBag(6.0, name = "Volts"))
+            val (first, second) = Find("Battery Voltage < 7").over(logsIn(folder)).map(::findJson)
+            first.getValue("outcome").jsonPrimitive.content shouldBe "holds"
+            first.getValue("figures").jsonArray[0].jsonObject.getValue("value").jsonPrimitive.content shouldBe "6.0"
+            second.getValue("outcome").jsonPrimitive.content shouldBe "not_asked"
+            second.getValue("topic").jsonPrimitive.content shouldBe "Battery Voltage"
+            val infinite = findJson(Find("Battery Voltage / 0").over(logsIn(folder))[0]).getValue("figures").jsonArray[0]
+            infinite.jsonObject.getValue("value") shouldBe JsonNull
+        }
+    }
+
+    test("files of one name are told apart by their folders, and the lines are straight whatever the writing") {
+        inFolder { folder ->
+            for (name in listOf("a/m.bag", "b/m.bag", "機械.bag")) folder.put("logs/$name", bag(mapOf("Time" to "s", "V" to "V"), listOf("0,1")))
+            val lines = findText(Find("V > 0").over(logsIn(folder))).lines()
+            for (name in listOf("a/m.bag", "b/m.bag")) lines.count { it.startsWith("$name ") } shouldBe 1
+            lines.take(4).map { displayWidth(it.substringBefore(" s  ")) }.drop(1).distinct().size shouldBe 1
+        }
+    }
+
+    test("a file that did not change is not read again, one that did is") {
+        inFolder { folder ->
+            val cache = folder.resolve("cache")
+            val one = folder.put("logs/1.bag", batteryBag(6.0))
+            val two = folder.put("logs/2.bag", batteryBag(8.0, match = 2))
+            fun ask(question: String = "min(Battery Voltage) < 7") = Find(question, cache = cache).over(logsIn(folder.resolve("logs"))).map { (it.reply as? Reply.Answered)?.figures?.single()?.toString() }
+            val first = ask()
+            spoil(one)
+            ask() shouldBe first
+            Files.writeString(two, batteryBag(6.5, 6.6))
+            ask()[1] shouldBe "min(Battery Voltage) = 6.5 V"
+            ask("max(Battery Voltage) < 7")[0] shouldBe null
+        }
+    }
+
+    test("a question may use virtual topics, and another definition is another question to the cache") {
+        inFolder { folder ->
+            val cache = folder.resolve("cache")
+            folder.put("logs/1.bag", batteryBag(6.0, 12.0))
+            fun ask(definition: String) = findText(Find("max(Double)", listOf(definition), cache).over(logsIn(folder.resolve("logs"))))
+            ask("Double [V] = Battery Voltage * 2") shouldContain "24 V"
+            ask("Double [V] = Battery Voltage * 3") shouldContain "36 V"
+        }
+    }
+
+    test("a virtual topic that only some logs can be given is told once, with the reason") {
+        inFolder { folder ->
+            folder.put("1.bag", batteryBag(6.0))
+            folder.put("2.bag", bag(mapOf("Time" to "s", "a" to "V"), listOf("0,1")))
+            val text = findText(Find("max(Double)", listOf("Double = Battery Voltage * 2")).over(logsIn(folder)))
+            text shouldContain "Found in 1 of 2 logs."
+            text shouldContain "“Double = Battery Voltage * 2” is not in 1 log: There is no topic “Battery Voltage”"
+        }
+    }
+
+    test("a virtual topic that no log can be given is told with the place of the mistake") {
+        inFolder { folder ->
+            folder.put("1.bag", batteryBag(6.0))
+            val text = findText(Find("max(Battery Voltage)", listOf("Double = Batery Voltage * 2")).over(logsIn(folder)))
+            text shouldContain "Double = Batery Voltage * 2\n         ^^^^^^"
+        }
+    }
+
+    test("a log that lost something is told, also by the cache") {
+        inFolder { folder ->
+            folder.put("logs/1.bag", batteryBag(6.0))
+            folder.put("logs/2.bag", batteryBag(6.0) + "0.1,\n0.2,12,3\n")
+            repeat(2) {
+                Find("min(Battery Voltage) < 7", cache = folder.resolve("cache")).over(logsIn(folder.resolve("logs")))
+                    .map { it.isSalvaged } shouldContainExactly listOf(false, true)
+            }
+        }
+    }
+
+    test("what was found is kept when the listener throws, however it does") {
+        for (failure in listOf(IllegalStateException(), InterruptedException())) {
+            inFolder { folder ->
+                for (i in 1..3) folder.put("logs/$i.bag", batteryBag(6.0))
+                val files = logsIn(folder.resolve("logs"))
+                fun find() = Find("min(Battery Voltage) < 7", cache = folder.resolve("cache"))
+                shouldThrow<Exception> {
+                    find().over(files) {
+                        Thread.currentThread().interrupt()
+                        throw failure
+                    }
+                }
+                Thread.interrupted() shouldBe true
+                spoil(files[0].path)
+                find().over(files)[0].reply.shouldBeInstanceOf<Reply.Answered>()
+            }
+        }
+    }
+
+    test("a damaged cache is as none") {
+        inFolder { folder ->
+            val cache = folder.resolve("cache")
+            folder.put("logs/1.bag", batteryBag(6.0))
+            val files = logsIn(folder.resolve("logs"))
+            fun ask() = Find("min(Battery Voltage) < 7", cache = cache).over(files).map { (it.reply as Reply.Answered).figures.single().toString() }
+            val first = ask()
+            val kept = Files.list(cache).use { it.toList() }.single()
+            val bytes = Files.readAllBytes(kept)
+            for (at in listOf(0, 31, 32, bytes.size / 2, bytes.size - 1)) {
+                Files.write(kept, bytes.copyOf().also { it[at] = (it[at] + 1).toByte() })
+                ask() shouldBe first
+                Files.write(kept, bytes.copyOf(at))
+                ask() shouldBe first
+            }
+            Files.readAllBytes(kept).size shouldBe bytes.size
+        }
+    }
+
+    test("a cache that cannot be written is no fault") {
+        inFolder { folder ->
+            val cache = folder.put("a file", "x").resolve("cache")
+            folder.put("1.bag", batteryBag(6.0))
+            Find("min(Battery Voltage) < 7", cache = cache).over(logsIn(folder)).size shouldBe 1
+        }
+    }
+
+    test("what the listener throws stops the work") {
+        inFolder { folder ->
+            for (i in 1..20) folder.put("Q$i.bag", batteryBag(12.0))
+            shouldThrow<IllegalStateException> { Find("true").over(logsIn(folder), { done, _ -> check(done < 3) }) }
+        }
+    }
+})

@@ -1,0 +1,205 @@
+package badlog.report.hook
+
+import badlog.file.readRecording
+import badlog.recording.CellCounts
+import badlog.recording.Recording
+import badlog.recording.RecordingFormat
+import badlog.recording.TextColumn
+import badlog.recording.Topic
+import badlog.report.ROOT
+import badlog.report.sample
+import io.kotest.assertions.nondeterministic.eventually
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.comparables.shouldBeLessThan
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldEndWith
+import io.kotest.matchers.string.shouldStartWith
+import java.io.File
+import java.io.IOException
+import java.nio.file.Files
+import kotlin.time.Duration
+import kotlin.time.Duration.Companion.milliseconds
+import kotlin.time.Duration.Companion.seconds
+import kotlin.time.measureTime
+
+private val RECORDING: Recording by lazy { readRecording(sample("qualification-42.bag")) }
+
+internal val HAS_PYTHON: Boolean = try {
+    ProcessBuilder("python3", "--version").start().waitFor() == 0
+} catch (_: IOException) {
+    false
+}
+
+private val HAS_R: Boolean = try {
+    ProcessBuilder("Rscript", "-e", "library(jsonlite)").start().waitFor() == 0
+} catch (_: IOException) {
+    false
+}
+
+private val IS_WINDOWS = System.getProperty("os.name").startsWith("Windows")
+
+/** Runs a [program] in Python. */
+private fun python(program: String, limit: Duration = 30.seconds): HookResult = HookRunner(listOf("python3", "-c", program, "{header}"), limit).run(RECORDING)
+
+class HookRunnerSpec : FunSpec({
+    test("the example gives what docs/hooks.md says").config(enabled = HAS_PYTHON) {
+        val hook = HookRunner(commandWords("python3 '${File(ROOT, "docs/hooks/analyse.py")}' {header}"), 30.seconds)
+        val result = hook.run(RECORDING)
+        val lines = result.values.map { (name, text) -> "$name: $text" } +
+            result.findings.map { "${it.severity.name.lowercase()} at ${it.time}: ${it.text}" } +
+            result.series.map { "series “${it.name}” in ${it.unit}, ${it.data.size} samples" } +
+            result.figures.map { "figure “${it.title}”, ${it.mediaType}" }
+        File(ROOT, "docs/hooks.md").readText() shouldContain "```hook\n${lines.joinToString("\n")}\n```"
+    }
+
+    test("the example in R gives values and a picture").config(enabled = HAS_R) {
+        val result = HookRunner(commandWords("Rscript '${File(ROOT, "docs/hooks/analyse.R")}'"), 60.seconds).run(RECORDING)
+        result.values["Deviation of Drivetrain/Angle"] shouldBe "587.3"
+        result.figures.single().mediaType shouldBe "image/png"
+    }
+
+    test("of what R says, that counts which tells what went wrong").config(enabled = HAS_PYTHON) {
+        val failure = shouldThrow<HookException> { python("import sys; sys.exit('Error: no such column\\nExecution halted\\n')") }
+        failure.message shouldBe "The hook ended with the exit code 1 and said: Error: no such column."
+    }
+
+    test("a hook gets all rows, and the header's path twice").config(enabled = HAS_PYTHON) {
+        val result = python(
+            """
+            import json, os, sys
+            lines = sys.stdin.read().splitlines()
+            header = json.load(open(sys.argv[1], encoding='utf-8'))
+            print(json.dumps({'values': {'rows': len(lines) - 1, 'topics': len(header['topics']),
+                'same': str(sys.argv[1] == os.environ['BADLOG_HEADER']), 'path': sys.argv[1]}}))
+            """.trimIndent(),
+        )
+        result.values["rows"] shouldBe RECORDING.rowCount.toString()
+        result.values["topics"] shouldBe RECORDING.topics.size.toString()
+        result.values["same"] shouldBe "True"
+        File(result.values.getValue("path")).exists() shouldBe false
+    }
+
+    test("a log without rows is given in rows of 20 ms").config(enabled = HAS_PYTHON) {
+        val counts = CellCounts(2, 0, 0, 0, 0, 0)
+        val topic = Topic("volts", "V", emptyList(), doubleArrayOf(12.0, 6.0), TextColumn.EMPTY, counts, doubleArrayOf(0.0, 0.05))
+        val recording = Recording(RecordingFormat.WPILOG, null, emptyList(), listOf(topic), 0, emptyList())
+        val program = "import json, sys; print(json.dumps({'values': {'csv': sys.stdin.read().strip()}}))"
+        HookRunner(listOf("python3", "-c", program)).run(recording).values.getValue("csv").lines() shouldBe
+            listOf("Time,volts", "0,12", "0.02,12", "0.04,12", "0.06,6")
+    }
+
+    test("a hook runs in its folder").config(enabled = HAS_PYTHON) {
+        val folder = Files.createTempDirectory("badlog-hook").toRealPath()
+        val program = "import json, os; print(json.dumps({'values': {'folder': os.getcwd()}}))"
+        HookRunner(listOf("python3", "-c", program), folder = folder).run(RECORDING).values["folder"] shouldBe folder.toString()
+        Files.delete(folder)
+    }
+
+    test("a hook need not read its input").config(enabled = HAS_PYTHON) {
+        python("print('{}')").findings.shouldBeEmpty()
+    }
+
+    test("a hook that fails is told with its last words").config(enabled = HAS_PYTHON) {
+        val failure = shouldThrow<HookException> { python("import sys; sys.exit('no such column')") }
+        failure.message shouldBe "The hook ended with the exit code 1 and said: no such column."
+    }
+
+    test("whatever is wrong with a hook, its last words are told").config(enabled = HAS_PYTHON) {
+        shouldThrow<HookException> { python("import sys; print('odd column', file=sys.stderr)") }.message shouldBe
+            "The hook printed nothing; it has to print one JSON object, at least {}. To standard error it said: odd column."
+    }
+
+    test("a file that is no program is told as such").config(enabled = !IS_WINDOWS) {
+        val file = File.createTempFile("hook", ".py")
+        try {
+            shouldThrow<HookException> { HookRunner(listOf("$file"), 1.seconds).run(RECORDING) }.message shouldBe
+                "The file “$file” cannot be run as a program (Permission denied); name what runs it, as in “python3 $file”, " +
+                "or allow it by chmod +x."
+        } finally {
+            file.delete()
+        }
+    }
+
+    test("a hook goes, with its header, when the program is told to end").config(enabled = HAS_PYTHON && !IS_WINDOWS) {
+        val told = File.createTempFile("hook", ".txt")
+        try {
+            val program = """
+                import os, subprocess, sys, time
+                child = subprocess.Popen([sys.executable, '-c', 'import time; time.sleep(60)'])
+                time.sleep(0.3)
+                open(r'$told', 'w').write('%d %d %s .' % (os.getpid(), child.pid, os.environ['BADLOG_HEADER']))
+                time.sleep(60)
+            """.trimIndent()
+            val java = File(System.getProperty("java.home"), "bin/java").path
+            val ending = ProcessBuilder(
+                java,
+                "-cp",
+                System.getProperty("java.class.path"),
+                "badlog.report.hook.RunHookKt",
+                "${sample("qualification-42.bag")}",
+                "python3",
+                "-c",
+                program,
+            ).redirectErrorStream(true).redirectOutput(ProcessBuilder.Redirect.DISCARD).start()
+            eventually(20.seconds) { told.readText() shouldEndWith "." }
+            val (hook, child, header) = told.readText().split(' ')
+            File(header).exists() shouldBe true
+            ending.destroy()
+            eventually(10.seconds) {
+                ending.isAlive shouldBe false
+                for (process in listOf(hook, child)) ProcessHandle.of(process.toLong()).filter { it.isAlive }.isPresent shouldBe false
+            }
+            File(header).exists() shouldBe false
+        } finally {
+            told.delete()
+        }
+    }
+
+    test("a hook that takes too long is killed, with what it started").config(enabled = HAS_PYTHON) {
+        val marker = File.createTempFile("hook", ".txt")
+        val program = """
+            import subprocess, sys, time
+            subprocess.Popen([sys.executable, '-c', 'import time; time.sleep(3); open(r"$marker", "w").write("alive")'])
+            time.sleep(60)
+        """.trimIndent()
+        val took = measureTime {
+            shouldThrow<HookException> { python(program, 1500.milliseconds) }.message shouldContain "took longer than 1.5s"
+        }
+        took shouldBeLessThan 10.seconds
+        Thread.sleep(3000)
+        marker.readText() shouldBe ""
+        marker.delete()
+    }
+
+    test("what outlives its hook and keeps its output open is killed at the time limit").config(enabled = HAS_PYTHON) {
+        val program = """
+            import subprocess, sys, time
+            subprocess.Popen([sys.executable, '-c', 'import time; time.sleep(60)'])
+            time.sleep(0.5)
+            print('{}')
+        """.trimIndent()
+        val took = measureTime {
+            shouldThrow<HookException> { python(program, 2.seconds) }.message shouldContain "something it started"
+        }
+        took shouldBeLessThan 10.seconds
+    }
+
+    test("much output is read as fast as it comes").config(enabled = HAS_PYTHON) {
+        val program = "import sys\nfor i in range(60): sys.stdout.write(' ' * 1000000)\nprint('{}')"
+        measureTime { python(program) } shouldBeLessThan 5.seconds
+    }
+
+    test("more output than is bearable ends the hook").config(enabled = HAS_PYTHON) {
+        val program = "import sys\nwhile True: sys.stdout.write('x' * 1000000)"
+        shouldThrow<HookException> { python(program) }.message shouldContain "more than 64 MB"
+    }
+
+    test("a program that is not there is told") {
+        val failure = shouldThrow<HookException> { HookRunner(listOf("no-such-program-anywhere"), 1.seconds).run(RECORDING) }
+        failure.message shouldStartWith "The program “no-such-program-anywhere” cannot be started ("
+        failure.message shouldEndWith "); is it installed, and in the PATH?"
+    }
+})

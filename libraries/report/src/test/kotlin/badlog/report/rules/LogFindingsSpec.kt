@@ -1,0 +1,66 @@
+package badlog.report.rules
+
+import badlog.analysis.LogView
+import badlog.bag.BagParser
+import badlog.recording.CellCounts
+import badlog.recording.Recording
+import badlog.recording.RecordingFormat
+import badlog.recording.TextColumn
+import badlog.recording.Topic
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.shouldBe
+
+class LogFindingsSpec : FunSpec({
+    val header = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"Battery Voltage","unit":"V","attrs":[]}],"values":[]}"""
+    val bag = "$header\nTime,Battery Voltage\n0,12\n1,6\n2,6\n3,12\n"
+    val view = LogView.of(BagParser().apply { accept(bag.encodeToByteArray()) }.finish())
+
+    test("a view that is read already is asked the rules, and those that do not fit it are told") {
+        val result = RuleSet.DEFAULT.over(view, "test.bag")
+        result.findings.map { it.rule } shouldContain "Low battery"
+        result.skipped.map { it.rule } shouldContain "Loop overrun"
+        result.skipped.none { it.isMistake } shouldBe true
+    }
+
+    test("a rule that is wrong is told as such, with its place") {
+        val rules = RuleSet.parse("[[rule]]\nname = \"A\"\nseverity = \"note\"\nwhen = \"mean(Battery Voltage, 5) < 3\"\ntext = \"t\"\n")
+        val skipped = rules.over(view, "test.bag").skipped.single()
+        skipped.isMistake shouldBe true
+        skipped.message.lines()[0].contains("4") shouldBe true
+    }
+
+    fun ownTimes(name: String, vararg times: Double) = Topic(
+        name,
+        "",
+        emptyList(),
+        DoubleArray(times.size),
+        TextColumn.EMPTY,
+        CellCounts(times.size, 0, 0, 0, 0, 0),
+        times,
+    )
+
+    fun findingsOf(topics: List<Topic>) = RuleSet.DEFAULT.over(LogView.of(Recording(RecordingFormat.WPILOG, null, emptyList(), topics, 0, emptyList())), "a.wpilog")
+
+    test("where topics have times of their own, time is every one of them, whatever topics are called") {
+        val result = findingsOf(listOf(ownTimes("A/Time", 0.0, 0.1, 3.0), ownTimes("B/Time", 0.2, 2.9)))
+        result.findings.single { it.rule == "Gap in time" }.run {
+            text shouldBe "Nothing was logged for up to 2.7 s."
+            topic shouldBe null
+            time shouldBe 2.9
+        }
+        result.skipped.none { it.isMistake || it.rule == "Clock set back" } shouldBe true
+    }
+
+    test("a log that counts rows has no time, whatever topics are called") {
+        val csv = LogView.of(BagParser().apply { accept("A/Time,b\n0,1\n5,2\n".encodeToByteArray()) }.finish())
+        RuleSet.DEFAULT.over(csv, "a.csv").skipped.single { it.rule == "Gap in time" }.message shouldBe "the log has no x axis"
+    }
+
+    test("an interrupted thread stops asking") {
+        Thread.currentThread().interrupt()
+        shouldThrow<InterruptedException> { RuleSet.DEFAULT.over(view, "test.bag") }
+        Thread.interrupted() shouldBe false
+    }
+})
