@@ -1,7 +1,7 @@
 package badlog.cli
 
-import badlog.html.cli.ProgressBar
-import badlog.report.printable
+import badlog.terminal.ProgressBar
+import badlog.terminal.printable
 import java.io.PrintStream
 import java.nio.charset.Charset
 

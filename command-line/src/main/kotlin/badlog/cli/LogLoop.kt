@@ -5,8 +5,8 @@ import badlog.cli.input.LogSearch
 import badlog.cli.input.NotALog
 import badlog.file.UnreadableFileException
 import badlog.html.ExportException
-import badlog.html.ExportProgress
 import badlog.report.TopicException
+import badlog.terminal.Progress
 import java.nio.file.Path
 
 /**
@@ -19,7 +19,7 @@ internal class LogLoop(command: String, private val console: Console, isJson: Bo
     private val outcomes = Outcomes(command, console, isJson)
 
     /** Does [work] to every log below [paths], in their order; says what came of it. */
-    fun run(paths: List<Path>, work: (LogInput, ExportProgress) -> Outcome): ExitCode {
+    fun run(paths: List<Path>, work: (LogInput, Progress) -> Outcome): ExitCode {
         val found = console.searching().use { LogSearch(it::next).find(paths) }
         for (failure in found.failures) outcomes.failed(failure.file, failure.message)
         for ((index, input) in found.inputs.withIndex()) {
@@ -31,7 +31,7 @@ internal class LogLoop(command: String, private val console: Console, isJson: Bo
         return outcomes.end()
     }
 
-    private fun attempt(input: LogInput, label: String, work: (LogInput, ExportProgress) -> Outcome) {
+    private fun attempt(input: LogInput, label: String, work: (LogInput, Progress) -> Outcome) {
         val file = input.file
         try {
             outcomes.done(file, console.progress(label).use { work(input, it) })

@@ -3,6 +3,7 @@ package badlog.html
 import badlog.file.RecordingParser
 import badlog.file.withGzipCut
 import badlog.recording.ProblemKind
+import badlog.terminal.Progress
 import java.io.ByteArrayInputStream
 import java.io.InputStream
 import java.io.SequenceInputStream
@@ -33,7 +34,7 @@ class HtmlExporter(private val attachments: List<Path> = emptyList(), private va
         input: Path,
         output: Path,
         additions: PageAdditions = PageAdditions(),
-        progress: ExportProgress = ExportProgress { _, _ -> },
+        progress: Progress = Progress { _, _ -> },
     ): ExportReport {
         val page = output.toAbsolutePath().normalize()
         val files = attachments.plusElement(input)
@@ -54,7 +55,7 @@ class HtmlExporter(private val attachments: List<Path> = emptyList(), private va
         head: FileHead,
         page: Path,
         additions: PageAdditions,
-        progress: ExportProgress,
+        progress: Progress,
     ): ExportReport {
         val name = input.fileName.toString()
         val total = Files.size(input)

@@ -1,10 +1,12 @@
 package badlog.html
 
-/** Carries what an [ExportProgress] threw past all that would take it for a failure of a file. */
+import badlog.terminal.Progress
+
+/** Carries what an [Progress] threw past all that would take it for a failure of a file. */
 private class ProgressFailure(override val cause: Throwable) : RuntimeException(cause)
 
 /** Runs [work], to which it gives [progress]; throws what that throws as it is. */
-internal fun <T> passingOn(progress: ExportProgress, work: (ExportProgress) -> T): T = try {
+internal fun <T> passingOn(progress: Progress, work: (Progress) -> T): T = try {
     work { done, total ->
         try {
             progress.advanced(done, total)

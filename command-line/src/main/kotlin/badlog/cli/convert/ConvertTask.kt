@@ -23,11 +23,11 @@ import badlog.cli.text.json
 import badlog.cli.text.lossLines
 import badlog.cli.text.wrapped
 import badlog.expression.withVirtualTopics
-import badlog.html.ExportProgress
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
 import badlog.report.undefinedJson
 import badlog.report.withX
+import badlog.terminal.Progress
 import kotlinx.serialization.json.JsonPrimitive
 import java.nio.file.Path
 
@@ -55,7 +55,7 @@ internal class ConvertTask(
 
     override fun run(console: Console): ExitCode = LogLoop("convert", console, isJson).run(paths, ::convert)
 
-    private fun convert(input: LogInput, progress: ExportProgress): Outcome {
+    private fun convert(input: LogInput, progress: Progress): Outcome {
         val read = readLog(input.file, progress)
         if (read.topics.isEmpty()) {
             throw Failure("${input.file}: nothing can be converted. ${read.problems.firstOrNull()?.message.orEmpty()}".trim())
@@ -87,7 +87,7 @@ internal class ConvertTask(
         return Outcome(recording.isSalvaged, text.joinToString("\n"), json)
     }
 
-    private fun write(file: Path, recording: Recording, target: Path, progress: ExportProgress): LeftOut {
+    private fun write(file: Path, recording: Recording, target: Path, progress: Progress): LeftOut {
         val lostBytes = Losses(recording).bytesAtEnd
         val staysAsItIs = recording.format == RecordingFormat.WPILOG && !format.hasRows && !isChangesOnly && virtualTopics.isEmpty()
         if (!staysAsItIs || lostBytes == null) {

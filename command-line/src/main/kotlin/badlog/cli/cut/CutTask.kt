@@ -20,8 +20,8 @@ import badlog.cli.text.grouped
 import badlog.cli.text.json
 import badlog.cli.text.lossLines
 import badlog.cli.text.wrapped
-import badlog.html.ExportProgress
 import badlog.recording.RecordingFormat
+import badlog.terminal.Progress
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
@@ -42,7 +42,7 @@ internal class CutTask(
 ) : Task {
     override fun run(console: Console): ExitCode = LogLoop("cut", console, isJson).run(paths, ::cut)
 
-    private fun cut(input: LogInput, progress: ExportProgress): Outcome {
+    private fun cut(input: LogInput, progress: Progress): Outcome {
         val view = LogView.of(readLog(input.file, progress, xTopic))
         val part = try {
             partOf(view)

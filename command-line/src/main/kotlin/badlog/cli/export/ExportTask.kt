@@ -20,7 +20,6 @@ import badlog.expression.undefinedTopics
 import badlog.file.UnreadableFileException
 import badlog.file.requireRegularFile
 import badlog.html.ExportException
-import badlog.html.ExportProgress
 import badlog.html.HtmlExporter
 import badlog.html.PageAdditions
 import badlog.report.SkippedRule
@@ -28,6 +27,7 @@ import badlog.report.failureJson
 import badlog.report.rules.RuleSet
 import badlog.report.skippedJson
 import badlog.report.undefinedJson
+import badlog.terminal.Progress
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonPrimitive
 import java.nio.file.Path
@@ -71,7 +71,7 @@ internal class ExportTask(
         return if (search.neverAsked(refused).any { it.isMistake }) ExitCode.USAGE else code
     }
 
-    private fun export(exporter: HtmlExporter, input: LogInput, found: Found?, progress: ExportProgress): Outcome {
+    private fun export(exporter: HtmlExporter, input: LogInput, found: Found?, progress: Progress): Outcome {
         val name = "${input.file.fileName}.html"
         val target = plan.place(input, name, name)
         val additions = found?.additions(search.virtualTopics) ?: PageAdditions(search.virtualTopics)

@@ -3,7 +3,6 @@ package badlog.cli.export
 import badlog.analysis.LogView
 import badlog.cli.input.readLog
 import badlog.expression.withVirtualTopics
-import badlog.html.ExportProgress
 import badlog.html.PageAdditions
 import badlog.report.SkippedRule
 import badlog.report.hook.HookException
@@ -13,6 +12,7 @@ import badlog.report.page.pageAdditions
 import badlog.report.rules.LogFindings
 import badlog.report.rules.RuleSet
 import badlog.report.rules.over
+import badlog.terminal.Progress
 import java.nio.file.Path
 
 /**
@@ -35,7 +35,7 @@ internal class Found private constructor(private val rules: LogFindings, private
 
     companion object {
         /** Runs [rules] over the log in [file] with [virtualTopics], and [hooks] for it. */
-        fun of(file: Path, rules: RuleSet, hooks: List<HookRunner>, virtualTopics: List<String>, progress: ExportProgress): Found = try {
+        fun of(file: Path, rules: RuleSet, hooks: List<HookRunner>, virtualTopics: List<String>, progress: Progress): Found = try {
             val recording = readLog(file, progress)
             val view = LogView.of(recording).withVirtualTopics(virtualTopics).view
             Found(rules.over(view, file.fileName.toString()), hooks.map { HookOutcome.of(it, recording) }, null)

@@ -11,10 +11,10 @@ import badlog.recording.RecordingFormat
 import badlog.recording.Severity
 import badlog.recording.Topic
 import badlog.recording.TopicKind
-import badlog.report.TextTable
-import badlog.report.TextTable.Column
-import badlog.report.displayWidth
-import badlog.report.printable
+import badlog.terminal.TextTable
+import badlog.terminal.TextTable.Column
+import badlog.terminal.displayWidth
+import badlog.terminal.printable
 import kotlin.math.roundToLong
 
 /**

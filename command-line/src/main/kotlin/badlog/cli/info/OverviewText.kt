@@ -3,8 +3,8 @@ package badlog.cli.info
 import badlog.cli.text.XTime
 import badlog.cli.text.grouped
 import badlog.recording.Severity
-import badlog.report.TextTable
-import badlog.report.TextTable.Column
+import badlog.terminal.TextTable
+import badlog.terminal.TextTable.Column
 
 /** One line about each log. */
 internal object OverviewText {

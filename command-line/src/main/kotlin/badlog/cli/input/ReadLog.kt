@@ -3,11 +3,11 @@ package badlog.cli.input
 import badlog.cli.Failure
 import badlog.cli.output.FileName
 import badlog.file.readRecording
-import badlog.html.ExportProgress
 import badlog.recording.ProblemKind
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
 import badlog.report.withX
+import badlog.terminal.Progress
 import java.nio.file.Path
 
 /**
@@ -18,7 +18,7 @@ import java.nio.file.Path
  * @throws Failure when the beginning of a WPILOG is lost.
  * @throws badlog.file.UnreadableFileException when it cannot be read.
  */
-internal fun readLog(file: Path, progress: ExportProgress, xTopic: String? = null): Recording {
+internal fun readLog(file: Path, progress: Progress, xTopic: String? = null): Recording {
     val recording = readRecording(file, progress = progress::advanced)
     recording.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }?.let { throw NotALog("$file: ${it.message}") }
     if (isFormerWpilog(file, recording)) {

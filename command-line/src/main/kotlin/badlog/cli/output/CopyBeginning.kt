@@ -3,7 +3,7 @@ package badlog.cli.output
 import badlog.bag.FileSignature
 import badlog.file.GzipReader
 import badlog.file.reading
-import badlog.html.ExportProgress
+import badlog.terminal.Progress
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -14,7 +14,7 @@ import java.nio.file.Path
  * @throws badlog.html.ExportException when it cannot be written.
  * @throws badlog.file.UnreadableFileException when the log cannot be read.
  */
-internal fun copyBeginning(log: Path, lostBytes: Long, target: Path, progress: ExportProgress) {
+internal fun copyBeginning(log: Path, lostBytes: Long, target: Path, progress: Progress) {
     var size = -lostBytes
     inflate(log) { _, count -> size += count }
     newLog(target) { stream ->

@@ -1,9 +1,9 @@
 package badlog.cli.output
 
-import badlog.html.ExportProgress
 import badlog.html.NewFile
 import badlog.html.writing
 import badlog.recording.Recording
+import badlog.terminal.Progress
 import java.io.OutputStream
 import java.nio.file.Files
 import java.nio.file.Path
@@ -24,7 +24,7 @@ internal fun writeLog(
     target: Path,
     runs: List<IntRange> = listOf(0 until recording.rowCount),
     changesOnly: Boolean = false,
-    progress: ExportProgress,
+    progress: Progress,
 ): LeftOut {
     format.require(recording, target)
     return newLog(target) { stream ->

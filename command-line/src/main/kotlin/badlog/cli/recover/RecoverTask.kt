@@ -14,15 +14,15 @@ import badlog.cli.output.LogFormat
 import badlog.cli.output.OutputPlan
 import badlog.cli.output.copyBeginning
 import badlog.cli.output.writeLog
-import badlog.html.ExportProgress
 import badlog.recording.Recording
+import badlog.terminal.Progress
 import java.nio.file.Path
 
 /** Writes clean logs from damaged ones. */
 internal class RecoverTask(private val paths: List<Path>, private val plan: OutputPlan, private val isJson: Boolean) : Task {
     override fun run(console: Console): ExitCode = LogLoop("recover", console, isJson).run(paths, ::recover)
 
-    private fun recover(input: LogInput, progress: ExportProgress): Outcome {
+    private fun recover(input: LogInput, progress: Progress): Outcome {
         val recording = readLog(input.file, progress)
         val losses = Losses(recording)
         if (!plan.isGiven && !losses.isDamaged) return losses.outcome(input.file, target = null, LeftOut())
@@ -36,7 +36,7 @@ internal class RecoverTask(private val paths: List<Path>, private val plan: Outp
         return losses.outcome(input.file, target, leftOut)
     }
 
-    private fun write(file: Path, recording: Recording, losses: Losses, target: Path, progress: ExportProgress): LeftOut {
+    private fun write(file: Path, recording: Recording, losses: Losses, target: Path, progress: Progress): LeftOut {
         val format = LogFormat.of(recording)
         val lostBytes = losses.bytesAtEnd
         if (format.hasRows || lostBytes == null) return writeLog(recording, format, target, progress = progress)

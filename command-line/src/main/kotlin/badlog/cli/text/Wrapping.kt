@@ -1,8 +1,8 @@
 package badlog.cli.text
 
-import badlog.report.displayWidth
-import badlog.report.printable
-import badlog.report.startOf
+import badlog.terminal.displayWidth
+import badlog.terminal.printable
+import badlog.terminal.startOf
 
 /** How wide a terminal is, at the least. */
 internal const val LINE_WIDTH = 80

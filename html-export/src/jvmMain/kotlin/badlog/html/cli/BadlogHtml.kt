@@ -1,17 +1,18 @@
 package badlog.html.cli
 
 import badlog.html.ExportException
-import badlog.html.ExportProgress
 import badlog.html.ExportReport
 import badlog.html.HtmlExporter
 import badlog.html.checkReadable
 import badlog.recording.Severity
+import badlog.terminal.Progress
+import badlog.terminal.ProgressBar
 import java.io.PrintStream
 import java.nio.file.Files
 import java.nio.file.Path
 
 /** Makes the page of an input, as [HtmlExporter.export] does. */
-internal typealias Export = (input: Path, page: Path, progress: ExportProgress) -> ExportReport
+internal typealias Export = (input: Path, page: Path, progress: Progress) -> ExportReport
 
 /**
  * The command line: makes the pages that its arguments ask for, prints where they are, and says what went wrong.

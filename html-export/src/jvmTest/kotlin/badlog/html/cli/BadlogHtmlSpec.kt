@@ -3,12 +3,12 @@ package badlog.html.cli
 import badlog.html.BADLOG_VERSION
 import badlog.html.BAG
 import badlog.html.CUT_BAG
-import badlog.html.ExportProgress
 import badlog.html.HtmlExporter
 import badlog.html.ReadPage
 import badlog.html.gzip
 import badlog.html.inFolder
 import badlog.html.names
+import badlog.terminal.Progress
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainExactly

@@ -3,6 +3,7 @@ package badlog.report
 import badlog.expression.ExpressionErrorKind
 import badlog.expression.Figure
 import badlog.expression.Outcome
+import badlog.terminal.TextTable
 
 /**
  * The logs in which the question holds, as a table of match, file, time and value at most 100 columns wide, and below it how many

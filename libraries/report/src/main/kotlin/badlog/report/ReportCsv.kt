@@ -1,5 +1,7 @@
 package badlog.report
 
+import badlog.terminal.printable
+
 /**
  * All findings as CSV (RFC 4180): one line for each, with the file, the match, the rule, its severity, the topic, the text, the time to
  * look at first, the end of the first span, how many spans there are, and the unit of the times. A log that cannot be read has a

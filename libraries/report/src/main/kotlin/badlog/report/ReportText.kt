@@ -1,7 +1,9 @@
 package badlog.report
 
 import badlog.recording.Severity
-import badlog.report.TextTable.Column
+import badlog.terminal.TextTable
+import badlog.terminal.TextTable.Column
+import badlog.terminal.printable
 
 /**
  * All findings match by match with time, severity and text, at most 100 columns wide, and below it what was not looked for. Logs that

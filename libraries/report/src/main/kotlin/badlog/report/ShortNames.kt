@@ -13,3 +13,10 @@ internal fun shortNames(files: List<LogFile>): Map<LogFile, String> = files.grou
     while (!paths.all { it.startsWith(common) }) common = common.parent ?: return@flatMap alike.map { it to it.path.toString() }
     alike.mapIndexed { index, file -> file to common.relativize(paths[index]).toString() }
 }.toMap()
+
+/** The longest beginning of [text] that takes at most [bytes] bytes, as in a file's name. */
+public fun startOfBytes(text: String, bytes: Int): String {
+    var end = minOf(text.length, bytes)
+    while (text.substring(0, end).encodeToByteArray().size > bytes || (end > 0 && text[end - 1].isHighSurrogate())) end--
+    return text.substring(0, end)
+}

@@ -2,6 +2,7 @@ package badlog.report
 
 import badlog.expression.ExpressionErrorKind
 import badlog.expression.Outcome
+import badlog.terminal.displayWidth
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly

@@ -6,11 +6,11 @@ import badlog.report.LogReport
 import badlog.report.ORDER
 import badlog.report.ReportResult
 import badlog.report.notesOf
-import badlog.report.printable
 import badlog.report.rules.Finding
 import badlog.report.shortNames
 import badlog.report.summary
 import badlog.report.timeText
+import badlog.terminal.printable
 import java.net.URLEncoder
 import java.security.MessageDigest
 import java.util.Base64

@@ -1,6 +1,6 @@
-package badlog.report
+package badlog.terminal
 
-import badlog.report.TextTable.Column
+import badlog.terminal.TextTable.Column
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe

@@ -1,4 +1,4 @@
-package badlog.report
+package badlog.terminal
 
 /**
  * [text] on one line, without what would move a terminal's cursor, change its colours or turn the direction of writing: names and texts

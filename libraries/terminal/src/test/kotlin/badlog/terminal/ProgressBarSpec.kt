@@ -1,4 +1,4 @@
-package badlog.html.cli
+package badlog.terminal
 
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
@@ -10,16 +10,16 @@ class ProgressBarSpec : FunSpec({
     val err = ByteArrayOutputStream()
     beforeTest { err.reset() }
 
-    fun bar(isShown: Boolean, patience: Long) = ProgressBar("match.bag", PrintStream(err), isShown, patience)
+    fun bar(isShown: Boolean, delay: Long) = ProgressBar("match.bag", PrintStream(err), isShown, delay)
 
     test("what is quick, or not on a terminal, shows nothing") {
-        bar(isShown = true, patience = Long.MAX_VALUE).use { it.advanced(1, 2) }
-        bar(isShown = false, patience = 0).use { it.advanced(1, 2) }
+        bar(isShown = true, delay = Long.MAX_VALUE).use { it.advanced(1, 2) }
+        bar(isShown = false, delay = 0).use { it.advanced(1, 2) }
         err.size() shouldBe 0
     }
 
     test("it grows, and leaves no trace") {
-        bar(isShown = true, patience = 0).use { bar ->
+        bar(isShown = true, delay = 0).use { bar ->
             bar.advanced(1, 2)
             err.toString() shouldContain "match.bag [#################                 ] 50 %"
             bar.advanced(3, 2)
@@ -29,7 +29,7 @@ class ProgressBarSpec : FunSpec({
     }
 
     test("an empty file is done") {
-        bar(isShown = true, patience = 0).use { it.advanced(0, 0) }
+        bar(isShown = true, delay = 0).use { it.advanced(0, 0) }
         err.toString() shouldContain "100 %"
     }
 })

@@ -1,4 +1,4 @@
-package badlog.report
+package badlog.terminal
 
 /** How many columns of a terminal [text] takes: wide characters, as Chinese has, take two, and combining marks none. */
 public fun displayWidth(text: String): Int = if (text.all { it.code in PLAIN }) text.length else text.codePoints().map(::widthOf).sum()
@@ -27,13 +27,6 @@ public fun endOf(text: String, width: Int): String {
         start -= Character.charCount(character)
     }
     return text.substring(start)
-}
-
-/** The longest beginning of [text] that takes at most [bytes] bytes, as in a file's name. */
-public fun startOfBytes(text: String, bytes: Int): String {
-    var end = minOf(text.length, bytes)
-    while (text.substring(0, end).encodeToByteArray().size > bytes || (end > 0 && text[end - 1].isHighSurrogate())) end--
-    return text.substring(0, end)
 }
 
 private fun widthOf(character: Int): Int = when {

@@ -1,4 +1,4 @@
-package badlog.report
+package badlog.terminal
 
 /**
  * Lines of cells in aligned columns, two blanks apart, for a terminal.
