@@ -10,7 +10,7 @@ import badlog.viewer.compare.drawnRecordings
 import badlog.viewer.graph.GraphPane
 import badlog.viewer.graph.standardGraphs
 import badlog.viewer.recording.OpenRecording
-import badlog.viewer.settings.Theme
+import badlog.viewer.theme.Theme
 import badlog.viewer.theme.ViewerTheme
 import badlog.viewer.view.Viewport
 import java.nio.file.Path

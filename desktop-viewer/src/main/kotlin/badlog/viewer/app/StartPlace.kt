@@ -1,6 +1,7 @@
 package badlog.viewer.app
 
 import badlog.viewer.settings.Settings
+import java.awt.Desktop
 import java.nio.file.Files
 import java.nio.file.InvalidPathException
 import java.nio.file.Path
@@ -38,4 +39,19 @@ private fun pathNamed(name: String): Path? = try {
     Path.of(name)
 } catch (_: InvalidPathException) {
     null
+}
+
+/** Opens what [start] names, when the window begins. */
+internal fun openFirst(viewer: Viewer, start: StartPlace) {
+    start.complaint?.let { viewer.notices.complain(it) }
+    start.folder?.let { viewer.libraryFolder.open(it, showsNewest = start.file == null) }
+    start.file?.let { viewer.loading.open(it) }
+}
+
+/** On a Mac, a file that is double-clicked comes as a message to the program that runs already. */
+internal fun opensClickedFiles(viewer: Viewer) {
+    if (!Desktop.isDesktopSupported()) return
+    val desktop = Desktop.getDesktop()
+    if (!desktop.isSupported(Desktop.Action.APP_OPEN_FILE)) return
+    desktop.setOpenFileHandler { event -> event.files.firstOrNull()?.let { viewer.loading.open(it.toPath()) } }
 }

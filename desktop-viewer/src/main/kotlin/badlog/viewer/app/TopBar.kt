@@ -12,12 +12,15 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
+import badlog.viewer.export.TakeAwayMenu
 import badlog.viewer.inspector.InspectorTabs
 import badlog.viewer.layout.LayoutMenu
-import badlog.viewer.settings.Theme
-import badlog.viewer.takeaway.TakeAwayMenu
+import badlog.viewer.panels.FrontPart
+import badlog.viewer.panels.InspectorTab
+import badlog.viewer.panels.MainView
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
+import badlog.viewer.theme.Theme
 import badlog.viewer.theme.ToolButton
 
 /** What stands along the window's top: which parts are open, what is shown, and what can be done with it. */
@@ -62,5 +65,33 @@ private fun PanelButtons(viewer: Viewer) {
     }
     ToolButton("Topics", Icons.Tree, isOn = panels.topics) {
         viewer.panels = panels.copy(topics = !panels.topics)
+    }
+}
+
+/** What stands along the foot of a narrow window: which of its parts is seen. */
+@Composable
+internal fun FrontTabs(viewer: Viewer) {
+    Row(
+        Modifier.fillMaxWidth().background(LocalPalette.current.surface).padding(4.dp),
+        horizontalArrangement = Arrangement.SpaceEvenly,
+    ) {
+        for (part in FrontPart.entries) {
+            val icon = when (part) {
+                FrontPart.LOGS -> Icons.List
+                FrontPart.TOPICS -> Icons.Tree
+                FrontPart.GRAPHS -> Icons.Graph
+                FrontPart.DETAILS -> Icons.Table
+            }
+            val name = part.name.lowercase().replaceFirstChar { it.uppercase() }
+            ToolButton(
+                "Show the ${part.name.lowercase()}",
+                icon,
+                text = name,
+                isOn = viewer.panels.front == part && viewer.panels.main == MainView.GRAPHS,
+            ) {
+                val inspector = viewer.panels.inspector ?: InspectorTab.EVENTS.takeIf { part == FrontPart.DETAILS }
+                viewer.panels = viewer.panels.copy(front = part, main = MainView.GRAPHS, inspector = inspector)
+            }
+        }
     }
 }

@@ -15,13 +15,15 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import badlog.viewer.compare.CompareBar
-import badlog.viewer.compare.StatisticsTable
 import badlog.viewer.formula.FormulaDialog
 import badlog.viewer.graph.GraphPane
 import badlog.viewer.inspector.InspectorPane
 import badlog.viewer.library.LibraryPane
 import badlog.viewer.library.LogTable
-import badlog.viewer.library.openNamed
+import badlog.viewer.panels.FrontPart
+import badlog.viewer.panels.MainView
+import badlog.viewer.statistics.StatisticsTable
+import badlog.viewer.task.StatusBar
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ViewerTheme
 import badlog.viewer.topic.TopicPane

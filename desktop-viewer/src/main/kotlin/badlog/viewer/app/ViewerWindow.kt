@@ -20,6 +20,7 @@ import badlog.viewer.graph.warmUpGraphs
 import badlog.viewer.settings.SettingsFile
 import badlog.viewer.settings.UserFolders
 import badlog.viewer.settings.keepSettings
+import badlog.viewer.task.Notices
 import kotlinx.coroutines.launch
 import org.jetbrains.skia.Image
 import java.io.IOException

@@ -3,13 +3,18 @@ package badlog.viewer.failure
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableIntStateOf
 import androidx.compose.runtime.setValue
-import badlog.viewer.app.Notices
+import badlog.viewer.task.Notices
 import kotlinx.coroutines.CoroutineExceptionHandler
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.SupervisorJob
 import kotlinx.coroutines.job
 import kotlinx.coroutines.plus
+import java.io.IOException
+import java.nio.file.Files
 import java.nio.file.Path
+import java.nio.file.StandardOpenOption
+import java.time.LocalDateTime
+import java.time.temporal.ChronoUnit
 import javax.swing.SwingUtilities
 
 /**
@@ -39,4 +44,39 @@ internal class Failures(private val log: FailureLog, private val notices: Notice
     /** [scope], but what fails in it ends nothing else, and is heard here. */
     fun guarded(scope: CoroutineScope): CoroutineScope =
         scope + SupervisorJob(scope.coroutineContext.job) + CoroutineExceptionHandler { _, failure -> hear(failure) }
+}
+
+/** What went wrong in the program itself, for whoever mends it: kept in [file], each failure once a run. For any thread. */
+internal class FailureLog(cache: Path) {
+    /** Where it is kept. */
+    val file: Path = cache.resolve("failures.log")
+
+    private val known = HashSet<String>()
+
+    /** Adds [failure]. Returns whether it can be read there; not on a full disk, or after very many others. */
+    @Synchronized
+    fun add(failure: Throwable): Boolean {
+        val trace = failure.stackTraceToString()
+        if (trace in known) return true
+        if (known.size >= MOST) return false
+        try {
+            Files.createDirectories(file.parent)
+            if (Files.exists(file) && Files.size(file) > LARGEST) Files.delete(file)
+            Files.writeString(file, "${place()}\n$trace\n", StandardOpenOption.CREATE, StandardOpenOption.APPEND)
+        } catch (_: IOException) {
+            return false
+        }
+        return known.add(trace)
+    }
+
+    private fun place(): String {
+        val system = listOf("os.name", "os.version", "os.arch", "java.version").joinToString(" ") { System.getProperty(it) }
+        return "${LocalDateTime.now().truncatedTo(ChronoUnit.SECONDS)} $system"
+    }
+
+    private companion object {
+        /** One that fails in each frame must not fill the disk. */
+        const val MOST = 50
+        const val LARGEST = 1L shl 20
+    }
 }

@@ -1,6 +1,9 @@
 package badlog.viewer.findings
 
+import badlog.recording.Severity
+import badlog.report.SkippedRule
 import badlog.report.rules.Finding
+import java.nio.file.Path
 
 /**
  * What the window knows of the open recording's findings.
@@ -24,4 +27,42 @@ internal data class Findings(
 
     /** Knows nothing yet. */
     fun unknown(): Findings = Findings(timesAsked = timesAsked)
+}
+
+/**
+ * What rules found in a recording.
+ *
+ * @property all the findings: those of the whole log first, then the others by time.
+ * @property skipped the rules that could not be asked of it.
+ * @property rulesFile where the rules come from; null for those that badlog brings along.
+ * @property trouble why a file of rules is not used, or why nothing was found out, as a sentence; null when all is well.
+ */
+internal class FindingList(
+    found: List<Finding> = emptyList(),
+    val skipped: List<SkippedRule> = emptyList(),
+    val rulesFile: Path? = null,
+    val trouble: String? = null,
+) {
+    val all: List<Finding> = found.sortedWith(compareBy({ it.time.isFinite() }, { it.time }))
+
+    /** Those of [all] that have a place on x. */
+    val placed: List<Finding> = all.filter { it.time.isFinite() }
+
+    /** The severity of the worst; null when there is none. */
+    val worst: Severity? = all.maxOfOrNull { it.severity }
+
+    /** The one that says the same as [finding], of which there may be another one since the log has grown; null without any. */
+    fun like(finding: Finding): Finding? = all.find { it.rule == finding.rule && it.topic == finding.topic }
+
+    /** Which of [placed] is [steps] further on than [from], or than [x] where that is null; at the ends the first or the last. */
+    fun stepped(steps: Int, from: Finding?, x: Double?): Finding? {
+        if (placed.isEmpty()) return null
+        val at = placed.indexOf(from)
+        val next = when {
+            at >= 0 -> at + steps
+            steps > 0 -> (if (x == null) 0 else placed.indexOfFirst { it.time > x }.let { if (it < 0) placed.size else it }) + steps - 1
+            else -> (if (x == null) placed.size else placed.indexOfFirst { it.time >= x }.let { if (it < 0) placed.size else it }) + steps
+        }
+        return placed[next.coerceIn(placed.indices)]
+    }
 }

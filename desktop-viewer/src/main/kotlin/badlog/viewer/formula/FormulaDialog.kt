@@ -1,29 +1,54 @@
 package badlog.viewer.formula
 
+import androidx.compose.foundation.background
+import androidx.compose.foundation.border
+import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.foundation.text.BasicTextField
 import androidx.compose.foundation.verticalScroll
+import androidx.compose.material3.LocalTextStyle
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.FocusRequester
+import androidx.compose.ui.focus.focusRequester
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.graphics.SolidColor
 import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.input.key.KeyEvent
 import androidx.compose.ui.input.key.KeyEventType
 import androidx.compose.ui.input.key.key
 import androidx.compose.ui.input.key.onPreviewKeyEvent
 import androidx.compose.ui.input.key.type
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.selected
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.AnnotatedString
+import androidx.compose.ui.text.SpanStyle
+import androidx.compose.ui.text.buildAnnotatedString
+import androidx.compose.ui.text.font.FontFamily
 import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.input.OffsetMapping
+import androidx.compose.ui.text.input.TransformedText
+import androidx.compose.ui.text.style.TextDecoration
+import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import badlog.expression.ExpressionError
 import badlog.viewer.app.Viewer
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
+import badlog.viewer.theme.Palette
 import badlog.viewer.theme.ToolButton
 import badlog.viewer.theme.sheet
 
@@ -94,3 +119,83 @@ private fun hears(event: KeyEvent, writer: FormulaWriter, keep: () -> Unit, clos
 }
 
 private const val HOW = "A name, a unit in brackets if it has one, =, and how it is calculated; / in the name makes folders."
+
+/** Where the definition of [writer] is typed; what is wrong in it is underlined. Has the keyboard from the beginning. */
+@Composable
+internal fun FormulaField(writer: FormulaWriter) {
+    val palette = LocalPalette.current
+    val focus = remember { FocusRequester() }
+    LaunchedEffect(writer) { focus.requestFocus() }
+    val error = writer.error
+    BasicTextField(
+        writer.field,
+        { writer.field = it },
+        Modifier
+            .fillMaxWidth()
+            .background(palette.raised, RoundedCornerShape(5.dp))
+            .border(1.dp, if (error == null) palette.border else palette.error, RoundedCornerShape(5.dp))
+            .padding(horizontal = 10.dp, vertical = 8.dp)
+            .focusRequester(focus)
+            .semantics { contentDescription = "Definition of the formula" },
+        textStyle = LocalTextStyle.current.copy(color = palette.text, fontFamily = FontFamily.Monospace),
+        maxLines = 6,
+        visualTransformation = { TransformedText(underlined(it, error, palette), OffsetMapping.Identity) },
+        cursorBrush = SolidColor(palette.accent),
+    )
+}
+
+/** [text] with the place of [error] underlined; where something is missing, with what stands before it. */
+internal fun underlined(text: AnnotatedString, error: ExpressionError?, palette: Palette): AnnotatedString {
+    // The error may be that of the text before the last key.
+    if (error == null || error.text != text.text) return text
+    val until = error.until.coerceIn(0, text.length)
+    val from = error.from.coerceIn(0, until).let { if (it == until) maxOf(0, until - 1) else it }
+    return buildAnnotatedString {
+        append(text)
+        addStyle(SpanStyle(palette.error, background = palette.errorSoft, textDecoration = TextDecoration.Underline), from, until)
+    }
+}
+
+/** The names that may be meant; the arrow keys and Tab choose as a click does. */
+@Composable
+internal fun SuggestedNames(writer: FormulaWriter) {
+    val palette = LocalPalette.current
+    Column(Modifier.fillMaxWidth().heightIn(max = 200.dp)) {
+        writer.suggestions.names.forEachIndexed { index, name ->
+            Text(
+                name,
+                Modifier
+                    .fillMaxWidth()
+                    .background(if (index == writer.marked) palette.accentSoft else Color.Transparent, RoundedCornerShape(4.dp))
+                    .clickable { writer.take(index) }
+                    .semantics {
+                        contentDescription = "Insert $name"
+                        selected = index == writer.marked
+                    }
+                    .padding(horizontal = 10.dp, vertical = 3.dp),
+                maxLines = 1,
+                overflow = TextOverflow.Ellipsis,
+            )
+        }
+    }
+}
+
+/** What a formula may be made of, in a few lines. */
+@Composable
+internal fun FormulaHelp() {
+    val palette = LocalPalette.current
+    Column(Modifier.padding(top = 4.dp)) {
+        for (line in ESSENTIALS) {
+            Text(line, color = palette.muted, fontFamily = FontFamily.Monospace, fontSize = 11.sp, lineHeight = 16.sp)
+        }
+        Text(REST, color = palette.muted, fontSize = 11.sp)
+    }
+}
+
+private const val REST = "Names with odd signs stand in \"quotes\". All of the language is in docs/expressions.md."
+
+private val ESSENTIALS = listOf(
+    "Power [W] = Battery Voltage * Total Current",
+    "+ - * / % ^  < > == and or not  x when enabled  if(c, a, b)",
+    "mean(x, 1 s)  derivative(x)  area(x)  delta(x)  shift(x, 0.1 s)  abs(x)",
+)

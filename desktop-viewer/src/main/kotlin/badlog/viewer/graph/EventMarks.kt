@@ -4,7 +4,7 @@ import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import badlog.plot.Span
-import badlog.viewer.inspector.MatchingEvents
+import badlog.viewer.recording.MatchingEvents
 import badlog.viewer.theme.Palette
 
 /** Draws the marks of [events] along the top, where [visible] is seen; with lines down to the bottom where those are few. */

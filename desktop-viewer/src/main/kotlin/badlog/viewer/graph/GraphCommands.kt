@@ -1,9 +1,9 @@
 package badlog.viewer.graph
 
 import androidx.compose.ui.input.key.Key
-import badlog.viewer.app.Command
-import badlog.viewer.app.KeyPress
 import badlog.viewer.app.Viewer
+import badlog.viewer.keyboard.Command
+import badlog.viewer.keyboard.KeyPress
 
 /** What the keyboard does with the graphs. */
 internal fun graphCommands(viewer: Viewer): List<Command> {

@@ -14,7 +14,7 @@ import badlog.viewer.graph.plot.PlotPicture
 import badlog.viewer.graph.plot.PlotState
 import badlog.viewer.graph.plot.Plots
 import badlog.viewer.graph.plot.drawnLines
-import badlog.viewer.inspector.MatchingEvents
+import badlog.viewer.recording.MatchingEvents
 
 /** What all graphs of a window share. */
 internal class GraphScene(val viewer: Viewer) {

@@ -1,16 +1,24 @@
 package badlog.viewer.inspector
 
 import androidx.compose.foundation.VerticalScrollbar
+import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxHeight
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.width
+import androidx.compose.foundation.layout.widthIn
 import androidx.compose.foundation.lazy.LazyColumn
 import androidx.compose.foundation.lazy.LazyListState
 import androidx.compose.foundation.lazy.rememberLazyListState
+import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.rememberScrollbarAdapter
+import androidx.compose.foundation.verticalScroll
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
@@ -21,11 +29,21 @@ import androidx.compose.runtime.produceState
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.text.style.TextAlign
+import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import badlog.analysis.EventLog
+import badlog.analysis.Units
 import badlog.viewer.app.Viewer
+import badlog.viewer.recording.MatchingEvents
 import badlog.viewer.recording.OpenRecording
+import badlog.viewer.text.decimalsFor
+import badlog.viewer.text.fixedText
+import badlog.viewer.text.minutesText
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.SearchField
+import badlog.viewer.theme.ToolButton
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
 
@@ -99,3 +117,83 @@ private fun FollowCursor(state: LazyListState, nearest: State<Int>) {
 
 /** `1 event`, `7 events`. */
 internal fun countText(count: Int, one: String): String = "$count $one${if (count == 1) "" else "s"}"
+
+/** Event [index] of [events]: when, and what. */
+@Composable
+internal fun EventLine(
+    events: MatchingEvents,
+    index: Int,
+    times: EventTimes,
+    isTopicShown: Boolean,
+    nearest: State<Int>,
+    onClick: () -> Unit,
+) {
+    val palette = LocalPalette.current
+    val isNearest by remember(nearest, index) { derivedStateOf { nearest.value == index } }
+    val x = events.x[index]
+    val text = events.textOf(index)
+    Row(
+        Modifier.inspectorLine("Event at ${times.logged(x)}: $text", isNearest, gap = 3.dp, onClick),
+        horizontalArrangement = Arrangement.spacedBy(10.dp),
+    ) {
+        Column(Modifier.width(64.dp)) {
+            val since = times.sinceEnabled(x)
+            Text(since ?: times.logged(x), Modifier.fillMaxWidth(), textAlign = TextAlign.End, maxLines = 1)
+            if (since != null) {
+                Text(
+                    times.logged(x),
+                    Modifier.fillMaxWidth(),
+                    color = palette.muted,
+                    fontSize = 11.sp,
+                    textAlign = TextAlign.End,
+                    maxLines = 1,
+                )
+            }
+        }
+        Column(Modifier.weight(1f)) {
+            Text(text, maxLines = 4, overflow = TextOverflow.Ellipsis)
+            if (isTopicShown) {
+                Text(events.topicOf(index), color = palette.muted, fontSize = 11.sp, maxLines = 1, overflow = TextOverflow.Ellipsis)
+            }
+        }
+    }
+}
+
+/** Chooses the topics whose events are listed. */
+@Composable
+internal fun EventTopics(viewer: Viewer, logs: List<EventLog>) {
+    val chosen = viewer.eventFilter.topicsOf(logs)
+    FlowRow(Modifier.padding(horizontal = 8.dp).heightIn(max = 120.dp).verticalScroll(rememberScrollState())) {
+        ToolButton("Events of all topics", text = "All", isOn = chosen.isEmpty()) {
+            viewer.eventFilter = viewer.eventFilter.copy(topics = emptySet())
+        }
+        for (log in logs.take(MOST)) {
+            ToolButton(
+                "Events of ${log.name}",
+                text = log.title.take(LONGEST),
+                isOn = log.name in chosen,
+                modifier = Modifier.widthIn(max = 180.dp),
+            ) { viewer.eventFilter = viewer.eventFilter.toggled(log.name) }
+        }
+    }
+}
+
+/** Of more topics than these the search finds the events. */
+private const val MOST = 40
+private const val LONGEST = 40
+
+/** Writes the times of a recording's events: as they were logged, and in minutes since the robot was enabled. */
+internal class EventTimes(recording: OpenRecording) {
+    private val decimals = decimalsFor(recording.span.width)
+    private val enabledFrom = recording.enabled.firstOrNull()?.span?.from
+    private val seconds = Units.secondsIn(recording.view.xAxis.unit)
+
+    /** [x] as it was logged, all with as many decimals; `–` for none. */
+    fun logged(x: Double): String = fixedText(x, decimals)
+
+    /** `1:32.0` for 92 s after the robot was first enabled, negative before; null where nothing tells. */
+    fun sinceEnabled(x: Double): String? {
+        if (enabledFrom == null || seconds == null || !x.isFinite()) return null
+        return minutesText((x - enabledFrom) * seconds)
+    }
+}

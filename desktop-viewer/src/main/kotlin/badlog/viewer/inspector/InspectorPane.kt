@@ -1,6 +1,7 @@
 package badlog.viewer.inspector
 
 import androidx.compose.foundation.background
+import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
@@ -10,16 +11,29 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.rememberCoroutineScope
 import androidx.compose.ui.Alignment
+import androidx.compose.ui.ExperimentalComposeUiApi
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.platform.ClipEntry
+import androidx.compose.ui.platform.LocalClipboard
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.selected
+import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import badlog.viewer.app.InspectorTab
+import badlog.recording.Severity
 import badlog.viewer.app.Viewer
-import badlog.viewer.findings.FindingsPanel
+import badlog.viewer.panels.InspectorTab
+import badlog.viewer.recording.OpenRecording
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
+import kotlinx.coroutines.launch
+import java.awt.datatransfer.StringSelection
 
 /** The panel at the right: events, values, problems, statistics, findings. */
 @Composable
@@ -59,4 +73,56 @@ internal fun InspectorPane(viewer: Viewer, modifier: Modifier = Modifier) {
 @Composable
 internal fun PanelHint(text: String) {
     Text(text, Modifier.padding(12.dp), color = LocalPalette.current.muted)
+}
+
+/** Opens and closes the panels at the right; each says how much there is to see in it. */
+@Composable
+internal fun InspectorTabs(viewer: Viewer) {
+    val open = viewer.open ?: return
+    val palette = LocalPalette.current
+    Row(horizontalArrangement = Arrangement.spacedBy(2.dp)) {
+        for (tab in InspectorTab.entries) {
+            val count = countOf(tab, viewer, open)
+            val hasErrors = when (tab) {
+                InspectorTab.PROBLEMS -> open.view.count(Severity.ERROR) > 0
+                InspectorTab.FINDINGS -> viewer.findings.list?.worst == Severity.ERROR
+                else -> false
+            }
+            ToolButton(
+                if (count == null) tab.title else "${tab.title}: $count",
+                tab.icon,
+                text = count?.takeIf { it > 0 }?.toString(),
+                isOn = viewer.panels.inspector == tab,
+                color = if (hasErrors) palette.error else palette.text,
+            ) { viewer.panels = viewer.panels.toggled(tab) }
+        }
+    }
+}
+
+private fun countOf(tab: InspectorTab, viewer: Viewer, open: OpenRecording): Int? = when (tab) {
+    InspectorTab.EVENTS -> open.eventLogs.sumOf { it.topic.texts.size }
+    InspectorTab.VALUES -> open.view.recording.values.size
+    InspectorTab.PROBLEMS -> open.view.problems.size
+    InspectorTab.STATISTICS -> null
+    InspectorTab.FINDINGS -> viewer.findings.list?.all?.size
+}
+
+/** Makes a line of a list that takes the window to a time: called [name], with [gap] above and below. */
+@Composable
+internal fun Modifier.inspectorLine(name: String, isChosen: Boolean, gap: Dp, onClick: () -> Unit): Modifier = fillMaxWidth()
+    .background(if (isChosen) LocalPalette.current.accentSoft else Color.Transparent)
+    .clickable(onClick = onClick)
+    .semantics(mergeDescendants = true) {
+        contentDescription = name
+        selected = isChosen
+    }
+    .padding(start = 12.dp, end = 14.dp, top = gap, bottom = gap)
+
+/** Puts a text on the clipboard. */
+@OptIn(ExperimentalComposeUiApi::class)
+@Composable
+internal fun rememberCopy(): (String) -> Unit {
+    val clipboard = LocalClipboard.current
+    val scope = rememberCoroutineScope()
+    return remember(clipboard, scope) { { text -> scope.launch { clipboard.setClipEntry(ClipEntry(StringSelection(text))) } } }
 }

@@ -5,9 +5,9 @@ import badlog.analysis.statistics
 import badlog.plot.Span
 import badlog.recording.Topic
 import badlog.viewer.compare.DrawnRecording
-import badlog.viewer.compare.Statistic
 import badlog.viewer.recording.Signal
 import badlog.viewer.recording.sampleText
+import badlog.viewer.statistics.Statistic
 import badlog.viewer.text.exactText
 import badlog.viewer.text.figureText
 

@@ -1,11 +1,13 @@
 package badlog.viewer.layout
 
 import badlog.viewer.files.writeWhole
+import badlog.viewer.settings.keyOf
 import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
 import java.io.IOException
 import java.nio.charset.CharacterCodingException
 import java.nio.file.Files
+import java.nio.file.InvalidPathException
 import java.nio.file.NoSuchFileException
 import java.nio.file.Path
 
@@ -48,4 +50,36 @@ private val JSON = Json {
     ignoreUnknownKeys = true
     prettyPrint = true
     explicitNulls = false
+}
+
+/** The layouts of folders as they were left, in files of the user's own below [place]. */
+internal class FolderLayouts(private val place: Path) {
+    /** How the window was arranged over [folder]; null where it never was, or that is damaged. */
+    fun read(folder: Path): Layout? = try {
+        readLayout(fileOf(folder))
+    } catch (_: IOException) {
+        null
+    }
+
+    /**
+     * Keeps [layout] for [folder].
+     *
+     * @throws IOException with a sentence for the person, when it cannot be written.
+     */
+    fun write(folder: Path, layout: Layout) = writeLayout(fileOf(folder), layout)
+
+    private fun fileOf(folder: Path): Path = place.resolve("${keyOf(folder)}.json")
+}
+
+/** [file] as a layout writes it: relative to [folder] where it is in it, with `/` between the parts on every system. */
+internal fun pathText(file: Path, folder: Path?): String {
+    val base = folder?.toAbsolutePath()?.normalize()
+    return if (base != null && file.startsWith(base)) base.relativize(file).joinToString("/") else file.toString()
+}
+
+/** The file that a layout wrote as [text], seen from [folder]; null where no file can be called that. */
+internal fun pathOf(text: String, folder: Path?): Path? = try {
+    (folder?.toAbsolutePath()?.resolve(text) ?: Path.of(text)).takeIf { it.isAbsolute }?.normalize()
+} catch (_: InvalidPathException) {
+    null
 }

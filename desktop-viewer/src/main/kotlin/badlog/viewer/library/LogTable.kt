@@ -37,10 +37,12 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import badlog.viewer.app.MainView
 import badlog.viewer.app.Viewer
+import badlog.viewer.app.openLog
+import badlog.viewer.app.toggleTable
 import badlog.viewer.compare.toggleCompared
 import badlog.viewer.library.index.LogEntry
+import badlog.viewer.panels.MainView
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton

@@ -8,8 +8,6 @@ import badlog.expression.ViewWithVirtualTopics
 import badlog.expression.withVirtualTopics
 import badlog.file.readRecording
 import badlog.plot.Span
-import badlog.viewer.formula.Formula
-import badlog.viewer.inspector.RecordingEvents
 import java.io.IOException
 import java.nio.file.Path
 

@@ -1,7 +1,6 @@
 package badlog.viewer.recording
 
 import badlog.analysis.Series
-import badlog.viewer.recording.Signal
 import badlog.viewer.text.exactText
 import badlog.viewer.text.figureText
 import badlog.viewer.text.withUnit

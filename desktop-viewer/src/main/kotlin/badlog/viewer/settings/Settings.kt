@@ -1,5 +1,6 @@
 package badlog.viewer.settings
 
+import badlog.viewer.theme.Theme
 import kotlinx.serialization.Serializable
 
 /**
@@ -28,10 +29,6 @@ internal data class Settings(
         private const val MOST_RECENT = 10
     }
 }
-
-/** Which colours the window has. */
-@Serializable
-internal enum class Theme { SYSTEM, LIGHT, DARK }
 
 /** Where a window is on the screen, in dp, and whether it fills it. */
 @Serializable

@@ -1,6 +1,8 @@
 package badlog.viewer.settings
 
 import java.nio.file.Path
+import java.security.MessageDigest
+import java.util.HexFormat
 
 /**
  * Where the viewer keeps what is the user's own.
@@ -38,3 +40,12 @@ internal class UserFolders(val settings: Path, val cache: Path) {
         private const val NAME = "badlog"
     }
 }
+
+/** A name for a file of what is kept about [folder]: its path may be longer than a file's name can be. */
+internal fun keyOf(folder: Path): String {
+    val path = folder.toAbsolutePath().normalize().toString()
+    val digest = MessageDigest.getInstance("SHA-256").digest(path.encodeToByteArray())
+    return HexFormat.of().formatHex(digest, 0, BYTES)
+}
+
+private const val BYTES = 16

@@ -1,6 +1,9 @@
 package badlog.viewer.theme
 
+import androidx.compose.foundation.ExperimentalFoundationApi
+import androidx.compose.foundation.TooltipArea
 import androidx.compose.foundation.background
+import androidx.compose.foundation.border
 import androidx.compose.foundation.clickable
 import androidx.compose.foundation.hoverable
 import androidx.compose.foundation.interaction.MutableInteractionSource
@@ -9,6 +12,7 @@ import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.layout.widthIn
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Icon
 import androidx.compose.material3.Text
@@ -24,6 +28,7 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
 
 /**
  * A small button of an icon, of a text, or of both.
@@ -73,4 +78,26 @@ internal fun ToolButton(
             if (text != null) Text(text, color = tint, maxLines = 1)
         }
     }
+}
+
+/** Explains [content] by [text] when the pointer rests on it. */
+@OptIn(ExperimentalFoundationApi::class)
+@Composable
+internal fun Tip(text: String, modifier: Modifier = Modifier, content: @Composable () -> Unit) {
+    TooltipArea(
+        tooltip = {
+            val palette = LocalPalette.current
+            Text(
+                text,
+                Modifier
+                    .widthIn(max = 420.dp)
+                    .border(1.dp, palette.border, RoundedCornerShape(4.dp))
+                    .background(palette.raised, RoundedCornerShape(4.dp))
+                    .padding(horizontal = 8.dp, vertical = 4.dp),
+                fontSize = 12.sp,
+            )
+        },
+        modifier = modifier,
+        content = content,
+    )
 }

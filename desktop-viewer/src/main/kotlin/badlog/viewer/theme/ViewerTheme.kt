@@ -13,7 +13,11 @@ import androidx.compose.runtime.CompositionLocalProvider
 import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
-import badlog.viewer.settings.Theme
+import kotlinx.serialization.Serializable
+
+/** Which colours the window has. */
+@Serializable
+internal enum class Theme { SYSTEM, LIGHT, DARK }
 
 /** Gives [content] the colours of [theme], and small letters: much is to be seen at once. */
 @Composable

@@ -1,9 +1,9 @@
 package badlog.viewer.topic
 
-import badlog.viewer.app.InspectorTab
 import badlog.viewer.app.Viewer
 import badlog.viewer.graph.GraphList
-import badlog.viewer.inspector.EventFilter
+import badlog.viewer.panels.InspectorTab
+import badlog.viewer.recording.EventFilter
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.recording.Signal
 

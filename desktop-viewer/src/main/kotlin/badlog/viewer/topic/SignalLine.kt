@@ -4,23 +4,34 @@ import androidx.compose.foundation.ContextMenuArea
 import androidx.compose.foundation.ContextMenuItem
 import androidx.compose.foundation.background
 import androidx.compose.foundation.clickable
+import androidx.compose.foundation.draganddrop.dragAndDropSource
 import androidx.compose.foundation.hoverable
 import androidx.compose.foundation.interaction.MutableInteractionSource
 import androidx.compose.foundation.interaction.collectIsHoveredAsState
 import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.layout.widthIn
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.Icon
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.derivedStateOf
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.produceState
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.ExperimentalComposeUiApi
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.draganddrop.DragAndDropTransferAction
+import androidx.compose.ui.draganddrop.DragAndDropTransferData
+import androidx.compose.ui.draganddrop.DragAndDropTransferable
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.input.pointer.PointerEventPass
 import androidx.compose.ui.input.pointer.PointerEventType
@@ -34,16 +45,23 @@ import androidx.compose.ui.semantics.selected
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.AnnotatedString
 import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
+import badlog.analysis.Series
 import badlog.viewer.app.Viewer
 import badlog.viewer.formula.formulaMenu
 import badlog.viewer.formula.writeFormula
+import badlog.viewer.graph.signalTransfer
 import badlog.viewer.recording.OpenRecording
+import badlog.viewer.recording.Signal
+import badlog.viewer.recording.valueText
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Tip
 import badlog.viewer.theme.ToolButton
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.withContext
 
 /**
  * A signal of the list of topics. A click draws it, with Ctrl or Shift it chooses; a drag takes it to a graph, with all that are
@@ -131,4 +149,63 @@ private fun menuOf(viewer: Viewer, row: SignalRow): List<ContextMenuItem> {
         },
         ContextMenuItem("New formula with $these…") { writeFormula(viewer, names) },
     ) + row.signal.definition?.let { formulaMenu(viewer, it) }.orEmpty()
+}
+
+/** What sort of signal it is, or the colour of its line where one is drawn at [place] of a graph. */
+@Composable
+internal fun KindMark(signal: Signal, isEvents: Boolean, place: Int?) {
+    val palette = LocalPalette.current
+    Box(Modifier.size(14.dp), Alignment.Center) {
+        if (place != null) {
+            Box(Modifier.size(10.dp).background(palette.line(place), RoundedCornerShape(2.dp)))
+        } else {
+            val icon = when {
+                isEvents -> Icons.Flag
+                signal.definition != null -> Icons.Formula
+                signal.states != null -> Icons.Lanes
+                else -> Icons.Wave
+            }
+            Icon(icon, contentDescription = null, Modifier.size(13.dp), palette.muted)
+        }
+    }
+}
+
+/** The value of [signal] under the cursor, or how many events it has. A leaf, as it changes while the pointer moves. */
+@Composable
+internal fun SignalValue(viewer: Viewer, open: OpenRecording, signal: Signal) {
+    if (open.isEvents(signal)) {
+        val count = signal.topic.texts.size
+        ValueText(if (count == 1) "1 event" else "$count events")
+        return
+    }
+    val series by produceState<Series?>(null, signal) {
+        // Samples are calculated when they are first asked for.
+        value = withContext(Dispatchers.Default) { signal.series.also { it.isOrdered } }
+    }
+    val text by remember(viewer, signal) { derivedStateOf { series?.let { valueText(signal, it, viewer.cursor) }.orEmpty() } }
+    ValueText(text)
+}
+
+@Composable
+private fun ValueText(text: String) {
+    Text(
+        text,
+        Modifier.widthIn(max = 104.dp),
+        color = LocalPalette.current.muted,
+        textAlign = TextAlign.End,
+        maxLines = 1,
+        overflow = TextOverflow.Ellipsis,
+    )
+}
+
+/** Lets what it modifies be dragged as the signals that [names] gives when the drag begins. */
+@OptIn(ExperimentalComposeUiApi::class)
+internal fun Modifier.draggedAsSignals(color: Color, names: () -> List<String>): Modifier = dragAndDropSource(
+    // Plain: a picture of the row would be recorded for every row.
+    drawDragDecoration = { drawRoundRect(color, alpha = 0.4f) },
+) {
+    DragAndDropTransferData(
+        transferable = DragAndDropTransferable(signalTransfer(names())),
+        supportedActions = listOf(DragAndDropTransferAction.Copy),
+    )
 }

@@ -1,7 +1,7 @@
 package badlog.viewer.failure
 
-import badlog.viewer.app.LongTasks
-import badlog.viewer.app.Notices
+import badlog.viewer.task.LongTasks
+import badlog.viewer.task.Notices
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir

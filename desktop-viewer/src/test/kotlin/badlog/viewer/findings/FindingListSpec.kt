@@ -2,6 +2,7 @@ package badlog.viewer.findings
 
 import badlog.plot.Span
 import badlog.recording.Severity
+import badlog.viewer.inspector.summaryOf
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldContainExactly

@@ -22,7 +22,7 @@ import badlog.viewer.graph.savePicture
 import badlog.viewer.graph.viewerOf
 import badlog.viewer.graph.waitForPictures
 import badlog.viewer.recordingOf
-import badlog.viewer.settings.Theme
+import badlog.viewer.theme.Theme
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe

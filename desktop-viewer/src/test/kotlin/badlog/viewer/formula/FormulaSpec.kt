@@ -4,13 +4,16 @@ import androidx.compose.ui.text.AnnotatedString
 import badlog.expression.ExpressionError
 import badlog.expression.VirtualTopic
 import badlog.viewer.bagOf
-import badlog.viewer.compare.statisticsRow
 import badlog.viewer.graph.GraphList
 import badlog.viewer.graph.standardGraphs
 import badlog.viewer.layout.LayoutGraph
 import badlog.viewer.layout.fitted
 import badlog.viewer.loggedTopic
+import badlog.viewer.recording.joined
+import badlog.viewer.recording.nameIn
+import badlog.viewer.recording.nameInExpression
 import badlog.viewer.recordingOf
+import badlog.viewer.statistics.statisticsRow
 import badlog.viewer.theme.Palette
 import badlog.viewer.wpilogRecording
 import io.kotest.core.spec.style.FunSpec

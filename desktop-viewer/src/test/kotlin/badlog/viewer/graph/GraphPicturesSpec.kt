@@ -3,7 +3,7 @@ package badlog.viewer.graph
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.plot.Span
-import badlog.viewer.settings.Theme
+import badlog.viewer.theme.Theme
 import io.kotest.core.spec.style.FunSpec
 
 /** Pictures for a person to look at, under `build/pictures`; the tests only tell that they can be made. */

@@ -14,8 +14,8 @@ import badlog.bag.BagParser
 import badlog.viewer.app.Viewer
 import badlog.viewer.compare.drawnRecordings
 import badlog.viewer.recording.OpenRecording
-import badlog.viewer.settings.Theme
 import badlog.viewer.settings.UserFolders
+import badlog.viewer.theme.Theme
 import badlog.viewer.theme.ViewerTheme
 import badlog.viewer.view.Viewport
 import kotlinx.coroutines.MainScope

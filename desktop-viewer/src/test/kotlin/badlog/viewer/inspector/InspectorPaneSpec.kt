@@ -9,14 +9,14 @@ import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.plot.Span
-import badlog.viewer.app.InspectorTab
 import badlog.viewer.app.Viewer
 import badlog.viewer.bagOf
 import badlog.viewer.graph.GraphList
+import badlog.viewer.panels.InspectorTab
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.recordingOf
-import badlog.viewer.settings.Theme
 import badlog.viewer.settings.UserFolders
+import badlog.viewer.theme.Theme
 import badlog.viewer.theme.ViewerTheme
 import badlog.viewer.view.Viewport
 import io.kotest.core.spec.style.FunSpec

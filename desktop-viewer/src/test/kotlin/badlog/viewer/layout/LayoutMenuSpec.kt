@@ -9,12 +9,12 @@ import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.viewer.app.Viewer
 import badlog.viewer.app.ViewerScreen
+import badlog.viewer.export.armBag
+import badlog.viewer.export.recordingOf
 import badlog.viewer.files.ChosenFiles
 import badlog.viewer.graph.GraphList
 import badlog.viewer.graph.standardGraphs
 import badlog.viewer.settings.UserFolders
-import badlog.viewer.takeaway.armBag
-import badlog.viewer.takeaway.recordingOf
 import badlog.viewer.view.Viewport
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir

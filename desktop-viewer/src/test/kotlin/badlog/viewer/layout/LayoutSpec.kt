@@ -1,19 +1,19 @@
 package badlog.viewer.layout
 
 import badlog.plot.Span
-import badlog.viewer.app.InspectorTab
-import badlog.viewer.app.MainView
-import badlog.viewer.app.Panels
 import badlog.viewer.app.Viewer
 import badlog.viewer.compare.Comparison
+import badlog.viewer.export.armBag
+import badlog.viewer.export.recordingOf
 import badlog.viewer.graph.GraphList
 import badlog.viewer.graph.GraphSpec
 import badlog.viewer.graph.LineSpec
 import badlog.viewer.graph.standardGraphs
 import badlog.viewer.library.LibraryState
+import badlog.viewer.panels.InspectorTab
+import badlog.viewer.panels.MainView
+import badlog.viewer.panels.Panels
 import badlog.viewer.settings.UserFolders
-import badlog.viewer.takeaway.armBag
-import badlog.viewer.takeaway.recordingOf
 import badlog.viewer.view.Viewport
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec

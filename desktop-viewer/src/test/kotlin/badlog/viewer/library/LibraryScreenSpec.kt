@@ -18,9 +18,11 @@ import androidx.compose.ui.test.performMouseInput
 import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
-import badlog.viewer.app.MainView
 import badlog.viewer.app.Viewer
 import badlog.viewer.app.ViewerScreen
+import badlog.viewer.app.askForSearch
+import badlog.viewer.app.libraryCommands
+import badlog.viewer.panels.MainView
 import badlog.viewer.settings.UserFolders
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir

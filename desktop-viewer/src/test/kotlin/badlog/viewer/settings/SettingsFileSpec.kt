@@ -1,5 +1,6 @@
 package badlog.viewer.settings
 
+import badlog.viewer.theme.Theme
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir

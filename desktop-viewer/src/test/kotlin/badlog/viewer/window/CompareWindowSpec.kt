@@ -1,9 +1,9 @@
 package badlog.viewer.window
 
-import badlog.viewer.app.MainView
 import badlog.viewer.compare.Alignment
 import badlog.viewer.compare.drawnRecordings
 import badlog.viewer.library.putSamples
+import badlog.viewer.panels.MainView
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe

@@ -1,7 +1,7 @@
 package badlog.viewer.window
 
-import badlog.viewer.app.InspectorTab
-import badlog.viewer.settings.Theme
+import badlog.viewer.panels.InspectorTab
+import badlog.viewer.theme.Theme
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.doubles.plusOrMinus

@@ -1,11 +1,11 @@
 package badlog.viewer.window
 
-import badlog.viewer.app.MainView
 import badlog.viewer.library.bag
 import badlog.viewer.library.put
 import badlog.viewer.library.putSamples
 import badlog.viewer.library.samples
-import badlog.viewer.settings.Theme
+import badlog.viewer.panels.MainView
+import badlog.viewer.theme.Theme
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe

@@ -1,8 +1,8 @@
 package badlog.viewer.window
 
-import badlog.viewer.app.FrontPart
-import badlog.viewer.app.InspectorTab
 import badlog.viewer.library.putSamples
+import badlog.viewer.panels.FrontPart
+import badlog.viewer.panels.InspectorTab
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe

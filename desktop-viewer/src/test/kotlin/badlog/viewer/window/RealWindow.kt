@@ -16,6 +16,7 @@ import badlog.viewer.settings.Settings
 import badlog.viewer.settings.SettingsFile
 import badlog.viewer.settings.UserFolders
 import badlog.viewer.settings.WindowPlace
+import kotlinx.coroutines.delay
 import java.awt.MouseInfo
 import java.awt.Rectangle
 import java.awt.Robot

@@ -1,6 +1,6 @@
 package badlog.viewer.window
 
-import badlog.viewer.settings.Theme
+import badlog.viewer.theme.Theme
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import java.nio.file.Path

@@ -1,5 +1,9 @@
 package badlog.viewer.library.index
 
+import badlog.recording.PathName
+import badlog.recording.Recording
+import badlog.recording.Topic
+
 /**
  * Whether there is anything to see in a file.
  *
@@ -27,3 +31,32 @@ internal enum class Content(val saying: String) {
     /** Something else that only shares its ending with logs, such as a spreadsheet of texts; it is not listed. */
     NO_LOG(""),
 }
+
+/**
+ * Whether there is anything to see in [recording]. Only what surely is nothing counts as nothing: a change of a single number,
+ * or a single event, is something.
+ *
+ * @param time the topic that only tells where on x a row stands, or null.
+ * @param seconds how long it is, or null where nothing tells.
+ */
+internal fun contentOf(recording: Recording, topics: List<TopicSummary>, time: Topic?, seconds: Double?, isMatch: Boolean): Content = when {
+    recording.sampleCount == 0L -> Content.NO_SAMPLES
+    topics.none { it.name != time?.name && changes(it) } && recording.topics.none(::tells) -> Content.NOTHING_CHANGES
+    seconds != null && seconds < 1 -> Content.TOO_SHORT
+    !isMatch && topics.any(::isNeverEnabled) -> Content.NEVER_ENABLED
+    else -> Content.SOMETHING
+}
+
+private fun changes(topic: TopicSummary) = topic.statistics.count > 0 && topic.statistics.min != topic.statistics.max
+
+/** An event tells something, and so does a state that becomes another. */
+private fun tells(topic: Topic): Boolean {
+    val texts = topic.texts
+    return texts.size > 0 && (texts.size < topic.counts.total || texts.dictionary.size > 1)
+}
+
+private fun isNeverEnabled(topic: TopicSummary): Boolean =
+    PathName.baseNameOf(topic.name).replace('_', ' ').lowercase().substringAfterLast(':') in ENABLED &&
+        topic.statistics.count > 0 && topic.statistics.max == 0.0
+
+private val ENABLED = setOf("enabled", "robot enabled", "isenabled")

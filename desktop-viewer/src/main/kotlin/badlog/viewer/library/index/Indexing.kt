@@ -116,7 +116,7 @@ internal class Indexing(
             if (file.size > LARGE) largeFile.lock()
             val began = started.elapsedNow()
             val entry = try {
-                summarise(file) { ensureActive() }
+                summarize(file) { ensureActive() }
             } finally {
                 if (file.size > LARGE) largeFile.unlock()
             }

@@ -1,7 +1,9 @@
 package badlog.viewer.library.index
 
+import badlog.analysis.SeriesStatistics
 import badlog.file.LogFile
 import badlog.recording.Severity
+import badlog.recording.TopicKind
 import java.nio.file.Path
 
 /**
@@ -62,3 +64,19 @@ internal data class ProblemCounts(val errors: Int = 0, val warnings: Int = 0, va
         Severity.NOTE -> notes
     }
 }
+
+/**
+ * What is kept of a topic with numbers without its samples.
+ *
+ * @property name the full name.
+ * @property unit the unit, `ul` for none.
+ * @property statistics over all of the recording.
+ * @property preview its course.
+ */
+internal data class TopicSummary(
+    val name: String,
+    val unit: String,
+    val kind: TopicKind,
+    val statistics: SeriesStatistics,
+    val preview: PreviewLine,
+)

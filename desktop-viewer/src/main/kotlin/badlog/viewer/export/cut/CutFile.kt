@@ -1,0 +1,52 @@
+package badlog.viewer.export.cut
+
+import badlog.bag.RecordingWriter
+import badlog.plot.Span
+import badlog.recording.RecordingFormat
+import badlog.viewer.app.Viewer
+import badlog.viewer.files.askToWrite
+import badlog.viewer.files.stemOf
+import badlog.viewer.files.writeWhole
+import badlog.viewer.recording.OpenRecording
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+
+/**
+ * Writes the rows of [recording] that lie in [span] to [target], as [format]. A bag keeps the values and the attributes. Where
+ * there are no rows they are made, with the last values at their times.
+ *
+ * @return what was written, in a sentence.
+ * @throws IOException with a sentence for the person, when there is nothing to write or [target] is the recording's own file.
+ */
+internal fun cutFile(recording: OpenRecording, span: Span, format: RecordingFormat, target: Path, progress: (Float) -> Unit = {}): String {
+    val part = partOf(recording, span)
+    if (part.rows.isEmpty()) throw IOException("There are no samples in what is visible; show a part of the recording that has some.")
+    if (Files.exists(target) && Files.exists(recording.file) && Files.isSameFile(target, recording.file)) {
+        throw IOException("${target.fileName} is the open log itself, which its part must not replace; choose another name.")
+    }
+    writeWhole(target) { out ->
+        val heard = { done: Int, total: Int ->
+            if (Thread.interrupted()) throw InterruptedException()
+            progress(done.toFloat() / total)
+        }
+        RecordingWriter(part.recording, format).write(part.rows.first, part.rows.last + 1, heard) { bytes, size ->
+            out.write(bytes, 0, size)
+        }
+    }
+    val count = part.rows.last + 1 - part.rows.first
+    return "Wrote $count rows to $target${part.remark}."
+}
+
+/** The part of x that a cut takes: the selection, or else what is visible. */
+internal fun cutSpan(viewer: Viewer): Span = viewer.selection ?: viewer.viewport.visible
+
+/** Asks for a file, and writes the selection or else the visible range of the open recording to it as [format]. */
+internal fun saveCut(viewer: Viewer, format: RecordingFormat) {
+    val recording = viewer.open ?: return
+    val span = cutSpan(viewer)
+    val ending = if (format == RecordingFormat.BAG) ".bag" else ".csv"
+    val title = if (viewer.selection != null) "Save the selection" else "Save the visible range"
+    val target = askToWrite(viewer, title, recording.file.parent, "${stemOf(recording.file)} part", ending) ?: return
+    viewer.tasks.run("Writing ${target.fileName}", { cutFile(recording, span, format, target, it) }) { viewer.notices.say(it) }
+}

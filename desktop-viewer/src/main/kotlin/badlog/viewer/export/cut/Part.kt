@@ -1,0 +1,73 @@
+package badlog.viewer.export.cut
+
+import badlog.analysis.resampled
+import badlog.analysis.timesOf
+import badlog.plot.Span
+import badlog.recording.Recording
+import badlog.recording.Topic
+import badlog.viewer.recording.OpenRecording
+import kotlin.math.floor
+
+/**
+ * What a cut takes.
+ *
+ * @property rows those of [recording] that belong to it; empty for nothing.
+ * @property remark how the rows came about, to follow a sentence; empty where they are those of the file.
+ */
+internal class Part(val recording: Recording, val rows: IntRange, val remark: String = "")
+
+/**
+ * The part of [recording] that lies in [span]. Of topics that have times of their own it makes rows: one every 20 ms, as often as
+ * a robot's program runs, or one at each sample of the topic that has more than that.
+ */
+internal fun partOf(recording: OpenRecording, span: Span): Part {
+    val whole = recording.view.recording
+    if (recording.logged.recording.topics.none { it.times != null }) return rowsOf(recording, whole, span)
+    val range = recording.view.xAxis.range ?: return Part(whole, IntRange.EMPTY)
+    val from = maxOf(span.from, range.start)
+    val to = minOf(span.to, range.endInclusive)
+    if (!(from <= to)) return Part(whole, IntRange.EMPTY)
+    // Many topics over many hours would need more memory than there is.
+    val mostRows = MOST_CELLS / (whole.topics.size + 1.0)
+    val period = generateSequence(PERIOD) { it * 2 }.first { (to - from) / it < mostRows }
+    val periodic = floor((to - from) / period + ROUNDING).toInt() + 1
+    val (densest, count) = whole.topics.map { it to countWithin(it, from, to) }.maxBy { it.second }
+    if (count > periodic && count < mostRows) {
+        val times = timesOf(whole, densest).filter { it in from..to }.toDoubleArray()
+        return Part(resampled(whole, times), times.indices, ", one at each sample of “${densest.name}”$HELD")
+    }
+    val times = DoubleArray(periodic) { from + it * period }
+    return Part(resampled(whole, times), times.indices, ", one every ${(period * 1000).toInt()} ms$HELD")
+}
+
+/** Its rows, with a column for each formula that has a value in each row. */
+private fun rowsOf(recording: OpenRecording, whole: Recording, span: Span): Part {
+    val rows = rowsWithin(recording, span)
+    val (columns, others) = whole.topics.partition { topic ->
+        recording.signal(topic.name)?.definition == null || (topic.times == null && topic.samples.size == whole.rowCount)
+    }
+    if (others.isEmpty()) return Part(whole, rows)
+    val part = Recording(whole.format, whole.headerLine, whole.values, columns, whole.rowCount, whole.problems)
+    return Part(part, rows, ", without ${others.joinToString { "“${it.name}”" }}, which has no value in each of them")
+}
+
+private fun countWithin(topic: Topic, from: Double, to: Double) = topic.times?.count { it in from..to } ?: 0
+
+private const val HELD = ", each with the last values before it"
+
+/** In s. */
+private const val PERIOD = 0.02
+private const val MOST_CELLS = 40e6
+
+// Of the last step of a period that divides the range.
+private const val ROUNDING = 1e-9
+
+/**
+ * The rows of [recording] from the first to the last whose x lies in [span]; empty when there is none. Where x is missing or
+ * goes backwards, rows between them belong to it too: a cut keeps the file's order and leaves nothing out.
+ */
+internal fun rowsWithin(recording: OpenRecording, span: Span): IntRange {
+    val positions = recording.view.xAxis.positions
+    val first = positions.indexOfFirst { it in span }
+    return if (first < 0) IntRange.EMPTY else first..positions.indexOfLast { it in span }
+}

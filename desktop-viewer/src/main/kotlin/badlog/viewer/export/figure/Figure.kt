@@ -1,0 +1,85 @@
+package badlog.viewer.export.figure
+
+import badlog.plot.Span
+
+/**
+ * A picture of graphs below one another over the same x, with all that is to be read in it. Holds as many points as its
+ * width can show, whatever the recording's length.
+ *
+ * @property title what stands above it.
+ * @property xTitle what stands below it.
+ * @property x the part of x that it shows.
+ * @property frames its graphs, from top to bottom.
+ */
+internal class Figure(val title: String, val xTitle: String, val x: Span, val frames: List<FigureFrame>)
+
+/**
+ * One frame of a [Figure]: lines over a y axis of one unit, or lanes of states.
+ *
+ * @property title what stands above it.
+ * @property yTitle what stands beside its y axis; empty for nothing.
+ * @property y the part of y that it shows.
+ * @property isFilled whether the area between its lines and 0 is filled.
+ * @property hasLegend whether its title alone does not tell what its lines are.
+ * @property lines its lines; empty where it has [lanes].
+ * @property lanes its lanes, from top to bottom; empty where it has [lines].
+ */
+internal class FigureFrame(
+    val title: String,
+    val yTitle: String,
+    val y: Span,
+    val isFilled: Boolean,
+    val hasLegend: Boolean,
+    val lines: List<FigureLine>,
+    val lanes: List<FigureLane>,
+) {
+    /** What its legend says: each line's label, and its colour. */
+    val legend: List<Pair<String, String>> get() = lines.map { it.label to it.colour }
+}
+
+/**
+ * A line of a [FigureFrame].
+ *
+ * @property label what the legend calls it.
+ * @property colour its colour, as `#rrggbb`.
+ * @property pieces what is joined by a stroke; between them the line is broken.
+ * @property dots what deserves a dot: every sample of few, and what stands alone between two gaps.
+ */
+internal class FigureLine(val label: String, val colour: String, val pieces: List<FigurePiece>, val dots: FigurePiece)
+
+/** Points, such as one stroke joins: `(x[i], y[i])`. */
+internal class FigurePiece(val x: List<Double>, val y: List<Double>)
+
+/**
+ * A lane of a [FigureFrame].
+ *
+ * @property label what stands beside it.
+ * @property blocks the states it shows, in the order in which they are drawn: the short ones last.
+ */
+internal class FigureLane(val label: String, val blocks: List<FigureBlock>)
+
+/** A stretch of x, [from] to [to], in the state [name]; [colour] as `#rrggbb`. */
+internal class FigureBlock(val from: Double, val to: Double, val name: String, val colour: String)
+
+/**
+ * What a person may choose about a figure.
+ *
+ * @property width its width, in points of SVG.
+ * @property graphHeight how high one graph's frame is, in points of SVG; lanes take what they need.
+ * @property format what kind of file it becomes.
+ */
+internal data class FigureOptions(val width: Int = 900, val graphHeight: Int = 150, val format: FigureFormat = FigureFormat.PNG)
+
+/**
+ * The kinds of file that a figure can be.
+ *
+ * @property ending how the names of such files end.
+ * @property meaning what it is good for.
+ */
+internal enum class FigureFormat(val ending: String, val meaning: String) {
+    PNG("png", "for slides, documents and chats"),
+    SVG("svg", "sharp at any size, and can be edited"),
+}
+
+/** How many pixels a picture has for each point: sharp in print, and on screens of a high density. */
+internal const val PICTURE_SCALE = 2

@@ -1,0 +1,172 @@
+package badlog.viewer.export.figure
+
+import badlog.analysis.PixelColumns
+import badlog.analysis.Units
+import badlog.plot.Curve
+import badlog.plot.Span
+import badlog.plot.YLimits
+import badlog.recording.PathName
+import badlog.viewer.compare.DrawnRecording
+import badlog.viewer.graph.GraphSpec
+import badlog.viewer.graph.plot.drawnLines
+import badlog.viewer.recording.Signal
+import badlog.viewer.theme.Palette
+
+/**
+ * Makes a [Figure] of what [recordings] have between [x], each moved by its offset: the first is the open one. What the
+ * recordings lack is left out. Reads samples, so it is not for the window's thread; interrupting its thread
+ * stops it.
+ *
+ * @param width how many pixels wide the figure will be.
+ */
+internal class FigureBuilder(private val recordings: List<DrawnRecording>, private val x: Span, private val width: Int) {
+    private val names = recordings.map { it.name }
+    private val frameLetters = width / FRAME_LETTER
+
+    /** One line of one recording. */
+    private class Source(val drawn: DrawnRecording, val signal: Signal, val label: String, val colour: Int)
+
+    private class GraphSources(val graph: GraphSpec, val sources: List<Source>)
+
+    /** The figure of [graphs]; a graph without any line in any of the recordings has no frame. */
+    fun build(graphs: List<GraphSpec>): Figure {
+        val sources = graphs.map { GraphSources(it, sourcesOf(it)) }.filter { it.sources.isNotEmpty() }
+        val axis = recordings.first().recording.view.xAxis
+        val lineCount = sources.sumOf { graph -> graph.sources.count { it.signal.states == null } }
+        val laneCount = sources.sumOf { it.sources.size } - lineCount
+        val columns = PixelColumns(shareOf(MOST_POINTS / POINTS_PER_COLUMN, lineCount))
+        val laneColumns = shareOf(MOST_BLOCKS / BLOCKS_PER_COLUMN, laneCount)
+        return Figure(
+            title = plainLine(names.joinToString(" · "), width / TITLE_LETTER),
+            xTitle = plainLine(axis.title, NAME_LETTERS),
+            x = x,
+            frames = sources.flatMap { framesOf(it, columns, laneColumns) },
+        )
+    }
+
+    private fun shareOf(all: Int, count: Int) = (all / maxOf(count, 1)).coerceIn(FEWEST_COLUMNS, maxOf(width, FEWEST_COLUMNS))
+
+    // The colours are those of the window.
+    private fun sourcesOf(graph: GraphSpec): List<Source> = drawnLines(graph, recordings).map { line ->
+        val place = recordings.indexOfFirst { it.recording === line.recording && it.offset == line.offset }
+        Source(recordings[place], line.signal, labelOf(line.signal, names[place], graph), line.colour)
+    }
+
+    private fun labelOf(signal: Signal, recording: String, graph: GraphSpec): String = when {
+        recordings.size == 1 -> plainLine(signal.title, LABEL_LETTERS)
+
+        graph.lines.size == 1 -> plainLine(recording, LABEL_LETTERS)
+
+        else -> {
+            val title = plainLine(signal.title, LABEL_LETTERS / 2)
+            "$title, ${plainLine(recording, LABEL_LETTERS - title.length - 2)}"
+        }
+    }
+
+    /** States have a frame of their own, and so has each unit: an axis shows one. */
+    private fun framesOf(graph: GraphSources, columns: PixelColumns, laneColumns: Int): List<FigureFrame> {
+        val (states, numbers) = graph.sources.partition { it.signal.states != null }
+        val units = numbers.groupBy { it.signal.unit }.values
+        return units.mapIndexed { i, lines -> lineFrame(graph.graph, lines, columns, isFirst = i == 0) } +
+            laneFrames(graph.graph, states, laneColumns)
+    }
+
+    private fun lineFrame(graph: GraphSpec, sources: List<Source>, columns: PixelColumns, isFirst: Boolean): FigureFrame {
+        var least = Double.NaN
+        var most = Double.NaN
+        val lines = sources.map { source ->
+            if (Thread.interrupted()) throw InterruptedException()
+            val curve = Curve(source.signal.series, source.drawn.recording.holdsUntil(source.signal))
+            val offset = source.drawn.offset
+            curve.draw(x.from - offset, x.to - offset, columns)
+            if (!(least <= curve.min)) least = if (curve.min.isNaN()) least else curve.min
+            if (!(most >= curve.max)) most = if (curve.max.isNaN()) most else curve.max
+            FigureLine(source.label, hexOf(Palette.LIGHT.line(source.colour)), piecesOf(curve, offset), dotsOf(curve, offset))
+        }
+        val limits = YLimits().apply { fit(least, most, graph.includesZero) }
+        val wanted = graph.yRange?.takeIf { isFirst && it.width > 0 }
+        val unit = sources.first().signal.unit
+        return FigureFrame(
+            title = plainLine(graph.title, frameLetters),
+            yTitle = if (Units.isNone(unit)) "" else plainLine(unit, UNIT_LETTERS),
+            y = wanted ?: Span(limits.from, limits.to),
+            isFilled = graph.isFilled,
+            hasLegend = recordings.size > 1 || lines.size > 1 || !isNamed(graph, sources.single().signal),
+            lines = lines,
+            lanes = emptyList(),
+        )
+    }
+
+    /** Of several recordings the lanes of one signal stand together, as they are to be compared. */
+    private fun laneFrames(graph: GraphSpec, sources: List<Source>, columns: Int): List<FigureFrame> = when {
+        sources.isEmpty() -> emptyList()
+
+        recordings.size == 1 -> listOf(laneFrame(graph.title, sources, columns) { it.signal.title })
+
+        else -> sources.groupBy { it.signal.name }.map { (name, lanes) ->
+            laneFrame(name, lanes, columns) { names[recordings.indexOf(it.drawn)] }
+        }
+    }
+
+    private fun laneFrame(title: String, sources: List<Source>, columns: Int, label: (Source) -> String) = FigureFrame(
+        title = plainLine(title, frameLetters),
+        yTitle = "",
+        y = Span(0.0, sources.size.toDouble()),
+        isFilled = false,
+        hasLegend = false,
+        lines = emptyList(),
+        lanes = sources.map { source ->
+            FigureLane(plainLine(label(source), LANE_LETTERS), figureBlocks(source.signal, source.drawn, x, columns))
+        },
+    )
+
+    private fun isNamed(graph: GraphSpec, signal: Signal) = graph.title == signal.name || PathName.baseNameOf(graph.title) == signal.title
+
+    private companion object {
+        /** So many points make about one megabyte of SVG. */
+        const val MOST_POINTS = 70_000
+        const val POINTS_PER_COLUMN = 4
+        const val MOST_BLOCKS = 4_000
+        const val BLOCKS_PER_COLUMN = 2
+        const val FEWEST_COLUMNS = 40
+        const val TITLE_LETTER = 14
+        const val FRAME_LETTER = 11
+        const val NAME_LETTERS = 60
+
+        /** Longer ones are broken by lets-plot. */
+        const val LABEL_LETTERS = 30
+        const val LANE_LETTERS = 20
+        const val UNIT_LETTERS = 18
+    }
+}
+
+/** The points of [curve] that deserve a dot, moved by [offset]. */
+private fun dotsOf(curve: Curve, offset: Double): FigurePiece {
+    fun isGap(index: Int) = index !in 0 until curve.size || curve.y[index].isNaN()
+    val dotted = (0 until curve.size).filter { i ->
+        !isGap(i) && if (curve.isSparse) !curve.isCorner(i) else isGap(i - 1) && isGap(i + 1)
+    }
+    return FigurePiece(dotted.map { curve.x[it] + offset }, dotted.map { curve.y[it] })
+}
+
+/** The points of [curve], moved by [offset], as strokes between its breaks. */
+private fun piecesOf(curve: Curve, offset: Double): List<FigurePiece> {
+    val pieces = ArrayList<FigurePiece>()
+    var x = ArrayList<Double>()
+    var y = ArrayList<Double>()
+    fun end() {
+        if (x.isNotEmpty()) pieces += FigurePiece(x, y)
+        x = ArrayList()
+        y = ArrayList()
+    }
+    for (i in 0 until curve.size) {
+        if (curve.y[i].isNaN()) {
+            end()
+        } else {
+            x += curve.x[i] + offset
+            y += curve.y[i]
+        }
+    }
+    end()
+    return pieces
+}

@@ -1,0 +1,177 @@
+package badlog.viewer.export.figure
+
+import badlog.viewer.theme.Palette
+import org.jetbrains.letsPlot.coord.coordCartesian
+import org.jetbrains.letsPlot.geom.geomPath
+import org.jetbrains.letsPlot.geom.geomPoint
+import org.jetbrains.letsPlot.geom.geomRect
+import org.jetbrains.letsPlot.geom.geomRibbon
+import org.jetbrains.letsPlot.geom.geomText
+import org.jetbrains.letsPlot.gggrid
+import org.jetbrains.letsPlot.ggsize
+import org.jetbrains.letsPlot.intern.Plot
+import org.jetbrains.letsPlot.label.labs
+import org.jetbrains.letsPlot.letsPlot
+import org.jetbrains.letsPlot.sampling.samplingNone
+import org.jetbrains.letsPlot.scale.guideLegend
+import org.jetbrains.letsPlot.scale.scaleColorManual
+import org.jetbrains.letsPlot.scale.scaleFillIdentity
+import org.jetbrains.letsPlot.scale.scaleFillManual
+import org.jetbrains.letsPlot.scale.scaleXContinuous
+import org.jetbrains.letsPlot.scale.scaleYContinuous
+import org.jetbrains.letsPlot.Figure as LetsPlotFigure
+
+/** What lets-plot draws for [figure], in the sizes of [options]; always in the colours for bright rooms, as paper is. */
+internal fun drawingOf(figure: Figure, options: FigureOptions): LetsPlotFigure {
+    val sizes = figure.frames.indices.map { FrameSize.of(figure, it, options) }
+    val plots = figure.frames.mapIndexed { i, frame -> plotOf(figure, frame, sizes[i]) }
+    val heights = sizes.map { it.height }
+    return gggrid(plots, ncol = 1, heights = heights, vspace = 0, align = true) + ggsize(options.width, heights.sum())
+}
+
+private fun plotOf(figure: Figure, frame: FigureFrame, size: FrameSize): Plot {
+    val content = if (frame.lanes.isEmpty()) drawLines(frame, size) else drawLanes(figure, frame, size)
+    val yBreaks = frame.lanes.indices.map { frame.lanes.size - it - 0.5 }.takeIf { it.isNotEmpty() }
+    val labels = frame.lanes.map { it.label }.takeIf { it.isNotEmpty() }
+    val base = content +
+        scaleXContinuous(expand = NO_MARGIN) +
+        scaleYContinuous(expand = NO_MARGIN, breaks = yBreaks, labels = labels) +
+        coordCartesian(xlim = figure.x.from to figure.x.to, ylim = frame.y.from to frame.y.to) +
+        labs(
+            title = if (size.isFirst) figure.title else frame.title,
+            subtitle = frame.title.takeIf { size.isFirst },
+            x = figure.xTitle.takeIf { size.isLast }.orEmpty(),
+            y = frame.yTitle,
+        )
+    return base + figureTheme(size, hasLanes = frame.lanes.isNotEmpty())
+}
+
+private fun drawLines(frame: FigureFrame, size: FrameSize): Plot {
+    val keys = frame.lines.indices.map { it.toString() }
+    val colours = frame.lines.map { it.colour }
+    val labels = frame.lines.map { unbroken(it.label) }
+    val points = LinePoints(frame)
+    val legend = if (size.legendRows > 0) guideLegend(nrow = size.legendRows, byRow = true) else "none"
+    var plot = letsPlot() +
+        scaleColorManual(colours, breaks = keys, labels = labels, limits = keys, name = "", guide = legend)
+    if (frame.isFilled) {
+        val base = 0.0.coerceIn(frame.y.from, frame.y.to)
+        val filled = points.strokes + ("base" to List(points.strokes.getValue("x").size) { base })
+        plot += geomRibbon(filled, size = 0, alpha = FILL, sampling = samplingNone, showLegend = false, tooltips = null) {
+            x = "x"
+            ymin = "base"
+            ymax = "y"
+            group = "piece"
+            fill = "line"
+        }
+        plot += scaleFillManual(colours, breaks = keys, limits = keys, guide = "none")
+    }
+    plot += geomPath(points.strokes, size = STROKE, sampling = samplingNone, tooltips = null) {
+        x = "x"
+        y = "y"
+        group = "piece"
+        color = "line"
+    }
+    if (points.dots.getValue("x").isNotEmpty()) {
+        plot += geomPoint(points.dots, size = DOT, sampling = samplingNone, showLegend = false, tooltips = null) {
+            x = "x"
+            y = "y"
+            color = "line"
+        }
+    }
+    return plot
+}
+
+private fun drawLanes(figure: Figure, frame: FigureFrame, size: FrameSize): Plot {
+    val blocks = frame.lanes.flatMapIndexed { i, lane -> lane.blocks.map { frame.lanes.size - i - 1.0 to it } }
+    val data = mapOf(
+        "from" to blocks.map { it.second.from },
+        "to" to blocks.map { it.second.to },
+        "low" to blocks.map { it.first + LANE_GAP },
+        "high" to blocks.map { it.first + 1 - LANE_GAP },
+        "colour" to blocks.map { it.second.colour },
+    )
+    val letterWidth = LETTER_WIDTH * figure.x.width / size.plotWidth
+    val named = blocks.mapNotNull { (lane, block) ->
+        val letters = ((block.to - block.from) / letterWidth).toInt() - 1
+        if (block.name.length > letters && letters < FEWEST_LETTERS) null else Triple(lane, block, plainLine(block.name, letters))
+    }
+    val texts = mapOf(
+        "at" to named.map { it.second.from + letterWidth / 2 },
+        "middle" to named.map { it.first + 0.5 },
+        "text" to named.map { it.third },
+    )
+    val rects = geomRect(data, size = 0, sampling = samplingNone, tooltips = null) {
+        xmin = "from"
+        xmax = "to"
+        ymin = "low"
+        ymax = "high"
+        fill = "colour"
+    }
+    val names = geomText(texts, hjust = "left", size = NAME_SIZE, color = hexOf(Palette.LIGHT.text), sampling = samplingNone) {
+        x = "at"
+        y = "middle"
+        label = "text"
+    }
+    return letsPlot() + rects + names + scaleFillIdentity()
+}
+
+// A legend breaks long labels at their spaces, for which it has no room.
+private fun unbroken(label: String) = label.replace(' ', NO_BREAK)
+
+private val NO_MARGIN = listOf(0, 0)
+private const val NO_BREAK = '\u00a0'
+private const val STROKE = 0.8
+private const val DOT = 1.6
+private const val FILL = 0.15
+private const val LANE_GAP = 0.06
+private const val NAME_SIZE = 4.6
+
+/** How wide a letter of a state's name is on average, in pixels. */
+private const val LETTER_WIDTH = 6.2
+private const val FEWEST_LETTERS = 5
+
+/**
+ * The points of [frame]'s lines as columns: `x`, `y`, the number of their `line` as a text, and of their `piece`.
+ *
+ * @property strokes what is joined.
+ * @property dots what deserves a dot: every point of few, and what stands alone between two gaps.
+ */
+internal class LinePoints(frame: FigureFrame) {
+    val strokes: Map<String, List<Any>>
+    val dots: Map<String, List<Any>>
+
+    init {
+        val joined = Columns()
+        val alone = Columns()
+        var pieceNumber = 0
+        frame.lines.forEachIndexed { i, line ->
+            for (piece in line.pieces) {
+                pieceNumber++
+                if (piece.x.size > 1) joined.add(piece, i, pieceNumber)
+            }
+            alone.add(line.dots, i, pieceNumber)
+        }
+        strokes = joined.all
+        dots = alone.all
+    }
+
+    private class Columns {
+        private val x = ArrayList<Double>()
+        private val y = ArrayList<Double>()
+        private val line = ArrayList<String>()
+        private val piece = ArrayList<Int>()
+
+        val all: Map<String, List<Any>> = mapOf("x" to x, "y" to y, "line" to line, "piece" to piece)
+
+        fun add(points: FigurePiece, lineNumber: Int, pieceNumber: Int) {
+            val name = lineNumber.toString()
+            for (i in points.x.indices) {
+                x += points.x[i]
+                y += points.y[i]
+                line += name
+                piece += pieceNumber
+            }
+        }
+    }
+}

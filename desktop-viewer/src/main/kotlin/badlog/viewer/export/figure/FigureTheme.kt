@@ -1,0 +1,86 @@
+package badlog.viewer.export.figure
+
+import badlog.viewer.theme.Palette
+import org.jetbrains.letsPlot.intern.OptionsMap
+import org.jetbrains.letsPlot.themes.elementBlank
+import org.jetbrains.letsPlot.themes.elementLine
+import org.jetbrains.letsPlot.themes.elementRect
+import org.jetbrains.letsPlot.themes.elementText
+import org.jetbrains.letsPlot.themes.theme
+
+/** How a frame of [size] looks: the first has the figure's title, the last the texts of the x axis. */
+internal fun figureTheme(size: FrameSize, hasLanes: Boolean): OptionsMap {
+    val text = hexOf(Palette.LIGHT.text)
+    val muted = hexOf(Palette.LIGHT.muted)
+    val grid = elementLine(color = hexOf(Palette.LIGHT.border), size = 0.5)
+    return theme(
+        text = elementText(color = text, size = 12),
+        plotTitle = elementText(color = text, size = if (size.isFirst) 17 else 13, face = "bold"),
+        plotSubtitle = elementText(color = text, size = 13, face = "bold"),
+        axisTitle = elementText(color = muted, size = 12),
+        axisText = elementText(color = muted, size = 11),
+        axisTextX = if (size.isLast) elementText(color = muted, size = 11) else elementBlank(),
+        axisTicksX = if (size.isLast) elementLine(color = muted, size = 0.7) else elementBlank(),
+        axisTicksY = elementBlank(),
+        axisLine = elementBlank(),
+        axisTooltip = elementBlank(),
+        legendText = elementText(color = text, size = 12),
+        legendTitle = elementBlank(),
+        panelBackground = elementRect(fill = "white", size = 0),
+        panelBorder = elementRect(color = hexOf(Palette.LIGHT.muted), size = 0.7),
+        panelGridMajorX = grid,
+        panelGridMajorY = if (hasLanes) elementBlank() else grid,
+        panelGridMinor = elementBlank(),
+        plotBackground = elementRect(fill = "white", size = 0),
+    ).legendPositionTop().legendJustification(0.0, 1.0)
+}
+
+/**
+ * How much room one frame of a figure takes, with its texts, in points of SVG.
+ *
+ * @property isFirst whether the figure's title stands above it.
+ * @property isLast whether the x axis stands below it.
+ * @property legendRows how many rows its legend has; 0 where the title, or the legend of a frame above, says it all.
+ * @property plotWidth about how wide the part with the lines is.
+ * @property height how high it is in all.
+ */
+internal class FrameSize(val isFirst: Boolean, val isLast: Boolean, val legendRows: Int, val plotWidth: Int, val height: Int) {
+    companion object {
+        /** The size of frame [index] of [figure]. */
+        fun of(figure: Figure, index: Int, options: FigureOptions): FrameSize {
+            val frame = figure.frames[index]
+            val isFirst = index == 0
+            val isLast = index == figure.frames.lastIndex
+            val plotWidth = maxOf(options.width - SIDES, LEAST)
+            val isTold = figure.frames.take(index).any { it.legend == frame.legend }
+            val rows = if (isTold) 0 else legendRows(frame, plotWidth)
+            val lanes = maxOf(frame.lanes.size * LANE, LEAST_PLOT) + BELOW_LANES
+            val plot = if (frame.lanes.isEmpty()) maxOf(options.graphHeight, LEAST) else lanes
+            val legend = if (rows > 0) LEGEND + rows * LEGEND_ROW else 0
+            val atEnds = (if (isFirst) TITLE else 0) + (if (isLast) X_AXIS else 0)
+            return FrameSize(isFirst, isLast, rows, plotWidth, plot + SUBTITLE + legend + atEnds)
+        }
+
+        private fun legendRows(frame: FigureFrame, width: Int): Int {
+            if (!frame.hasLegend || frame.lines.isEmpty()) return 0
+            val longest = frame.lines.maxOf { it.label.length }
+            val perRow = maxOf(width / (longest * LETTER + KEY), 1)
+            return (frame.lines.size + perRow - 1) / perRow
+        }
+
+        private const val LEAST = 60
+
+        /** Lets-plot does not draw in less. */
+        private const val LEAST_PLOT = 52
+        private const val SIDES = 110
+        private const val LANE = 26
+        private const val SUBTITLE = 34
+        private const val LEGEND = 18
+        private const val LEGEND_ROW = 19
+        private const val TITLE = 32
+        private const val X_AXIS = 28
+        private const val BELOW_LANES = 12
+        private const val LETTER = 7
+        private const val KEY = 34
+    }
+}

@@ -1,0 +1,87 @@
+package badlog.viewer.export.pages
+
+import badlog.html.ExportException
+import badlog.html.HtmlExporter
+import badlog.html.PageAdditions
+import badlog.report.page.pageAdditions
+import badlog.viewer.findings.findingsOf
+import badlog.viewer.recording.OpenRecording
+import java.io.IOException
+import java.nio.file.Path
+
+/**
+ * One page to make.
+ *
+ * @property log the file to read.
+ * @property page the file to write.
+ */
+internal data class PageJob(val log: Path, val page: Path)
+
+/**
+ * What became of several [PageJob]s.
+ *
+ * @property made the pages.
+ * @property failures a sentence for each log of which none could be made.
+ */
+internal class PagesMade(val made: List<Path>, val failures: List<String>)
+
+/** The pages of [logs] in [folder], each with a name of its own. */
+internal fun pageJobs(logs: List<Path>, folder: Path): List<PageJob> {
+    val taken = HashSet<String>()
+    return logs.distinct().map { log ->
+        val name = log.fileName.toString()
+        val page = generateSequence(1) { it + 1 }
+            .map { if (it == 1) "$name.html" else "$name ($it).html" }
+            // Most disks of laptops do not tell upper from lower case.
+            .first { taken.add(it.lowercase()) }
+        PageJob(log, folder.resolve(page))
+    }
+}
+
+/**
+ * Makes the pages of [jobs]; one that fails does not keep the others from being made. Interrupting the thread gives up.
+ *
+ * @param additions what each shows besides.
+ * @param progress hears how much of all is done, from 0 to 1.
+ */
+internal fun makePages(jobs: List<PageJob>, additions: Additions, progress: (Float) -> Unit = {}): PagesMade {
+    val exporter = HtmlExporter()
+    val made = ArrayList<Path>()
+    val failures = ArrayList<String>()
+    jobs.forEachIndexed { i, job ->
+        if (Thread.interrupted()) throw InterruptedException()
+        try {
+            exporter.export(job.log, job.page, additions.of(job.log)) { done, total ->
+                val share = if (total > 0) done.toFloat() / total else 0f
+                progress((i + share.coerceAtMost(1f)) / jobs.size)
+            }
+            made.add(job.page)
+        } catch (e: ExportException) {
+            failures += e.message ?: "${job.log} could not be exported."
+        }
+        progress((i + 1f) / jobs.size)
+    }
+    return PagesMade(made, failures)
+}
+
+/**
+ * What the pages show besides the recordings: the formulas that make a topic there, and what the rules find.
+ *
+ * @param known recordings that are read already.
+ * @param definitions the formulas.
+ * @param library the folder of logs, whose rules count.
+ */
+internal class Additions(known: List<OpenRecording>, private val definitions: List<String>, private val library: Path?) {
+    private val known = known.associateBy { it.file }
+
+    /** Those of the page of [log]; none where it cannot be read, which whoever makes the page tells. */
+    fun of(log: Path): PageAdditions = try {
+        val recording = known[log] ?: OpenRecording.read(log, { definitions })
+        val working = recording.formulas.filter { it.topic != null }.map { it.definition }
+        pageAdditions(working, findingsOf(recording.logged, log, library).all)
+    } catch (_: IOException) {
+        PageAdditions()
+    } catch (_: OutOfMemoryError) {
+        PageAdditions()
+    }
+}

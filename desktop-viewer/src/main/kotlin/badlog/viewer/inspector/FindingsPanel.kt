@@ -1,0 +1,212 @@
+package badlog.viewer.inspector
+
+import androidx.compose.foundation.VerticalScrollbar
+import androidx.compose.foundation.background
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.horizontalScroll
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxHeight
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.layout.width
+import androidx.compose.foundation.lazy.LazyColumn
+import androidx.compose.foundation.lazy.items
+import androidx.compose.foundation.lazy.rememberLazyListState
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.rememberScrollbarAdapter
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.Icon
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.text.font.FontFamily
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextAlign
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import badlog.recording.Severity
+import badlog.report.SkippedRule
+import badlog.report.rules.Finding
+import badlog.viewer.app.Viewer
+import badlog.viewer.compare.drawnRecordings
+import badlog.viewer.findings.BEFORE
+import badlog.viewer.findings.FindingList
+import badlog.viewer.findings.NEXT
+import badlog.viewer.findings.findingColor
+import badlog.viewer.findings.findingSoft
+import badlog.viewer.findings.goTo
+import badlog.viewer.findings.stepFinding
+import badlog.viewer.findings.word
+import badlog.viewer.recording.OpenRecording
+import badlog.viewer.theme.Icons
+import badlog.viewer.theme.LocalPalette
+import badlog.viewer.theme.ToolButton
+
+/** What rules found in [open], by time; a click on a line goes there. Below it the rules that could not be asked, folded. */
+@Composable
+internal fun FindingsPanel(viewer: Viewer, open: OpenRecording, modifier: Modifier) {
+    val findings = viewer.findings
+    val list = findings.list
+    if (list == null) {
+        PanelHint("The rules are being run …")
+        return
+    }
+    val times = remember(open) { EventTimes(open) }
+    var showsSkipped by remember { mutableStateOf(false) }
+    val state = rememberLazyListState()
+    LaunchedEffect(findings.chosen) {
+        val index = list.all.indexOf(findings.chosen)
+        val visible = state.layoutInfo.visibleItemsInfo
+        if (index >= 0 && visible.none { it.index == index }) state.scrollToItem(maxOf(0, index - visible.size / 2))
+    }
+    Column(modifier) {
+        Row(Modifier.fillMaxWidth().padding(start = 12.dp, end = 4.dp, top = 4.dp), verticalAlignment = Alignment.CenterVertically) {
+            Text(summaryOf(list), Modifier.weight(1f), fontWeight = FontWeight.Medium)
+            ToolButton("To the finding before (${BEFORE.text})", Icons.Up, isEnabled = list.placed.isNotEmpty()) { stepFinding(viewer, -1) }
+            ToolButton("To the next finding (${NEXT.text})", Icons.Down, isEnabled = list.placed.isNotEmpty()) { stepFinding(viewer, 1) }
+            ToolButton("Run the rules again", Icons.Reset) {
+                viewer.findings = findings.copy(timesAsked = findings.timesAsked + 1)
+            }
+        }
+        Small("Rules: ${list.rulesFile?.let { "${it.fileName} in ${it.parent.fileName}" } ?: "those that badlog brings along"}.")
+        if (viewer.drawnRecordings().size > 1) Small("Of the open log alone, not of those it is compared with.")
+        list.trouble?.let { Box(Modifier.padding(horizontal = 12.dp, vertical = 4.dp)) { PointedText(it) } }
+        Box(Modifier.weight(1f)) {
+            LazyColumn(Modifier.fillMaxSize(), state) {
+                items(list.all) { FindingLine(it, times, isChosen = it === findings.chosen) { goTo(viewer, it) } }
+                if (list.skipped.isNotEmpty()) {
+                    item { SkippedHead(list.skipped.size, showsSkipped) { showsSkipped = !showsSkipped } }
+                    if (showsSkipped) items(list.skipped) { SkippedLine(it) }
+                }
+            }
+            VerticalScrollbar(rememberScrollbarAdapter(state), Modifier.align(Alignment.CenterEnd).fillMaxHeight())
+        }
+    }
+}
+
+/** `1 error, 5 warnings, 2 notes`, only of what there is. */
+internal fun summaryOf(list: FindingList): String = Severity.entries.reversed()
+    .map { severity -> severity to list.all.count { it.severity == severity } }
+    .filter { it.second > 0 }
+    .joinToString { (severity, count) -> countText(count, severity.word) }
+    .ifEmpty { if (list.trouble == null) "Nothing was found." else "" }
+
+@Composable
+private fun Small(text: String) {
+    Text(text, Modifier.padding(horizontal = 12.dp, vertical = 2.dp), color = LocalPalette.current.muted, fontSize = 12.sp)
+}
+
+/** A finding: how bad, when, which rule, and what it says. */
+@Composable
+internal fun FindingLine(finding: Finding, times: EventTimes, isChosen: Boolean, onClick: () -> Unit) {
+    val palette = LocalPalette.current
+    Row(
+        Modifier.inspectorLine("Finding, ${finding.severity.word}: ${finding.rule}", isChosen, gap = 5.dp, onClick),
+        horizontalArrangement = Arrangement.spacedBy(8.dp),
+    ) {
+        Column(Modifier.width(62.dp)) {
+            Text(
+                finding.severity.word,
+                Modifier
+                    .fillMaxWidth()
+                    .background(palette.findingSoft(finding.severity), RoundedCornerShape(4.dp))
+                    .padding(horizontal = 4.dp),
+                color = palette.findingColor(finding.severity),
+                fontSize = 12.sp,
+                textAlign = TextAlign.Center,
+            )
+            val since = times.sinceEnabled(finding.time)
+            if (since != null) Time(since)
+            Time(if (finding.time.isFinite()) times.logged(finding.time) else "whole log")
+        }
+        Column(Modifier.weight(1f)) {
+            Text(finding.rule, fontWeight = FontWeight.Medium, maxLines = 1, overflow = TextOverflow.Ellipsis)
+            Text(finding.text, maxLines = 6, overflow = TextOverflow.Ellipsis)
+        }
+    }
+}
+
+@Composable
+private fun Time(text: String) {
+    Text(
+        text,
+        Modifier.fillMaxWidth(),
+        color = LocalPalette.current.muted,
+        fontSize = 11.sp,
+        textAlign = TextAlign.End,
+        maxLines = 1,
+        overflow = TextOverflow.Ellipsis,
+    )
+}
+
+/** How many rules could not be asked; a click shows and hides which. */
+@Composable
+internal fun SkippedHead(count: Int, isOpen: Boolean, onToggle: () -> Unit) {
+    val palette = LocalPalette.current
+    Row(
+        Modifier
+            .fillMaxWidth()
+            .clickable(role = Role.Button, onClick = onToggle)
+            .padding(start = 8.dp, end = 14.dp, top = 8.dp, bottom = 4.dp),
+        Arrangement.spacedBy(4.dp),
+        Alignment.CenterVertically,
+    ) {
+        Icon(if (isOpen) Icons.Down else Icons.Right, contentDescription = null, Modifier.size(14.dp), palette.muted)
+        Text("${countText(count, "rule")} could not be asked", color = palette.muted)
+    }
+}
+
+/** A rule that could not be asked of the log, and why. */
+@Composable
+internal fun SkippedLine(rule: SkippedRule) {
+    val palette = LocalPalette.current
+    Column(Modifier.fillMaxWidth().padding(start = 26.dp, end = 14.dp, top = 3.dp, bottom = 3.dp)) {
+        Text(rule.rule, maxLines = 1, overflow = TextOverflow.Ellipsis)
+        if (rule.isMistake) {
+            PointedText(rule.message)
+        } else {
+            Text(rule.message, color = palette.muted, fontSize = 12.sp, maxLines = 8, overflow = TextOverflow.Ellipsis)
+        }
+    }
+}
+
+/** A mistake in a file of rules: a sentence, and where [text] has more lines, a place in the file with carets below it. */
+@Composable
+internal fun PointedText(text: String) {
+    val palette = LocalPalette.current
+    Column {
+        Text(text.substringBefore('\n'), color = palette.error, maxLines = 8, overflow = TextOverflow.Ellipsis)
+        val place = text.substringAfter('\n', "")
+        if (place.isEmpty()) return@Column
+        val scroll = rememberScrollState()
+        LaunchedEffect(place, scroll.maxValue) { scroll.scrollTo((scroll.maxValue * placeOfCarets(place)).toInt()) }
+        // A line that was broken would not stand above its carets.
+        Text(
+            place.take(MOST_LETTERS),
+            Modifier.horizontalScroll(scroll),
+            fontFamily = FontFamily.Monospace,
+            fontSize = 11.sp,
+            lineHeight = 14.sp,
+            softWrap = false,
+        )
+    }
+}
+
+/** Where in the longest line of [text] the carets of its last one stand, from 0 to 1. */
+private fun placeOfCarets(text: String): Float =
+    text.lastIndexOf(' ').minus(text.lastIndexOf('\n')).toFloat() / text.lines().maxOf { it.length }.coerceAtLeast(1)
+
+private const val MOST_LETTERS = 2000

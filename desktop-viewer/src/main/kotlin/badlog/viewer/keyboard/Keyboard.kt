@@ -1,0 +1,87 @@
+package badlog.viewer.keyboard
+
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.ExperimentalComposeUiApi
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.input.key.KeyEvent
+import androidx.compose.ui.input.key.KeyEventType
+import androidx.compose.ui.input.key.isAltPressed
+import androidx.compose.ui.input.key.isCtrlPressed
+import androidx.compose.ui.input.key.isMetaPressed
+import androidx.compose.ui.input.key.isShiftPressed
+import androidx.compose.ui.input.key.key
+import androidx.compose.ui.input.key.type
+import androidx.compose.ui.platform.InterceptPlatformTextInput
+import androidx.compose.ui.platform.PlatformTextInputInterceptor
+
+/**
+ * Knows whether a person is typing into a text field, and gives keys to commands while they are not. A field lets the presses of
+ * letters through to the window, so that alone does not tell.
+ */
+@OptIn(ExperimentalComposeUiApi::class)
+internal class Keyboard {
+    /** Whether a text field takes what is typed. */
+    val isTyping: Boolean get() = fields > 0
+
+    private var fields = 0
+
+    private val interceptor = PlatformTextInputInterceptor { request, nextHandler ->
+        fields++
+        try {
+            nextHandler.startInputMethod(request)
+        } finally {
+            fields--
+        }
+    }
+
+    /** Shows [content] and watches its text fields. */
+    @Composable
+    fun Watch(content: @Composable () -> Unit) = InterceptPlatformTextInput(interceptor, content)
+
+    /**
+     * Does what the first of [commands] that [event] fits asks for; false when none does. While a person is typing, only those
+     * with Ctrl, those of the keys F1 to F12 and Escape count. For `onKeyEvent` of the window, which hears what no field has used.
+     */
+    fun dispatch(event: KeyEvent, commands: List<Command>): Boolean {
+        if (event.type != KeyEventType.KeyDown || event.isAltPressed) return false
+        val isCtrl = event.isCtrlPressed || event.isMetaPressed
+        if (isTyping && !isCtrl && event.key !in KEYS_WHILE_TYPING) return false
+        val command = commands.firstOrNull { command ->
+            command.keys.any { it.key == event.key && it.ctrl == isCtrl && it.shift == event.isShiftPressed }
+        }
+        command?.action?.invoke()
+        return command != null
+    }
+
+    /**
+     * Gives Space to [commands] even where a button was clicked before, which would take it for another click; Enter still
+     * presses that. For `onPreviewKeyEvent` of the window.
+     */
+    fun dispatchFirst(event: KeyEvent, commands: List<Command>): Boolean {
+        if (event.key != Key.Spacebar || isTyping || event.isAltPressed) return false
+        dispatch(event, commands)
+        // Its release is none of the button's business either.
+        return true
+    }
+
+    private companion object {
+        val KEYS_WHILE_TYPING = setOf(
+            Key.Escape, Key.F1, Key.F2, Key.F3, Key.F4, Key.F5, Key.F6, Key.F7, Key.F8, Key.F9, Key.F10, Key.F11, Key.F12,
+        )
+    }
+}
+
+/**
+ * Something the keyboard does. The help sheet lists them as they are here.
+ *
+ * @property keys what to press; each does the same.
+ * @property meaning what it does, as the help sheet says it.
+ * @property group under which heading.
+ */
+internal class Command(val group: String, val meaning: String, val keys: List<KeyPress>, val action: () -> Unit)
+
+/** A key with the modifiers that must be held; [ctrl] is the command key on a Mac. */
+internal data class KeyPress(val key: Key, val label: String, val ctrl: Boolean = false, val shift: Boolean = false) {
+    /** As the help sheet writes it: `Ctrl+Shift+S`. */
+    val text: String get() = listOfNotNull("Ctrl".takeIf { ctrl }, "Shift".takeIf { shift }, label).joinToString("+")
+}

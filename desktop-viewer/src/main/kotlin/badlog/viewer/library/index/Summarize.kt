@@ -1,0 +1,121 @@
+package badlog.viewer.library.index
+
+import badlog.analysis.LogView
+import badlog.analysis.Units
+import badlog.analysis.matchTitle
+import badlog.analysis.statistics
+import badlog.file.LogFile
+import badlog.file.readRecording
+import badlog.recording.PathName
+import badlog.recording.Recording
+import badlog.recording.Severity
+import badlog.recording.Topic
+import badlog.viewer.recording.batteryAmong
+import badlog.viewer.recording.finiteSpan
+import java.io.IOException
+import java.util.concurrent.CancellationException
+
+/**
+ * Reads [file] and keeps what the library wants to know of it. Whatever is wrong with the file becomes part of the entry.
+ *
+ * @param checkpoint is called again and again while the file is read; to give up, it may throw a [CancellationException], the
+ *   only exception that comes out.
+ */
+internal fun summarize(file: LogFile, checkpoint: () -> Unit = {}): LogEntry = try {
+    when {
+        isLikelyLog(file) -> summaryOf(file, LogView.of(readRecording(file.path) { _, _ -> checkpoint() }))
+        else -> unreadable(file, "${file.name} is no log.").copy(content = Content.NO_LOG)
+    }
+} catch (e: CancellationException) {
+    throw e
+} catch (e: IOException) {
+    unreadable(file, e.message ?: "${file.name} could not be read; is its drive still connected?")
+} catch (_: OutOfMemoryError) {
+    withoutSamples(file, checkpoint)
+} catch (e: RuntimeException) {
+    // A defect of ours in one file must not take away all the others.
+    unreadable(file, "${file.name} made badlog stumble (${e.javaClass.simpleName}); please send us the file.")
+}
+
+/** What can be told of a file whose samples do not fit into memory. */
+private fun withoutSamples(file: LogFile, checkpoint: () -> Unit): LogEntry = try {
+    val recording = readRecording(file.path, keepSamples = false) { _, _ -> checkpoint() }
+    summaryOf(file, LogView.of(recording)).copy(content = Content.SOMETHING)
+} catch (e: IOException) {
+    unreadable(file, e.message ?: "${file.name} could not be read; is its drive still connected?")
+} catch (_: OutOfMemoryError) {
+    unreadable(file, "${file.name} is too large for the memory there is.")
+}
+
+private fun unreadable(file: LogFile, trouble: String) =
+    LogEntry(file, MatchFacts.of(emptyList(), file.name), LogDate.ofFile(file), trouble = trouble)
+
+private fun summaryOf(file: LogFile, view: LogView): LogEntry {
+    val recording = view.recording
+    val topics = recording.topics.filter { it.samples.isNotEmpty() && !isPlumbing(it) }.map { summaryOf(it, view) }
+    val match = MatchFacts.of(recording.values, file.name)
+    val axis = view.xAxis
+    val time = if (axis.isIndex) timeTopic(recording) else axis.topic
+    val duration = if (axis.isIndex) time?.let { finiteSpan(it.samples)?.width } else axis.range?.let { it.endInclusive - it.start }
+    val xUnit = if (axis.isIndex) time?.unit.orEmpty() else axis.unit
+    val battery = batteryAmong(topics.filter { it.statistics.count > 0 }, { it.name }, { it.unit })
+    val trouble = if (recording.isReadable) null else recording.problems.last().message
+    return LogEntry(
+        source = file,
+        match = match,
+        date = LogDate.of(recording.values, file),
+        duration = duration,
+        xUnit = xUnit,
+        samples = recording.sampleCount,
+        problems = ProblemCounts(view.count(Severity.ERROR), view.count(Severity.WARNING), view.count(Severity.NOTE)),
+        content = when {
+            trouble == null -> {
+                val seconds = duration?.let { secondsOf(it, xUnit) }
+                contentOf(recording, topics, time, seconds, isMatch = matchTitle(recording.values) != null)
+            }
+
+            isNamedAsLog(file.name) -> Content.UNREADABLE
+
+            else -> Content.NO_LOG
+        },
+        trouble = trouble,
+        batteryMinimum = battery?.let { lowestVoltage(recording.topics, it.name) },
+        batteryTopic = battery?.name,
+        topics = topics,
+    )
+}
+
+private fun summaryOf(topic: Topic, view: LogView): TopicSummary {
+    val line = view.seriesOf(topic)
+    val statistics = line.data.statistics()
+    val held = if (line.holds) view.xAxis.range else null
+    return TopicSummary(
+        topic.name,
+        topic.unit,
+        topic.kind,
+        statistics,
+        PreviewLine.of(line.data, statistics.min, statistics.max, held),
+    )
+}
+
+/** Whether [topic] is what a logger writes for its own sake, such as the time of day that passes. */
+private fun isPlumbing(topic: Topic) = topic.times != null && "hide" in topic.attributes
+
+/** A file of comma-separated values alone has no x axis, but mostly a column of the time. */
+private fun timeTopic(recording: Recording): Topic? = recording.topics.firstOrNull {
+    it.samples.isNotEmpty() && PathName.baseNameOf(it.name).lowercase() in setOf("time", "timestamp", "match time")
+}
+
+/** Before a sensor has been read the first time it gives 0, which no battery that feeds a robot has. */
+private fun lowestVoltage(topics: List<Topic>, name: String): Double? {
+    var lowest = Double.POSITIVE_INFINITY
+    for (voltage in topics.first { it.name == name }.samples) if (voltage > 0 && voltage < lowest) lowest = voltage
+    return lowest.takeIf { it.isFinite() }
+}
+
+/** How many seconds [duration] in [unit] is; null when the unit is none of time. */
+internal fun secondsOf(duration: Double, unit: String): Double? {
+    // A log without units is a plain CSV file, whose time nearly always is in seconds.
+    val seconds = if (unit.isBlank() || Units.isNone(unit)) 1.0 else Units.secondsIn(unit)
+    return seconds?.let { duration * it }
+}

@@ -1,0 +1,94 @@
+package badlog.viewer.recording
+
+import badlog.viewer.app.Viewer
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.delay
+import kotlinx.coroutines.runInterruptible
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.attribute.BasicFileAttributes
+import kotlin.time.Duration
+import kotlin.time.Duration.Companion.milliseconds
+import kotlin.time.TimeSource
+
+/**
+ * Keeps the open recording as its file is: a robot's simulation may be writing it. While it grows, a row that is half
+ * written is left for later.
+ *
+ * @param read reads the file: up to its last line end, or all of it.
+ */
+internal class RecordingFollowing(
+    private val viewer: Viewer,
+    private val read: (OpenRecording, isGrowing: Boolean) -> OpenRecording = { shown, isGrowing ->
+        OpenRecording.read(shown.file, { viewer.formulas }, isGrowing)
+    },
+) {
+    /** Follows [opened], which was read when its file was as [stamp], until cancelled. */
+    suspend fun follow(opened: OpenRecording, stamp: FileStamp) {
+        var shown = opened
+        var known = stamp
+        var isSettled = true
+        var quietSince = TimeSource.Monotonic.markNow()
+        while (true) {
+            delay(POLL)
+            val now = runInterruptible(Dispatchers.IO) { FileStamp.of(shown.file) }
+            if (now == null) {
+                viewer.notices.say("${shown.file.fileName} is gone from its folder; what was read of it stays here.")
+                return
+            }
+            val hasChanged = now != known
+            if (hasChanged) quietSince = TimeSource.Monotonic.markNow()
+            if (!hasChanged && (isSettled || quietSince.elapsedNow() < SETTLED)) continue
+            known = now
+            isSettled = !hasChanged
+            val began = TimeSource.Monotonic.markNow()
+            shown = try {
+                readAgain(shown, isGrowing = hasChanged) ?: continue
+            } catch (_: OutOfMemoryError) {
+                val name = shown.file.fileName
+                viewer.notices.complain("$name has grown larger than the memory there is; what was read of it stays here.")
+                return
+            }
+            viewer.open = shown
+            viewer.comparisonLoading.share(shown)
+            viewer.viewport = viewer.viewport.grown(shown.span)
+            delay(restAfter(began.elapsedNow()))
+        }
+    }
+
+    private suspend fun readAgain(shown: OpenRecording, isGrowing: Boolean): OpenRecording? = try {
+        runInterruptible(Dispatchers.IO) { read(shown, isGrowing) }
+    } catch (_: IOException) {
+        // The next look at the file tells whether it is gone.
+        null
+    }
+
+    private companion object {
+        val POLL = 300.milliseconds
+
+        /** A file that has not changed for so long is read to its very end. */
+        val SETTLED = 2000.milliseconds
+
+        /** Reading a large file again and again must leave the machine to the robot's simulation. */
+        fun restAfter(reading: Duration): Duration = reading * 4
+    }
+}
+
+/**
+ * What tells whether a file has changed.
+ *
+ * @property size in bytes.
+ * @property modifiedMillis when it was last written, in milliseconds since 1970.
+ */
+internal data class FileStamp(val size: Long, val modifiedMillis: Long) {
+    companion object {
+        /** That of [file] now; null when it is not there or cannot be looked at. */
+        fun of(file: Path): FileStamp? = try {
+            val attributes = Files.readAttributes(file, BasicFileAttributes::class.java)
+            FileStamp(attributes.size(), attributes.lastModifiedTime().toMillis())
+        } catch (_: IOException) {
+            null
+        }
+    }
+}

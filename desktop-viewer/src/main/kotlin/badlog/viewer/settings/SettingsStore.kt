@@ -1,0 +1,66 @@
+package badlog.viewer.settings
+
+import androidx.compose.runtime.snapshotFlow
+import badlog.viewer.app.Viewer
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.FlowPreview
+import kotlinx.coroutines.flow.collectLatest
+import kotlinx.coroutines.flow.debounce
+import kotlinx.coroutines.flow.dropWhile
+import kotlinx.coroutines.withContext
+import kotlinx.serialization.SerializationException
+import kotlinx.serialization.json.Json
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.StandardCopyOption
+
+/** Keeps [Settings] in a file of the user's. A missing or damaged one is as none. */
+internal class SettingsFile(private val file: Path) {
+    private val json = Json {
+        ignoreUnknownKeys = true
+        prettyPrint = true
+        coerceInputValues = true
+    }
+
+    /** What was kept. */
+    fun read(): Settings = try {
+        json.decodeFromString(Files.readString(file))
+    } catch (_: IOException) {
+        Settings()
+    } catch (_: SerializationException) {
+        Settings()
+    } catch (_: IllegalArgumentException) {
+        Settings()
+    }
+
+    /**
+     * Keeps [settings]; replaces what was kept only by a whole file.
+     *
+     * @throws IOException when it cannot be written.
+     */
+    fun write(settings: Settings) {
+        Files.createDirectories(file.parent)
+        val draft = Files.createTempFile(file.parent, "settings", ".json")
+        try {
+            Files.writeString(draft, json.encodeToString(Settings.serializer(), settings))
+            Files.move(draft, file, StandardCopyOption.REPLACE_EXISTING)
+        } finally {
+            Files.deleteIfExists(draft)
+        }
+    }
+}
+
+/** Writes the settings of [viewer] into [file], which holds [kept], a moment after each change, until cancelled. */
+@OptIn(FlowPreview::class)
+internal suspend fun keepSettings(viewer: Viewer, file: SettingsFile, kept: Settings) {
+    snapshotFlow { viewer.settings }.dropWhile { it == kept }.debounce(QUIET_MILLIS).collectLatest { settings ->
+        try {
+            withContext(Dispatchers.IO) { file.write(settings) }
+        } catch (e: IOException) {
+            viewer.notices.complain("Your settings cannot be kept (${e.message}); make room on the disk of your home folder.")
+        }
+    }
+}
+
+private const val QUIET_MILLIS = 400L

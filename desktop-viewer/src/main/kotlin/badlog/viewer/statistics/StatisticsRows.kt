@@ -1,0 +1,153 @@
+package badlog.viewer.statistics
+
+import androidx.compose.foundation.HorizontalScrollbar
+import androidx.compose.foundation.VerticalScrollbar
+import androidx.compose.foundation.background
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.combinedClickable
+import androidx.compose.foundation.horizontalScroll
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxHeight
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.layout.width
+import androidx.compose.foundation.lazy.LazyColumn
+import androidx.compose.foundation.lazy.items
+import androidx.compose.foundation.lazy.rememberLazyListState
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.rememberScrollbarAdapter
+import androidx.compose.material3.HorizontalDivider
+import androidx.compose.material3.Icon
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextAlign
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.Dp
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import badlog.analysis.Units
+import badlog.recording.PathName
+import badlog.recording.Topic
+import badlog.viewer.app.Viewer
+import badlog.viewer.compare.shortLabel
+import badlog.viewer.panels.MainView
+import badlog.viewer.theme.Icons
+import badlog.viewer.theme.LocalPalette
+import badlog.viewer.theme.Tip
+
+/** The table itself. A click on a heading sorts by it, a double click on a row opens its recording. */
+@Composable
+internal fun StatisticsRows(viewer: Viewer, grid: StatisticsGrid, modifier: Modifier) {
+    val across = rememberScrollState()
+    val down = rememberLazyListState()
+    Box(modifier) {
+        Column(Modifier.fillMaxSize().horizontalScroll(across).padding(bottom = 10.dp)) {
+            val width = grid.columns.fold(0.dp) { sum, column -> sum + widthOf(column) }
+            Row(Modifier.background(LocalPalette.current.raised)) {
+                for (column in grid.columns) Heading(viewer, grid, column)
+            }
+            HorizontalDivider(Modifier.width(width))
+            LazyColumn(Modifier.width(width).weight(1f), down) {
+                items(grid.rows) { row -> RecordingRow(viewer, grid, row) }
+            }
+        }
+        VerticalScrollbar(rememberScrollbarAdapter(down), Modifier.align(Alignment.CenterEnd).fillMaxHeight())
+        HorizontalScrollbar(rememberScrollbarAdapter(across), Modifier.align(Alignment.BottomStart).fillMaxWidth())
+    }
+}
+
+@Composable
+private fun Heading(viewer: Viewer, grid: StatisticsGrid, column: StatisticsColumn) {
+    val choice = viewer.statisticsChoice
+    val name = nameOf(column)
+    Tip("Sort by $name") {
+        Row(
+            Modifier
+                .width(widthOf(column))
+                .clickable { viewer.statisticsChoice = viewer.statisticsChoice.sortedBy(column) }
+                .semantics { contentDescription = "Sort by $name" }
+                .padding(horizontal = 10.dp, vertical = 5.dp),
+            Arrangement.spacedBy(4.dp),
+            Alignment.Bottom,
+        ) {
+            Column(Modifier.weight(1f)) {
+                if (column is FigureColumn) HeadingText(PathName.baseNameOf(column.topic), isFigure = true, isSecond = true)
+                val unit = (column as? FigureColumn)?.let { grid.unitOf(it) } ?: Topic.UNITLESS
+                val title = (column as? FigureColumn)?.statistic?.title ?: name
+                HeadingText(if (Units.isNone(unit)) title else "$title ($unit)", isFigure = column is FigureColumn, isSecond = false)
+            }
+            if (choice.sort == column) {
+                Icon(if (choice.isDescending) Icons.Down else Icons.Up, contentDescription = null, Modifier.size(14.dp))
+            }
+        }
+    }
+}
+
+@Composable
+private fun HeadingText(text: String, isFigure: Boolean, isSecond: Boolean) {
+    val palette = LocalPalette.current
+    Text(
+        text,
+        Modifier.fillMaxWidth(),
+        color = if (isSecond) palette.muted else palette.text,
+        fontSize = if (isSecond) 11.sp else 13.sp,
+        fontWeight = if (isSecond) null else FontWeight.SemiBold,
+        textAlign = if (isFigure) TextAlign.End else TextAlign.Start,
+        maxLines = 1,
+        overflow = TextOverflow.Ellipsis,
+    )
+}
+
+@Composable
+private fun RecordingRow(viewer: Viewer, grid: StatisticsGrid, row: StatisticsRow) {
+    val palette = LocalPalette.current
+    val isOpen = viewer.open?.file == row.path
+    Row(
+        Modifier
+            .combinedClickable(onDoubleClick = {
+                if (!isOpen) viewer.loading.open(row.path)
+                viewer.panels = viewer.panels.copy(main = MainView.GRAPHS)
+            }) {}
+            .semantics { contentDescription = "Recording ${row.label}" },
+    ) {
+        for (column in grid.columns) {
+            val background = when {
+                column !is FigureColumn -> Color.Transparent
+                grid.isLowest(column, row) -> palette.warningSoft
+                grid.isHighest(column, row) -> palette.accentSoft
+                else -> Color.Transparent
+            }
+            Text(
+                grid.textOf(column, row).let { if (column == LabelColumn) shortLabel(it, letters = 38) else it },
+                Modifier.width(widthOf(column)).background(background).padding(horizontal = 10.dp, vertical = 5.dp),
+                fontWeight = if (isOpen && column == LabelColumn) FontWeight.SemiBold else null,
+                textAlign = if (column is FigureColumn) TextAlign.End else TextAlign.Start,
+                maxLines = 1,
+                overflow = TextOverflow.Ellipsis,
+            )
+        }
+    }
+}
+
+private fun nameOf(column: StatisticsColumn) = when (column) {
+    LabelColumn -> "Recording"
+    DateColumn -> "Date"
+    is FigureColumn -> "${column.topic} ${column.statistic.title}"
+}
+
+private fun widthOf(column: StatisticsColumn): Dp = when (column) {
+    LabelColumn -> 300.dp
+    DateColumn -> 170.dp
+    is FigureColumn -> 120.dp
+}

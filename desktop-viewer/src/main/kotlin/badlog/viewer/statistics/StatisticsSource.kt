@@ -1,0 +1,75 @@
+package badlog.viewer.statistics
+
+import badlog.analysis.statistics
+import badlog.recording.PathName
+import badlog.viewer.library.index.LogEntry
+import badlog.viewer.recording.OpenRecording
+import java.io.IOException
+import java.nio.file.Files
+import java.time.LocalDateTime
+import java.time.ZoneId
+import java.time.format.DateTimeFormatter
+
+/**
+ * What the table of statistics is made from.
+ *
+ * @property topics the names of all topics that can be asked for, by folder.
+ * @property rowsOf finds the figures of some of them in every recording; takes its time, so not for the window's thread.
+ */
+internal class StatisticsSource(val topics: List<String>, val rowsOf: (topics: List<String>) -> List<StatisticsRow>)
+
+/**
+ * What the table is made from: the recordings that are [drawn], of which every signal has figures, and if it [isOverAll] the logs
+ * that are [known], with those figures that they came with. A log that is both is there once.
+ */
+internal fun statisticsSource(drawn: List<OpenRecording>, known: List<StatisticsRow>, isOverAll: Boolean = true): StatisticsSource {
+    val knownByFile = known.associateBy { it.path }
+    val drawnFiles = drawn.mapTo(HashSet()) { it.file }
+    val others = if (isOverAll) known.filter { it.path !in drawnFiles } else emptyList()
+    val topics = LinkedHashSet<String>()
+    for (recording in drawn) recording.signals.filter { it.hasFigures }.mapTo(topics) { it.name }
+    for (row in others) topics += row.statistics.keys
+    return StatisticsSource(topics.sortedBy { PathName.folderOf(it).lowercase() }) { asked ->
+        drawn.map { statisticsRow(it, asked, knownByFile[it.file]?.date ?: dateOf(it)) } + others
+    }
+}
+
+/** The figures of [topics] in [recording], those that it has; [date] is when it was recorded. */
+internal fun statisticsRow(recording: OpenRecording, topics: List<String>, date: String): StatisticsRow {
+    val signals = topics.mapNotNull { recording.signal(it) }.filter { it.hasFigures }
+    return StatisticsRow(
+        label = recording.label,
+        date = date,
+        path = recording.file,
+        statistics = signals.associate { it.name to it.series.statistics() },
+        units = signals.associate { it.name to it.unit },
+        xUnit = recording.view.xAxis.unit,
+    )
+}
+
+/** When the file of [recording] was written last; empty when it is not there any more. */
+private fun dateOf(recording: OpenRecording): String = try {
+    sortableText(LocalDateTime.ofInstant(Files.getLastModifiedTime(recording.file).toInstant(), ZoneId.systemDefault()))
+} catch (_: IOException) {
+    ""
+}
+
+/** [time] as text that sorts by time: `2024-03-16 10:41`. */
+internal fun sortableText(time: LocalDateTime): String = DATE.format(time)
+
+private val DATE = DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm")
+
+/** Each of [logs], the newest first, with the figures of all its topics that are known without reading it again. */
+internal fun rowsOf(logs: List<LogEntry>): List<StatisticsRow> =
+    logs.filter { it.isReadable && it.topics.isNotEmpty() }.sortedWith(NEWEST_FIRST).map { log ->
+        StatisticsRow(
+            label = log.title,
+            date = sortableText(log.date.time),
+            path = log.file,
+            statistics = log.topics.associate { it.name to it.statistics },
+            units = log.topics.associate { it.name to it.unit },
+            xUnit = log.xUnit,
+        )
+    }
+
+private val NEWEST_FIRST = compareByDescending<LogEntry> { it.date.second }.thenBy { it.file }

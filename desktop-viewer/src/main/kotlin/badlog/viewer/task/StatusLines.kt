@@ -1,0 +1,81 @@
+package badlog.viewer.task
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.width
+import androidx.compose.material3.LinearProgressIndicator
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.key
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.dp
+import badlog.viewer.app.Viewer
+import badlog.viewer.theme.Icons
+import badlog.viewer.theme.LocalPalette
+import badlog.viewer.theme.ToolButton
+import kotlinx.coroutines.delay
+
+/** What stands along the window's foot while there is something to say: what runs, and what did or did not work. */
+@Composable
+internal fun StatusBar(viewer: Viewer) {
+    Column(Modifier.fillMaxWidth()) {
+        for (notice in viewer.notices.all) key(notice.id) { NoticeLine(notice) { viewer.notices.dismiss(notice.id) } }
+        for (task in viewer.tasks.all) key(task.id) { TaskLine(task) }
+    }
+}
+
+@Composable
+private fun NoticeLine(notice: Notice, onDismiss: () -> Unit) {
+    val palette = LocalPalette.current
+    if (!notice.isError) {
+        LaunchedEffect(notice.id) {
+            delay(if (notice.action == null) SAID_MILLIS else OFFERED_MILLIS)
+            onDismiss()
+        }
+    }
+    Row(
+        Modifier
+            .fillMaxWidth()
+            .background(if (notice.isError) palette.errorSoft else palette.accentSoft)
+            .padding(start = 12.dp, end = 4.dp),
+        verticalAlignment = Alignment.CenterVertically,
+    ) {
+        Text(
+            notice.text,
+            Modifier.weight(1f).padding(vertical = 4.dp).semantics { liveRegion = LiveRegionMode.Polite },
+            color = if (notice.isError) palette.error else palette.text,
+        )
+        notice.action?.let { ToolButton(it.label, text = it.label, onClick = it.run) }
+        ToolButton("Dismiss", Icons.Close, onClick = onDismiss)
+    }
+}
+
+@Composable
+private fun TaskLine(task: LongTask) {
+    Row(
+        Modifier.fillMaxWidth().background(LocalPalette.current.surface).padding(start = 12.dp, end = 4.dp),
+        horizontalArrangement = Arrangement.spacedBy(12.dp),
+        verticalAlignment = Alignment.CenterVertically,
+    ) {
+        Text(task.title, Modifier.weight(1f), maxLines = 1)
+        val share = task.share
+        if (share == null) {
+            LinearProgressIndicator(Modifier.width(160.dp))
+        } else {
+            LinearProgressIndicator(progress = { share }, modifier = Modifier.width(160.dp))
+        }
+        ToolButton("Cancel: ${task.title}", text = "Cancel", onClick = task.cancel)
+    }
+}
+
+private const val SAID_MILLIS = 6000L
+private const val OFFERED_MILLIS = 30_000L

@@ -1,0 +1,52 @@
+package badlog.viewer.export
+
+import androidx.compose.ui.graphics.ImageBitmap
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.viewer.app.Viewer
+import badlog.viewer.graph.standardGraphs
+import badlog.viewer.settings.UserFolders
+import badlog.viewer.view.Viewport
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import kotlinx.coroutines.MainScope
+import java.awt.HeadlessException
+import java.awt.Image
+import java.awt.datatransfer.Clipboard
+import java.awt.datatransfer.DataFlavor
+import java.io.IOException
+
+@OptIn(ExperimentalTestApi::class)
+class CopyImageSpec : FunSpec({
+    val home = tempdir().toPath()
+
+    fun imageOn(clipboard: Clipboard) = clipboard.getData(DataFlavor.imageFlavor) as Image
+
+    test("a picture goes to the clipboard as an image") {
+        val clipboard = Clipboard("test")
+        copyImage(ImageBitmap(30, 20), { clipboard })
+        imageOn(clipboard).getWidth(null) shouldBe 30
+    }
+
+    test("a graph goes to the clipboard as the picture of a figure") {
+        val clipboard = Clipboard("test")
+        val recording = recordingOf(armBag(500))
+        val viewer = Viewer(MainScope(), UserFolders(home, home))
+        runDesktopComposeUiTest(100, 100) {
+            viewer.open = recording
+            viewer.viewport = Viewport(recording.span)
+            copyGraphs(viewer, standardGraphs(recording.view).graphs.take(1), { clipboard })
+            waitUntil(timeoutMillis = 20_000) { viewer.notices.all.isNotEmpty() }
+            viewer.notices.all.single().text shouldContain "“Arm/Angle”"
+            imageOn(clipboard).getWidth(null) shouldBe 1800
+        }
+    }
+
+    test("where there is no clipboard, or another program holds it, a sentence says so") {
+        shouldThrow<IOException> { copyImage(ImageBitmap(1, 1)) { throw HeadlessException() } }.message shouldContain "no clipboard"
+        shouldThrow<IOException> { copyImage(ImageBitmap(1, 1)) { throw IllegalStateException() } }.message shouldContain "holds the clipboard"
+    }
+})

@@ -1,0 +1,158 @@
+package badlog.viewer.export
+
+import androidx.compose.ui.test.ComposeUiTest
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.assertIsNotEnabled
+import androidx.compose.ui.test.onAllNodesWithText
+import androidx.compose.ui.test.onFirst
+import androidx.compose.ui.test.onNodeWithContentDescription
+import androidx.compose.ui.test.onNodeWithText
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.plot.Span
+import badlog.viewer.app.Viewer
+import badlog.viewer.app.ViewerScreen
+import badlog.viewer.compare.Comparison
+import badlog.viewer.files.ChosenFiles
+import badlog.viewer.graph.standardGraphs
+import badlog.viewer.library.LibraryState
+import badlog.viewer.settings.UserFolders
+import badlog.viewer.view.Viewport
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldStartWith
+import kotlinx.coroutines.MainScope
+import java.nio.file.Files
+import java.nio.file.Path
+import javax.imageio.ImageIO
+
+@OptIn(ExperimentalTestApi::class)
+class TakeAwayMenuSpec : FunSpec({
+    val home = tempdir().toPath()
+    val log = Files.writeString(home.resolve("match.bag"), armBag(500))
+
+    fun window(chosen: Path?, hasLog: Boolean = true, test: ComposeUiTest.(Viewer, ChosenFiles) -> Unit) {
+        val files = ChosenFiles(chosen)
+        runDesktopComposeUiTest(1200, 900) {
+            val viewer = Viewer(MainScope(), UserFolders(home, home), files = files)
+            if (hasLog) {
+                val recording = recordingOf(armBag(500), log)
+                viewer.open = recording
+                viewer.graphs = standardGraphs(recording.view)
+                viewer.viewport = Viewport(recording.span)
+            }
+            setContent { ViewerScreen(viewer) }
+            test(viewer, files)
+        }
+    }
+
+    fun ComposeUiTest.choose(menu: String, entry: String) {
+        onNodeWithText(menu).performClick()
+        onNodeWithContentDescription(entry).performClick()
+    }
+
+    fun ComposeUiTest.waitUntilSaid(viewer: Viewer, text: String) {
+        waitUntil(timeoutMillis = 20_000) { viewer.notices.all.any { text in it.text } }
+    }
+
+    test("without a log, every entry that needs one is off and says why") {
+        window(null, hasLog = false) { _, _ ->
+            onNodeWithText("Take away").performClick()
+            onNodeWithContentDescription("Export the page of this log…").assertIsNotEnabled()
+            onNodeWithContentDescription("Figure for a report…").assertIsNotEnabled()
+            onNodeWithContentDescription("The visible range as CSV…").assertIsNotEnabled()
+            onAllNodesWithText("Open a log first.").onFirst().assertExists()
+            onNodeWithText("Tick logs in the list first.").assertExists()
+            onNodeWithText("Open a folder first.").assertExists()
+        }
+    }
+
+    test("the page of the open log is made where the person says") {
+        val page = home.resolve("page.html")
+        window(page) { viewer, _ ->
+            choose("Take away", "Export the page of this log…")
+            waitUntilSaid(viewer, "Made $page")
+            Files.readString(page).lowercase() shouldStartWith "<!doctype html>"
+        }
+    }
+
+    test("the pages of ticked logs are made, and those that cannot be are told") {
+        val folder = home.resolve("pages")
+        window(folder) { viewer, _ ->
+            viewer.comparison = Comparison(ticked = listOf(log, home.resolve("gone.bag")))
+            choose("Take away", "Export the pages of 2 ticked logs…")
+            waitUntilSaid(viewer, "gone.bag")
+            viewer.notices.all.map { it.text } shouldContain "Made ${folder.resolve("match.bag.html")}."
+        }
+    }
+
+    test("the pages of a whole folder are made") {
+        val logs = Files.createDirectories(home.resolve("logs"))
+        for (name in listOf("a.bag", "b.bag")) Files.writeString(logs.resolve(name), armBag(10))
+        val folder = home.resolve("all pages")
+        window(folder) { viewer, _ ->
+            viewer.library = LibraryState(logs)
+            choose("Take away", "Export the pages of all logs…")
+            waitUntilSaid(viewer, "Made 2 pages in $folder")
+        }
+    }
+
+    test("a figure is saved with what was chosen for it") {
+        val file = home.resolve("figure.svg")
+        window(file) { viewer, files ->
+            choose("Take away", "Figure for a report…")
+            onNodeWithText("3 of 3 graphs").assertExists()
+            onNodeWithContentDescription("In the figure: Arm/Current").performClick()
+            onNodeWithContentDescription("File: SVG").performClick()
+            onNodeWithContentDescription("Width: 600").performClick()
+            onNodeWithContentDescription("Save the figure").performClick()
+            waitUntilSaid(viewer, "Saved $file")
+            val svg = Files.readString(file)
+            svg shouldContain "width=\"600.0\""
+            svg shouldContain "Arm/Angle"
+            ("Arm/Current" in svg) shouldBe false
+            files.questions shouldBe listOf("Save the figure")
+        }
+    }
+
+    test("a picture gets its ending, and is twice as large as its points") {
+        window(home.resolve("picture")) { viewer, _ ->
+            choose("Take away", "Figure for a report…")
+            onNodeWithContentDescription("Save the figure").performClick()
+            waitUntilSaid(viewer, "Saved ${home.resolve("picture.png")}")
+            ImageIO.read(home.resolve("picture.png").toFile()).width shouldBe 1800
+        }
+    }
+
+    test("the selection is saved rather than the visible range, when there is one") {
+        val file = home.resolve("part.csv")
+        window(file) { viewer, _ ->
+            viewer.selection = Span(1.0, 1.1)
+            choose("Take away", "The selection as CSV…")
+            waitUntilSaid(viewer, "Wrote 6 rows to $file")
+            Files.readAllLines(file).size shouldBe 7
+        }
+    }
+
+    test("who thinks better of it gets nothing, and is told nothing") {
+        window(null) { viewer, files ->
+            choose("Take away", "The visible range as a bag…")
+            files.questions.size shouldBe 1
+            viewer.tasks.all.shouldBeEmpty()
+            viewer.notices.all.shouldBeEmpty()
+        }
+    }
+
+    test("a file that is there is not replaced when the person has not named it in full") {
+        val there = Files.writeString(home.resolve("there.csv"), "mine")
+        window(home.resolve("there")) { viewer, _ ->
+            choose("Take away", "The visible range as CSV…")
+            waitUntilSaid(viewer, "there.csv is there already")
+            Files.readString(there) shouldBe "mine"
+        }
+    }
+})

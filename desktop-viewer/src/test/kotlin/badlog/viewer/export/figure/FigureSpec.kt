@@ -1,0 +1,156 @@
+package badlog.viewer.export.figure
+
+import badlog.analysis.LogView
+import badlog.plot.Span
+import badlog.recording.CellCounts
+import badlog.recording.Recording
+import badlog.recording.RecordingFormat
+import badlog.recording.TextColumn
+import badlog.recording.Topic
+import badlog.viewer.compare.DrawnRecording
+import badlog.viewer.export.armBag
+import badlog.viewer.export.recordingOf
+import badlog.viewer.graph.GraphSpec
+import badlog.viewer.graph.LineSpec
+import badlog.viewer.graph.standardGraphs
+import badlog.viewer.recording.OpenRecording
+import badlog.viewer.theme.Palette
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.collections.shouldContainAll
+import io.kotest.matchers.collections.shouldHaveSize
+import io.kotest.matchers.collections.shouldNotContain
+import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.ints.shouldBeLessThan
+import io.kotest.matchers.shouldBe
+import org.w3c.dom.Document
+import org.w3c.dom.Element
+import java.nio.file.Path
+import javax.xml.parsers.DocumentBuilderFactory
+import kotlin.math.sin
+
+class FigureSpec : FunSpec({
+    val options = FigureOptions()
+    val arm = recordingOf(armBag(500))
+    val joint = GraphSpec(1, "Arm/Both", listOf(LineSpec("Arm/Angle"), LineSpec("Arm/Current"), LineSpec("Arm/Mode")))
+
+    fun build(graphs: List<GraphSpec>, x: Span, vararg recordings: OpenRecording) = FigureBuilder(recordings.map { DrawnRecording(it) }, x, options.width).build(graphs)
+
+    test("it says what it shows: the recording, the graphs, the axes with their units, the states") {
+        val texts = textsIn(svgOf(build(standardGraphs(arm.view).graphs, arm.span, arm), options))
+        texts shouldContainAll listOf("Match 8", "Arm/Angle", "deg", "Arm/Current", "A", "Time (s)", "hold", "move")
+    }
+
+    test("a formula is drawn as any other line") {
+        val open = arm.withFormulas(listOf("Arm/Power [W] = Arm/Current * 12"))
+        val frame = build(listOf(GraphSpec(1, "Arm/Power", listOf(LineSpec("Arm/Power")))), open.span, open).frames.single()
+        frame.yTitle shouldBe "W"
+        frame.lines.single().pieces.single().x.size shouldBe 500
+    }
+
+    test("each unit of a graph has a frame of its own, and so have its states") {
+        val frames = build(listOf(joint), arm.span, arm).frames
+        frames.map { it.yTitle } shouldBe listOf("deg", "A", "")
+        frames[2].lanes.single().label shouldBe "Mode"
+    }
+
+    test("several recordings are told apart by a legend, and by colours in the order of the recordings") {
+        val other = recordingOf(armBag(300).replace("\"8\"", "\"9\""))
+        val figure = build(standardGraphs(arm.view).graphs, arm.span, arm, other)
+        figure.title shouldBe "Match 8 · Match 9"
+        val colours = listOf(hexOf(Palette.LIGHT.line(0)), hexOf(Palette.LIGHT.line(1)))
+        figure.frames[0].legend shouldBe listOf("Match 8", "Match 9").zip(colours)
+        val texts = textsIn(svgOf(figure, options))
+        texts.count { it == "Match\u00a09" } shouldBe 1
+        figure.frames.last().lanes.map { it.label } shouldBe listOf("Match 8", "Match 9")
+    }
+
+    test("a recording is drawn where its offset puts it") {
+        val moved = FigureBuilder(listOf(DrawnRecording(arm), DrawnRecording(arm, 100.0)), Span(0.0, 200.0), 900).build(listOf(joint))
+        moved.frames[0].lines[1].pieces.single().x.first() shouldBe 100.0
+    }
+
+    test("a gap stays a gap, and a sample alone between two gaps is a dot") {
+        val gappy = recordingOf(armBag(100) { if (it in 40..59 && it != 50) "" else it.toString() })
+        val line = build(listOf(joint), gappy.span, gappy).frames[0].lines[0]
+        line.pieces.map { it.x.size } shouldBe listOf(40, 1, 40)
+        LinePoints(build(listOf(joint), gappy.span, gappy).frames[0]).dots.getValue("y") shouldContain 50.0
+    }
+
+    test("y is as on the screen: what is seen and what the attributes want, or what a person has chosen") {
+        build(standardGraphs(arm.view).graphs, Span(0.2, 0.4), arm).frames[0].y.from shouldBe 0.0
+        build(listOf(joint.copy(yRange = Span(-3.0, 4.0))), arm.span, arm).frames[0].y shouldBe Span(-3.0, 4.0)
+    }
+
+    test("what a recording lacks is left out, and a graph without a line has no frame") {
+        val absent = GraphSpec(2, "Gone", listOf(LineSpec("Gone")))
+        build(listOf(absent, joint.copy(lines = joint.lines + LineSpec("Gone"))), arm.span, arm).frames.map { it.lines.size } shouldBe
+            listOf(1, 1, 0)
+        build(listOf(absent), arm.span, arm).frames.shouldBeEmpty()
+    }
+
+    test("twenty lines of a million samples each are less than two megabytes") {
+        val samples = 1_000_000
+        val topics = List(20) { topicOf("Noise $it", DoubleArray(samples) { i -> sin(i * (1.7 + it)) }) }
+        val long = OpenRecording(Path.of("long.bag").toAbsolutePath(), LogView.of(recordingOf(topics, samples)))
+        val graphs = topics.chunked(4).mapIndexed { i, four -> GraphSpec(i, "Noise", four.map { LineSpec(it.name) }) }
+        val svg = svgOf(build(graphs, long.span, long), options)
+        svg.length shouldBeLessThan 2_000_000
+        pathsIn(svg) shouldBeGreaterThan 19
+    }
+
+    test("a state that changes at every sample costs no more than the figure's width") {
+        val flicker = recordingOf("Index,Mode\n" + (0 until 100_000).joinToString("\n") { "$it,${if (it % 2 == 0) "on it" else "off it"}" })
+        svgOf(build(listOf(GraphSpec(1, "Mode", listOf(LineSpec("Mode")))), flicker.span, flicker), options).length shouldBeLessThan 2_000_000
+    }
+
+    test("names of any letters and any length make a document that can be read") {
+        val name = "<b>&amp; \"é\u0001𝄞" + "x".repeat(500)
+        val odd = recordingOf(armBag(20).replace("Arm/Angle", "Odd"), Path.of("a & b <c>.bag").toAbsolutePath())
+        val figure = build(listOf(GraphSpec(1, name, listOf(LineSpec("Odd"), LineSpec("Arm/Current")))), odd.span, odd)
+        val texts = textsIn(svgOf(figure, options))
+        texts.count { it.startsWith("<b>&amp; \"é 𝄞xxx") && it.length < 120 } shouldBe 2
+        val link = GraphSpec(2, "<a href=\"javascript:alert(1)\">x</a>", listOf(LineSpec("Odd")))
+        elements(svgOf(build(listOf(link), odd.span, odd), options), "a").shouldBeEmpty()
+        plainLine(name, 10) shouldBe "<b>&a…xxxx"
+    }
+
+    test("a recording of one row, and one whose x goes backwards, are drawn too") {
+        val one = recordingOf(armBag(1))
+        svgOf(build(standardGraphs(one.view).graphs, one.span, one), options)
+        val back = recordingOf("Time,A\n1,2\n2,3\n0,4\n1,5\n")
+        svgOf(build(listOf(GraphSpec(1, "A", listOf(LineSpec("A")))), Span(0.0, 2.0), back), options)
+    }
+
+    test("the picture has the colours of the lines, on white, at twice the size") {
+        val svg = svgOf(build(listOf(joint), arm.span, arm), options)
+        val image = imageOf(svg, options.width, PICTURE_SCALE)
+        image.width shouldBe options.width * 2
+        val colours = image.getRGB(0, 0, image.width, image.height, null, 0, image.width).map { it and 0xFFFFFF }.groupingBy { it }.eachCount()
+        colours.getValue(0xFFFFFF) shouldBeGreaterThan image.width * image.height / 2
+        colours.getValue(0x0B62C4) shouldBeGreaterThan 1000
+        colours.getValue(0xD4501A) shouldBeGreaterThan 1000
+    }
+
+    test("one line under its own name needs no legend") {
+        val frames = build(standardGraphs(arm.view).graphs, arm.span, arm).frames
+        frames.filter { it.hasLegend } shouldHaveSize 0
+        textsIn(svgOf(build(standardGraphs(arm.view).graphs, arm.span, arm), options)) shouldNotContain "Angle"
+    }
+})
+
+private fun topicOf(name: String, samples: DoubleArray) = Topic(name, "V", emptyList(), samples, TextColumn.EMPTY, CellCounts(samples.size, 0, 0, 0, 0, 0))
+
+private fun recordingOf(topics: List<Topic>, rows: Int) = Recording(RecordingFormat.CSV, null, emptyList(), topics, rows, emptyList())
+
+private fun documentOf(svg: String): Document = DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(svg.byteInputStream())
+
+private fun elements(svg: String, name: String): List<Element> {
+    val nodes = documentOf(svg).getElementsByTagName(name)
+    return (0 until nodes.length).map { nodes.item(it) as Element }
+}
+
+private fun textsIn(svg: String) = elements(svg, "text").map { it.textContent.trim() }
+
+private fun pathsIn(svg: String) = elements(svg, "path").count { it.getAttribute("d").length > 200 }

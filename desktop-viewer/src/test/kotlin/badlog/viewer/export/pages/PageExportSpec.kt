@@ -1,0 +1,59 @@
+package badlog.viewer.export.pages
+
+import badlog.viewer.export.armBag
+import badlog.viewer.findings.ruleText
+import badlog.viewer.findings.writeRules
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.collections.shouldHaveSize
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldStartWith
+import java.nio.file.Files
+
+class PageExportSpec : FunSpec({
+    test("of many logs one that is broken is told, and the pages of the others are made") {
+        val folder = tempdir().toPath()
+        val logs = listOf("a.bag", "broken.bag", "b.bag").map(folder::resolve)
+        for (log in logs) Files.writeString(log, armBag(20))
+        Files.write(logs[1], byteArrayOf(0x50, 0x4b, 3, 4, 0, 0, 0, 0))
+        val shares = ArrayList<Float>()
+        val pages = makePages(pageJobs(logs, folder.resolve("pages")), Additions(emptyList(), emptyList(), folder)) { shares += it }
+        pages.made.map { it.fileName.toString() } shouldContainExactly listOf("a.bag.html", "b.bag.html")
+        Files.readString(pages.made[0]).lowercase() shouldStartWith "<!doctype html>"
+        pages.failures shouldHaveSize 1
+        pages.failures.single() shouldContain "broken.bag"
+        shares shouldBe shares.sorted()
+        shares.last() shouldBe 1f
+    }
+
+    test("pages carry the formulas that make a topic there, and the findings of the folder's rules") {
+        val folder = tempdir().toPath()
+        val log = Files.writeString(folder.resolve("a.bag"), armBag(100))
+        writeRules(folder, ruleText("Far", "Arm/Angle > 40", "error", "The arm went to {value}."))
+        val formulas = listOf("Twice = 2 * Arm/Angle", "Gone = Wrist/Angle / 2")
+        val additions = Additions(emptyList(), formulas, folder).of(log)
+        additions.virtualTopics shouldContainExactly listOf("Twice = 2 * Arm/Angle")
+        val finding = additions.findings.single()
+        finding.source shouldBe "Far"
+        finding.text shouldBe "The arm went to 49 deg."
+        (finding.until > finding.time) shouldBe true
+        val page = makePages(pageJobs(listOf(log), folder), Additions(emptyList(), formulas, folder)).made.single()
+        Files.readString(page) shouldContain "The arm went to 49 deg."
+        Additions(emptyList(), formulas, folder).of(folder.resolve("gone.bag")).isEmpty shouldBe true
+    }
+
+    test("logs of the same name in different folders get pages of different names") {
+        val folder = tempdir().toPath()
+        val jobs = pageJobs(listOf("one/match.bag", "two/match.bag", "two/MATCH.bag").map(folder::resolve), folder)
+        jobs.map { it.page.fileName.toString() } shouldBe listOf("match.bag.html", "match.bag (2).html", "MATCH.bag (3).html")
+    }
+
+    test("the logs of a folder are those of its sub-folders too, and nothing else") {
+        val folder = tempdir().toPath()
+        Files.createDirectories(folder.resolve("day 2"))
+        for (name in listOf("b.bag", "day 2/a.bag.gz", "notes.txt", "a.CSV", "b.bag.html")) Files.writeString(folder.resolve(name), "")
+        logsIn(folder).map { folder.relativize(it).joinToString("/") }.toSet() shouldBe setOf("b.bag", "day 2/a.bag.gz", "a.CSV")
+    }
+})

@@ -1,0 +1,101 @@
+package badlog.viewer.findings
+
+import androidx.compose.runtime.snapshots.Snapshot
+import badlog.viewer.app.Viewer
+import badlog.viewer.panels.MainView
+import badlog.viewer.settings.UserFolders
+import io.kotest.assertions.nondeterministic.eventually
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.ints.shouldBeLessThan
+import io.kotest.matchers.shouldBe
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.Job
+import kotlinx.coroutines.cancel
+import kotlinx.coroutines.delay
+import kotlinx.coroutines.launch
+import kotlinx.coroutines.withContext
+import java.util.concurrent.CountDownLatch
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.atomic.AtomicInteger
+import kotlin.time.Duration.Companion.milliseconds
+import kotlin.time.Duration.Companion.seconds
+
+class RuleRunningSpec : FunSpec({
+    val home = tempdir().toPath()
+
+    /** A window without graphs, which the rules do not wait for. */
+    fun viewerIn(scope: CoroutineScope) = Viewer(scope, UserFolders(home, home)).apply { panels = panels.copy(main = MainView.LOGS) }
+
+    suspend fun over(test: suspend (Viewer) -> Unit) {
+        val scope = CoroutineScope(Dispatchers.Main + Job())
+        try {
+            test(viewerIn(scope))
+        } finally {
+            scope.cancel()
+        }
+    }
+
+    // Who waits for a change of the state hears of it when a frame is drawn, which nobody does here.
+    suspend fun change(change: () -> Unit) = withContext(Dispatchers.Main) {
+        change()
+        Snapshot.sendApplyNotifications()
+    }
+
+    test("the rules run over what is opened, and again when somebody wants it") {
+        val folder = tempdir().toPath()
+        writeRules(folder, ruleText("Half", "A > 50"))
+        over { viewer ->
+            viewer.scope.launch { viewer.ruleRunning.keep() }
+            change { viewer.open = counted(folder) }
+            eventually(10.seconds) { viewer.findings.list?.all?.map { it.rule } shouldBe listOf("Half") }
+            writeRules(folder, ruleText("Other", "A > 70"))
+            change { viewer.findings = viewer.findings.copy(timesAsked = 1) }
+            eventually(10.seconds) { viewer.findings.list?.all?.map { it.rule } shouldBe listOf("Other") }
+        }
+    }
+
+    test("a log that grows all the time is not looked at all the time, but its last state is") {
+        val folder = tempdir().toPath()
+        val runs = AtomicInteger()
+        over { viewer ->
+            val running = RuleRunning(viewer) { view, _, _ ->
+                runs.incrementAndGet()
+                FindingList(trouble = "${view.recording.rowCount} rows")
+            }
+            viewer.scope.launch { running.keep() }
+            repeat(20) { step ->
+                change { viewer.open = counted(folder, rows = step + 1) }
+                delay(50.milliseconds)
+            }
+            eventually(10.seconds) { viewer.findings.list?.trouble shouldBe "20 rows" }
+            runs.get() shouldBeLessThan 4
+        }
+    }
+
+    test("another recording gives up what runs") {
+        val began = CountDownLatch(1)
+        val interrupted = CountDownLatch(1)
+        over { viewer ->
+            val running = RuleRunning(viewer) { _, file, _ ->
+                if (file.endsWith("slow/counted.bag")) {
+                    began.countDown()
+                    try {
+                        Thread.sleep(60_000)
+                    } catch (e: InterruptedException) {
+                        interrupted.countDown()
+                        throw e
+                    }
+                }
+                FindingList(trouble = "quick")
+            }
+            viewer.scope.launch { running.keep() }
+            change { viewer.open = counted(home.resolve("slow")) }
+            began.await(10, TimeUnit.SECONDS) shouldBe true
+            change { viewer.open = counted(home.resolve("other")) }
+            interrupted.await(10, TimeUnit.SECONDS) shouldBe true
+            eventually(10.seconds) { viewer.findings.list?.trouble shouldBe "quick" }
+        }
+    }
+})

@@ -1,0 +1,99 @@
+package badlog.viewer.inspector
+
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.assertIsSelected
+import androidx.compose.ui.test.click
+import androidx.compose.ui.test.onAllNodesWithText
+import androidx.compose.ui.test.onNodeWithContentDescription
+import androidx.compose.ui.test.onNodeWithText
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performMouseInput
+import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.viewer.app.Viewer
+import badlog.viewer.app.ViewerScreen
+import badlog.viewer.findings.Findings
+import badlog.viewer.findings.counted
+import badlog.viewer.findings.findingsIn
+import badlog.viewer.findings.ruleText
+import badlog.viewer.findings.stepFinding
+import badlog.viewer.findings.word
+import badlog.viewer.findings.writeRules
+import badlog.viewer.graph.savePicture
+import badlog.viewer.graph.viewerOf
+import badlog.viewer.graph.waitForPictures
+import badlog.viewer.panels.InspectorTab
+import badlog.viewer.recording.OpenRecording
+import badlog.viewer.theme.Theme
+import badlog.viewer.theme.ViewerTheme
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.nulls.shouldNotBeNull
+import io.kotest.matchers.shouldBe
+import java.nio.file.Path
+
+@OptIn(ExperimentalTestApi::class)
+class FindingsPanelSpec : FunSpec({
+    fun inspecting(recording: OpenRecording): Viewer = viewerOf(recording).apply {
+        findings = Findings(findingsIn(recording))
+        panels = panels.copy(inspector = InspectorTab.FINDINGS, library = false)
+    }
+
+    fun folderOf(vararg rules: String): Path = tempdir().toPath().also { writeRules(it, *rules) }
+
+    test("a click on a finding takes the cursor and the view there, and the keys go on from it") {
+        val recording = counted(folderOf(ruleText("Early", "A < 5", "error"), ruleText("Late", "A > 90"), ruleText("None", "X > 1")))
+        val viewer = inspecting(recording)
+        viewer.viewport = viewer.viewport.showing(40.0, 50.0)
+        runDesktopComposeUiTest(320, 600) {
+            setContent { ViewerTheme(Theme.LIGHT) { InspectorPane(viewer) } }
+            onNodeWithText("1 error, 1 warning").assertExists()
+            onNodeWithContentDescription("Finding, warning: Late").performClick()
+            runOnIdle {
+                viewer.cursor shouldBe viewer.findings.list?.placed?.last()?.time
+                (viewer.cursor.shouldNotBeNull() in viewer.viewport.visible) shouldBe true
+                stepFinding(viewer, -1)
+            }
+            onNodeWithContentDescription("Finding, error: Early").assertIsSelected()
+            onNodeWithText("None").assertDoesNotExist()
+            onNodeWithText("1 rule could not be asked").performClick()
+            onNodeWithText("None").assertExists()
+        }
+    }
+
+    test("a wrong file of rules, and a log in which nothing was found, are told") {
+        val wrong = inspecting(counted(folderOf(ruleText("A", "A > 5", text = "A long text that no panel has room for, with a {plce} in it"))))
+        runDesktopComposeUiTest(320, 600) {
+            setContent { ViewerTheme(Theme.LIGHT) { InspectorPane(wrong) } }
+            onAllNodesWithText("badlog-rules.toml: Line 5", substring = true).fetchSemanticsNodes().size shouldBe 1
+            savePicture("findings-wrong-rules")
+        }
+        val nothing = inspecting(counted(folderOf(ruleText("Never", "A > 1000"))))
+        runDesktopComposeUiTest(320, 600) {
+            setContent { ViewerTheme(Theme.LIGHT) { InspectorPane(nothing) } }
+            onNodeWithText("Nothing was found.").assertExists()
+        }
+    }
+
+    test("sixty findings are marked on the time axis, and the pointer on one tells its text") {
+        val severities = listOf("error", "warning", "note")
+        val rules = List(60) { ruleText("Rule $it", "A > ${it + 10} and A < ${it + 13}", severities[it % 3]) }
+        for (theme in listOf(Theme.LIGHT, Theme.DARK)) {
+            val viewer = inspecting(counted(folderOf(*rules.toTypedArray())))
+            viewer.settings = viewer.settings.copy(theme = theme)
+            runDesktopComposeUiTest(1200, 700) {
+                setContent { ViewerScreen(viewer) }
+                waitForPictures(viewer)
+                val strip = onNodeWithContentDescription("Findings on the time axis")
+                strip.performMouseInput { moveTo(Offset(width * 0.45f, height / 2f)) }
+                val pointed = viewer.findings.pointed.shouldNotBeNull()
+                onNodeWithText("${pointed.severity.word}: ${pointed.rule}").assertExists()
+                savePicture("findings-${theme.name.lowercase()}")
+                strip.performMouseInput { click(Offset(width * 0.45f, height / 2f)) }
+                runOnIdle { viewer.cursor shouldBe pointed.time }
+                strip.performMouseInput { exit() }
+                runOnIdle { viewer.findings.pointed shouldBe null }
+            }
+        }
+    }
+})
