@@ -1,5 +1,7 @@
 package badlog.cli
 
+import badlog.cli.command.ExitCode
+import badlog.cli.console.Console
 import com.github.ajalt.clikt.core.CliktError
 import com.github.ajalt.clikt.core.parse
 

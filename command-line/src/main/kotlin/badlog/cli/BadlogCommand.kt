@@ -1,5 +1,9 @@
 package badlog.cli
 
+import badlog.cli.command.CommandLine
+import badlog.cli.command.EXIT_CODES
+import badlog.cli.command.Task
+import badlog.cli.command.paragraph
 import badlog.cli.convert.ConvertCommand
 import badlog.cli.cut.CutCommand
 import badlog.cli.export.ExportCommand
@@ -14,9 +18,15 @@ import com.github.ajalt.clikt.core.CliktError
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.CoreCliktCommand
 import com.github.ajalt.clikt.core.NoSuchSubcommand
+import com.github.ajalt.clikt.core.PrintHelpMessage
 import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.core.context
+import com.github.ajalt.clikt.core.obj
+import com.github.ajalt.clikt.core.parse
 import com.github.ajalt.clikt.core.subcommands
+import com.github.ajalt.clikt.parameters.arguments.argument
+import com.github.ajalt.clikt.parameters.arguments.help
+import com.github.ajalt.clikt.parameters.arguments.optional
 import com.github.ajalt.clikt.parameters.options.versionOption
 
 /**
@@ -46,7 +56,10 @@ internal class BadlogCommand(val arguments: List<String>) : CoreCliktCommand(NAM
         subcommands(logCommands)
         subcommands(HelpCommand())
         versionOption(BADLOG_VERSION, names = setOf("-V", "--version"), message = { "$NAME $it" })
-        context { readArgumentFile = null }
+        context {
+            readArgumentFile = null
+            obj = CommandLine(arguments)
+        }
     }
 
     override fun help(context: Context): String = paragraph(
@@ -69,5 +82,20 @@ internal class BadlogCommand(val arguments: List<String>) : CoreCliktCommand(NAM
     companion object {
         /** What a person types. */
         const val NAME = "badlog"
+    }
+}
+
+/** `badlog help cut`: says what `badlog cut --help` says. */
+internal class HelpCommand : CoreCliktCommand("help") {
+    private val command by argument("COMMAND").optional().help("The sub-command that is wondered about.")
+
+    override fun help(context: Context): String = "Says what a sub-command does."
+
+    override fun run() {
+        val root = currentContext.parent?.command as CoreCliktCommand
+        val wanted = command ?: throw PrintHelpMessage(root.currentContext)
+        val names = root.registeredSubcommandNames()
+        if (wanted !in names) throw NoSuchSubcommand(wanted, currentContext.suggestTypoCorrection(wanted, names))
+        root.parse(listOf(wanted, "--help"))
     }
 }

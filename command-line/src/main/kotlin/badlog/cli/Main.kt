@@ -1,5 +1,8 @@
 package badlog.cli
 
+import badlog.cli.command.ExitCode
+import badlog.cli.console.Console
+import badlog.cli.console.ResultStream
 import java.io.FileDescriptor
 import java.io.FileOutputStream
 import java.io.PrintStream

@@ -1,5 +1,6 @@
 package badlog.cli
 
+import badlog.cli.command.ExitCode
 import badlog.html.BADLOG_VERSION
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty

@@ -1,5 +1,7 @@
 package badlog.cli
 
+import badlog.cli.command.ExitCode
+import badlog.cli.console.Console
 import badlog.file.readRecording
 import badlog.wpilog.WpilogWriter
 import io.kotest.matchers.shouldBe

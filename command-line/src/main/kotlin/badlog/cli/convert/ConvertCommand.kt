@@ -1,8 +1,8 @@
 package badlog.cli.convert
 
-import badlog.cli.SubCommand
-import badlog.cli.Task
-import badlog.cli.analysis.VirtualTopicOption
+import badlog.cli.command.SubCommand
+import badlog.cli.command.Task
+import badlog.cli.command.VirtualTopicOption
 import badlog.cli.output.LogFormat
 import badlog.cli.output.OutputOptions
 import com.github.ajalt.clikt.core.UsageError

@@ -2,16 +2,15 @@ package badlog.cli.convert
 
 import badlog.analysis.LogView
 import badlog.analysis.resampled
-import badlog.cli.Console
-import badlog.cli.ExitCode
-import badlog.cli.Failure
-import badlog.cli.LogLoop
-import badlog.cli.Outcome
-import badlog.cli.Task
-import badlog.cli.analysis.undefinedLines
+import badlog.cli.command.ExitCode
+import badlog.cli.command.LogLoop
+import badlog.cli.command.Outcome
+import badlog.cli.command.Task
+import badlog.cli.console.Console
+import badlog.cli.input.Failure
+import badlog.cli.input.FileName
 import badlog.cli.input.LogInput
 import badlog.cli.input.readLog
-import badlog.cli.output.FileName
 import badlog.cli.output.LeftOut
 import badlog.cli.output.LogFormat
 import badlog.cli.output.OutputPlan
@@ -21,6 +20,7 @@ import badlog.cli.recover.Losses
 import badlog.cli.text.counted
 import badlog.cli.text.json
 import badlog.cli.text.lossLines
+import badlog.cli.text.undefinedLines
 import badlog.cli.text.wrapped
 import badlog.expression.withVirtualTopics
 import badlog.recording.Recording

@@ -1,7 +1,7 @@
 package badlog.cli.cut
 
-import badlog.cli.SubCommand
-import badlog.cli.Task
+import badlog.cli.command.SubCommand
+import badlog.cli.command.Task
 import badlog.cli.input.position
 import badlog.cli.output.OutputOptions
 import com.github.ajalt.clikt.core.UsageError

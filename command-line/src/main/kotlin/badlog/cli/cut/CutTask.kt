@@ -1,15 +1,15 @@
 package badlog.cli.cut
 
 import badlog.analysis.LogView
-import badlog.cli.Console
-import badlog.cli.ExitCode
-import badlog.cli.Failure
-import badlog.cli.LogLoop
-import badlog.cli.Outcome
-import badlog.cli.Task
+import badlog.cli.command.ExitCode
+import badlog.cli.command.LogLoop
+import badlog.cli.command.Outcome
+import badlog.cli.command.Task
+import badlog.cli.console.Console
+import badlog.cli.input.Failure
+import badlog.cli.input.FileName
 import badlog.cli.input.LogInput
 import badlog.cli.input.readLog
-import badlog.cli.output.FileName
 import badlog.cli.output.LeftOut
 import badlog.cli.output.LogFormat
 import badlog.cli.output.OutputPlan

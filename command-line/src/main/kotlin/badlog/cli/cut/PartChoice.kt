@@ -1,14 +1,65 @@
 package badlog.cli.cut
 
 import badlog.analysis.LogView
+import badlog.analysis.enabledSpans
+import badlog.cli.input.Failure
+import badlog.cli.input.Position
 import badlog.plot.Span
+import badlog.recording.Topic
+import badlog.recording.TopicKind
 
 /** A way to choose a part of a log by its x. */
 internal fun interface PartChoice {
     /**
      * Which stretches of x to keep; may overlap.
      *
-     * @throws badlog.cli.Failure when the log has nothing to choose by.
+     * @throws badlog.cli.input.Failure when the log has nothing to choose by.
      */
     fun spans(view: LogView): List<Span>
+}
+
+/** What lies from [from] to [to], both included; null is without end. */
+internal class RangeChoice(private val from: Position?, private val to: Position?) : PartChoice {
+    override fun spans(view: LogView): List<Span> = listOf(
+        Span(from?.on(view.xAxis) ?: Double.NEGATIVE_INFINITY, to?.on(view.xAxis) ?: Double.POSITIVE_INFINITY),
+    )
+}
+
+/** What the robot did while it was enabled, and [margin] before and after. */
+internal class EnabledChoice(private val margin: Double) : PartChoice {
+    override fun spans(view: LogView): List<Span> {
+        val spans = view.enabledSpans()
+        if (spans.isEmpty()) {
+            throw Failure(
+                "it does not tell when the robot was enabled: no topic is called Enabled, or it never is true, or x goes backwards.",
+            )
+        }
+        return spans.map { Span(it.span.from - margin, it.span.to + margin) }
+    }
+}
+
+/** What lies around each event, or change of state, whose text contains [text] in any case of letters. */
+internal class EventChoice(private val text: String, private val before: Double, private val after: Double) : PartChoice {
+    override fun spans(view: LogView): List<Span> {
+        val x = view.xAxis.positions
+        val spans = view.recording.topics
+            .flatMap { topic -> rowsOf(topic).mapNotNull { (topic.times ?: x).getOrNull(it) } }
+            .filter { it.isFinite() }
+            .map { Span(it - before, it + after) }
+        return spans.ifEmpty { throw Failure("no event and no state contains “$text”.") }
+    }
+
+    private fun rowsOf(topic: Topic): List<Int> {
+        val texts = topic.texts
+        val isMeant = BooleanArray(texts.dictionary.size) { texts.dictionary[it].contains(text, ignoreCase = true) }
+        // A state stands in every row; what happened is that it began.
+        val isState = topic.kind == TopicKind.STATE && "log" !in topic.attributes
+        return (0 until texts.size).filter { isMeant[texts.ids[it]] && (!isState || begins(topic, it)) }
+            .map { texts.rows[it] }
+    }
+
+    private fun begins(topic: Topic, index: Int): Boolean {
+        val texts = topic.texts
+        return index == 0 || texts.ids[index] != texts.ids[index - 1] || texts.rows[index] != texts.rows[index - 1] + 1
+    }
 }

@@ -1,10 +1,10 @@
 package badlog.cli.export
 
-import badlog.cli.SubCommand
-import badlog.cli.Task
-import badlog.cli.analysis.SearchOptions
-import badlog.cli.analysis.VirtualTopicOption
+import badlog.cli.command.SubCommand
+import badlog.cli.command.Task
+import badlog.cli.command.VirtualTopicOption
 import badlog.cli.output.OutputOptions
+import badlog.cli.search.SearchOptions
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.help
 import com.github.ajalt.clikt.parameters.options.multiple

@@ -1,15 +1,28 @@
 package badlog.cli.find
 
-import badlog.cli.SubCommand
-import badlog.cli.Task
-import badlog.cli.analysis.VirtualTopicOption
-import badlog.cli.cacheFolder
+import badlog.cli.command.ExitCode
+import badlog.cli.command.LogFiles
+import badlog.cli.command.Outcome
+import badlog.cli.command.Outcomes
+import badlog.cli.command.SubCommand
+import badlog.cli.command.Task
+import badlog.cli.command.VirtualTopicOption
+import badlog.cli.command.cacheFolder
+import badlog.cli.console.Console
+import badlog.expression.ExpressionErrorKind
+import badlog.report.Find
+import badlog.report.FindResult
+import badlog.report.Reply
+import badlog.report.findJson
+import badlog.report.findText
+import badlog.report.undefinedTexts
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.help
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.help
 import com.github.ajalt.clikt.parameters.options.option
+import java.nio.file.Path
 
 /** `badlog find`. */
 internal class FindCommand :
@@ -27,4 +40,58 @@ internal class FindCommand :
     override val words: List<String> get() = super.words + question
 
     override fun makeTask(): Task = FindTask(paths, question, virtual.definitions, if (isFresh) null else cacheFolder(), xTopic, isJson)
+}
+
+/**
+ * Asks [question] of every log below [paths].
+ *
+ * @param virtualTopics definitions of topics that it may use beside the logs' own.
+ * @param cache where answers are kept; null for nowhere.
+ * @param xTopic the topic to take as x axis, or null.
+ */
+internal class FindTask(
+    private val paths: List<Path>,
+    private val question: String,
+    private val virtualTopics: List<String>,
+    private val cache: Path?,
+    private val xTopic: String?,
+    private val isJson: Boolean,
+) : Task {
+    override fun run(console: Console): ExitCode {
+        val find = Find(question, virtualTopics, cache, xTopic)
+        find.mistake?.let {
+            console.warn(it.pointed)
+            return ExitCode.USAGE
+        }
+        val logs = LogFiles(paths, console)
+        val results = console.progress("find").use { bar ->
+            find.over(logs.files, { done, total -> bar.advanced(done.toLong(), total.toLong()) })
+        }
+        val mistake = mistakeIn(results)
+        if (mistake != null) {
+            // What the question lacks may be what was not defined.
+            undefinedTexts(results.filter { it.reply is Reply.NotAsked }.map { it.undefined }).forEach(console::warn)
+            console.warn(mistake.pointed)
+            return ExitCode.USAGE
+        }
+        val asked = results.filter { (it.reply as? Reply.Unreadable)?.isNoLog != true }
+        if (!isJson && asked.isNotEmpty()) console.say(findText(asked))
+        val outcomes = Outcomes("find", console, isJson)
+        val resultOf = results.associateBy { it.file }
+        logs.tell(outcomes) { input, file ->
+            val result = resultOf.getValue(file)
+            when (val reply = result.reply) {
+                is Reply.Unreadable -> outcomes.unreadable(input, reply.message, reply.isNoLog)
+                else -> outcomes.done(input.file, Outcome(result.isSalvaged, "", findJson(result)))
+            }
+        }
+        return outcomes.end()
+    }
+
+    /** What is wrong with the question itself; a topic that a log lacks is no mistake as long as another has it. */
+    private fun mistakeIn(results: List<FindResult>): Reply.NotAsked? {
+        val refusals = results.map { it.reply }.filterIsInstance<Reply.NotAsked>()
+        if (results.any { it.reply is Reply.Answered }) return null
+        return refusals.firstOrNull { it.kind != ExpressionErrorKind.UNKNOWN_TOPIC } ?: refusals.firstOrNull()
+    }
 }

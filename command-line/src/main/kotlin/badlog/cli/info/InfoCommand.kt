@@ -1,12 +1,24 @@
 package badlog.cli.info
 
-import badlog.cli.SubCommand
-import badlog.cli.Task
-import badlog.cli.analysis.VirtualTopicOption
+import badlog.analysis.LogView
+import badlog.cli.command.ExitCode
+import badlog.cli.command.LogLoop
+import badlog.cli.command.Outcome
+import badlog.cli.command.SubCommand
+import badlog.cli.command.Task
+import badlog.cli.command.VirtualTopicOption
+import badlog.cli.console.Console
+import badlog.cli.input.readLog
+import badlog.expression.withVirtualTopics
+import badlog.report.UndefinedTopic
+import badlog.report.undefinedJson
+import badlog.report.undefinedTexts
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.help
 import com.github.ajalt.clikt.parameters.options.option
+import java.nio.file.Files
+import java.nio.file.Path
 
 /** `badlog info`. */
 internal class InfoCommand :
@@ -31,5 +43,61 @@ internal class InfoCommand :
             if (showsProblems) add(InfoPart.PROBLEMS)
         }
         return InfoTask(paths, parts, xTopic, virtual.definitions, isJson)
+    }
+}
+
+/** What may be shown of a log beside its summary. */
+internal enum class InfoPart {
+    /** A table of the topics. */
+    TOPICS,
+
+    /** Below each topic its attributes. */
+    ATTRIBUTES,
+
+    /** The values. */
+    VALUES,
+
+    /** What was wrong in the file, without notes. */
+    WORST,
+
+    /** What was wrong in the file, and what was only odd. */
+    PROBLEMS,
+}
+
+/**
+ * Says what is in logs.
+ *
+ * @param parts what to show; empty for all of one log, and for one line of each of several.
+ * @param xTopic the topic to take as x axis, or null.
+ * @param virtualTopics definitions of topics to add.
+ */
+internal class InfoTask(
+    private val paths: List<Path>,
+    private val parts: Set<InfoPart>,
+    private val xTopic: String?,
+    private val virtualTopics: List<String>,
+    private val isJson: Boolean,
+) : Task {
+    override fun run(console: Console): ExitCode {
+        val isOverview = !isJson && parts.isEmpty() && (paths.size > 1 || Files.isDirectory(paths[0]))
+        val shown = parts.ifEmpty { setOf(InfoPart.TOPICS, InfoPart.VALUES, InfoPart.WORST) }
+        var isFirst = true
+        val undefined = ArrayList<List<UndefinedTopic>>()
+        val code = LogLoop("info", console, isJson).run(paths) { input, progress ->
+            val recording = readLog(input.file, progress, xTopic)
+            val with = LogView.of(recording).withVirtualTopics(virtualTopics)
+            val summary = LogSummary(input.file, Files.size(input.file), with.view)
+            val text = when {
+                isJson -> ""
+                isOverview -> (if (isFirst) OverviewText.titles() + "\n" else "") + OverviewText.line(summary)
+                else -> (if (isFirst) "" else "\n") + InfoText(summary, shown).text()
+            }
+            isFirst = false
+            undefined += with.errors.map(::UndefinedTopic)
+            val json = if (isJson) infoJson(summary) + mapOf("undefined" to undefinedJson(with.errors)) else emptyMap()
+            Outcome(recording.isSalvaged, text, json)
+        }
+        if (!isJson) undefinedTexts(undefined).forEach(console::say)
+        return code
     }
 }

@@ -2,6 +2,9 @@ package badlog.cli.info
 
 import badlog.analysis.LogView
 import badlog.analysis.Units
+import badlog.analysis.XAxis
+import badlog.recording.Topic
+import badlog.recording.TopicKind
 import java.nio.file.Path
 
 /**
@@ -21,4 +24,70 @@ internal class LogSummary(val file: Path, val bytes: Long, val view: LogView) {
 
     /** Each topic, in the order of the file. */
     val topics: List<TopicSummary> = view.recording.topics.map { TopicSummary.of(it, view.xAxis, secondsPerX) }
+}
+
+/**
+ * What there is to say about one topic.
+ *
+ * @property count how many samples it has: numbers, or texts of states and events.
+ * @property rate samples per second from its first to its last, or null where x is no time or nothing lies between.
+ * @property min the smallest finite number, NaN without any.
+ * @property max the largest finite number, NaN without any.
+ * @property gaps how many times it has no number for a while; null where that is no lack: of texts, and of sparse topics.
+ */
+internal class TopicSummary private constructor(
+    val topic: Topic,
+    val count: Int,
+    val rate: Double?,
+    val min: Double,
+    val max: Double,
+    val gaps: Int?,
+) {
+    /** Whether its samples are texts. */
+    val hasTexts: Boolean get() = isText(topic.kind)
+
+    companion object {
+        /** Looks at all samples of [topic] over [xAxis], whose unit is [secondsPerX] seconds. */
+        fun of(topic: Topic, xAxis: XAxis, secondsPerX: Double?): TopicSummary {
+            val x = topic.times ?: xAxis.positions
+            val isText = isText(topic.kind)
+            var min = Double.POSITIVE_INFINITY
+            var max = Double.NEGATIVE_INFINITY
+            var numbers = 0
+            var first = -1
+            var last = -1
+            val samples = topic.samples
+            for (row in samples.indices) {
+                val number = samples[row]
+                if (!number.isFinite()) continue
+                if (first < 0) first = row
+                last = row
+                numbers++
+                if (number < min) min = number
+                if (number > max) max = number
+            }
+            if (isText) {
+                first = topic.texts.rows.firstOrNull() ?: -1
+                last = topic.texts.rows.lastOrNull() ?: -1
+            }
+            val count = if (isText) topic.texts.size else numbers
+            val hasGaps = !isText && topic.kind != TopicKind.EMPTY && !topic.isSparse
+            return TopicSummary(
+                topic = topic,
+                count = count,
+                rate = secondsPerX?.let { rate(count, x, first, last, it) },
+                min = if (numbers > 0) min else Double.NaN,
+                max = if (numbers > 0) max else Double.NaN,
+                gaps = if (hasGaps) topic.counts.gaps else null,
+            )
+        }
+
+        private fun rate(count: Int, x: DoubleArray, first: Int, last: Int, secondsPerX: Double): Double? {
+            if (count < 2) return null
+            val seconds = (x[last] - x[first]) * secondsPerX
+            return if (seconds > 0 && seconds.isFinite()) (count - 1) / seconds else null
+        }
+
+        private fun isText(kind: TopicKind) = kind == TopicKind.STATE || kind == TopicKind.EVENT
+    }
 }

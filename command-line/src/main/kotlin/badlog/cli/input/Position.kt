@@ -2,7 +2,6 @@ package badlog.cli.input
 
 import badlog.analysis.Units
 import badlog.analysis.XAxis
-import badlog.cli.Failure
 import com.github.ajalt.clikt.parameters.options.NullableOption
 import com.github.ajalt.clikt.parameters.options.RawOption
 import com.github.ajalt.clikt.parameters.options.convert

@@ -1,7 +1,5 @@
 package badlog.cli.input
 
-import badlog.cli.Failure
-import badlog.cli.output.FileName
 import badlog.file.readRecording
 import badlog.recording.ProblemKind
 import badlog.recording.Recording
@@ -33,3 +31,9 @@ internal fun readLog(file: Path, progress: Progress, xTopic: String? = null): Re
 private fun isFormerWpilog(file: Path, recording: Recording) =
     recording.format == RecordingFormat.CSV && recording.isSalvaged && recording.rowCount > 0 &&
         FileName.of(file).ending.lowercase() == ".wpilog"
+
+/** The bytes of a file are no log at all. The message is one sentence for a person. */
+internal class NotALog(override val message: String) : Exception(message)
+
+/** Why something cannot be done with a log. The message is one sentence for a person: what, where, and what to do. */
+internal class Failure(override val message: String) : Exception(message)

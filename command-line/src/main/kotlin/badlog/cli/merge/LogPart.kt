@@ -1,11 +1,16 @@
 package badlog.cli.merge
 
 import badlog.analysis.LogView
+import badlog.analysis.Units
 import badlog.analysis.XAxis
-import badlog.cli.output.FileName
+import badlog.cli.input.Failure
+import badlog.cli.input.FileName
+import badlog.cli.topic.part
+import badlog.cli.topic.with
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
 import badlog.recording.Topic
+import badlog.recording.TopicKind
 import java.nio.file.Path
 
 /** A log that becomes part of another. */
@@ -35,3 +40,36 @@ internal class LogPart(val file: Path, val recording: Recording) {
     /** Its topic [name], or null. */
     fun topic(name: String): Topic? = topicOf[name]
 }
+
+/**
+ * The same log without rows: each topic has times of its own, in s, which take the place of the topic of x. Rows that come after
+ * one of a later x, as of a clock that was set, are sorted; a row without x goes with the row before it.
+ *
+ * @throws Failure when its x is no time.
+ */
+internal fun LogPart.withOwnTimes(): LogPart {
+    if (!hasRows) return this
+    val x = xTopic ?: throw Failure("$file has no x axis, so nothing tells where its rows belong; name the topic by --x.")
+    val isNone = x.unit.isEmpty() || x.unit == Topic.UNITLESS
+    val seconds = Units.secondsIn(x.unit) ?: 1.0.takeIf { isNone }
+        ?: throw Failure("$file counts x in ${x.unit}, but a WPILOG in s; these are not one clock.")
+    var last = Double.NaN
+    val at = DoubleArray(x.size) { row -> this.x[row].let { if (it.isFinite()) it * seconds else last }.also { last = it } }
+    val rows = at.indices.filter { !at[it].isNaN() }.sortedBy { at[it] }.toIntArray()
+    val times = DoubleArray(rows.size) { at[rows[it]] }
+    val topics = recording.topics.filter { it !== x }.map { topicAt(it, rows, times) }
+    return LogPart(file, Recording(RecordingFormat.WPILOG, null, recording.values, topics, 0, recording.problems))
+}
+
+private fun topicAt(topic: Topic, rows: IntArray, times: DoubleArray): Topic {
+    val isEvent = topic.kind == TopicKind.EVENT || EVENT_LOG in topic.attributes
+    val described = if (isEvent && EVENT_LOG !in topic.attributes) topic.with(topic.attributes + EVENT_LOG) else topic
+    val whole = described.part(rows, times)
+    // What is logged at times of its own has nothing between them, not a gap.
+    if (!isEvent && !topic.isSparse) return whole
+    val hasText = BooleanArray(rows.size).also { has -> whole.texts.rows.forEach { has[it] = true } }
+    val kept = rows.indices.filter { hasText[it] || (whole.samples.isNotEmpty() && !whole.samples[it].isNaN()) }.toIntArray()
+    return whole.part(kept, DoubleArray(kept.size) { times[kept[it]] })
+}
+
+private const val EVENT_LOG = "log"

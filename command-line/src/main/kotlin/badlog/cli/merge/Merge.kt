@@ -1,6 +1,6 @@
 package badlog.cli.merge
 
-import badlog.cli.Failure
+import badlog.cli.input.Failure
 import badlog.cli.topic.CellSource
 import badlog.cli.topic.TopicBuilder
 import badlog.recording.Recording
@@ -96,4 +96,24 @@ internal class Merge(parts: List<LogPart>, mode: MergeMode) {
     private fun isOther(unit: String, than: String) = unit != than && !isNone(unit) && !isNone(than)
 
     private fun isNone(unit: String) = unit.isEmpty() || unit == Topic.UNITLESS
+}
+
+/** How logs become one. */
+internal enum class MergeMode {
+    /** Those with the same topics one after the other, then those with different ones side by side. */
+    BY_TOPICS,
+
+    /** All one after the other; topics that one lacks are empty there. */
+    APPEND,
+
+    /** All side by side. */
+    JOIN,
+    ;
+
+    /** Which of [parts] follow each other; those of different lists stand side by side. */
+    fun groupsOf(parts: List<LogPart>): List<List<LogPart>> = when (this) {
+        APPEND -> listOf(parts)
+        JOIN -> parts.map(::listOf)
+        BY_TOPICS -> parts.groupBy { part -> part.recording.topics.mapTo(HashSet()) { it.name } }.values.toList()
+    }
 }

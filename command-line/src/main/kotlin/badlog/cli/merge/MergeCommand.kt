@@ -1,7 +1,7 @@
 package badlog.cli.merge
 
-import badlog.cli.SubCommand
-import badlog.cli.Task
+import badlog.cli.command.SubCommand
+import badlog.cli.command.Task
 import badlog.cli.output.OutputPlan
 import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.parameters.options.flag

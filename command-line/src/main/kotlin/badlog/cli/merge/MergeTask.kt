@@ -1,11 +1,11 @@
 package badlog.cli.merge
 
-import badlog.cli.Console
-import badlog.cli.ExitCode
-import badlog.cli.Failure
-import badlog.cli.LogLoop
-import badlog.cli.Outcomes
-import badlog.cli.Task
+import badlog.cli.command.ExitCode
+import badlog.cli.command.LogLoop
+import badlog.cli.command.Outcomes
+import badlog.cli.command.Task
+import badlog.cli.console.Console
+import badlog.cli.input.Failure
 import badlog.cli.input.LogInput
 import badlog.cli.input.LogSearch
 import badlog.cli.input.NotALog

@@ -24,3 +24,6 @@ internal class Merged(val recording: Recording, val groups: List<Group>, val ren
             }.filterNotNull().filter { it.one.xTopic != null || !it.one.hasRows }
     }
 }
+
+/** A stretch of x, [from] until [to], in which both [one] and [other] have rows. */
+internal class Overlap(val one: LogPart, val other: LogPart, val from: Double, val to: Double)

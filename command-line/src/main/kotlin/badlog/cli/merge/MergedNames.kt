@@ -29,3 +29,6 @@ internal class MergedNames {
         return values
     }
 }
+
+/** What is called [from] in [part] is called [to] in the merge. */
+internal class Renaming(val part: LogPart, val from: String, val to: String)

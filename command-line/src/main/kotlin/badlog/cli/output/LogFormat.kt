@@ -1,8 +1,11 @@
 package badlog.cli.output
 
-import badlog.cli.Failure
+import badlog.cli.input.Failure
+import badlog.cli.input.FileName
+import badlog.cli.topic.part
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
+import badlog.wpilog.WpilogWriter
 import java.nio.file.Path
 
 /**
@@ -69,3 +72,12 @@ internal enum class LogFormat(val ending: String, private val recordingFormat: R
         fun of(recording: Recording): LogFormat = entries.first { it.recordingFormat == recording.format }
     }
 }
+
+/** Writes the rows [runs] of [recording], or all samples of one without rows, as a WPILOG; returns what that cannot carry. */
+internal fun writeSamples(
+    recording: Recording,
+    runs: List<IntRange>,
+    changesOnly: Boolean,
+    progress: (done: Long, total: Long) -> Unit,
+    sink: (ByteArray, Int) -> Unit,
+): LeftOut = LeftOut(omissions = WpilogWriter(recording.part(runs), changesOnly).write(progress, sink))

@@ -1,6 +1,6 @@
 package badlog.cli.recover
 
-import badlog.cli.Outcome
+import badlog.cli.command.Outcome
 import badlog.cli.output.LeftOut
 import badlog.cli.text.counted
 import badlog.cli.text.json

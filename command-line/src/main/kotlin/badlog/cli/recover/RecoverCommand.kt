@@ -1,9 +1,27 @@
 package badlog.cli.recover
 
-import badlog.cli.SubCommand
-import badlog.cli.Task
+import badlog.cli.command.ExitCode
+import badlog.cli.command.LogLoop
+import badlog.cli.command.Outcome
+import badlog.cli.command.SubCommand
+import badlog.cli.command.Task
+import badlog.cli.console.Console
+import badlog.cli.input.Failure
+import badlog.cli.input.FileName
+import badlog.cli.input.LogInput
+import badlog.cli.input.readLog
+import badlog.cli.output.LeftOut
+import badlog.cli.output.LogFormat
 import badlog.cli.output.OutputOptions
+import badlog.cli.output.OutputPlan
+import badlog.cli.output.copyBeginning
+import badlog.cli.output.writeLog
+import badlog.file.readRecording
+import badlog.recording.Recording
+import badlog.recording.Topic
+import badlog.terminal.Progress
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
+import java.nio.file.Path
 
 /** `badlog recover`. */
 internal class RecoverCommand :
@@ -16,4 +34,54 @@ internal class RecoverCommand :
     private val output by OutputOptions()
 
     override fun makeTask(): Task = RecoverTask(paths, output.plan(paths), isJson)
+}
+
+/** Writes clean logs from damaged ones. */
+internal class RecoverTask(private val paths: List<Path>, private val plan: OutputPlan, private val isJson: Boolean) : Task {
+    override fun run(console: Console): ExitCode = LogLoop("recover", console, isJson).run(paths, ::recover)
+
+    private fun recover(input: LogInput, progress: Progress): Outcome {
+        val recording = readLog(input.file, progress)
+        val losses = Losses(recording)
+        if (!plan.isGiven && !losses.isDamaged) return losses.outcome(input.file, target = null, LeftOut())
+        if (recording.topics.isEmpty() || (losses.isDamaged && recording.sampleCount == 0L)) {
+            val reason = recording.problems.firstOrNull()?.message.orEmpty()
+            throw Failure("${input.file}: nothing can be recovered. $reason".trim())
+        }
+        val target = plan.place(input, FileName.of(input.file).marked("recovered"), input.file.fileName.toString())
+        val leftOut = write(input.file, recording, losses, target, progress)
+        requireSame(recording, target)
+        return losses.outcome(input.file, target, leftOut)
+    }
+
+    private fun write(file: Path, recording: Recording, losses: Losses, target: Path, progress: Progress): LeftOut {
+        val format = LogFormat.of(recording)
+        val lostBytes = losses.bytesAtEnd
+        if (format.hasRows || lostBytes == null) return writeLog(recording, format, target, progress = progress)
+        // A WPILOG of our own has the fields of structs, not the structs.
+        copyBeginning(file, lostBytes, target, progress)
+        return LeftOut()
+    }
+}
+
+/**
+ * Reads [written] again, which was made of [recording], and makes sure that it is whole and holds as much.
+ *
+ * @throws Failure when it is not.
+ */
+internal fun requireSame(recording: Recording, written: Path) {
+    val again = readRecording(written, keepSamples = false)
+    val hasAll = again.rowCount == recording.rowCount && again.topics.map(::contentOf) == recording.topics.map(::contentOf)
+    if (again.isSalvaged || !hasAll) {
+        throw Failure(
+            "$written was written but does not read as the same: a text in it looks like rows, or a name cannot stand in a " +
+                "line of titles; compare it with badlog info.",
+        )
+    }
+}
+
+/** What its cells hold, however they are written. */
+private fun contentOf(topic: Topic): List<Any> {
+    val counts = topic.counts
+    return listOf(topic.name, counts.numbers + counts.truthValues, counts.texts)
 }

@@ -1,10 +1,10 @@
 package badlog.cli.report
 
-import badlog.cli.SubCommand
-import badlog.cli.Task
-import badlog.cli.analysis.SearchOptions
-import badlog.cli.analysis.VirtualTopicOption
-import badlog.cli.cacheFolder
+import badlog.cli.command.SubCommand
+import badlog.cli.command.Task
+import badlog.cli.command.VirtualTopicOption
+import badlog.cli.command.cacheFolder
+import badlog.cli.search.SearchOptions
 import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.flag
@@ -45,3 +45,6 @@ internal class ReportCommand :
         return ReportTask(paths, search.search(virtual.definitions), form, folder, isForced, if (isFresh) null else cacheFolder(), xTopic)
     }
 }
+
+/** How findings are printed. */
+internal enum class ReportForm { TEXT, CSV, JSON }

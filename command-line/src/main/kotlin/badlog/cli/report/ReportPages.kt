@@ -1,6 +1,6 @@
 package badlog.cli.report
 
-import badlog.cli.Outcomes
+import badlog.cli.command.Outcomes
 import badlog.html.ExportException
 import badlog.report.LogReport
 import badlog.report.ReportResult

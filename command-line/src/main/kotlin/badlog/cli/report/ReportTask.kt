@@ -1,13 +1,13 @@
 package badlog.cli.report
 
-import badlog.cli.Console
-import badlog.cli.ExitCode
-import badlog.cli.Outcome
-import badlog.cli.Outcomes
-import badlog.cli.Task
-import badlog.cli.analysis.Search
-import badlog.cli.analysis.SearchException
-import badlog.cli.input.LogFiles
+import badlog.cli.command.ExitCode
+import badlog.cli.command.LogFiles
+import badlog.cli.command.Outcome
+import badlog.cli.command.Outcomes
+import badlog.cli.command.Task
+import badlog.cli.console.Console
+import badlog.cli.search.Search
+import badlog.cli.search.SearchException
 import badlog.html.ExportException
 import badlog.report.LogReport
 import badlog.report.Report

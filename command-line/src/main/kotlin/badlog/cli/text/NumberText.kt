@@ -1,5 +1,6 @@
 package badlog.cli.text
 
+import badlog.recording.Topic
 import java.math.BigDecimal
 import java.math.MathContext
 import kotlin.math.abs
@@ -36,3 +37,21 @@ internal fun sizeText(bytes: Long): String = when {
 private const val DIGITS = 6
 private const val PLAIN_FROM = 1e-4
 private const val PLAIN_TO = 1e9
+
+/** Positions and lengths on an x axis, as a person reads them. */
+internal object XTime {
+    /** [position] in [unit], as a person reads it. */
+    fun text(position: Double, unit: String): String =
+        shortNumber(position) + if (unit.isEmpty() || unit == Topic.UNITLESS) "" else " $unit"
+
+    /** [seconds] as minutes and seconds, `1:32.5`, or from an hour on as `1:20:05`. */
+    fun clock(seconds: Double): String {
+        val tenths = Math.round(seconds * 10)
+        val whole = tenths / 10
+        val minutes = whole / 60
+        if (minutes < 60) return "$minutes:${twoDigits(whole % 60)}.${tenths % 10}"
+        return "${minutes / 60}:${twoDigits(minutes % 60)}:${twoDigits(whole % 60)}"
+    }
+
+    private fun twoDigits(number: Long) = number.toString().padStart(2, '0')
+}

@@ -1,5 +1,6 @@
 package badlog.cli.text
 
+import badlog.expression.ExpressionError
 import badlog.recording.Problem
 import badlog.recording.Severity
 
@@ -18,3 +19,6 @@ private fun lineOf(problem: Problem, indent: String): String {
 }
 
 private const val SEVERITY = 9
+
+/** A line or more for each of [errors], after two blanks: the virtual topics that a log does not get, and why. */
+internal fun undefinedLines(errors: List<ExpressionError>): List<String> = errors.flatMap { it.pointed().lines() }.map { "  $it" }

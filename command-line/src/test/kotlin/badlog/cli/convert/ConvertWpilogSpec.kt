@@ -1,10 +1,10 @@
 package badlog.cli.convert
 
-import badlog.cli.ExitCode
 import badlog.cli.Logged
 import badlog.cli.SAMPLES
 import badlog.cli.badlog
 import badlog.cli.badlogJson
+import badlog.cli.command.ExitCode
 import badlog.cli.inFolder
 import badlog.cli.names
 import badlog.cli.sampleLog

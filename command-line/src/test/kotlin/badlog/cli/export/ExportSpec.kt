@@ -3,10 +3,10 @@ package badlog.cli.export
 import badlog.cli.BAG
 import badlog.cli.CUT_BAG
 import badlog.cli.Ended
-import badlog.cli.ExitCode
 import badlog.cli.HAS_PYTHON
 import badlog.cli.badlog
 import badlog.cli.badlogJson
+import badlog.cli.command.ExitCode
 import badlog.cli.inFolder
 import badlog.cli.names
 import badlog.cli.with

@@ -2,10 +2,10 @@ package badlog.cli.info
 
 import badlog.cli.BAG
 import badlog.cli.CUT_BAG
-import badlog.cli.ExitCode
 import badlog.cli.SAMPLES
 import badlog.cli.badlog
 import badlog.cli.badlogJson
+import badlog.cli.command.ExitCode
 import badlog.cli.inFolder
 import badlog.cli.with
 import io.kotest.core.spec.style.FunSpec

@@ -1,9 +1,9 @@
 package badlog.cli.merge
 
-import badlog.cli.ExitCode
 import badlog.cli.Logged
 import badlog.cli.badlog
 import badlog.cli.badlogJson
+import badlog.cli.command.ExitCode
 import badlog.cli.inFolder
 import badlog.cli.sampleLog
 import badlog.cli.with

@@ -2,11 +2,11 @@ package badlog.cli.recover
 
 import badlog.cli.BAG
 import badlog.cli.CUT_BAG
-import badlog.cli.ExitCode
 import badlog.cli.ROOT
 import badlog.cli.SAMPLES
 import badlog.cli.badlog
 import badlog.cli.badlogJson
+import badlog.cli.command.ExitCode
 import badlog.cli.gzip
 import badlog.cli.inFolder
 import badlog.cli.names

@@ -1,9 +1,9 @@
 package badlog.cli.replay
 
-import badlog.cli.ExitCode
 import badlog.cli.SAMPLES
 import badlog.cli.badlog
 import badlog.cli.badlogJson
+import badlog.cli.command.ExitCode
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe

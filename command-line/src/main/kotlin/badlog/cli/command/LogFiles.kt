@@ -1,7 +1,8 @@
-package badlog.cli.input
+package badlog.cli.command
 
-import badlog.cli.Console
-import badlog.cli.Outcomes
+import badlog.cli.console.Console
+import badlog.cli.input.LogInput
+import badlog.cli.input.LogSearch
 import badlog.file.LogFile
 import badlog.file.UnreadableFileException
 import badlog.file.reading

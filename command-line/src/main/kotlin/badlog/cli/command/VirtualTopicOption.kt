@@ -1,4 +1,4 @@
-package badlog.cli.analysis
+package badlog.cli.command
 
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import com.github.ajalt.clikt.parameters.options.help

@@ -1,4 +1,4 @@
-package badlog.cli
+package badlog.cli.command
 
 import java.nio.file.Path
 

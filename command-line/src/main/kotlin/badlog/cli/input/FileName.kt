@@ -1,4 +1,4 @@
-package badlog.cli.output
+package badlog.cli.input
 
 import badlog.report.startOfBytes
 import java.nio.file.Path

@@ -1,4 +1,4 @@
-package badlog.cli
+package badlog.cli.console
 
 import java.nio.charset.Charset
 

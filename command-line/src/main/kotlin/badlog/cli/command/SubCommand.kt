@@ -1,9 +1,11 @@
-package badlog.cli
+package badlog.cli.command
 
+import badlog.cli.text.wrapped
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.CoreCliktCommand
 import com.github.ajalt.clikt.core.NoSuchOption
 import com.github.ajalt.clikt.core.UsageError
+import com.github.ajalt.clikt.core.requireObject
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.help
 import com.github.ajalt.clikt.parameters.arguments.multiple
@@ -12,6 +14,9 @@ import com.github.ajalt.clikt.parameters.options.help
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.path
 import java.nio.file.Path
+
+/** What was typed after the program's name. */
+internal class CommandLine(val arguments: List<String>)
 
 /**
  * The options of one sub-command, and what they ask for. Parsing does nothing yet: it ends with a [task].
@@ -32,6 +37,8 @@ internal abstract class SubCommand(
     /** Whether programs read the results. */
     protected val isJson: Boolean by option("--json").flag().help("Print one JSON object a line, for programs.")
 
+    private val commandLine by requireObject<CommandLine>()
+
     /** What was asked for; null until its arguments were parsed. */
     var task: Task? = null
         private set
@@ -51,8 +58,7 @@ internal abstract class SubCommand(
     }
 
     private fun requireNoOption() {
-        val typed = (currentContext.parent?.command as BadlogCommand).arguments
-        val before = typed.takeWhile { it != "--" }.toSet()
+        val before = commandLine.arguments.takeWhile { it != "--" }.toSet()
         val unknown = words.firstOrNull { it.startsWith("-") && it.length > 1 && it in before } ?: return
         val name = unknown.substringBefore('=')
         val names = registeredOptions().flatMap { it.names }
@@ -65,3 +71,12 @@ internal abstract class SubCommand(
 
     final override fun helpEpilog(context: Context): String = paragraph(EXIT_CODES)
 }
+
+/** What every help text ends with. */
+internal const val EXIT_CODES: String =
+    "Exit code: 0 all is whole, 3 something was salvaged or left out, 1 nothing could be done, 2 wrong usage."
+
+/** [text] in lines that fit a terminal, with room for the margin that help texts have. */
+internal fun paragraph(text: String): String = wrapped("", text, width = HELP_WIDTH)
+
+private const val HELP_WIDTH = 76

@@ -1,4 +1,4 @@
-package badlog.cli.analysis
+package badlog.cli.search
 
 import badlog.report.hook.HookRunner
 import badlog.report.hook.commandWords

@@ -1,4 +1,12 @@
-package badlog.cli
+package badlog.cli.command
+
+import badlog.cli.console.Console
+
+/** What a command line asks for, once it is understood. */
+internal fun interface Task {
+    /** Does it. Whatever goes wrong with the logs is told and counted, never thrown. */
+    fun run(console: Console): ExitCode
+}
 
 /**
  * How `badlog` ended, as scripts see it.

@@ -1,5 +1,6 @@
-package badlog.cli
+package badlog.cli.console
 
+import badlog.cli.text.grouped
 import badlog.terminal.ProgressBar
 import badlog.terminal.printable
 import java.io.PrintStream
@@ -44,5 +45,33 @@ internal class Console(
     /** Lines may end as CSV has it. */
     private fun cleaned(text: String) = text.split('\n').joinToString("\n") { line ->
         if (line.endsWith('\r')) printable(line.dropLast(1)) + '\r' else printable(line)
+    }
+}
+
+/**
+ * Shows on a terminal how many files were looked at for logs, when that takes long enough to wonder. Closed, it leaves no trace.
+ *
+ * @param patience nanoseconds for which nothing is shown, and after which it is shown anew.
+ */
+internal class SearchCount(private val err: PrintStream, private val isShown: Boolean, private val patience: Long = 500_000_000L) :
+    AutoCloseable {
+    private var shown = System.nanoTime()
+    private var files = 0L
+    private var width = 0
+
+    /** Another file was looked at. */
+    fun next() {
+        files++
+        if (!isShown || System.nanoTime() - shown < patience) return
+        shown = System.nanoTime()
+        val text = "looking for logs: ${grouped(files)} files"
+        err.print("\r" + text.padEnd(width))
+        err.flush()
+        width = text.length
+    }
+
+    override fun close() {
+        if (width > 0) err.print("\r" + " ".repeat(width) + "\r")
+        err.flush()
     }
 }

@@ -1,4 +1,4 @@
-package badlog.cli.analysis
+package badlog.cli.search
 
 import badlog.file.UnreadableFileException
 import badlog.file.reading
@@ -64,3 +64,6 @@ internal class Search(private val rules: Path?, private val hooks: List<HookRunn
         const val DEFAULT_RULES = "default"
     }
 }
+
+/** Nothing can be looked for as it was asked. The message is for a person. */
+internal class SearchException(override val message: String) : Exception(message)

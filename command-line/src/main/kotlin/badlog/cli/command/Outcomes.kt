@@ -1,10 +1,21 @@
-package badlog.cli
+package badlog.cli.command
 
+import badlog.cli.console.Console
+import badlog.cli.console.Spelling
 import badlog.cli.input.LogInput
 import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 import java.nio.file.Path
+
+/**
+ * What came of one log.
+ *
+ * @property isSalvaged whether something of the log is lost.
+ * @property text what a person reads about it.
+ * @property json what a program reads about it, in this order, besides its file and status.
+ */
+internal class Outcome(val isSalvaged: Boolean, val text: String, val json: Map<String, JsonElement>)
 
 /** Says what came of each log, and counts it for the exit code. */
 internal class Outcomes(private val command: String, private val console: Console, private val isJson: Boolean) {

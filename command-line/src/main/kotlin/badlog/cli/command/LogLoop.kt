@@ -1,5 +1,7 @@
-package badlog.cli
+package badlog.cli.command
 
+import badlog.cli.console.Console
+import badlog.cli.input.Failure
 import badlog.cli.input.LogInput
 import badlog.cli.input.LogSearch
 import badlog.cli.input.NotALog

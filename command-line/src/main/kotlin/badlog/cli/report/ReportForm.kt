@@ -1,4 +1,0 @@
-package badlog.cli.report
-
-/** How findings are printed. */
-internal enum class ReportForm { TEXT, CSV, JSON }
