@@ -1,7 +1,5 @@
 package badlog.analysis
 
-import badlog.plot.Span
-import badlog.plot.StateRuns
 import badlog.recording.PathName
 import badlog.recording.Topic
 

@@ -1,7 +1,7 @@
 package badlog.analysis
 
+import badlog.analysis.Span
 import badlog.bag.BagParser
-import badlog.plot.Span
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 

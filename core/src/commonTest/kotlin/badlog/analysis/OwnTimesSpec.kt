@@ -1,6 +1,6 @@
 package badlog.analysis
 
-import badlog.plot.Span
+import badlog.analysis.Span
 import badlog.recording.ProblemKind
 import badlog.recording.Topic
 import badlog.wpilog.TestLog

@@ -1,6 +1,6 @@
 package badlog.html
 
-import badlog.plot.Span
+import badlog.analysis.Span
 import badlog.recording.Severity
 
 /**

@@ -1,9 +1,9 @@
 package badlog.page
 
+import badlog.analysis.Span
 import badlog.bag.BagTopic
 import badlog.html.PageAdditions
 import badlog.html.PageFinding
-import badlog.plot.Span
 import badlog.recording.Severity
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.doubles.shouldBeGreaterThan

@@ -1,11 +1,11 @@
 package badlog.cli.cut
 
 import badlog.analysis.LogView
+import badlog.analysis.Span
 import badlog.cli.input.Failure
 import badlog.cli.text.XTime
 import badlog.cli.topic.part
 import badlog.cli.topic.with
-import badlog.plot.Span
 import badlog.recording.Recording
 import badlog.recording.Topic
 import badlog.recording.TopicKind

@@ -1,10 +1,10 @@
 package badlog.cli.cut
 
 import badlog.analysis.LogView
+import badlog.analysis.Span
 import badlog.analysis.enabledSpans
 import badlog.cli.input.Failure
 import badlog.cli.input.Position
-import badlog.plot.Span
 import badlog.recording.Topic
 import badlog.recording.TopicKind
 

@@ -1,6 +1,6 @@
 package badlog.cli.cut
 
-import badlog.plot.Span
+import badlog.analysis.Span
 import java.util.BitSet
 
 /** The same places of x in spans that ascend and do not touch. */

@@ -1,5 +1,6 @@
 package badlog.cli.cut
 
+import badlog.analysis.Span
 import badlog.cli.BAG
 import badlog.cli.badlog
 import badlog.cli.badlogJson
@@ -7,7 +8,6 @@ import badlog.cli.command.ExitCode
 import badlog.cli.inFolder
 import badlog.cli.with
 import badlog.file.readRecording
-import badlog.plot.Span
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe

@@ -1,5 +1,6 @@
 package badlog.cli.cut
 
+import badlog.analysis.Span
 import badlog.cli.Logged
 import badlog.cli.badlog
 import badlog.cli.badlogJson
@@ -8,7 +9,6 @@ import badlog.cli.inFolder
 import badlog.cli.sampleLog
 import badlog.cli.wpilog
 import badlog.file.readRecording
-import badlog.plot.Span
 import badlog.recording.Recording
 import badlog.recording.TopicKind
 import io.kotest.core.spec.style.FunSpec

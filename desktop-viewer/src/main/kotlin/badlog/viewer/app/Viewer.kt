@@ -4,7 +4,7 @@ import androidx.compose.runtime.derivedStateOf
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
-import badlog.plot.Span
+import badlog.analysis.Span
 import badlog.viewer.compare.Comparison
 import badlog.viewer.compare.ComparisonLoading
 import badlog.viewer.files.FileChoice

@@ -7,7 +7,7 @@ import androidx.compose.ui.graphics.PathEffect
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Fill
 import androidx.compose.ui.graphics.drawscope.Stroke
-import badlog.plot.Span
+import badlog.analysis.Span
 import badlog.recording.Severity
 import badlog.report.rules.Finding
 import badlog.viewer.graph.drawBand

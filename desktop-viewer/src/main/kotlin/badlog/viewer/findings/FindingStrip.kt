@@ -14,7 +14,7 @@ import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import badlog.plot.Span
+import badlog.analysis.Span
 import badlog.report.rules.Finding
 import badlog.viewer.app.Viewer
 import badlog.viewer.graph.GraphScene

@@ -14,7 +14,7 @@ import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Constraints
 import androidx.compose.ui.unit.sp
-import badlog.plot.Span
+import badlog.analysis.Span
 import badlog.viewer.graph.plot.PlotPicture
 import badlog.viewer.graph.plot.PlotState
 import badlog.viewer.graph.plot.Ticks

@@ -10,7 +10,7 @@ import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.graphicsLayer
-import badlog.plot.Span
+import badlog.analysis.Span
 import badlog.viewer.findings.drawShownFinding
 import badlog.viewer.graph.plot.PlotPicture
 import badlog.viewer.graph.plot.PlotState

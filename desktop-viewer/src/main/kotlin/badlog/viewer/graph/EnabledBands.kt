@@ -5,7 +5,7 @@ import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import badlog.analysis.EnabledSpan
-import badlog.plot.Span
+import badlog.analysis.Span
 import badlog.viewer.theme.Palette
 
 /** Shades where the robot was enabled, where [visible] is seen; its own control in another tint than a driver's. */

@@ -3,7 +3,7 @@ package badlog.viewer.graph
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.drawscope.DrawScope
-import badlog.plot.Span
+import badlog.analysis.Span
 import badlog.viewer.recording.MatchingEvents
 import badlog.viewer.theme.Palette
 

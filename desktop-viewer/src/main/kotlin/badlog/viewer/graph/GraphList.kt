@@ -1,6 +1,6 @@
 package badlog.viewer.graph
 
-import badlog.plot.Span
+import badlog.analysis.Span
 
 /**
  * The graphs of the window, from top to bottom. Never changes; each transition gives a new one.

@@ -1,6 +1,6 @@
 package badlog.viewer.graph
 
-import badlog.plot.Span
+import badlog.analysis.Span
 
 /**
  * What one graph shows, by names only: the same graph fits every recording of a robot, and a layout keeps it.

@@ -25,7 +25,7 @@ import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import badlog.plot.Span
+import badlog.analysis.Span
 import badlog.viewer.findings.drawFindings
 import badlog.viewer.findings.drawShownFinding
 import badlog.viewer.graph.plot.PlotRequest

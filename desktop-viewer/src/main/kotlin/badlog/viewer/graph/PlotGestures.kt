@@ -1,6 +1,6 @@
 package badlog.viewer.graph
 
-import badlog.plot.Span
+import badlog.analysis.Span
 import badlog.viewer.app.Viewer
 import kotlin.math.abs
 import kotlin.math.exp

@@ -26,7 +26,7 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Constraints
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
-import badlog.plot.Span
+import badlog.analysis.Span
 import badlog.viewer.text.axisTexts
 import badlog.viewer.text.cursorText
 import badlog.viewer.theme.LocalPalette

@@ -1,8 +1,8 @@
 package badlog.viewer.inspector
 
 import badlog.analysis.SeriesStatistics
+import badlog.analysis.Span
 import badlog.analysis.statistics
-import badlog.plot.Span
 import badlog.recording.Topic
 import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.recording.Signal

@@ -1,6 +1,6 @@
 package badlog.viewer.layout
 
-import badlog.plot.Span
+import badlog.analysis.Span
 import badlog.viewer.graph.GraphList
 import badlog.viewer.graph.GraphSpec
 import badlog.viewer.graph.LineSpec

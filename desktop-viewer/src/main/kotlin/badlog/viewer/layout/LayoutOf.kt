@@ -1,6 +1,6 @@
 package badlog.viewer.layout
 
-import badlog.plot.Span
+import badlog.analysis.Span
 import badlog.viewer.app.Viewer
 import badlog.viewer.compare.Alignment
 import badlog.viewer.graph.GraphList

@@ -1,7 +1,7 @@
 package badlog.viewer.layout
 
 import androidx.compose.runtime.snapshotFlow
-import badlog.plot.Span
+import badlog.analysis.Span
 import badlog.viewer.app.Viewer
 import badlog.viewer.formula.takeFormulas
 import badlog.viewer.graph.GraphList

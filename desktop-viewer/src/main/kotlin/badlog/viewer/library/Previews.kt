@@ -7,7 +7,7 @@ import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.PointMode
 import androidx.compose.ui.graphics.drawscope.DrawScope
-import badlog.plot.Span
+import badlog.analysis.Span
 import badlog.viewer.library.index.LogEntry
 import badlog.viewer.library.index.PreviewLine
 import badlog.viewer.library.index.TopicSummary

@@ -1,6 +1,6 @@
 package badlog.viewer.playback
 
-import badlog.plot.Span
+import badlog.analysis.Span
 
 /**
  * How the cursor runs by itself.

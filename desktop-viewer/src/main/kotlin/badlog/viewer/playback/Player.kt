@@ -3,9 +3,9 @@ package badlog.viewer.playback
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.withFrameNanos
+import badlog.analysis.Span
 import badlog.analysis.Units
 import badlog.analysis.XAxis
-import badlog.plot.Span
 import badlog.viewer.app.Viewer
 
 /** Lets the cursor run, frame by frame, while it is to. */

@@ -1,6 +1,6 @@
 package badlog.viewer.recording
 
-import badlog.plot.Span
+import badlog.analysis.Span
 
 /** From the smallest to the largest of [positions] that are finite; null when none is. */
 internal fun finiteSpan(positions: DoubleArray): Span? {

@@ -3,11 +3,11 @@ package badlog.viewer.recording
 import badlog.analysis.EnabledSpan
 import badlog.analysis.EventLog
 import badlog.analysis.LogView
+import badlog.analysis.Span
 import badlog.analysis.enabledSpans
 import badlog.expression.ViewWithVirtualTopics
 import badlog.expression.withVirtualTopics
 import badlog.file.readRecording
-import badlog.plot.Span
 import java.io.IOException
 import java.nio.file.Path
 

@@ -3,7 +3,7 @@ package badlog.viewer.recording
 import badlog.analysis.Event
 import badlog.analysis.EventLog
 import badlog.analysis.Series
-import badlog.plot.Span
+import badlog.analysis.Span
 import badlog.viewer.text.wordsOf
 import kotlin.math.abs
 

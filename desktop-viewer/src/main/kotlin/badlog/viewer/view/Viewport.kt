@@ -1,6 +1,6 @@
 package badlog.viewer.view
 
-import badlog.plot.Span
+import badlog.analysis.Span
 import kotlin.math.abs
 
 /**

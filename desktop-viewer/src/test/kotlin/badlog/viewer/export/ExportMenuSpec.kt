@@ -9,7 +9,7 @@ import androidx.compose.ui.test.onNodeWithContentDescription
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
-import badlog.plot.Span
+import badlog.analysis.Span
 import badlog.viewer.app.Viewer
 import badlog.viewer.app.ViewerScreen
 import badlog.viewer.compare.Comparison

@@ -1,6 +1,6 @@
 package badlog.viewer.findings
 
-import badlog.plot.Span
+import badlog.analysis.Span
 import badlog.recording.Severity
 import badlog.viewer.inspector.summaryOf
 import io.kotest.core.spec.style.FunSpec

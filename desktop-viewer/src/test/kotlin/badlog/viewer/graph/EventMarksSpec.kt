@@ -1,6 +1,6 @@
 package badlog.viewer.graph
 
-import badlog.plot.Span
+import badlog.analysis.Span
 import badlog.viewer.bagOf
 import badlog.viewer.recordingOf
 import io.kotest.core.spec.style.FunSpec

@@ -9,7 +9,7 @@ import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performMouseInput
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
-import badlog.plot.Span
+import badlog.analysis.Span
 import badlog.viewer.theme.Palette
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain

@@ -2,7 +2,7 @@ package badlog.viewer.graph
 
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
-import badlog.plot.Span
+import badlog.analysis.Span
 import badlog.viewer.theme.Theme
 import io.kotest.core.spec.style.FunSpec
 

@@ -1,6 +1,6 @@
 package badlog.viewer.inspector
 
-import badlog.plot.Span
+import badlog.analysis.Span
 import badlog.recording.Problem
 import badlog.recording.ProblemKind
 import badlog.viewer.bagOf

@@ -3,7 +3,7 @@ package badlog.viewer.layout
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
-import badlog.plot.Span
+import badlog.analysis.Span
 import badlog.viewer.app.Viewer
 import badlog.viewer.export.armBag
 import badlog.viewer.export.recordingOf

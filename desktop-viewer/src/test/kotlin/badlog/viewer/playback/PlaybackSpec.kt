@@ -1,6 +1,6 @@
 package badlog.viewer.playback
 
-import badlog.plot.Span
+import badlog.analysis.Span
 import badlog.viewer.graph.bagOf
 import badlog.viewer.graph.recordingOf
 import badlog.viewer.graph.viewerOf

@@ -1,7 +1,7 @@
 package badlog.viewer.text
 
 import badlog.analysis.EnabledSpan
-import badlog.plot.Span
+import badlog.analysis.Span
 import badlog.viewer.graph.bagOf
 import badlog.viewer.graph.recordingOf
 import io.kotest.core.spec.style.FunSpec

@@ -1,6 +1,6 @@
 package badlog.viewer.view
 
-import badlog.plot.Span
+import badlog.analysis.Span
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.doubles.shouldBeGreaterThanOrEqual

@@ -1,8 +1,8 @@
 package badlog.page.embedded
 
 import badlog.analysis.Series
+import badlog.analysis.Span
 import badlog.page.view.Finding
-import badlog.plot.Span
 import badlog.recording.Severity
 import badlog.recording.Value
 import kotlinx.browser.document

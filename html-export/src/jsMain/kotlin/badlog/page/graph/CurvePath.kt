@@ -1,7 +1,7 @@
 package badlog.page.graph
 
 import badlog.page.dom.json
-import badlog.plot.Curve
+import badlog.plot.curve.Curve
 import org.w3c.dom.Path2D
 import kotlin.math.PI
 

@@ -1,7 +1,7 @@
 package badlog.page.graph
 
+import badlog.analysis.Span
 import badlog.page.view.EventTimeline
-import badlog.plot.Span
 import kotlin.math.floor
 
 /**

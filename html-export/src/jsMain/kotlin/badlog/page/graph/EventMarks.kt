@@ -1,7 +1,7 @@
 package badlog.page.graph
 
+import badlog.analysis.Span
 import badlog.page.view.Scene
-import badlog.plot.Span
 import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D
 import org.w3c.dom.Path2D

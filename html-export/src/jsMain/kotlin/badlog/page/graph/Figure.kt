@@ -1,8 +1,8 @@
 package badlog.page.graph
 
 import badlog.analysis.PixelColumns
-import badlog.plot.Span
-import badlog.plot.YLimits
+import badlog.analysis.Span
+import badlog.plot.axis.YLimits
 import org.w3c.dom.CanvasRenderingContext2D
 
 /** What a plot shows inside its frame: lines, or lanes of states. */

@@ -2,12 +2,12 @@ package badlog.page.graph
 
 import badlog.analysis.Graph
 import badlog.analysis.PixelColumns
+import badlog.analysis.Span
+import badlog.analysis.StateRuns
 import badlog.page.view.Palette
-import badlog.plot.LaneBlock
-import badlog.plot.Span
-import badlog.plot.StateRuns
-import badlog.plot.YLimits
-import badlog.plot.laneBlocks
+import badlog.plot.axis.YLimits
+import badlog.plot.lane.LaneBlock
+import badlog.plot.lane.laneBlocks
 import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D
 import kotlin.math.ceil

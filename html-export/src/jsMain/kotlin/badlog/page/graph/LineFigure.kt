@@ -2,11 +2,11 @@ package badlog.page.graph
 
 import badlog.analysis.Graph
 import badlog.analysis.PixelColumns
+import badlog.analysis.Span
 import badlog.page.dom.json
 import badlog.page.view.Palette
-import badlog.plot.Curve
-import badlog.plot.Span
-import badlog.plot.YLimits
+import badlog.plot.axis.YLimits
+import badlog.plot.curve.Curve
 import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D
 

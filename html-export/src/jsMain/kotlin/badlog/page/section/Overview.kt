@@ -1,5 +1,6 @@
 package badlog.page.section
 
+import badlog.analysis.Span
 import badlog.page.dom.EscapeKey
 import badlog.page.dom.ResizeObserver
 import badlog.page.dom.add
@@ -10,7 +11,6 @@ import badlog.page.graph.drawEventMarks
 import badlog.page.graph.drawFindingMarks
 import badlog.page.view.Scene
 import badlog.page.view.findingText
-import badlog.plot.Span
 import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D
 import org.w3c.dom.HTMLCanvasElement

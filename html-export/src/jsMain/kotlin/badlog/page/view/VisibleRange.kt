@@ -1,6 +1,6 @@
 package badlog.page.view
 
-import badlog.plot.Span
+import badlog.analysis.Span
 import kotlin.math.abs
 
 /**

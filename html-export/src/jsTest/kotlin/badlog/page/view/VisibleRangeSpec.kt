@@ -1,6 +1,6 @@
 package badlog.page.view
 
-import badlog.plot.Span
+import badlog.analysis.Span
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 

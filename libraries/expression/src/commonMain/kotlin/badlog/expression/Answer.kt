@@ -1,7 +1,7 @@
 package badlog.expression
 
+import badlog.analysis.Span
 import badlog.analysis.Units
-import badlog.plot.Span
 
 /**
  * What an [Expression] came to over one recording.

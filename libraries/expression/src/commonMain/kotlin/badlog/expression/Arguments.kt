@@ -1,6 +1,6 @@
 package badlog.expression
 
-import badlog.plot.Span
+import badlog.analysis.Span
 
 /**
  * What a function is called with.

@@ -4,9 +4,9 @@ import badlog.analysis.EnabledSpan
 import badlog.analysis.GraphSeries
 import badlog.analysis.LogView
 import badlog.analysis.Series
+import badlog.analysis.Span
 import badlog.analysis.Units
 import badlog.analysis.enabledSpans
-import badlog.plot.Span
 import badlog.recording.Topic
 import badlog.recording.TopicKind
 

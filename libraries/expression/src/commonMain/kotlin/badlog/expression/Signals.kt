@@ -2,7 +2,7 @@ package badlog.expression
 
 import badlog.analysis.EnabledSpan
 import badlog.analysis.Series
-import badlog.plot.Span
+import badlog.analysis.Span
 
 /** The named signals of one recording, as expressions see them. An implementation keeps what it made: it is asked often. */
 public interface Signals {

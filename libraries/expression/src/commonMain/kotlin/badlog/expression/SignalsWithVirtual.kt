@@ -2,7 +2,7 @@ package badlog.expression
 
 import badlog.analysis.EnabledSpan
 import badlog.analysis.Series
-import badlog.plot.Span
+import badlog.analysis.Span
 
 /**
  * These signals and the virtual [topic], which may have been read with the vocabulary of either this or what this was made

@@ -1,6 +1,6 @@
 package badlog.expression
 
-import badlog.plot.Span
+import badlog.analysis.Span
 
 /**
  * Spans of time, in the order in which they came.

@@ -1,8 +1,8 @@
 package badlog.expression
 
+import badlog.analysis.Span
 import badlog.analysis.TrapezoidSum
 import badlog.analysis.select
-import badlog.plot.Span
 import kotlin.math.sqrt
 
 // Whole recordings in one figure. Samples without a finite value do not count, and without any other there is no figure.

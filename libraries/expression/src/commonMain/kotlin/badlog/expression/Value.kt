@@ -1,6 +1,6 @@
 package badlog.expression
 
-import badlog.plot.Span
+import badlog.analysis.Span
 
 /** What a part of an expression came to. */
 internal sealed interface Value

@@ -2,7 +2,7 @@ package badlog.expression
 
 import badlog.analysis.EnabledSpan
 import badlog.analysis.Series
-import badlog.plot.Span
+import badlog.analysis.Span
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 

@@ -2,7 +2,7 @@ package badlog.expression
 
 import badlog.analysis.EnabledSpan
 import badlog.analysis.Series
-import badlog.plot.Span
+import badlog.analysis.Span
 import kotlin.random.Random
 
 /** Makes expressions that fit together, over the signals of [randomSignals]. */

@@ -2,7 +2,7 @@ package badlog.expression
 
 import badlog.analysis.EnabledSpan
 import badlog.analysis.Series
-import badlog.plot.Span
+import badlog.analysis.Span
 
 /** Signals from what a test says. */
 internal class SampleSignals(

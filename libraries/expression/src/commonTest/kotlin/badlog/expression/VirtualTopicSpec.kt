@@ -1,8 +1,8 @@
 package badlog.expression
 
 import badlog.analysis.LogView
+import badlog.analysis.Span
 import badlog.bag.BagParser
-import badlog.plot.Span
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import kotlin.random.Random

@@ -1,7 +1,7 @@
 package badlog.expression
 
 import badlog.analysis.LogView
-import badlog.plot.Span
+import badlog.analysis.Span
 import badlog.wpilog.WpilogParser
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe

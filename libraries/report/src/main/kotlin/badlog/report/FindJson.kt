@@ -1,8 +1,8 @@
 package badlog.report
 
+import badlog.analysis.Span
 import badlog.expression.ExpressionError
 import badlog.expression.Figure
-import badlog.plot.Span
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonNull

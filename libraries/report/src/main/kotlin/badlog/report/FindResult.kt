@@ -1,10 +1,10 @@
 package badlog.report
 
+import badlog.analysis.Span
 import badlog.expression.ExpressionErrorKind
 import badlog.expression.Figure
 import badlog.expression.Outcome
 import badlog.file.LogFile
-import badlog.plot.Span
 import kotlinx.serialization.Serializable
 
 /**

@@ -1,7 +1,7 @@
 package badlog.report
 
+import badlog.analysis.Span
 import badlog.file.LogFile
-import badlog.plot.Span
 import badlog.report.hook.HookOutcome
 import badlog.report.hook.HookRunner
 import badlog.report.rules.Finding

@@ -1,7 +1,7 @@
 package badlog.report
 
+import badlog.analysis.Span
 import badlog.expression.Figure
-import badlog.plot.Span
 import kotlinx.serialization.KSerializer
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.descriptors.SerialDescriptor

@@ -1,6 +1,6 @@
 package badlog.report
 
-import badlog.plot.Span
+import badlog.analysis.Span
 import badlog.recording.Severity
 import badlog.report.hook.HAS_PYTHON
 import badlog.report.hook.HookOutcome

@@ -1,7 +1,7 @@
 package badlog.viewer.export.cut
 
+import badlog.analysis.Span
 import badlog.bag.RecordingWriter
-import badlog.plot.Span
 import badlog.recording.RecordingFormat
 import badlog.viewer.app.Viewer
 import badlog.viewer.files.askToWrite

@@ -1,8 +1,8 @@
 package badlog.viewer.export.cut
 
+import badlog.analysis.Span
 import badlog.analysis.resampled
 import badlog.analysis.timesOf
-import badlog.plot.Span
 import badlog.recording.Recording
 import badlog.recording.Topic
 import badlog.viewer.recording.OpenRecording

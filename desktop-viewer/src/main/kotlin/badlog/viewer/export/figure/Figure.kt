@@ -1,6 +1,6 @@
 package badlog.viewer.export.figure
 
-import badlog.plot.Span
+import badlog.analysis.Span
 
 /**
  * A picture of graphs below one another over the same x, with all that is to be read in it. Holds as many points as its

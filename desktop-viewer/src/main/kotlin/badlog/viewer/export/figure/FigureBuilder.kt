@@ -1,10 +1,10 @@
 package badlog.viewer.export.figure
 
 import badlog.analysis.PixelColumns
+import badlog.analysis.Span
 import badlog.analysis.Units
-import badlog.plot.Curve
-import badlog.plot.Span
-import badlog.plot.YLimits
+import badlog.plot.axis.YLimits
+import badlog.plot.curve.Curve
 import badlog.recording.PathName
 import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.graph.GraphSpec

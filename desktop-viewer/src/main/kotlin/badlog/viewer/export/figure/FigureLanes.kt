@@ -1,8 +1,8 @@
 package badlog.viewer.export.figure
 
-import badlog.plot.Span
-import badlog.plot.StateRuns
-import badlog.plot.laneBlocks
+import badlog.analysis.Span
+import badlog.analysis.StateRuns
+import badlog.plot.lane.laneBlocks
 import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.graph.plot.laneColour
 import badlog.viewer.recording.Signal

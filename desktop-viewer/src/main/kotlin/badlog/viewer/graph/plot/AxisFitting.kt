@@ -1,7 +1,7 @@
 package badlog.viewer.graph.plot
 
-import badlog.plot.Span
-import badlog.plot.YLimits
+import badlog.analysis.Span
+import badlog.plot.axis.YLimits
 import badlog.viewer.text.axisTexts
 
 /**

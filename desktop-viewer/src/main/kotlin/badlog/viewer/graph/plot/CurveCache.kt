@@ -1,6 +1,6 @@
 package badlog.viewer.graph.plot
 
-import badlog.plot.StateRuns
+import badlog.analysis.StateRuns
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.recording.Signal
 import java.util.WeakHashMap

@@ -1,7 +1,7 @@
 package badlog.viewer.graph.plot
 
-import badlog.plot.Curve
-import badlog.plot.Span
+import badlog.analysis.Span
+import badlog.plot.curve.Curve
 
 /**
  * The points of a curve, x in pixels already, y still as it was logged: the scale of y is known only when all lines of a graph are.

@@ -12,7 +12,7 @@ import androidx.compose.ui.text.drawText
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Constraints
 import androidx.compose.ui.unit.sp
-import badlog.plot.Span
+import badlog.analysis.Span
 import badlog.viewer.theme.Palette
 
 /** Draws the lanes of [picture] where [visible] is seen now, each block with its state's name where that fits. */

@@ -1,7 +1,7 @@
 package badlog.viewer.graph.plot
 
 import badlog.analysis.Series
-import badlog.plot.LaneBlock
+import badlog.plot.lane.LaneBlock
 
 /**
  * A lane of states in pixels.

@@ -3,7 +3,7 @@ package badlog.viewer.graph.plot
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.drawIntoCanvas
 import androidx.compose.ui.graphics.skiaCanvas
-import badlog.plot.Span
+import badlog.analysis.Span
 import org.jetbrains.skia.Rect
 import org.jetbrains.skia.SamplingMode
 

@@ -1,8 +1,8 @@
 package badlog.viewer.graph.plot
 
+import badlog.analysis.Span
 import badlog.analysis.Units
-import badlog.plot.Span
-import badlog.plot.laneBlocks
+import badlog.plot.lane.laneBlocks
 import kotlin.math.ceil
 
 /** How many lines and lanes one graph draws; nobody can tell more apart. */

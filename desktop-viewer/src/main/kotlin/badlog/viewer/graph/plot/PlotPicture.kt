@@ -1,6 +1,6 @@
 package badlog.viewer.graph.plot
 
-import badlog.plot.Span
+import badlog.analysis.Span
 import org.jetbrains.skia.Image
 
 /**

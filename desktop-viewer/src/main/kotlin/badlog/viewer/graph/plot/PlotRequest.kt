@@ -1,6 +1,6 @@
 package badlog.viewer.graph.plot
 
-import badlog.plot.Span
+import badlog.analysis.Span
 import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.graph.GraphSpec
 import badlog.viewer.theme.Palette

@@ -4,7 +4,7 @@ import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.unit.IntSize
-import badlog.plot.Span
+import badlog.analysis.Span
 import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.graph.OVERVIEW
 

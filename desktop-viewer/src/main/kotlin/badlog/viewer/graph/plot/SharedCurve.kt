@@ -2,7 +2,7 @@ package badlog.viewer.graph.plot
 
 import badlog.analysis.PixelColumns
 import badlog.analysis.Series
-import badlog.plot.Curve
+import badlog.plot.curve.Curve
 
 /**
  * The curve of a series, for whoever draws it: graphs are computed on several threads, a curve can be used by one at a time.

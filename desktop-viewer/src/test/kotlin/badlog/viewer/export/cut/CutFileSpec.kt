@@ -1,7 +1,7 @@
 package badlog.viewer.export.cut
 
+import badlog.analysis.Span
 import badlog.file.readRecording
-import badlog.plot.Span
 import badlog.recording.RecordingFormat
 import badlog.recording.Severity
 import badlog.viewer.export.armBag

@@ -1,7 +1,7 @@
 package badlog.viewer.export.figure
 
 import badlog.analysis.LogView
-import badlog.plot.Span
+import badlog.analysis.Span
 import badlog.recording.CellCounts
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat

@@ -1,6 +1,6 @@
 package badlog.report.rules
 
-import badlog.plot.Span
+import badlog.analysis.Span
 import badlog.recording.Severity
 import badlog.report.SpanSerializer
 import kotlinx.serialization.Serializable

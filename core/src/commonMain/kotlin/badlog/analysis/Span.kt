@@ -1,4 +1,4 @@
-package badlog.plot
+package badlog.analysis
 
 /**
  * A part of an axis.

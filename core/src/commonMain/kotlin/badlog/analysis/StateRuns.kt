@@ -1,6 +1,4 @@
-package badlog.plot
-
-import badlog.analysis.Series
+package badlog.analysis
 
 /**
  * The stretches over which a series of states stays in one: run `i` is in [states]`[i]` from [from]`[i]` to [to]`[i]`,

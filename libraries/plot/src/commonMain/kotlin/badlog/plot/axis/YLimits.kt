@@ -1,4 +1,4 @@
-package badlog.plot
+package badlog.plot.axis
 
 import kotlin.math.abs
 

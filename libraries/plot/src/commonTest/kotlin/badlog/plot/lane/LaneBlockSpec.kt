@@ -1,6 +1,8 @@
-package badlog.plot
+package badlog.plot.lane
 
 import badlog.analysis.Series
+import badlog.analysis.Span
+import badlog.analysis.StateRuns
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 

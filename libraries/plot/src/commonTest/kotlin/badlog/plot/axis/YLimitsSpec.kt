@@ -1,4 +1,4 @@
-package badlog.plot
+package badlog.plot.axis
 
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.doubles.shouldBeLessThan

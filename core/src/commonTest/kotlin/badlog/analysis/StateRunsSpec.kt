@@ -1,6 +1,5 @@
-package badlog.plot
+package badlog.analysis
 
-import badlog.analysis.Series
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 

@@ -1,5 +1,7 @@
-package badlog.plot
+package badlog.plot.lane
 
+import badlog.analysis.Span
+import badlog.analysis.StateRuns
 import kotlin.math.ceil
 import kotlin.math.floor
 

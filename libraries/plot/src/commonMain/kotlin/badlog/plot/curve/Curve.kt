@@ -1,4 +1,4 @@
-package badlog.plot
+package badlog.plot.curve
 
 import badlog.analysis.Downsampling
 import badlog.analysis.PixelColumns
