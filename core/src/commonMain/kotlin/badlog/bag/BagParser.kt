@@ -17,8 +17,14 @@ import badlog.recording.Topic
  * @param expectedBytes how long the file will be, if known: spares columns from growing beyond what its rows need. 0 when it
  *   is not known.
  * @param keepSamples false to find only topics, counts and problems, in memory that does not grow with the file.
+ * @param forAll calls its function for each number from 0 until the first argument, in any order, on several threads where there
+ *   are some, and returns when all calls have. Used for what takes long in each column.
  */
-public class BagParser(private val expectedBytes: Long = 0, private val keepSamples: Boolean = true) {
+public class BagParser(
+    private val expectedBytes: Long = 0,
+    private val keepSamples: Boolean = true,
+    private val forAll: (count: Int, work: (Int) -> Unit) -> Unit = { count, work -> repeat(count, work) },
+) {
     private val decoder = TextDecoder()
     private val problems = ProblemList()
     private val pending = PendingBytes()
@@ -29,6 +35,9 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
 
     /** How many rows have been read so far. */
     public val rowCount: Int get() = rows?.rowCount ?: 0
+
+    /** What a [RowBatchParser] has to know to read rows of this file; null while the header is not read, and where no rows follow. */
+    public val readsDecimalComma: BooleanArray? get() = if (ignoresTheRest) null else rowReader()?.readsDecimalComma
 
     private val ignoresTheRest: Boolean get() = header.isNoLog || rows?.gaveUp == true
 
@@ -41,6 +50,18 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
             if (!waitsForLineEnd || lineEndIn(bytes, at, end) < end || pending.size > LONGEST_WAIT) advance(false)
             at = end
         }
+    }
+
+    /**
+     * Takes what a [RowBatchParser] read of the bytes that follow those of the calls before, in place of the bytes.
+     *
+     * @return false where no row begins there, for a row or a hole goes on; the bytes themselves are then to be given.
+     */
+    public fun accept(batch: RowBatch): Boolean {
+        val reader = rowReader()
+        if (reader == null || ignoresTheRest || pending.size > 0 || holeBytes > 0 || pending.isAfterHole) return false
+        reader.add(batch)
+        return true
     }
 
     /** Says that the file has ended, and returns what was read. To be called once, last. */
@@ -74,9 +95,10 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
 
     private fun readRow(isEnd: Boolean): Int {
         if (ignoresTheRest) return pending.end
-        val reader = rows ?: header.columns?.let { rowsOf(it) }?.also { rows = it }
-        return reader?.read(isEnd) ?: pending.end
+        return rowReader()?.read(isEnd) ?: pending.end
     }
+
+    private fun rowReader(): RowReader? = rows ?: header.columns?.let { rowsOf(it) }?.also { rows = it }
 
     private fun rowsOf(columns: HeaderColumns) = RowReader(
         pending,
@@ -86,6 +108,7 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
         keepSamples,
         endsInNewline = header.line != null,
         expectedBytes,
+        forAll,
     )
 
     /** Without a line of titles there are no rows, but the line of JSON may still tell which topics there were to be. */

@@ -31,6 +31,7 @@ internal class ColumnBuilder(
     private var emptyCount = 0
     private var gapCount = 0
     private var lastGapRow = -2
+    private var firstGapRow = -1
 
     /** The first text met, as a reader would quote it, and the line it stands on. */
     var firstText: String? = null
@@ -87,6 +88,7 @@ internal class ColumnBuilder(
 
     private fun addGap(row: Int) {
         if (row != lastGapRow + 1) gapCount++
+        if (lastGapRow < 0) firstGapRow = row
         lastGapRow = row
         addNumber(row, Double.NaN)
     }
@@ -121,6 +123,110 @@ internal class ColumnBuilder(
         textIds[textCount - 1] = pool.idOf(text, 0, text.size)
         isLastTextNew = textIds[textCount - 1] == known
         return true
+    }
+
+    /** Forgets all rows, but keeps the room for them. */
+    fun clear() {
+        texts = null
+        lastTextRow = -1
+        lastTextSize = 0
+        isLastTextNew = false
+        notFiniteCount = 0
+        truthCount = 0
+        textCount = 0
+        emptyCount = 0
+        gapCount = 0
+        lastGapRow = -2
+        firstGapRow = -1
+        firstText = null
+        decimalCommas = 0
+        notUtf8Line = 0
+    }
+
+    /** Writes to [out] what [append] reads; returns the numbers, which stay this builder's. */
+    fun writeTo(out: BatchWriter): DoubleArray {
+        out.put(notFiniteCount)
+        out.put(truthCount)
+        out.put(emptyCount)
+        out.put(gapCount)
+        out.put(firstGapRow)
+        out.put(lastGapRow)
+        out.put(decimalCommas)
+        out.put(firstDecimalCommaLine)
+        out.put(textCount)
+        val first = firstText ?: return numbers
+        out.put(first)
+        out.put(firstTextLine)
+        out.put(lastTextRow)
+        out.put(lastTextSize)
+        out.put(if (isLastTextNew) 1 else 0)
+        val dictionary = texts?.dictionary ?: return numbers
+        out.put(dictionary.size)
+        for (text in dictionary) out.put(text)
+        out.put(textRows, textCount)
+        out.put(textIds, textCount)
+        return numbers
+    }
+
+    /**
+     * Adds the rows of another builder, whose first is [row], the first after all that were added here.
+     *
+     * @param rows how many rows they are.
+     * @param more their numbers.
+     * @param details what [writeTo] wrote of them.
+     * @param linesBefore how many lines stand before its first.
+     */
+    fun append(row: Int, rows: Int, more: DoubleArray, details: BatchReader, linesBefore: Int) {
+        if (keepsSamples) {
+            if (row + rows > numbers.size) grow(row + rows)
+            more.copyInto(numbers, row, 0, rows)
+        }
+        notFiniteCount += details.int()
+        truthCount += details.int()
+        emptyCount += details.int()
+        gapCount += details.int()
+        if (details.int() == 0 && row == lastGapRow + 1) gapCount--
+        val gapRow = details.int()
+        if (gapRow >= 0) lastGapRow = row + gapRow
+        val commas = details.int()
+        val commaLine = details.int()
+        if (decimalCommas == 0) firstDecimalCommaLine = linesBefore + commaLine
+        decimalCommas += commas
+        val count = details.int()
+        if (count > 0) appendTexts(row, count, details, linesBefore)
+    }
+
+    private fun appendTexts(row: Int, count: Int, details: BatchReader, linesBefore: Int) {
+        val text = details.text()
+        val textLine = details.int()
+        if (textCount == 0) {
+            firstText = text
+            firstTextLine = linesBefore + textLine
+        }
+        lastTextRow = row + details.int()
+        lastTextSize = details.int()
+        isLastTextNew = details.int() != 0
+        if (keepsSamples) {
+            val pool = texts ?: TextPool(decoder).also { texts = it }
+            val ids = IntArray(details.int())
+            for (i in ids.indices) {
+                val bytes = details.text().encodeToByteArray()
+                val known = pool.dictionary.size
+                ids[i] = pool.idOf(bytes, 0, bytes.size)
+                if (i == ids.lastIndex && ids[i] < known) isLastTextNew = false
+            }
+            if (textCount + count > textRows.size) {
+                textRows = textRows.copyOf(maxOf(textCount + count, textCount * 2))
+                textIds = textIds.copyOf(textRows.size)
+            }
+            details.ints(textRows, textCount, count)
+            details.ints(textIds, textCount, count)
+            for (i in textCount until textCount + count) {
+                textRows[i] += row
+                textIds[i] = ids[textIds[i]]
+            }
+        }
+        textCount += count
     }
 
     private fun grow(row: Int) {

@@ -39,6 +39,22 @@ internal class PendingBytes {
         end += until - from
     }
 
+    /** Takes the bytes from [from] until [until] of [others] for a file of its own, without a copy. Not to be appended to. */
+    fun lend(others: ByteArray, from: Int, until: Int) {
+        bytes = others
+        start = from
+        end = until
+        line = 1
+        sawCarriageReturn = false
+    }
+
+    /** Says that what [batch] was read from came and is read. */
+    fun pass(batch: RowBatch) {
+        passed += batch.byteCount
+        line += batch.lineCount
+        if (batch.sawCarriageReturn) sawCarriageReturn = true
+    }
+
     /** Says that all before [next] is read. */
     fun advanceTo(next: Int) {
         if (next - start >= 1 && bytes[next - 1].toInt() == CR) sawCarriageReturn = true

@@ -13,6 +13,7 @@ internal class RowReader(
     keepSamples: Boolean,
     endsInNewline: Boolean,
     private val expectedBytes: Long,
+    private val forAll: (count: Int, work: (Int) -> Unit) -> Unit,
 ) {
     private val columns = Array(layout.columnNames.size) { index ->
         val isLog = layout.topics[index]?.attributes?.contains("log") == true
@@ -51,8 +52,21 @@ internal class RowReader(
         return next
     }
 
+    /** What tells a column of numbers from one of texts, for each column. */
+    val readsDecimalComma: BooleanArray get() = BooleanArray(columns.size) { columns[it].readsDecimalComma }
+
+    /** Adds rows that were read elsewhere. */
+    fun add(batch: RowBatch) {
+        val linesBefore = pending.line - 1
+        pending.pass(batch)
+        if (rowCount + batch.rowCount > roomyRows) makeRoom(rowCount + batch.rowCount)
+        val details = BatchReader(batch, BatchReader.FRAME)
+        for (i in columns.indices) columns[i].append(rowCount, batch.rowCount, batch.numbers[i], details, linesBefore)
+        rowCount += batch.rowCount
+    }
+
     private fun addRow(text: ByteArray) {
-        if (rowCount == roomyRows) makeRoom()
+        if (rowCount == roomyRows) makeRoom(rowCount)
         cells.commit(columns, rowCount, text, pending.line)
         rowCount++
     }
@@ -61,12 +75,12 @@ internal class RowReader(
      * Makes room for the rows that the file is likely to have. The first rows of a log are seldom like the others, so the
      * guess is only trusted to some multiple of the rows it was made from, and made again when they are reached.
      */
-    private fun makeRoom() {
+    private fun makeRoom(rows: Int) {
         val passed = pending.passed - passedBefore
         if (passed >= expectedBytes) return
-        val likely = (rowCount * (expectedBytes.toDouble() / passed) * SPARE).toLong() + 1
-        roomyRows = minOf(likely, rowCount * MOST_GROWTH, Int.MAX_VALUE.toLong()).toInt()
-        for (column in columns) column.expect(roomyRows)
+        val likely = (rows * (expectedBytes.toDouble() / passed) * SPARE).toLong() + 1
+        roomyRows = minOf(likely, rows * MOST_GROWTH, Int.MAX_VALUE.toLong()).toInt()
+        forAll(columns.size) { columns[it].expect(roomyRows) }
     }
 
     private fun giveUp(): Int {
@@ -80,12 +94,13 @@ internal class RowReader(
     }
 
     /** The topics that all rows make, in the order in which they are shown. To be called once, last. */
-    fun topics(): List<Topic> = layout.order.map { index ->
-        val described = layout.topics[index]
-        val column = columns[index]
-        val topic = column.build(rowCount, described?.unit ?: Topic.UNITLESS, described?.attributes.orEmpty())
-        reportColumn(column, topic, problems)
-        topic
+    fun topics(): List<Topic> {
+        val topics = arrayOfNulls<Topic>(columns.size)
+        forAll(columns.size) { index ->
+            val described = layout.topics[index]
+            topics[index] = columns[index].build(rowCount, described?.unit ?: Topic.UNITLESS, described?.attributes.orEmpty())
+        }
+        return layout.order.map { index -> checkNotNull(topics[index]).also { reportColumn(columns[index], it, problems) } }
     }
 
     private companion object {

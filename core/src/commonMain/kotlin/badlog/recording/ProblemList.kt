@@ -6,6 +6,8 @@ internal class ProblemList {
     private val seen = HashMap<Pair<ProblemKind, String?>, Int>()
     private val overflow = LinkedHashMap<Pair<ProblemKind, String?>, Problem>()
 
+    val isEmpty: Boolean get() = problems.isEmpty()
+
     fun add(kind: ProblemKind, message: String, line: Int? = null, topic: String? = null, count: Int = 1, loss: Loss = Loss.NONE) {
         val key = kind to topic
         val times = (seen[key] ?: 0) + 1
