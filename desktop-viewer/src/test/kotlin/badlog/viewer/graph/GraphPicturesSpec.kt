@@ -1,12 +1,17 @@
 package badlog.viewer.graph
 
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.graphics.ImageBitmap
+import androidx.compose.ui.graphics.toPixelMap
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.analysis.Span
+import badlog.viewer.theme.Palette
 import badlog.viewer.theme.Theme
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.ints.shouldBeGreaterThan
 
-/** Pictures for a person to look at, under `build/pictures`; the tests only tell that they can be made. */
+/** Pictures for a person to look at, under `build/pictures`; the tests tell that the lines of the graphs are in them. */
 @OptIn(ExperimentalTestApi::class)
 class GraphPicturesSpec : FunSpec({
     test("a match in light colours") {
@@ -15,7 +20,7 @@ class GraphPicturesSpec : FunSpec({
         runDesktopComposeUiTest(1100, 860) {
             setContent { TestGraphs(viewer) }
             waitForPictures(viewer)
-            savePicture("graphs-light")
+            savePicture("graphs-light").shouldShow(Palette.LIGHT, lines = 1)
         }
     }
 
@@ -30,7 +35,7 @@ class GraphPicturesSpec : FunSpec({
         runDesktopComposeUiTest(1100, 860) {
             setContent { TestGraphs(viewer, Theme.DARK) }
             waitForPictures(viewer)
-            savePicture("graphs-dark")
+            savePicture("graphs-dark").shouldShow(Palette.DARK, lines = 2)
         }
     }
 
@@ -39,7 +44,14 @@ class GraphPicturesSpec : FunSpec({
         runDesktopComposeUiTest(380, 700) {
             setContent { TestGraphs(viewer) }
             waitForPictures(viewer)
-            savePicture("graphs-narrow")
+            savePicture("graphs-narrow").shouldShow(Palette.LIGHT, lines = 1)
         }
     }
 })
+
+/** Expects much of the [palette]'s background, and enough of its first [lines] colours to be lines. */
+private fun ImageBitmap.shouldShow(palette: Palette, lines: Int) {
+    val pixels = toPixelMap().buffer.map { Color(it) }.groupingBy { it }.eachCount()
+    pixels.getOrDefault(palette.surface, 0) shouldBeGreaterThan width * height / 5
+    for (line in 0 until lines) pixels.getOrDefault(palette.line(line), 0) shouldBeGreaterThan width / 8
+}

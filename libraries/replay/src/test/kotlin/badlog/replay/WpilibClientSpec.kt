@@ -32,8 +32,8 @@ private fun hasClient(python: String): Boolean = try {
     false
 }
 
-/** What WPILib's client receives of a replay from its start to its end: its lines. */
-private fun linesOf(view: LogView, options: ReplayOptions): List<JsonObject> = ReplayServer(view, options).use { server ->
+/** What WPILib's client receives of a replay from its start to its end, [values] values at least: its lines. */
+private fun linesOf(view: LogView, options: ReplayOptions, values: Int): List<JsonObject> = ReplayServer(view, options).use { server ->
     server.open()
     val topics = view.recording.topics.size + view.recording.values.size
     val client = ProcessBuilder(PYTHON, "src/test/python/listen.py", "${server.port}", "$topics")
@@ -46,7 +46,9 @@ private fun linesOf(view: LogView, options: ReplayOptions): List<JsonObject> = R
         waitUntil { lines.any { "ready" in it } }
         server.start()
         waitUntil { server.isAtEnd }
-        Thread.sleep(500)
+        // All that it has to receive, and a moment in which it had better receive no more.
+        waitUntil { lines.count { "value" in it } >= values }
+        Thread.sleep(100)
         client.outputStream.close()
         client.waitFor(10, TimeUnit.SECONDS) shouldBe true
         client.exitValue() shouldBe 0
@@ -72,9 +74,12 @@ private fun JsonPrimitive.textAs(type: SignalType): String = when (type) {
 
 /** Compares what arrived with the recording itself: every topic, every sample, and when. */
 private fun shouldArrive(view: LogView, options: ReplayOptions) {
-    val lines = linesOf(view, options)
     val signals = signalsOf(view, options.prefix)
     val range = options.range ?: rangeOf(signals)
+
+    // What holds at the start, then every sample.
+    fun Signal.sent() = maxOf(countUntil(range.start) - 1, 0) until countUntil(range.endInclusive)
+    val lines = linesOf(view, options, signals.sumOf { it.sent().count() })
     val announced = lines.filter { "topic" in it }.associateBy { it.getValue("topic").jsonPrimitive.content }
     announced.keys shouldBe signals.map { it.name }.toSet()
     val values = lines.filter { "value" in it }.groupBy { it.getValue("of").jsonPrimitive.content }
@@ -85,8 +90,7 @@ private fun shouldArrive(view: LogView, options: ReplayOptions) {
         val topic = announced.getValue(signal.name)
         topic.getValue("type").jsonPrimitive.content shouldBe signal.type.typeName
         topic.getValue("properties") shouldBe propertiesOf(signal)
-        val first = maxOf(signal.countUntil(range.start) - 1, 0)
-        val expected = (first until signal.countUntil(range.endInclusive)).toList()
+        val expected = signal.sent().toList()
         val arrived = values[signal.name].orEmpty()
         arrived.map { it.getValue("value").jsonPrimitive.textAs(signal.type) } shouldBe expected.map(signal::textAt)
         for ((line, index) in arrived zip expected) {

@@ -118,9 +118,13 @@ class FigureSpec : FunSpec({
 
     test("a recording of one row, and one whose x goes backwards, are drawn too") {
         val one = recordingOf(armBag(1))
-        svgOf(build(standardGraphs(one.view).graphs, one.span, one), options)
+        val dot = build(standardGraphs(one.view).graphs, one.span, one)
+        dot.frames.first().lines.single().dots.x.size shouldBe 1
+        textsIn(svgOf(dot, options)) shouldContain "Arm/Angle"
         val back = recordingOf("Time,A\n1,2\n2,3\n0,4\n1,5\n")
-        svgOf(build(listOf(GraphSpec(1, "A", listOf(LineSpec("A")))), Span(0.0, 2.0), back), options)
+        val line = build(listOf(GraphSpec(1, "A", listOf(LineSpec("A")))), Span(0.0, 2.0), back)
+        line.frames.single().lines.single().pieces.sumOf { it.x.size } shouldBeGreaterThan 1
+        textsIn(svgOf(line, options)) shouldContain "A"
     }
 
     test("the picture has the colours of the lines, on white, at twice the size") {
