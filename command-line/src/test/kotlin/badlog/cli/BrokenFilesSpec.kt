@@ -2,6 +2,7 @@ package badlog.cli
 
 import badlog.cli.command.ExitCode
 import badlog.file.readRecording
+import badlog.formats.LOG_FORMATS
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
@@ -11,13 +12,13 @@ import io.kotest.property.arbitrary.byte
 import io.kotest.property.arbitrary.byteArray
 import io.kotest.property.arbitrary.int
 import io.kotest.property.checkAll
-import kotlinx.serialization.json.jsonPrimitive
 import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.attribute.PosixFilePermissions
 import kotlin.io.path.div
 import kotlin.io.path.readBytes
 import kotlin.random.Random
+import kotlinx.serialization.json.jsonPrimitive
 
 /** What every sub-command does with files that are no whole logs. */
 class BrokenFilesSpec : FunSpec({
@@ -101,7 +102,7 @@ class BrokenFilesSpec : FunSpec({
                     listOf("merge", log, good, "--append", "-o", out),
                 )) {
                     val ended = badlog(*command.toTypedArray(), "--force")
-                    if (ended.code != ExitCode.NOTHING) readRecording(Path.of(command.last().toString())).isSalvaged shouldBe false
+                    if (ended.code != ExitCode.NOTHING) readRecording(Path.of(command.last().toString()), LOG_FORMATS).isSalvaged shouldBe false
                 }
             }
         }

@@ -3,12 +3,10 @@ package badlog.cli
 import badlog.cli.command.ExitCode
 import badlog.cli.console.Console
 import badlog.file.readRecording
+import badlog.formats.LOG_FORMATS
 import badlog.wpilog.WpilogWriter
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldNotContain
-import kotlinx.serialization.json.Json
-import kotlinx.serialization.json.JsonObject
-import kotlinx.serialization.json.jsonObject
 import java.io.ByteArrayOutputStream
 import java.io.IOException
 import java.io.PrintStream
@@ -20,6 +18,9 @@ import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 import kotlin.io.path.outputStream
 import kotlin.io.path.writeBytes
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.jsonObject
 
 /** The samples, copied to where tests run. */
 internal val SAMPLES: Path = Path.of("samples")
@@ -101,6 +102,6 @@ internal fun gzip(text: String): ByteArray {
 /** The sample [name] as a WPILOG in this folder, without its damage. */
 internal fun Path.sampleLog(name: String): Path = (this / "$name.wpilog").apply {
     outputStream().use { out ->
-        WpilogWriter(readRecording(SAMPLES / name)).write { bytes, size -> out.write(bytes, 0, size) }
+        WpilogWriter(readRecording(SAMPLES / name, LOG_FORMATS)).write { bytes, size -> out.write(bytes, 0, size) }
     }
 }

@@ -6,15 +6,14 @@ import badlog.recording.RecordingFormat
 import badlog.recording.TextColumn
 import badlog.recording.Topic
 import badlog.recording.TopicKind
-import badlog.wpilog.X_AXIS_METADATA
 import kotlin.math.abs
 import kotlin.math.ceil
 
 /**
  * The samples of [recording] in rows, one for each of [times]: each topic has there the last value at or before that time,
  * and nothing before its first. An event stands in the first row that is not before it; several that share a row are joined by
- * `; `. A topic `Time` with these times comes first, as the x axis; where the recording is a bag that was written as a WPILOG,
- * the topic that was its x axis is it again. What comes out can be written as a bag or as CSV.
+ * `; `. A topic `Time` with these times comes first, as the x axis; where the recording was made of rows, the topic
+ * that [was their x axis][Topic.wasXAxis] is it again. What comes out can be written as a bag or as CSV.
  *
  * @param times ascending and finite, in the unit of the recording's x axis.
  * @throws IllegalArgumentException when they are not.
@@ -25,7 +24,7 @@ public fun resampled(recording: Recording, times: DoubleArray): Recording {
         require(times[i].isFinite() && isAscending) { "Times must ascend, but ${times[i]} is at $i." }
     }
     val xAxis = LogView.of(recording).xAxis
-    val formerX = recording.topics.find { it.times != null && X_AXIS_METADATA in it.metadata && it.samples.isNotEmpty() }
+    val formerX = recording.topics.find { it.wasXAxis && it.samples.isNotEmpty() }
     val topics = recording.topics.filter { it !== xAxis.topic }.map { topic ->
         val held = held(topic, xAxis, times)
         if (topic === formerX) xAxisAgain(held, times) else held

@@ -35,7 +35,7 @@ public object Units {
     }
 
     /** How many microseconds one [unit] of an x axis is; what is no unit of time counts as a second. */
-    internal fun microsIn(unit: String): Double = (secondsIn(unit) ?: 1.0) * 1e6
+    public fun microsIn(unit: String): Double = (secondsIn(unit) ?: 1.0) * 1e6
 
     private fun ofX(xUnit: String) = if (isNone(xUnit)) "Index" else xUnit
 }

@@ -1,11 +1,14 @@
 package badlog.bag
 
+import badlog.recording.LogParser
 import badlog.recording.Loss
 import badlog.recording.ProblemKind
 import badlog.recording.ProblemList
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
 import badlog.recording.Topic
+import badlog.text.NUL
+import badlog.text.TextDecoder
 
 /**
  * Reads a bag, or a plain CSV file, that is pushed to it in pieces of any size. Nothing in the bytes makes it throw:
@@ -24,7 +27,7 @@ public class BagParser(
     private val expectedBytes: Long = 0,
     private val keepSamples: Boolean = true,
     private val forAll: (count: Int, work: (Int) -> Unit) -> Unit = { count, work -> repeat(count, work) },
-) {
+) : LogParser {
     private val decoder = TextDecoder()
     private val problems = ProblemList()
     private val pending = PendingBytes()
@@ -33,16 +36,14 @@ public class BagParser(
     private var waitsForLineEnd = false
     private var holeBytes = 0L
 
-    /** How many rows have been read so far. */
-    public val rowCount: Int get() = rows?.rowCount ?: 0
+    override val rowCount: Int get() = rows?.rowCount ?: 0
 
     /** What a [RowBatchParser] has to know to read rows of this file; null while the header is not read, and where no rows follow. */
     public val readsDecimalComma: BooleanArray? get() = if (ignoresTheRest) null else rowReader()?.readsDecimalComma
 
     private val ignoresTheRest: Boolean get() = header.isNoLog || rows?.gaveUp == true
 
-    /** Reads the bytes from [from] until [until] of [bytes], which follow those of the calls before. Keeps no reference. */
-    public fun accept(bytes: ByteArray, from: Int = 0, until: Int = bytes.size) {
+    override fun accept(bytes: ByteArray, from: Int, until: Int) {
         var at = from
         while (at < until && !ignoresTheRest) {
             val end = minOf(at + PendingBytes.PIECE, until)
@@ -64,8 +65,7 @@ public class BagParser(
         return true
     }
 
-    /** Says that the file has ended, and returns what was read. To be called once, last. */
-    public fun finish(): Recording {
+    override fun finish(): Recording {
         advance(true)
         val rows = rows ?: rowsOf(header.columns ?: columnsOfHeaderAlone())
         val topics = rows.topics()

@@ -1,5 +1,12 @@
 package badlog.bag
 
+import badlog.number.DecimalReader
+import badlog.text.COMMA
+import badlog.text.MINUS
+import badlog.text.PLUS
+import badlog.text.SPACE
+import badlog.text.TAB
+
 /** What one cell holds; kept as plain numbers because a row has hundreds and none may cost an object. */
 internal object CellKind {
     const val EMPTY = 0

@@ -3,6 +3,9 @@ package badlog.bag
 import badlog.recording.CellCounts
 import badlog.recording.TextColumn
 import badlog.recording.Topic
+import badlog.text.LF
+import badlog.text.TextDecoder
+import badlog.text.TextPool
 
 /**
  * One column while its file is being read: a growing array of numbers, the sparse texts, and what was odd about it.

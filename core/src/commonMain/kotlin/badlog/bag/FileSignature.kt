@@ -1,8 +1,8 @@
 package badlog.bag
 
-/** What the first bytes of a file say about it. The content decides, never the name. */
-public enum class FileSignature {
-    /** A gzip stream: inflate it, and look again. */
+/** What the first bytes of a file say about it; what is no bag is refused by its name. */
+internal enum class FileSignature {
+    /** A gzip stream, which has to be inflated. */
     GZIP,
 
     /** A WPILOG of WPILib's DataLog. */
@@ -12,12 +12,12 @@ public enum class FileSignature {
     OTHER,
     ;
 
-    public companion object {
+    companion object {
         /** How many bytes [of] wants to see; fewer are a shorter file. */
-        public const val BYTES: Int = 6
+        const val BYTES: Int = 6
 
         /** The signature of a file that begins with the first [count] of [bytes]. */
-        public fun of(bytes: ByteArray, count: Int = bytes.size): FileSignature = when {
+        fun of(bytes: ByteArray, count: Int = bytes.size): FileSignature = when {
             count >= 2 && bytes[0] == 0x1f.toByte() && bytes[1] == 0x8b.toByte() -> GZIP
             count >= 6 && bytes.decodeToString(0, 6) == "WPILOG" -> WPILOG
             else -> OTHER

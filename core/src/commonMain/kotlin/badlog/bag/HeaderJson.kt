@@ -1,5 +1,8 @@
 package badlog.bag
 
+import badlog.json.JsonMember
+import badlog.json.JsonReader
+import badlog.json.JsonValue
 import badlog.recording.Value
 
 /**

@@ -3,6 +3,9 @@ package badlog.bag
 import badlog.recording.Loss
 import badlog.recording.ProblemKind
 import badlog.recording.ProblemList
+import badlog.text.BRACE
+import badlog.text.TAB
+import badlog.text.TextDecoder
 
 /** Reads what stands before the rows: the line of JSON, if there is one, and the line of column titles. */
 internal class HeaderReader(private val pending: PendingBytes, private val decoder: TextDecoder, private val problems: ProblemList) {

@@ -1,5 +1,7 @@
 package badlog.bag
 
+import badlog.json.appendQuotedJson
+
 /**
  * Line 1 of a bag, without its newline: JSON on one line, in ASCII apart from the names' own characters. A header that
  * [readHeader] returned comes out with everything it had.
@@ -10,9 +12,6 @@ package badlog.bag
  *   and more characters are escaped than need be.
  */
 public fun headerText(header: BagHeader, asOriginal: Boolean = false): String = HeaderText(asOriginal).apply { append(header) }.toString()
-
-/** [text] as a string of JSON, with its quotes. */
-internal fun quotedJson(text: String): String = HeaderText(asOriginal = false).apply { quoted(text) }.toString()
 
 private class HeaderText(private val asOriginal: Boolean) {
     private val out = StringBuilder()
@@ -59,18 +58,14 @@ private class HeaderText(private val asOriginal: Boolean) {
         out.append(']')
     }
 
-    fun quoted(text: String) {
-        out.append('"')
-        for (char in text) if (asOriginal) escapedAsOriginal(char) else escaped(char)
-        out.append('"')
-    }
-
-    private fun escaped(char: Char) {
-        when {
-            char == '"' || char == '\\' -> out.append('\\').append(char)
-            char < ' ' || char == '\u2028' || char == '\u2029' -> hex(char.code.toString(16))
-            else -> out.append(char)
+    private fun quoted(text: String) {
+        if (!asOriginal) {
+            out.appendQuotedJson(text)
+            return
         }
+        out.append('"')
+        for (char in text) escapedAsOriginal(char)
+        out.append('"')
     }
 
     private fun escapedAsOriginal(char: Char) {
@@ -79,14 +74,10 @@ private class HeaderText(private val asOriginal: Boolean) {
             short >= 0 -> out.append('\\').append(SHORT_LETTERS[short])
 
             char < ' ' || char in '\u007f'..'\u009f' || char in '\u2000'..'\u20ff' ->
-                hex(char.code.toString(16).uppercase())
+                out.append("\\u").append(char.code.toString(16).uppercase().padStart(4, '0'))
 
             else -> out.append(char)
         }
-    }
-
-    private fun hex(digits: String) {
-        out.append("\\u").append(digits.padStart(4, '0'))
     }
 
     private companion object {

@@ -1,5 +1,9 @@
 package badlog.bag
 
+import badlog.text.CR
+import badlog.text.LF
+import badlog.text.NUL
+
 /** Where the line that [from] is in ends: at its LF or CR, or at a NUL, where whatever stood there is lost; else [until]. */
 internal fun lineEndIn(bytes: ByteArray, from: Int, until: Int): Int {
     var at = from

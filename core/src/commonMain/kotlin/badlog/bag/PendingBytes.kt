@@ -1,5 +1,8 @@
 package badlog.bag
 
+import badlog.text.CR
+import badlog.text.LF
+
 /** What of a file has arrived and is not read yet: [bytes] from [start] until [end]. */
 internal class PendingBytes {
     var bytes = ByteArray(2 * PIECE)

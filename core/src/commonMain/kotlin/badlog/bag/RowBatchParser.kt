@@ -1,6 +1,7 @@
 package badlog.bag
 
 import badlog.recording.ProblemList
+import badlog.text.TextDecoder
 
 /**
  * Reads some of a bag's rows apart from those before them, as one of several that work on a file at a time. Used again and

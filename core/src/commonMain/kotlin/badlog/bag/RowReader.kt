@@ -3,6 +3,7 @@ package badlog.bag
 import badlog.recording.ProblemKind
 import badlog.recording.ProblemList
 import badlog.recording.Topic
+import badlog.text.TextDecoder
 
 /** Reads the rows into columns: the fast way where it can, the forgiving one where it must. */
 internal class RowReader(

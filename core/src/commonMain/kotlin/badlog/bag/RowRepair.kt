@@ -4,6 +4,10 @@ import badlog.bag.RowSplitter.Quotes
 import badlog.recording.Loss
 import badlog.recording.ProblemKind
 import badlog.recording.ProblemList
+import badlog.text.COMMA
+import badlog.text.NUL
+import badlog.text.QUOTE
+import badlog.text.TextDecoder
 
 /**
  * Reads the rows that [RowScanner] leaves: quoted, cut, torn, too short or too long ones. One rule stands above the others:

@@ -1,5 +1,16 @@
 package badlog.bag
 
+import badlog.number.EXACT_POWERS_OF_TEN
+import badlog.text.COMMA
+import badlog.text.CR
+import badlog.text.DOT
+import badlog.text.LF
+import badlog.text.MINUS
+import badlog.text.NINE
+import badlog.text.NUL
+import badlog.text.QUOTE
+import badlog.text.ZERO
+
 /**
  * The fast way through a bag: rows without quotes, NULs and missing cells, which is nearly every row. Whatever is not so is
  * left to [RowRepair], which knows the rules but not the hurry.

@@ -1,5 +1,8 @@
 package badlog.bag
 
+import badlog.text.COMMA
+import badlog.text.QUOTE
+
 /** Finds the cells of a row that is not plain, under several readings of its quotes. */
 internal class RowSplitter {
     /** Where the cells found last begin and end, without their quotes; only the first `count` that [split] returned. */

@@ -1,5 +1,14 @@
 package badlog.bag
 
+import badlog.number.ExactFormat
+import badlog.number.FiveDigitFormat
+import badlog.number.IntegerFormat
+import badlog.number.MicrosecondFormat
+import badlog.text.COMMA
+import badlog.text.LF
+import badlog.text.NUL
+import badlog.text.QUOTE
+
 /**
  * Writes the lines of a bag into a buffer of its own, cell by cell: numbers by [FiveDigitFormat], texts quoted as RFC 4180
  * asks, in UTF-8, each row ended by one newline. Once the buffer has grown to the longest row, nothing is allocated. Not

@@ -1,14 +1,16 @@
 package badlog.recording
 
-/** Collects problems in bounded memory: of each kind and topic the first [LISTED] are kept, the others only counted. */
-internal class ProblemList {
+/** Collects problems in bounded memory: of each kind and topic the first ten are kept, the others only counted. */
+public class ProblemList {
     private val problems = ArrayList<Problem>()
     private val seen = HashMap<Pair<ProblemKind, String?>, Int>()
     private val overflow = LinkedHashMap<Pair<ProblemKind, String?>, Problem>()
 
-    val isEmpty: Boolean get() = problems.isEmpty()
+    /** Whether nothing was added. */
+    public val isEmpty: Boolean get() = problems.isEmpty()
 
-    fun add(kind: ProblemKind, message: String, line: Int? = null, topic: String? = null, count: Int = 1, loss: Loss = Loss.NONE) {
+    /** Adds a [Problem]. */
+    public fun add(kind: ProblemKind, message: String, line: Int? = null, topic: String? = null, count: Int = 1, loss: Loss = Loss.NONE) {
         val key = kind to topic
         val times = (seen[key] ?: 0) + 1
         seen[key] = times
@@ -22,7 +24,7 @@ internal class ProblemList {
     }
 
     /** The problems in the order in which they were added, then one for each kind that went on. */
-    fun toList(): List<Problem> = problems + overflow.values
+    public fun toList(): List<Problem> = problems + overflow.values
 
     private companion object {
         const val LISTED = 10

@@ -19,6 +19,16 @@ public class Recording(
     public val rowCount: Int,
     public val problems: List<Problem>,
 ) {
+    /** This recording with some of its parts replaced. */
+    public fun copy(
+        format: RecordingFormat = this.format,
+        headerLine: String? = this.headerLine,
+        values: List<Value> = this.values,
+        topics: List<Topic> = this.topics,
+        rowCount: Int = this.rowCount,
+        problems: List<Problem> = this.problems,
+    ): Recording = Recording(format, headerLine, values, topics, rowCount, problems)
+
     /** How many samples all topics have together, gaps included. */
     public val sampleCount: Long get() = topics.sumOf { it.size.toLong() }
 

@@ -15,6 +15,7 @@ package badlog.recording
  *   together share one array. Of size 0 when samples were not kept. Not to be changed.
  * @property type what the file calls the type of the samples, such as `double` or `struct:Pose2d`; empty where it names none.
  * @property metadata what else the file says of the topic, often JSON; may be empty.
+ * @property wasXAxis whether the topic was the x axis of the rows that this log was made of.
  */
 public class Topic(
     public val name: String,
@@ -26,6 +27,7 @@ public class Topic(
     public val times: DoubleArray? = null,
     public val type: String = "",
     public val metadata: String = "",
+    public val wasXAxis: Boolean = false,
 ) {
     /** How many samples there are, gaps included; known even where they were not kept. */
     public val size: Int get() = counts.total
@@ -49,6 +51,20 @@ public class Topic(
             val withNumber = counts.total - withoutNumber
             return withoutNumber > withNumber && withNumber < ALONE * counts.gaps
         }
+
+    /** This topic with some of its parts replaced. */
+    public fun copy(
+        name: String = this.name,
+        unit: String = this.unit,
+        attributes: List<String> = this.attributes,
+        samples: DoubleArray = this.samples,
+        texts: TextColumn = this.texts,
+        counts: CellCounts = this.counts,
+        times: DoubleArray? = this.times,
+        type: String = this.type,
+        metadata: String = this.metadata,
+        wasXAxis: Boolean = this.wasXAxis,
+    ): Topic = Topic(name, unit, attributes, samples, texts, counts, times, type, metadata, wasXAxis)
 
     public companion object {
         /** The unit of a topic that has none. */

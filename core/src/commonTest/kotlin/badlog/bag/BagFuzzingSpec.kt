@@ -1,6 +1,7 @@
 package badlog.bag
 
 import badlog.recording.ProblemKind
+import badlog.text.NUL
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb

@@ -1,6 +1,7 @@
 package badlog.bag
 
 import badlog.recording.Topic
+import badlog.text.NUL
 import io.kotest.core.spec.style.FunSpec
 import kotlin.random.Random
 

@@ -1,5 +1,6 @@
 package badlog.bag
 
+import badlog.number.FiveDigitFormat
 import badlog.recording.Value
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe

@@ -1,9 +1,9 @@
 package badlog.html
 
 import badlog.analysis.matchTitle
-import badlog.bag.FileSignature
+import badlog.bag.RecordingParser
 import badlog.file.GzipReader
-import badlog.file.RecordingParser
+import badlog.formats.LOG_FORMATS
 import badlog.recording.ProblemKind
 
 /**
@@ -20,8 +20,8 @@ internal class FileHead private constructor(val isGzip: Boolean, val title: Stri
 
         /** Looks at the beginning of a file. */
         fun of(bytes: ByteArray): FileHead {
-            val isGzip = FileSignature.of(bytes) == FileSignature.GZIP
-            val parser = RecordingParser(keepSamples = false)
+            val isGzip = GzipReader.isGzip(bytes)
+            val parser = RecordingParser(LOG_FORMATS, keepSamples = false)
             if (isGzip) {
                 GzipReader { inflated, size -> parser.accept(inflated, 0, size) }
                     .use { it.accept(bytes, 0, minOf(bytes.size, BYTES / 4)) }

@@ -1,7 +1,8 @@
 package badlog.html
 
-import badlog.file.RecordingParser
+import badlog.bag.RecordingParser
 import badlog.file.withGzipCut
+import badlog.formats.LOG_FORMATS
 import badlog.recording.ProblemKind
 import badlog.terminal.Progress
 import java.io.ByteArrayInputStream
@@ -59,7 +60,7 @@ class HtmlExporter(private val attachments: List<Path> = emptyList(), private va
     ): ExportReport {
         val name = input.fileName.toString()
         val total = Files.size(input)
-        val parser = RecordingParser(keepSamples = false)
+        val parser = RecordingParser(LOG_FORMATS, keepSamples = false)
         Files.createDirectories(page.parent)
         return NewFile(page).use { file ->
             val writer = PageWriter(file.out, parts)

@@ -1,6 +1,5 @@
 package badlog.cli.output
 
-import badlog.bag.FileSignature
 import badlog.cli.input.FileName
 import badlog.file.GzipReader
 import badlog.file.reading
@@ -81,7 +80,7 @@ private fun inflate(log: Path, sink: (ByteArray, Int) -> Unit) = reading(log) {
         val piece = ByteArray(1 shl 16)
         var count = stream.readNBytes(piece, 0, piece.size)
         GzipReader(sink).use { gzip ->
-            val isGzip = FileSignature.of(piece, count) == FileSignature.GZIP
+            val isGzip = GzipReader.isGzip(piece, count)
             while (count > 0) {
                 if (isGzip) gzip.accept(piece, 0, count) else sink(piece, count)
                 count = stream.readNBytes(piece, 0, piece.size)

@@ -17,6 +17,7 @@ import badlog.cli.output.OutputPlan
 import badlog.cli.output.copyBeginning
 import badlog.cli.output.writeLog
 import badlog.file.readRecording
+import badlog.formats.LOG_FORMATS
 import badlog.recording.Recording
 import badlog.recording.Topic
 import badlog.terminal.Progress
@@ -70,7 +71,7 @@ internal class RecoverTask(private val paths: List<Path>, private val plan: Outp
  * @throws Failure when it is not.
  */
 internal fun requireSame(recording: Recording, written: Path) {
-    val again = readRecording(written, keepSamples = false)
+    val again = readRecording(written, LOG_FORMATS, keepSamples = false)
     val hasAll = again.rowCount == recording.rowCount && again.topics.map(::contentOf) == recording.topics.map(::contentOf)
     if (again.isSalvaged || !hasAll) {
         throw Failure(

@@ -61,7 +61,7 @@ internal class TopicBuilder(private val name: String, private val like: Topic, m
             size == samples.size -> samples
             else -> samples.copyOf(size)
         }
-        return Topic(name, like.unit, like.attributes, kept, column, counts, times, like.type, like.metadata)
+        return like.copy(name = name, samples = kept, texts = column, counts = counts, times = times)
     }
 
     private fun add(number: Double) {

@@ -9,15 +9,16 @@ import badlog.cli.inFolder
 import badlog.cli.names
 import badlog.cli.with
 import badlog.file.readRecording
+import badlog.formats.LOG_FORMATS
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
-import kotlinx.serialization.json.jsonArray
-import kotlinx.serialization.json.jsonPrimitive
 import kotlin.io.path.div
 import kotlin.io.path.readBytes
 import kotlin.io.path.readText
+import kotlinx.serialization.json.jsonArray
+import kotlinx.serialization.json.jsonPrimitive
 
 class ConvertSpec : FunSpec({
     test("every sample keeps all of its numbers and texts in either format") {
@@ -25,8 +26,8 @@ class ConvertSpec : FunSpec({
             for (log in listOf("practice.bag", "qualification-57.bag.gz", "elevator-bench.csv")) {
                 for (name in listOf("to.csv", "to.bag", "to.bag.gz")) {
                     badlog("convert", SAMPLES / log, "-o", folder / name, "--force")
-                    val before = readRecording(SAMPLES / log)
-                    val after = readRecording(folder / name)
+                    val before = readRecording(SAMPLES / log, LOG_FORMATS)
+                    val after = readRecording(folder / name, LOG_FORMATS)
                     after.topics.map { it.name } shouldBe before.topics.map { it.name }
                     // As text, because NaN does not equal NaN.
                     after.topics.map { it.samples.joinToString() } shouldBe before.topics.map { it.samples.joinToString() }
@@ -68,7 +69,7 @@ class ConvertSpec : FunSpec({
     test("CSV becomes a bag with an x axis") {
         inFolder { folder ->
             badlog("convert", SAMPLES / "elevator-bench.csv", "--x", "Time", "-o", folder / "a.bag").code shouldBe ExitCode.WHOLE
-            readRecording(folder / "a.bag").topics[0].attributes shouldContainExactly listOf("xaxis")
+            readRecording(folder / "a.bag", LOG_FORMATS).topics[0].attributes shouldContainExactly listOf("xaxis")
         }
     }
 

@@ -11,6 +11,7 @@ import badlog.cli.sampleLog
 import badlog.cli.with
 import badlog.cli.wpilog
 import badlog.file.readRecording
+import badlog.formats.LOG_FORMATS
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
 import io.kotest.core.spec.style.FunSpec
@@ -31,15 +32,15 @@ import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.map
 import io.kotest.property.arbitrary.string
 import io.kotest.property.checkAll
-import kotlinx.serialization.json.int
-import kotlinx.serialization.json.jsonArray
-import kotlinx.serialization.json.jsonPrimitive
 import java.nio.file.Path
 import java.util.zip.GZIPInputStream
 import kotlin.io.path.div
 import kotlin.io.path.fileSize
 import kotlin.io.path.inputStream
 import kotlin.io.path.readBytes
+import kotlinx.serialization.json.int
+import kotlinx.serialization.json.jsonArray
+import kotlinx.serialization.json.jsonPrimitive
 
 /** All that a recording says of its topics and values; as text, because NaN does not equal NaN. */
 private fun contentOf(recording: Recording): List<String> = recording.values.map { it.toString() } + recording.topics.map { topic ->
@@ -82,7 +83,7 @@ class ConvertWpilogSpec : FunSpec({
                 val bag = folder.with("a.bag", text)
                 badlog("convert", bag, "-o", folder / "a.wpilog", "--force").code shouldBe ExitCode.WHOLE
                 badlog("convert", folder / "a.wpilog", "-o", folder / "b.bag", "--rows-at", "t", "--force").code shouldBe ExitCode.WHOLE
-                contentOf(readRecording(folder / "b.bag")) shouldBe contentOf(readRecording(bag))
+                contentOf(readRecording(folder / "b.bag", LOG_FORMATS)) shouldBe contentOf(readRecording(bag, LOG_FORMATS))
             }
         }
     }
@@ -94,7 +95,7 @@ class ConvertWpilogSpec : FunSpec({
                 badlog("convert", SAMPLES / name, "-o", log, "--force")
                 log.readBytes()[0] shouldBe 0x1f
                 badlog("convert", log, "--rows-at", "Time", "-o", folder / "back.bag", "--force").code shouldBe ExitCode.WHOLE
-                contentOf(readRecording(folder / "back.bag")) shouldBe contentOf(readRecording(SAMPLES / name))
+                contentOf(readRecording(folder / "back.bag", LOG_FORMATS)) shouldBe contentOf(readRecording(SAMPLES / name, LOG_FORMATS))
             }
         }
     }
@@ -134,7 +135,7 @@ class ConvertWpilogSpec : FunSpec({
             ((folder / "changes.wpilog").fileSize() < log.fileSize()) shouldBe true
             badlog("convert", folder / "changes.wpilog", "--rows-at", "Time", "-o", folder / "changes.bag")
             badlog("convert", log, "--rows-at", "Time", "-o", folder / "all.bag")
-            contentOf(readRecording(folder / "changes.bag")) shouldBe contentOf(readRecording(folder / "all.bag"))
+            contentOf(readRecording(folder / "changes.bag", LOG_FORMATS)) shouldBe contentOf(readRecording(folder / "all.bag", LOG_FORMATS))
         }
     }
 
@@ -143,7 +144,7 @@ class ConvertWpilogSpec : FunSpec({
             val log = folder.sampleLog("practice.bag")
             fun rows(vararg options: String): Int {
                 badlog("convert", log, "-o", folder / "rows.csv", "--force", *options).code shouldBe ExitCode.WHOLE
-                return readRecording(folder / "rows.csv").also { it.format shouldBe RecordingFormat.CSV }.rowCount
+                return readRecording(folder / "rows.csv", LOG_FORMATS).also { it.format shouldBe RecordingFormat.CSV }.rowCount
             }
             rows("--period", "0.5") shouldBe 92
             rows() shouldBe 2270
@@ -161,7 +162,7 @@ class ConvertWpilogSpec : FunSpec({
             folder.with("a.bag", bag)
             badlog("convert", "--to", "wpilog", folder / "a.bag")
             leftOut(folder, folder / "a.wpilog", "-o", folder / "b.bag", "--period", "1").first() shouldBe "6 samples between rows"
-            readRecording(folder / "b.bag").topics.last().texts.dictionary shouldContainExactly listOf("a; b; c; d", "e")
+            readRecording(folder / "b.bag", LOG_FORMATS).topics.last().texts.dictionary shouldContainExactly listOf("a; b; c; d", "e")
             leftOut(folder, folder / "a.wpilog", "-o", folder / "b.bag", "--rows-at", "y").first() shouldBe "2 samples between rows"
         }
     }
@@ -190,8 +191,8 @@ class ConvertWpilogSpec : FunSpec({
             val log = folder.sampleLog("practice.bag")
             val json = badlogJson("convert", log, "--x", "System/Battery Voltage", "-o", folder / "a.bag").json.single()
             json.getValue("rows").jsonPrimitive.int shouldBe 2270
-            readRecording(folder / "a.bag").topics.filter { "xaxis" in it.attributes }.map { it.name } shouldContainExactly listOf("System/Battery Voltage")
-            readRecording(folder / "a.bag").problems.filter { it.severity.name == "ERROR" }.shouldBeEmpty()
+            readRecording(folder / "a.bag", LOG_FORMATS).topics.filter { "xaxis" in it.attributes }.map { it.name } shouldContainExactly listOf("System/Battery Voltage")
+            readRecording(folder / "a.bag", LOG_FORMATS).problems.filter { it.severity.name == "ERROR" }.shouldBeEmpty()
         }
     }
 })

@@ -8,6 +8,7 @@ import badlog.cli.command.ExitCode
 import badlog.cli.inFolder
 import badlog.cli.with
 import badlog.file.readRecording
+import badlog.formats.LOG_FORMATS
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
@@ -18,13 +19,13 @@ import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.map
 import io.kotest.property.arbitrary.pair
 import io.kotest.property.checkAll
-import kotlinx.serialization.json.jsonArray
 import kotlin.io.path.div
+import kotlinx.serialization.json.jsonArray
 
 class CutSpec : FunSpec({
     fun times(text: String, vararg options: String): List<Double> = inFolder { folder ->
         badlog("cut", folder.with("a.bag", text), *options, "-o", folder / "b.bag").code shouldBe ExitCode.WHOLE
-        readRecording(folder / "b.bag").topics.first { it.name == "Time" }.samples.toList()
+        readRecording(folder / "b.bag", LOG_FORMATS).topics.first { it.name == "Time" }.samples.toList()
     }
 
     test("a range has both of its ends") {
@@ -43,9 +44,9 @@ class CutSpec : FunSpec({
         inFolder { folder ->
             val ended = badlogJson("cut", folder.with("a.bag", BAG), "--around", "o", "--before", "0.001", "--after", "0")
             ended.json.single().getValue("parts").jsonArray.size shouldBe 2
-            val cut = readRecording(folder / "a.cut.bag")
+            val cut = readRecording(folder / "a.cut.bag", LOG_FORMATS)
             cut.topics.first { it.name == "Log" }.texts.dictionary shouldContainExactly listOf("go", "stop")
-            cut.values shouldBe readRecording(folder / "a.bag").values
+            cut.values shouldBe readRecording(folder / "a.bag", LOG_FORMATS).values
         }
     }
 

@@ -9,6 +9,7 @@ import badlog.cli.inFolder
 import badlog.cli.sampleLog
 import badlog.cli.wpilog
 import badlog.file.readRecording
+import badlog.formats.LOG_FORMATS
 import badlog.recording.Recording
 import badlog.recording.TopicKind
 import io.kotest.core.spec.style.FunSpec
@@ -21,10 +22,10 @@ import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.map
 import io.kotest.property.arbitrary.pair
 import io.kotest.property.checkAll
+import kotlin.io.path.div
 import kotlinx.serialization.json.int
 import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonPrimitive
-import kotlin.io.path.div
 
 /** What [name] holds: its times, with its number or text at each. */
 private fun Recording.held(name: String): List<String> {
@@ -47,7 +48,7 @@ class CutWpilogSpec : FunSpec({
 
     fun cut(vararg options: String): Recording = inFolder { folder ->
         badlog("cut", folder.wpilog("a.wpilog", log), *options).code shouldBe ExitCode.WHOLE
-        readRecording(folder / "a.cut.wpilog")
+        readRecording(folder / "a.cut.wpilog", LOG_FORMATS)
     }
 
     test("a part begins with what each topic held there, but no event comes again") {
@@ -92,8 +93,8 @@ class CutWpilogSpec : FunSpec({
         val many = Logged("Said", "string", "", List(20) { it * 1.0 to "said $it" })
         inFolder { folder ->
             badlog("cut", folder.wpilog("a.wpilog", listOf(many)), "--from", "18").code shouldBe ExitCode.WHOLE
-            readRecording(folder / "a.wpilog").topics.single().kind shouldBe TopicKind.EVENT
-            readRecording(folder / "a.cut.wpilog").topics.single().attributes shouldContainExactly listOf("log")
+            readRecording(folder / "a.wpilog", LOG_FORMATS).topics.single().kind shouldBe TopicKind.EVENT
+            readRecording(folder / "a.cut.wpilog", LOG_FORMATS).topics.single().attributes shouldContainExactly listOf("log")
         }
     }
 
@@ -117,7 +118,7 @@ class CutWpilogSpec : FunSpec({
             val bag = folder / "a.bag"
             badlog("convert", folder.sampleLog("practice.bag"), "-o", bag).code shouldBe ExitCode.WHOLE
             badlog("cut", bag, "--from", "10", "--to", "12", "-o", folder / "b.wpilog").code shouldBe ExitCode.WHOLE
-            val speed = readRecording(folder / "b.wpilog").topics.first { it.name == "System/Battery Voltage" }
+            val speed = readRecording(folder / "b.wpilog", LOG_FORMATS).topics.first { it.name == "System/Battery Voltage" }
             (speed.size in 99..101) shouldBe true
         }
     }

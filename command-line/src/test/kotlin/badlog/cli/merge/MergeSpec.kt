@@ -8,15 +8,16 @@ import badlog.cli.command.ExitCode
 import badlog.cli.inFolder
 import badlog.cli.with
 import badlog.file.readRecording
+import badlog.formats.LOG_FORMATS
 import badlog.recording.Recording
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import kotlin.io.path.div
 import kotlinx.serialization.json.int
 import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonPrimitive
-import kotlin.io.path.div
 
 class MergeSpec : FunSpec({
     fun Recording.numbers(name: String) = topics.first { it.name == name }.samples.map { if (it.isNaN()) null else it }
@@ -30,8 +31,8 @@ class MergeSpec : FunSpec({
             badlog("cut", SAMPLES / "qualification-42.bag", "--from", "49", "-o", folder / "b.bag")
             val ended = badlogJson("merge", folder / "b.bag", folder / "a.bag", "-o", folder / "m.bag")
             ended.code shouldBe ExitCode.WHOLE
-            val whole = readRecording(SAMPLES / "qualification-42.bag")
-            val merged = readRecording(folder / "m.bag")
+            val whole = readRecording(SAMPLES / "qualification-42.bag", LOG_FORMATS)
+            val merged = readRecording(folder / "m.bag", LOG_FORMATS)
             merged.rowCount shouldBe whole.rowCount
             // As text, because NaN does not equal NaN.
             merged.topics.map { it.samples.joinToString() } shouldBe whole.topics.map { it.samples.joinToString() }
@@ -52,7 +53,7 @@ class MergeSpec : FunSpec({
             val ended = badlog("merge", one, two, "-o", folder / "m.bag")
             ended.code shouldBe ExitCode.WHOLE
             ended.out shouldContain "renamed: “a” of"
-            val merged = readRecording(folder / "m.bag")
+            val merged = readRecording(folder / "m.bag", LOG_FORMATS)
             merged.topics.map { it.name } shouldContainExactly listOf("Time", "a", "two/a", "b")
             merged.numbers("Time") shouldContainExactly listOf(0.0, 0.5, 1.0, 2.0, 9.0)
             merged.numbers("a") shouldContainExactly listOf(1.0, null, 2.0, 3.0, null)
@@ -65,7 +66,7 @@ class MergeSpec : FunSpec({
             val one = folder.with("one.bag", bag("a", "0,1 1,2"))
             val two = folder.with("two.bag", bag("a", "1,3 2,4"))
             badlog("merge", one, two, "-o", folder / "m.bag").code shouldBe ExitCode.WHOLE
-            readRecording(folder / "m.bag").numbers("a") shouldContainExactly listOf(1.0, 2.0, 3.0, 4.0)
+            readRecording(folder / "m.bag", LOG_FORMATS).numbers("a") shouldContainExactly listOf(1.0, 2.0, 3.0, 4.0)
         }
     }
 
@@ -74,14 +75,14 @@ class MergeSpec : FunSpec({
             val one = folder.with("one.bag", bag("a", "0,1 1,2"))
             val two = folder.with("two.bag", bag("a,b", "5,3,7"))
             badlog("merge", one, two, "--append", "-o", folder / "m.bag")
-            val appended = readRecording(folder / "m.bag")
+            val appended = readRecording(folder / "m.bag", LOG_FORMATS)
             appended.topics.map { it.name } shouldContainExactly listOf("Time", "a", "b")
             appended.numbers("b") shouldContainExactly listOf(null, null, 7.0)
             val more = folder.with("more.bag", bag("a,b", "1,2,8"))
             badlog("merge", one, more, "--append", "-o", folder / "n.bag")
-            readRecording(folder / "n.bag").numbers("b") shouldContainExactly listOf(null, null, 8.0)
+            readRecording(folder / "n.bag", LOG_FORMATS).numbers("b") shouldContainExactly listOf(null, null, 8.0)
             badlog("merge", one, one.parent.with("three.bag", bag("a", "0,9")), "--join", "-o", folder / "j.bag")
-            readRecording(folder / "j.bag").numbers("three/a") shouldContainExactly listOf(9.0, null)
+            readRecording(folder / "j.bag", LOG_FORMATS).numbers("three/a") shouldContainExactly listOf(9.0, null)
         }
     }
 
@@ -104,7 +105,7 @@ class MergeSpec : FunSpec({
             val one = folder.with("one.csv", "a,b\n1,x\n")
             val two = folder.with("two.csv", "b,a\ny,2\n")
             badlog("merge", two, one, "-o", folder / "m.csv").code shouldBe ExitCode.WHOLE
-            readRecording(folder / "m.csv").numbers("a") shouldContainExactly listOf(2.0, 1.0)
+            readRecording(folder / "m.csv", LOG_FORMATS).numbers("a") shouldContainExactly listOf(2.0, 1.0)
         }
     }
 
@@ -113,7 +114,7 @@ class MergeSpec : FunSpec({
             val one = folder.with("one.bag", BAG)
             val two = folder.with("two.bag", BAG.replace("\"42\"", "\"43\""))
             badlog("merge", one, two, "-o", folder / "m.bag").code shouldBe ExitCode.WHOLE
-            val merged = readRecording(folder / "m.bag")
+            val merged = readRecording(folder / "m.bag", LOG_FORMATS)
             merged.values.map { "${it.name}=${it.text}" } shouldContainExactly listOf("Match Number=42", "two/Match Number=43")
             merged.rowCount shouldBe 5
         }

@@ -9,6 +9,7 @@ import badlog.cli.sampleLog
 import badlog.cli.with
 import badlog.cli.wpilog
 import badlog.file.readRecording
+import badlog.formats.LOG_FORMATS
 import badlog.recording.Recording
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
@@ -20,10 +21,10 @@ import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.pair
 import io.kotest.property.checkAll
+import kotlin.io.path.div
 import kotlinx.serialization.json.int
 import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonPrimitive
-import kotlin.io.path.div
 
 /** What [name] holds: its times, with its number or text at each. */
 private fun Recording.held(name: String): List<String> {
@@ -43,7 +44,7 @@ class MergeWpilogSpec : FunSpec({
             val two = folder.wpilog("two.wpilog", other)
             val ended = badlogJson("merge", two, one, "-o", folder / "m.wpilog")
             ended.code shouldBe ExitCode.WHOLE
-            val merged = readRecording(folder / "m.wpilog")
+            val merged = readRecording(folder / "m.wpilog", LOG_FORMATS)
             merged.held("a") shouldContainExactly listOf("0.0 1.0", "1.0 2.0", "2.0 3.0", "2.0 9.0", "3.0 4.0")
             merged.held("s") shouldContainExactly listOf("0.5 x", "4.0 y")
             merged.topics.map { it.type } shouldContainExactly listOf("double", "string")
@@ -59,8 +60,8 @@ class MergeWpilogSpec : FunSpec({
             badlog("cut", whole, "--to", "20", "-o", folder / "a.wpilog").code shouldBe ExitCode.WHOLE
             badlog("cut", whole, "--from", "19.01", "-o", folder / "b.wpilog").code shouldBe ExitCode.WHOLE
             badlog("merge", folder / "b.wpilog", folder / "a.wpilog", "-o", folder / "m.wpilog").code shouldBe ExitCode.WHOLE
-            val before = readRecording(whole)
-            val after = readRecording(folder / "m.wpilog")
+            val before = readRecording(whole, LOG_FORMATS)
+            val after = readRecording(folder / "m.wpilog", LOG_FORMATS)
             after.values shouldBe before.values
             for ((one, other) in before.topics.zip(after.topics)) {
                 other.name shouldBe one.name
@@ -79,9 +80,9 @@ class MergeWpilogSpec : FunSpec({
             val one = folder.wpilog("one.wpilog", listOf(numbers("a", 0.0 to 1.0)))
             val two = folder.wpilog("two.wpilog", listOf(numbers("a", 0.0 to 5.0), numbers("b", 0.5 to 6.0)))
             badlog("merge", one, two, "-o", folder / "m.wpilog").out shouldContain "beside them"
-            readRecording(folder / "m.wpilog").topics.map { it.name } shouldContainExactly listOf("a", "two/a", "b")
+            readRecording(folder / "m.wpilog", LOG_FORMATS).topics.map { it.name } shouldContainExactly listOf("a", "two/a", "b")
             badlog("merge", one, two, "--append", "-o", folder / "n.wpilog")
-            readRecording(folder / "n.wpilog").held("a") shouldContainExactly listOf("0.0 1.0", "0.0 5.0")
+            readRecording(folder / "n.wpilog", LOG_FORMATS).held("a") shouldContainExactly listOf("0.0 1.0", "0.0 5.0")
         }
     }
 
@@ -90,7 +91,7 @@ class MergeWpilogSpec : FunSpec({
             val one = folder.wpilog("one.wpilog", listOf(numbers("a", 0.0 to 1.0)))
             val two = folder.wpilog("two.wpilog", listOf(Logged("a", "string", "", listOf(1.0 to "text"))))
             badlog("merge", one, two, "-o", folder / "m.wpilog")
-            val merged = readRecording(folder / "m.wpilog")
+            val merged = readRecording(folder / "m.wpilog", LOG_FORMATS)
             merged.held("a") shouldContainExactly listOf("0.0 1.0")
             merged.held("two/a") shouldContainExactly listOf("1.0 text")
         }
@@ -105,7 +106,7 @@ class MergeWpilogSpec : FunSpec({
             )
             val log = folder.wpilog("a.wpilog", listOf(numbers("a", 0.25 to 1.0)))
             badlog("merge", log, bag, "-o", folder / "m.wpilog").code shouldBe ExitCode.WHOLE
-            val merged = readRecording(folder / "m.wpilog")
+            val merged = readRecording(folder / "m.wpilog", LOG_FORMATS)
             merged.topics.map { it.name } shouldContainExactly listOf("a", "y", "rare", "e")
             merged.held("y") shouldContainExactly listOf("0.0 1.0", "0.5 NaN", "0.6 3.0", "0.6 4.0", "0.7 2.0", "0.9 5.0")
             merged.held("rare") shouldContainExactly listOf("0.0 1.0", "0.6 2.0")
@@ -122,7 +123,7 @@ class MergeWpilogSpec : FunSpec({
                     (0 until 50).joinToString("") { "${it / 50.0 + offset},$it\n" },
             )
             badlog("merge", bag("a", 0.0), bag("b", 0.01), "-o", folder / "m.wpilog").code shouldBe ExitCode.WHOLE
-            val merged = readRecording(folder / "m.wpilog")
+            val merged = readRecording(folder / "m.wpilog", LOG_FORMATS)
             merged.topics.map { topic -> topic.samples.toList() } shouldContainExactly List(2) { List(50) { it.toDouble() } }
         }
     }
@@ -161,7 +162,7 @@ class MergeWpilogSpec : FunSpec({
                     listOf(numbers("a", *list.distinct().sortedBy { it.first }.map { (t, v) -> t * 1.0 to v * 1.0 }.toTypedArray())),
                 )
                 badlog("merge", log("1.wpilog", one), log("2.wpilog", other), "-o", folder / "m.wpilog", "--force")
-                val merged = readRecording(folder / "m.wpilog").topics.single()
+                val merged = readRecording(folder / "m.wpilog", LOG_FORMATS).topics.single()
                 val pairs = checkNotNull(merged.times).indices.map { merged.times!![it].toInt() to merged.samples[it].toInt() }
                 pairs.map { it.first } shouldBe pairs.map { it.first }.sorted()
                 pairs.toSet() shouldBe (one + other).toSet()

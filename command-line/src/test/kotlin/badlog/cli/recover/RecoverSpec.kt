@@ -12,6 +12,7 @@ import badlog.cli.inFolder
 import badlog.cli.names
 import badlog.cli.with
 import badlog.file.readRecording
+import badlog.formats.LOG_FORMATS
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
@@ -21,28 +22,28 @@ import io.kotest.property.arbitrary.byte
 import io.kotest.property.arbitrary.byteArray
 import io.kotest.property.arbitrary.int
 import io.kotest.property.checkAll
-import kotlinx.serialization.json.int
-import kotlinx.serialization.json.jsonObject
-import kotlinx.serialization.json.jsonPrimitive
 import java.nio.file.Path
 import kotlin.io.path.createDirectory
 import kotlin.io.path.div
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.readBytes
 import kotlin.io.path.readText
+import kotlinx.serialization.json.int
+import kotlinx.serialization.json.jsonObject
+import kotlinx.serialization.json.jsonPrimitive
 
 class RecoverSpec : FunSpec({
     /** The clean log of [log] is whole, has all of its rows and topics, and recovering it again changes nothing. */
     fun shouldBecomeWhole(log: Path, folder: Path) {
         val clean = folder / "clean/"
         val ended = badlog("recover", log, "-o", "$clean/", "--force")
-        val before = readRecording(log)
+        val before = readRecording(log, LOG_FORMATS)
         if (ended.code == ExitCode.NOTHING) {
             (before.rowCount == 0) shouldBe true
             return
         }
         ended.code shouldBe if (before.isSalvaged) ExitCode.SALVAGED else ExitCode.WHOLE
-        val after = readRecording(clean / log.fileName.toString())
+        val after = readRecording(clean / log.fileName.toString(), LOG_FORMATS)
         after.isSalvaged shouldBe false
         after.rowCount shouldBe before.rowCount
         after.values shouldBe before.values
@@ -72,9 +73,9 @@ class RecoverSpec : FunSpec({
                 val bytes = BAG.encodeToByteArray()
                 val damaged = bytes.copyOf(at) + noise + bytes.copyOfRange(minOf(bytes.size, at + noise.size / 2), bytes.size)
                 val ended = badlog("recover", folder.with("a.bag", damaged), "-o", folder / "b.bag", "--force")
-                val before = readRecording(folder / "a.bag")
+                val before = readRecording(folder / "a.bag", LOG_FORMATS)
                 when {
-                    ended.code != ExitCode.NOTHING -> readRecording(folder / "b.bag").isSalvaged shouldBe false
+                    ended.code != ExitCode.NOTHING -> readRecording(folder / "b.bag", LOG_FORMATS).isSalvaged shouldBe false
                     before.isReadable && before.rowCount > 0 -> ended.err shouldContain "does not read as the same"
                 }
             }
@@ -89,7 +90,7 @@ class RecoverSpec : FunSpec({
             lost.getValue("rows").jsonPrimitive.int shouldBe 1
             lost.getValue("cells").jsonPrimitive.int shouldBe 2
             lost.getValue("bytes").jsonPrimitive.int shouldBe CUT_BAG.lines().last().length
-            readRecording(folder / "a.recovered.bag").rowCount shouldBe 4
+            readRecording(folder / "a.recovered.bag", LOG_FORMATS).rowCount shouldBe 4
         }
     }
 
@@ -111,7 +112,7 @@ class RecoverSpec : FunSpec({
             logs.with("deep/b.bag.gz", gz.copyOf(gz.size - 12))
             badlog("recover", logs, "-o", folder / "clean").code shouldBe ExitCode.SALVAGED
             (folder / "clean").names() shouldContainExactly listOf("a.bag", "deep")
-            readRecording(folder / "clean/deep/b.bag.gz").problems.none { it.severity.name == "ERROR" } shouldBe true
+            readRecording(folder / "clean/deep/b.bag.gz", LOG_FORMATS).problems.none { it.severity.name == "ERROR" } shouldBe true
             (folder / "clean/deep/b.bag.gz").readBytes()[0] shouldBe 0x1f
         }
     }

@@ -10,6 +10,7 @@ import badlog.cli.with
 import badlog.cli.wpilog
 import badlog.cli.wpilogBytes
 import badlog.file.readRecording
+import badlog.formats.LOG_FORMATS
 import badlog.recording.Recording
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
@@ -21,18 +22,18 @@ import io.kotest.property.arbitrary.byteArray
 import io.kotest.property.arbitrary.element
 import io.kotest.property.arbitrary.int
 import io.kotest.property.checkAll
-import kotlinx.serialization.json.JsonObject
-import kotlinx.serialization.json.boolean
-import kotlinx.serialization.json.int
-import kotlinx.serialization.json.jsonArray
-import kotlinx.serialization.json.jsonObject
-import kotlinx.serialization.json.jsonPrimitive
 import java.io.ByteArrayOutputStream
 import java.nio.file.Path
 import java.util.zip.GZIPOutputStream
 import kotlin.io.path.div
 import kotlin.io.path.exists
 import kotlin.io.path.readBytes
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.boolean
+import kotlinx.serialization.json.int
+import kotlinx.serialization.json.jsonArray
+import kotlinx.serialization.json.jsonObject
+import kotlinx.serialization.json.jsonPrimitive
 
 /** All that has a record in the log that is made of [recording]; as text, because NaN does not equal NaN. */
 private fun contentOf(recording: Recording): List<String> = recording.values.map { "$it" } + recording.topics.map { topic ->
@@ -61,9 +62,9 @@ class RecoverWpilogSpec : FunSpec({
         val clean = folder / "clean.wpilog"
         val ended = badlog("recover", log, "-o", clean, "--force")
         if (ended.code == ExitCode.NOTHING) return
-        val before = readRecording(log)
+        val before = readRecording(log, LOG_FORMATS)
         ended.code shouldBe if (before.isSalvaged) ExitCode.SALVAGED else ExitCode.WHOLE
-        val after = readRecording(clean)
+        val after = readRecording(clean, LOG_FORMATS)
         after.isSalvaged shouldBe false
         contentOf(after) shouldBe contentOf(before)
         badlog("recover", clean, "-o", folder / "again.wpilog", "--force").code shouldBe ExitCode.WHOLE
@@ -83,7 +84,7 @@ class RecoverWpilogSpec : FunSpec({
             checkAll(300, Arb.int(0, whole.size), Arb.byteArray(Arb.int(0, 12), Arb.byte())) { at, noise ->
                 val damaged = whole.copyOf(at) + noise + whole.copyOfRange(minOf(whole.size, at + noise.size / 2), whole.size)
                 val ended = badlog("recover", folder.with("a.wpilog", damaged), "-o", folder / "b.wpilog", "--force")
-                if (ended.code != ExitCode.NOTHING) readRecording(folder / "b.wpilog").isSalvaged shouldBe false
+                if (ended.code != ExitCode.NOTHING) readRecording(folder / "b.wpilog", LOG_FORMATS).isSalvaged shouldBe false
             }
         }
     }
@@ -118,7 +119,7 @@ class RecoverWpilogSpec : FunSpec({
             val json = badlogJson("recover", log).json.single()
             json.getValue("lostMore").jsonPrimitive.boolean shouldBe true
             (folder / "a.recovered.wpilog.gz").readBytes()[0] shouldBe 0x1f
-            readRecording(folder / "a.recovered.wpilog.gz").isSalvaged shouldBe false
+            readRecording(folder / "a.recovered.wpilog.gz", LOG_FORMATS).isSalvaged shouldBe false
         }
     }
 
@@ -155,7 +156,7 @@ class RecoverWpilogSpec : FunSpec({
             val json = badlogJson("recover", log, "-o", folder / "b.wpilog").json.single()
             json.getValue("leftOut").jsonArray.map { it.jsonPrimitive.content } shouldContainExactly
                 listOf("“photo”: Bytes that were not decoded are there by their sizes only.")
-            readRecording(folder / "b.wpilog").isSalvaged shouldBe false
+            readRecording(folder / "b.wpilog", LOG_FORMATS).isSalvaged shouldBe false
         }
     }
 

@@ -8,6 +8,7 @@ import badlog.analysis.enabledSpans
 import badlog.expression.ViewWithVirtualTopics
 import badlog.expression.withVirtualTopics
 import badlog.file.readRecording
+import badlog.formats.LOG_FORMATS
 import java.io.IOException
 import java.nio.file.Path
 
@@ -83,7 +84,7 @@ internal class OpenRecording(val file: Path, val logged: LogView, val definition
             isGrowing: Boolean = false,
             progress: (Float) -> Unit = {},
         ): OpenRecording {
-            val recording = readRecording(file, untilLastLineEnd = isGrowing) { done, total ->
+            val recording = readRecording(file, LOG_FORMATS, untilLastLineEnd = isGrowing) { done, total ->
                 if (total > 0) progress(done.toFloat() / total)
             }
             if (!recording.isReadable) throw IOException("${file.fileName}: ${recording.problems.last().message}")

@@ -1,6 +1,7 @@
 package badlog.page.reading
 
-import badlog.file.RecordingParser
+import badlog.bag.RecordingParser
+import badlog.formats.LOG_FORMATS
 import badlog.page.embedded.Base64
 import badlog.page.embedded.Inflation
 import badlog.page.text.bytesText
@@ -16,7 +17,7 @@ import kotlin.js.Promise
  * @param onProgress is told every now and then which share of the bytes has been read.
  */
 internal class RecordingReader(private val expectedBytes: Double, isWhole: Boolean, private val onProgress: (Double) -> Unit) {
-    private val parser = RecordingParser(expectedBytes.toLong())
+    private val parser = RecordingParser(LOG_FORMATS, expectedBytes.toLong())
     private var told = 0.0
     private val inflation = Inflation(expectedBytes, isWhole, ::read)
 

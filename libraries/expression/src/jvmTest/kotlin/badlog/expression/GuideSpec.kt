@@ -2,6 +2,7 @@ package badlog.expression
 
 import badlog.analysis.LogView
 import badlog.file.readRecording
+import badlog.formats.LOG_FORMATS
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import java.io.File
@@ -16,7 +17,7 @@ private fun printed(expression: String, signals: Signals): String = when (val re
 
 class GuideSpec : FunSpec({
     test("each example in docs/expressions.md gives what stands below it") {
-        var signals: Signals = LogViewSignals(LogView.of(readRecording(File(ROOT, "samples/qualification-42.bag").toPath())))
+        var signals: Signals = LogViewSignals(LogView.of(readRecording(File(ROOT, "samples/qualification-42.bag").toPath(), LOG_FORMATS)))
         val guide = File(ROOT, "docs/expressions.md").readText()
         val blocks = Regex("```(expression|virtual-topic)\n(.*?)```", RegexOption.DOT_MATCHES_ALL)
         val asItIs = blocks.replace(guide) { block ->

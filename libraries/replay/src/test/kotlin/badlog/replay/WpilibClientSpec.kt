@@ -120,7 +120,7 @@ class WpilibClientSpec :
         }
 
         test("A match arrives, sample by sample, three times as fast").config(enabledOrReasonIf = whenThere) {
-            val view = LogView.of(readRecording(File("../../samples/qualification-42.bag").toPath()))
+            val view = LogView.of(readRecording(File("../../samples/qualification-42.bag").toPath(), emptyList()))
             shouldArrive(view, ReplayOptions(0, speed = 3.0, range = 20.0..26.0, prefix = "/badlog"))
         }
     })

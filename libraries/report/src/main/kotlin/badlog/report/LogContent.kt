@@ -5,6 +5,7 @@ import badlog.expression.withVirtualTopics
 import badlog.file.LogFile
 import badlog.file.UnreadableFileException
 import badlog.file.readRecording
+import badlog.formats.LOG_FORMATS
 import badlog.recording.PathName
 import badlog.recording.ProblemKind
 import badlog.recording.Recording
@@ -31,7 +32,7 @@ internal sealed interface LogContent {
 
     companion object {
         private fun of(file: LogFile, definitions: List<String>, xTopic: String?): LogContent = try {
-            val recording = readRecording(file.path)
+            val recording = readRecording(file.path, LOG_FORMATS)
             val problem = recording.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
             if (problem != null) {
                 None(problem.message, isNoLog = true)

@@ -1,8 +1,9 @@
 package badlog.viewer.library.index
 
-import badlog.bag.FileSignature
+import badlog.bag.RecordingParser
+import badlog.file.GzipReader
 import badlog.file.LogFile
-import badlog.file.RecordingParser
+import badlog.formats.LOG_FORMATS
 import java.io.IOException
 import java.io.InputStream
 import java.nio.file.Files
@@ -21,7 +22,7 @@ internal fun isNamedAsLog(name: String): Boolean = NAMED_AS_LOG.matches(name)
  */
 internal fun isLikelyLog(file: LogFile): Boolean {
     if (file.size < LARGE || isNamedAsLog(file.name)) return true
-    val parser = RecordingParser(keepSamples = false)
+    val parser = RecordingParser(LOG_FORMATS, keepSamples = false)
     Files.newInputStream(file.path).use { stream ->
         try {
             parser.accept(inflated(stream.buffered()).readNBytes(SAMPLE))
@@ -34,8 +35,8 @@ internal fun isLikelyLog(file: LogFile): Boolean {
 }
 
 private fun inflated(stream: InputStream): InputStream {
-    stream.mark(FileSignature.BYTES)
-    val head = stream.readNBytes(FileSignature.BYTES)
+    stream.mark(GzipReader.SIGNATURE_SIZE)
+    val head = stream.readNBytes(GzipReader.SIGNATURE_SIZE)
     stream.reset()
-    return if (FileSignature.of(head, head.size) == FileSignature.GZIP) GZIPInputStream(stream) else stream
+    return if (GzipReader.isGzip(head)) GZIPInputStream(stream) else stream
 }

@@ -6,6 +6,7 @@ import badlog.analysis.matchTitle
 import badlog.analysis.statistics
 import badlog.file.LogFile
 import badlog.file.readRecording
+import badlog.formats.LOG_FORMATS
 import badlog.recording.PathName
 import badlog.recording.Recording
 import badlog.recording.Severity
@@ -23,7 +24,7 @@ import java.util.concurrent.CancellationException
  */
 internal fun summarize(file: LogFile, checkpoint: () -> Unit = {}): LogEntry = try {
     when {
-        isLikelyLog(file) -> summaryOf(file, LogView.of(readRecording(file.path) { _, _ -> checkpoint() }))
+        isLikelyLog(file) -> summaryOf(file, LogView.of(readRecording(file.path, LOG_FORMATS) { _, _ -> checkpoint() }))
         else -> unreadable(file, "${file.name} is no log.").copy(content = Content.NO_LOG)
     }
 } catch (e: CancellationException) {
@@ -39,7 +40,7 @@ internal fun summarize(file: LogFile, checkpoint: () -> Unit = {}): LogEntry = t
 
 /** What can be told of a file whose samples do not fit into memory. */
 private fun withoutSamples(file: LogFile, checkpoint: () -> Unit): LogEntry = try {
-    val recording = readRecording(file.path, keepSamples = false) { _, _ -> checkpoint() }
+    val recording = readRecording(file.path, LOG_FORMATS, keepSamples = false) { _, _ -> checkpoint() }
     summaryOf(file, LogView.of(recording)).copy(content = Content.SOMETHING)
 } catch (e: IOException) {
     unreadable(file, e.message ?: "${file.name} could not be read; is its drive still connected?")

@@ -2,6 +2,7 @@ package badlog.viewer.export.cut
 
 import badlog.analysis.Span
 import badlog.file.readRecording
+import badlog.formats.LOG_FORMATS
 import badlog.recording.RecordingFormat
 import badlog.recording.Severity
 import badlog.viewer.export.armBag
@@ -27,7 +28,7 @@ class CutFileSpec : FunSpec({
     test("a bag of a part has just its rows, with the values, units and attributes of the whole") {
         val target = folder.resolve("part.bag")
         cutFile(whole, Span(1.0, 2.0), RecordingFormat.BAG, target) shouldBe "Wrote 51 rows to $target."
-        val part = readRecording(target)
+        val part = readRecording(target, LOG_FORMATS)
         val source = whole.view.recording
         part.values shouldBe source.values
         part.problems.shouldBeEmpty()
@@ -49,7 +50,7 @@ class CutFileSpec : FunSpec({
         val target = folder.resolve("wpilog part.bag")
         cutFile(open, Span(0.0, 0.1), RecordingFormat.BAG, target) shouldBe
             "Wrote 6 rows to $target, one every 20 ms, each with the last values before it."
-        val part = readRecording(target)
+        val part = readRecording(target, LOG_FORMATS)
         part.problems.filter { it.severity != Severity.NOTE }.shouldBeEmpty()
         part.topics.single { it.name == "Gain" }.samples.toList() shouldBe listOf(1.0, 1.0, 1.0, 2.0, 2.0, 2.0)
         cutFile(open, Span(1.0, 1.5), RecordingFormat.CSV, target) shouldContain "one at each sample of “Gyro”"
@@ -62,7 +63,7 @@ class CutFileSpec : FunSpec({
         val open = whole.withFormulas(listOf("Twice [deg] = 2 * Arm/Angle", "Most = max(Arm/Angle)", "Is Far = Arm/Angle > 10"))
         cutFile(open, Span(0.2, 0.4), RecordingFormat.BAG, target) shouldBe
             "Wrote 11 rows to $target, without “Most”, which has no value in each of them."
-        val part = readRecording(target)
+        val part = readRecording(target, LOG_FORMATS)
         part.problems.filter { it.severity != Severity.NOTE }.shouldBeEmpty()
         part.topics.map { it.name } shouldContainExactly listOf("Time", "Arm/Angle", "Arm/Current", "Arm/Mode", "Twice", "Is Far")
         part.topics.single { it.name == "Twice" }.samples.toList() shouldBe List(11) { (it + 10) * 2.0 }

@@ -1,6 +1,7 @@
 package badlog.report.hook
 
 import badlog.file.readRecording
+import badlog.formats.LOG_FORMATS
 import badlog.recording.CellCounts
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
@@ -24,7 +25,7 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.seconds
 import kotlin.time.measureTime
 
-private val RECORDING: Recording by lazy { readRecording(sample("qualification-42.bag")) }
+private val RECORDING: Recording by lazy { readRecording(sample("qualification-42.bag"), LOG_FORMATS) }
 
 internal val HAS_PYTHON: Boolean = try {
     ProcessBuilder("python3", "--version").start().waitFor() == 0

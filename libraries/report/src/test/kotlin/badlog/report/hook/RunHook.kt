@@ -1,9 +1,10 @@
 package badlog.report.hook
 
 import badlog.file.readRecording
+import badlog.formats.LOG_FORMATS
 import java.nio.file.Path
 
 /** A program of its own that runs a hook, so that a test can end it: a log, and the hook's command. */
 fun main(arguments: Array<String>) {
-    HookRunner(arguments.drop(1)).run(readRecording(Path.of(arguments[0])))
+    HookRunner(arguments.drop(1)).run(readRecording(Path.of(arguments[0]), LOG_FORMATS))
 }

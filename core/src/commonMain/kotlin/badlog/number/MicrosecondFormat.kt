@@ -1,0 +1,38 @@
+package badlog.number
+
+import badlog.text.DOT
+import badlog.text.MINUS
+import badlog.text.ZERO
+
+
+/**
+ * Writes a number with six digits after its point, as a time in seconds needs them: `%.5g` leaves 10 ms of 100 s. From
+ * a size of 9e18 on, and for what is not finite, it is [FiveDigitFormat] that writes. Calls allocate nothing.
+ */
+internal object MicrosecondFormat {
+    /** Length in bytes of the longest text [write] produces. */
+    const val MAX_LENGTH: Int = 27
+
+    private const val FRACTION_DIGITS = 6
+
+    /** Writes [value], rounded to the nearest millionth, into [into] from index [at] on; returns the index after it. */
+    fun write(value: Double, into: ByteArray, at: Int): Int {
+        val magnitude = if (value < 0.0) -value else value
+        if (!(magnitude < 9.0e18)) return FiveDigitFormat.write(value, into, at)
+        var whole = magnitude.toLong()
+        var millionths = ((magnitude - whole) * 1_000_000 + 0.5).toInt()
+        if (millionths == 1_000_000) {
+            whole++
+            millionths = 0
+        }
+        var next = at
+        if (value < 0.0 && (whole > 0 || millionths > 0)) into[next++] = MINUS.toByte()
+        next = IntegerFormat.write(whole, into, next)
+        into[next] = DOT.toByte()
+        for (i in next + FRACTION_DIGITS downTo next + 1) {
+            into[i] = (ZERO + millionths % 10).toByte()
+            millionths /= 10
+        }
+        return next + 1 + FRACTION_DIGITS
+    }
+}

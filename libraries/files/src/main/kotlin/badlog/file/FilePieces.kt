@@ -1,0 +1,81 @@
+package badlog.file
+
+import java.nio.ByteBuffer
+import java.nio.ByteOrder
+import java.nio.channels.FileChannel
+import java.nio.file.Path
+
+/** The bytes of an open file, in pieces. Failures become an [UnreadableFileException]. */
+internal class FilePieces(
+    private val file: Path,
+    private val channel: FileChannel,
+    private val progress: (doneBytes: Long, totalBytes: Long) -> Unit,
+) {
+    private val bytes = ByteArray(SIZE)
+
+    /** The file's size when it was opened. */
+    val total: Long = reading(file) { channel.size() }
+
+    /** What [look] sees in the first [size] bytes, or fewer where the file is shorter; the array is used again after the call. */
+    fun <T> beginning(size: Int, look: (bytes: ByteArray, size: Int) -> T): T = look(bytes, readAt(0, size))
+
+    /**
+     * How many bytes a gzip file may inflate to, or 0 where its end does not tell: the trailer of its last member, if there
+     * is one, has the size of that member.
+     */
+    fun inflatedSize(): Long {
+        if (readAt(maxOf(0, total - Int.SIZE_BYTES), Int.SIZE_BYTES) < Int.SIZE_BYTES) return 0
+        val size = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN).getInt().toUInt().toLong()
+        return if (size in total..total * MOST_INFLATION) size else 0
+    }
+
+    /** Where the line after the last line end begins; 0 without any. */
+    fun lastLineEnd(): Long {
+        var until = total
+        while (until > 0) {
+            val from = maxOf(0, until - SIZE)
+            for (i in readAt(from, (until - from).toInt()) - 1 downTo 0) {
+                if (bytes[i] == LINE_FEED || bytes[i] == CARRIAGE_RETURN) return from + i + 1
+            }
+            until = from
+        }
+        return 0
+    }
+
+    /** Gives all bytes before [until] to [sink], and tells of the progress. The array is used again after the call. */
+    fun forEach(until: Long = Long.MAX_VALUE, sink: (bytes: ByteArray, size: Int) -> Unit) {
+        var done = 0L
+        var told = 0L
+        while (done < until) {
+            val size = readAt(done, minOf(SIZE.toLong(), until - done).toInt())
+            if (size == 0) break
+            sink(bytes, size)
+            done += size
+            if (done - told >= STEP) {
+                told = done
+                progress(done, total)
+            }
+        }
+        if (done > told) progress(done, total)
+    }
+
+    /** Fills [bytes] from [position] on, with [size] bytes or what the file still has; returns how many there are. */
+    private fun readAt(position: Long, size: Int): Int = reading(file) {
+        val buffer = ByteBuffer.wrap(bytes, 0, size)
+        while (buffer.hasRemaining()) {
+            if (channel.read(buffer, position + buffer.position()) < 0) break
+        }
+        buffer.position()
+    }
+
+    private companion object {
+        // Larger ones are no faster.
+        const val SIZE = 1 shl 18
+        const val STEP = 1L shl 20
+
+        /** A log that is smaller by more than this has lost its trailer. */
+        const val MOST_INFLATION = 40
+        const val LINE_FEED = '\n'.code.toByte()
+        const val CARRIAGE_RETURN = '\r'.code.toByte()
+    }
+}

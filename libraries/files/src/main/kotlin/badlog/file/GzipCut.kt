@@ -1,0 +1,15 @@
+package badlog.file
+
+import badlog.recording.Problem
+import badlog.recording.ProblemKind
+import badlog.recording.Recording
+
+/**
+ * This recording with the [problem][ProblemKind.GZIP_CUT], before all others, that the gzip stream it was read from broke
+ * off after [inflatedBytes] bytes, which its rows do not tell.
+ */
+public fun Recording.withGzipCut(inflatedBytes: Long): Recording {
+    val message = "The compressed file is cut off or damaged; the $inflatedBytes bytes before that were read."
+    val problem = Problem(ProblemKind.GZIP_CUT, message)
+    return copy(problems = listOf(problem) + problems)
+}

@@ -1,0 +1,7 @@
+package badlog.formats
+
+import badlog.recording.LogFormat
+import badlog.wpilog.WpilogFormat
+
+/** The formats of this library, for programs that read whatever log they are given. */
+public val LOG_FORMATS: List<LogFormat> = listOf(WpilogFormat)

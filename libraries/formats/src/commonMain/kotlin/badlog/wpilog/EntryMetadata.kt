@@ -1,0 +1,67 @@
+package badlog.wpilog
+
+import badlog.analysis.Units
+import badlog.json.JsonReader
+import badlog.json.quotedJson
+import badlog.recording.Topic
+import badlog.recording.TopicKind
+
+/** The metadata by which an entry becomes a value again. */
+internal const val VALUE_METADATA: String = "{\"badlog\":\"value\"}"
+
+/** What the metadata of a topic hold that was the x axis of a bag. */
+internal const val X_AXIS_METADATA: String = "\"badlog\":\"xaxis\""
+
+/** The unit that [metadata] tell, where loggers put it: beside their own remarks, or in the properties of a NetworkTables topic. */
+internal fun unitIn(metadata: String): String {
+    val members = JsonReader.readObject(metadata).orEmpty()
+    val own = members.findLast { it.key == UNIT }
+    val property = members.findLast { it.key == "properties" }?.value?.members?.findLast { it.key == UNIT }
+    return (own ?: property)?.value?.text ?: Topic.UNITLESS
+}
+
+/** The attributes of an entry [name]: those in its [metadata], or those that belong to what WPILib writes by itself. */
+internal fun attributesIn(metadata: String, name: String): List<String> {
+    val member = JsonReader.readObject(metadata).orEmpty().findLast { it.key == ATTRIBUTES }
+    val own = member?.value?.items.orEmpty().mapNotNull { it.text }
+    return when {
+        own.isNotEmpty() -> own
+        name == MESSAGES -> listOf(LOG)
+        name == Entry.SYSTEM_TIME || Entry.SCHEMA_FOLDER in name -> listOf("hide")
+        else -> emptyList()
+    }
+}
+
+/** The metadata of [topic] as they were, where they say all of its unit and attributes; else as JSON that does. */
+internal fun metadataOf(topic: Topic): String {
+    val attributes = attributesOf(topic)
+    val isX = X_AXIS in topic.attributes
+    val unit = unitIn(topic.metadata)
+    val isSameUnit = unit == topic.unit || (Units.isNone(unit) && Units.isNone(topic.unit))
+    if (!isX && isSameUnit && attributesIn(topic.metadata, topic.name) == attributes) return topic.metadata
+    val own = JsonReader.readObject(topic.metadata)
+    val members = ArrayList<String>()
+    for (member in own.orEmpty()) {
+        if (member.key != UNIT && member.key != ATTRIBUTES) members += quotedJson(member.key) + ":" + member.value.json
+    }
+    if (own == null && topic.metadata.isNotEmpty()) members += "\"metadata\":" + quotedJson(topic.metadata)
+    if (isX) members += X_AXIS_METADATA
+    if (!Units.isNone(topic.unit)) members += "\"unit\":" + quotedJson(topic.unit)
+    if (attributes.isNotEmpty()) members += "\"attrs\":" + attributes.joinToString(",", "[", "]", transform = ::quotedJson)
+    return if (members.isEmpty()) "" else members.joinToString(",", "{", "}")
+}
+
+private fun attributesOf(topic: Topic): List<String> {
+    // The times of the records take the place of an x axis.
+    val attributes = topic.attributes - X_AXIS
+    // That a bag's texts are events, its empty cells tell, which have no record.
+    val isEvent = topic.times == null && topic.kind == TopicKind.EVENT && LOG !in attributes
+    return if (isEvent) attributes + LOG else attributes
+}
+
+/** Where WPILib's logger puts what the program says. */
+private const val MESSAGES = "messages"
+private const val UNIT = "unit"
+private const val ATTRIBUTES = "attrs"
+private const val LOG = "log"
+private const val X_AXIS = "xaxis"

@@ -1,0 +1,113 @@
+package badlog.wpilog
+
+import badlog.recording.LogParser
+import badlog.recording.Loss
+import badlog.recording.ProblemKind
+import badlog.recording.ProblemList
+import badlog.recording.Recording
+import badlog.recording.RecordingFormat
+import badlog.recording.Value
+
+/**
+ * Reads a WPILOG, the log of WPILib's DataLog, that is pushed to it in pieces of any size. Nothing in the bytes makes it
+ * throw: whatever is wrong becomes a problem of the recording, by the rules in `docs/wpilog.md`.
+ *
+ * Besides the samples, 16 bytes a number at most, it holds one record of the file, never the file. Compressed files are to be
+ * inflated before. Not safe for use by several threads.
+ *
+ * @param keepSamples false to find only topics, counts and problems, in memory that does not grow with the file.
+ */
+public class WpilogParser(private val keepSamples: Boolean = true) : LogParser {
+    private val problems = ProblemList()
+    private val book = EntryBook(ColumnSource(keepSamples), problems)
+    private val splitter = RecordSplitter(book)
+
+    /** How many records have been read so far, of whatever kind. */
+    override val rowCount: Int get() = book.recordCount
+
+    override fun accept(bytes: ByteArray, from: Int, until: Int) {
+        splitter.accept(bytes, from, until)
+    }
+
+    override fun finish(): Recording {
+        val isOther = !splitter.isPastHeader && !splitter.isInHeader
+        val refusal = book.refusal ?: if (isOther) "This is no WPILOG file." else null
+        if (refusal != null) {
+            problems.add(ProblemKind.NOT_A_RECORDING, refusal)
+            return Recording(RecordingFormat.WPILOG, null, emptyList(), emptyList(), 0, problems.toList())
+        }
+        reportEnd()
+        book.finish(splitter.recordsInNonsense)
+        val bulk = book.spread.bulk()
+        reportLostRecords(bulk)
+        val span = (bulk?.from ?: 0.0) / EntryBook.MICROS..((bulk?.until ?: 1.0) - 1) / EntryBook.MICROS
+        val topics = WpilogTopics(span, problems).of(book.entries)
+        if (topics.all { it.size == 0 }) {
+            problems.add(ProblemKind.NO_ROWS, "There is not one sample; the robot may have been switched off too early.")
+        }
+        return Recording(
+            format = RecordingFormat.WPILOG,
+            headerLine = null,
+            values = book.facts.values(bulk?.from ?: 0.0) + extraHeader(),
+            topics = topics,
+            rowCount = 0,
+            problems = problems.toList(),
+        )
+    }
+
+    private fun extraHeader() =
+        if (book.extraHeader.isBlank() || book.extraHeader == OWN_HEADER) emptyList() else listOf(Value("Extra Header", book.extraHeader))
+
+    private fun reportEnd() {
+        val end = splitter.readableEnd
+        if (end >= 0) {
+            problems.add(
+                ProblemKind.RECORDS_LOST,
+                "From byte $end on there are no records; the last ${splitter.total - end} bytes cannot be read.",
+                loss = Loss(bytes = splitter.total - end),
+            )
+        } else if (splitter.pendingBytes > 0 || !splitter.isPastHeader) {
+            problems.add(
+                ProblemKind.RECORD_CUT,
+                "The file ends inside a record, which was dropped with the ${splitter.pendingBytes} bytes there are of it.",
+                loss = Loss(cells = 1, bytes = splitter.pendingBytes.toLong()),
+            )
+        }
+    }
+
+    private fun reportLostRecords(bulk: TimeSpread.Bulk?) {
+        if (book.unknownCount > 0) {
+            problems.add(
+                ProblemKind.UNKNOWN_ENTRY,
+                "${book.unknownCount} records belong to entries that were never begun, the first to number " +
+                    "${book.firstUnknown.toUInt()}; they were dropped.",
+                count = book.unknownCount,
+                loss = Loss(cells = book.unknownCount),
+            )
+        }
+        if (book.earlyCount > 0) {
+            problems.add(
+                ProblemKind.EARLY_TIMES,
+                "${book.earlyCount} records, such as one of “${book.firstEarly?.name}”, are from before the robot's clock began; " +
+                    "they stand where the recording begins.",
+                count = book.earlyCount,
+            )
+        }
+        val far = if (bulk == null) 0 else (book.spread.total() - bulk.records).toInt()
+        if (book.wildCount + far > 0) {
+            val example = book.firstWild?.let { ", such as one of “${it.name}”" }.orEmpty()
+            problems.add(
+                ProblemKind.WILD_TIMES,
+                "${book.wildCount + far} records$example have times that cannot be, or are days away from all others; " +
+                    "they were dropped.",
+                count = book.wildCount + far,
+                loss = Loss(cells = book.wildCount + far),
+            )
+        }
+    }
+
+    internal companion object {
+        /** The text that badlog's own writer leaves in the header, which says nothing to anyone. */
+        const val OWN_HEADER = "{\"writer\":\"badlog\"}"
+    }
+}

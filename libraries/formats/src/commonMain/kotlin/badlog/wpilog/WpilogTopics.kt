@@ -1,0 +1,60 @@
+package badlog.wpilog
+
+import badlog.recording.CellCounts
+import badlog.recording.ProblemKind
+import badlog.recording.ProblemList
+import badlog.recording.TextColumn
+import badlog.recording.Topic
+
+/** Makes the topics of the entries, each with a name of its own. Keeps what lies in [span], in s. */
+internal class WpilogTopics(private val span: ClosedFloatingPointRange<Double>, private val problems: ProblemList) {
+    private val names = HashSet<String>()
+    private val topics = ArrayList<Topic>()
+
+    fun of(entries: Collection<Entry>): List<Topic> {
+        for (entry in entries) if (!entry.isValue) add(entry)
+        return topics
+    }
+
+    private fun add(entry: Entry) {
+        val decoder = entry.decoder
+        decoder.clock.finish(span)
+        val withoutSamples = Topic(
+            entry.name,
+            entry.unit,
+            entry.attributes,
+            DoubleArray(0),
+            TextColumn.EMPTY,
+            decoder.clock.run { order?.size ?: size }.let { CellCounts(0, 0, 0, 0, it, if (it > 0) 1 else 0) },
+            decoder.clock.times,
+            entry.type,
+            entry.metadata,
+            entry.wasXAxis,
+        )
+        // An entry without records, or with nothing but empty arrays, is there all the same.
+        if (decoder.blocks.none { it.columns.isNotEmpty() }) topics += withoutSamples.copy(name = freeName(entry.name))
+        for (block in decoder.blocks) {
+            block.clock.finish(span)
+            for (column in block.columns) {
+                val name = freeName(entry.name + column.path)
+                val topic = column.build(name, withoutSamples, block.clock)
+                reportTopic(topic, column, block.clock, problems)
+                topics += topic
+            }
+        }
+    }
+
+    private fun freeName(wanted: String): String {
+        var name = wanted
+        var copy = 2
+        while (!names.add(name)) name = "$wanted (${copy++})"
+        if (name != wanted) {
+            problems.add(
+                ProblemKind.DUPLICATE_TOPIC,
+                "Two topics are called “$wanted”; the second is shown as “$name”.",
+                topic = name,
+            )
+        }
+        return name
+    }
+}

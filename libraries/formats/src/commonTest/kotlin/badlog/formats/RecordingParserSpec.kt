@@ -1,0 +1,37 @@
+package badlog.formats
+
+import badlog.bag.RecordingParser
+import badlog.bag.VARIED_BAG
+import badlog.bag.describe
+import badlog.bag.parse
+import badlog.wpilog.VARIED_LOG
+import badlog.wpilog.describeLog
+import badlog.wpilog.parseLog
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+
+private fun read(bytes: ByteArray, piece: Int): RecordingParser {
+    val parser = RecordingParser(LOG_FORMATS, bytes.size.toLong())
+    for (at in bytes.indices step piece) parser.accept(bytes, at, minOf(at + piece, bytes.size))
+    return parser
+}
+
+class RecordingParserSpec : FunSpec({
+    test("bags and WPILOGs are told by their first bytes, in whatever pieces these come") {
+        for (piece in listOf(1, 4, 100_000)) {
+            describe(read(VARIED_BAG.encodeToByteArray(), piece).finish()) shouldBe describe(parse(VARIED_BAG))
+            describeLog(read(VARIED_LOG.bytes, piece).finish()) shouldBe describeLog(parseLog(VARIED_LOG.bytes))
+        }
+    }
+
+    test("files of a few bytes, or of none, are read as bags") {
+        for (text in listOf("", "a\n", "a\n1\n", "WPILO")) {
+            describe(read(text.encodeToByteArray(), 1).finish()) shouldBe describe(parse(text))
+        }
+    }
+
+    test("counts rows and records") {
+        read("a,b\n1,2\n3,4\n".encodeToByteArray(), 3).apply { finish() }.rowCount shouldBe 2
+        read(VARIED_LOG.bytes, 3).rowCount shouldBe 30
+    }
+})

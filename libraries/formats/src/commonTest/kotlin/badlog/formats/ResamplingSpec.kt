@@ -1,0 +1,95 @@
+package badlog.formats
+
+import badlog.analysis.LogView
+import badlog.analysis.periodicTimes
+import badlog.analysis.resampled
+import badlog.analysis.timesOf
+import badlog.bag.RecordingWriter
+import badlog.bag.parse
+import badlog.recording.RecordingFormat
+import badlog.recording.TopicKind
+import badlog.wpilog.TestLog
+import badlog.wpilog.VARIED_LOG
+import badlog.wpilog.parseLog
+import badlog.wpilog.writeLog
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+
+private fun csv(text: TestLog, vararg times: Double): String {
+    val out = StringBuilder()
+    RecordingWriter(resampled(parseLog(text.bytes), times), RecordingFormat.CSV)
+        .write { bytes, size -> out.append(bytes.decodeToString(0, size)) }
+    return out.toString()
+}
+
+class ResamplingSpec : FunSpec({
+    test("each row has the last value at or before it, and nothing before the first") {
+        val log = TestLog().start(1, "a", "double").start(2, "on", "boolean")
+            .double(1, 1_000_000, 1.5).double(1, 2_000_000, 2.5).double(1, 2_500_000, Double.NaN).double(1, 2_600_000, 3.5)
+            .record(2, 2_000_000, byteArrayOf(1))
+        csv(log, 0.5, 1.0, 2.0, 2.5, 9.0) shouldBe "Time,a,on\n0.5,,\n1,1.5,\n2,2.5,true\n2.5,,true\n9,3.5,true\n"
+    }
+
+    test("states hold, events stand in one row, and several of one row are joined") {
+        val log = TestLog().start(1, "mode", "string").start(2, "messages", "string")
+            .string(1, 1_000_000, "auto").string(1, 3_000_000, "teleop")
+            .string(2, 1_100_000, "one").string(2, 1_200_000, "two").string(2, 3_500_000, "one")
+        csv(log, 1.0, 2.0, 3.0, 4.0) shouldBe "Time,mode,messages\n1,auto,\n2,auto,one; two\n3,teleop,\n4,teleop,one\n"
+    }
+
+    test("what comes out is a bag that reads as the same") {
+        val recording = resampled(parseLog(VARIED_LOG.bytes), periodicTimes(parseLog(VARIED_LOG.bytes), 0.02))
+        var bytes = ByteArray(0)
+        RecordingWriter(recording).write { piece, size -> bytes += piece.copyOf(size) }
+        val read = parse(bytes)
+        read.rowCount shouldBe recording.rowCount
+        read.topics.map { it.name } shouldBe recording.topics.map { it.name }
+        for ((one, other) in read.topics.zip(recording.topics)) {
+            one.counts.copy(gaps = 0) shouldBe other.counts.copy(gaps = 0)
+            one.unit shouldBe other.unit
+        }
+        LogView.of(read).xAxis.title shouldBe "Time (s)"
+        recording.topics.single { it.name == "messages" }.kind shouldBe TopicKind.EVENT
+    }
+
+    test("a bag is resampled by its x axis, which the new one replaces") {
+        val header = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"b","unit":"V"}],"values":[]}""" + "\n"
+        val bag = parse(header + "Time,b\n0,1\n1,2\n0.5,3\n2,4\n")
+        val result = resampled(bag, doubleArrayOf(0.0, 0.6, 1.0, 5.0))
+        result.topics.map { it.name } shouldBe listOf("Time (2)", "b")
+        result.topics[1].samples.toList() shouldBe listOf(1.0, 3.0, 2.0, 4.0)
+    }
+
+    test("a bag that became a WPILOG has its x axis again, in its own unit and digits") {
+        for ((unit, x) in listOf("s" to listOf(0.0, 0.0200000001, 0.04), "ms" to listOf(0.0, 20.0001, 40.0))) {
+            val header = """{"topics":[{"name":"b","unit":"V"},{"name":"T","unit":"$unit","attrs":["xaxis"]}],"values":[]}""" + "\n"
+            val bag = parse(header + "b,T\n" + x.joinToString("") { "1,$it\n" })
+            val log = parseLog(writeLog(bag).first)
+            val result = resampled(log, timesOf(log, log.topics[1]))
+            result.topics.map { it.name } shouldBe listOf("b", "T")
+            result.topics[1].samples.toList() shouldBe x
+            result.topics[1].attributes shouldBe listOf("xaxis")
+            result.topics[1].unit shouldBe unit
+            resampled(log, doubleArrayOf(0.03)).topics[1].samples.single() shouldBe if (unit == "s") 0.03 else 30.0
+        }
+    }
+
+    test("times of a period go from the first sample on until none is after them") {
+        val log = parseLog(TestLog().start(1, "a", "double").double(1, 1_000_000, 1.0).double(1, 1_300_000, 1.0).bytes)
+        periodicTimes(log, 0.1).size shouldBe 4
+        periodicTimes(log, 1.0).toList() shouldBe listOf(1.0, 2.0)
+        periodicTimes(parseLog(TestLog().bytes), 1.0).size shouldBe 0
+        shouldThrow<IllegalArgumentException> { periodicTimes(log, 0.0) }
+        shouldThrow<IllegalArgumentException> { periodicTimes(log, 1e-12) }
+        shouldThrow<IllegalArgumentException> { resampled(log, doubleArrayOf(1.0, 1.0)) }
+    }
+
+    test("the times of a topic are each there once, in their order") {
+        val log = TestLog().start(1, "a", "double")
+        for (time in listOf(5L, 3, 5, 4, 3)) log.double(1, time * 1_000_000, 1.0)
+        val recording = parseLog(log.bytes)
+        timesOf(recording, recording.topics[0]).toList() shouldBe listOf(3.0, 4.0, 5.0)
+        resampled(recording, timesOf(recording, recording.topics[0])).rowCount shouldBe 3
+    }
+})

@@ -1,0 +1,115 @@
+package badlog.wpilog
+
+import badlog.bag.VARIED_BAG
+import badlog.bag.parse
+import badlog.recording.Recording
+import badlog.recording.Topic
+import badlog.recording.TopicKind
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.core.test.Enabled
+import io.kotest.core.test.EnabledOrReasonIf
+import io.kotest.matchers.shouldBe
+import java.io.File
+import java.io.IOException
+import java.nio.file.Files
+import kotlin.math.roundToLong
+
+/** The Python that CI has installed for these tests, or the one at hand. */
+private val PYTHON = listOf("../../build/python/bin/python", "python3").firstOrNull(::hasReader)
+
+private fun hasReader(python: String): Boolean = try {
+    ProcessBuilder(python, "-c", "import wpiutil.log").redirectErrorStream(true).start()
+        .run {
+            inputStream.readAllBytes()
+            waitFor()
+        } == 0
+} catch (_: IOException) {
+    false
+}
+
+/** What WPILib's reader, the one that robotpy carries, says of a log: its lines. */
+private fun linesOf(bytes: ByteArray): List<List<String>> {
+    val file = Files.createTempFile("badlog", ".wpilog")
+    try {
+        Files.write(file, bytes)
+        val process = ProcessBuilder(PYTHON, "src/jvmTest/python/read_wpilog.py", file.toString())
+            .redirectError(ProcessBuilder.Redirect.INHERIT).apply { environment()["PYTHONIOENCODING"] = "utf-8" }.start()
+        val lines = process.inputStream.bufferedReader().readLines().map { it.split('\t') }
+        process.waitFor() shouldBe 0
+        return lines
+    } finally {
+        Files.delete(file)
+    }
+}
+
+private fun Topic.texts(): Map<Int, String> = List(texts.size) { texts.rows[it] to texts[it] }.toMap()
+
+private fun hex(text: String) = text.encodeToByteArray().joinToString("") { "%02x".format(it) }
+
+/** Whether [topic] has no value at [index], but had one before. */
+private fun beginsGap(topic: Topic, index: Int): Boolean {
+    val before = topic.samples.take(index)
+    return !topic.isSparse && before.isNotEmpty() && !before.last().isNaN()
+}
+
+/** The value as the script prints it; null where there is none. */
+private fun valueOf(topic: Topic, texts: Map<Int, String>, index: Int, type: String): Any? {
+    val number = topic.samples.getOrElse(index) { Double.NaN }
+    return when (type) {
+        "string", "json", "structschema" -> texts[index]?.let(::hex)
+        "boolean" -> if (number.isNaN()) null else (number != 0.0).toString()
+        "int64" -> if (number.isNaN()) null else number.toLong().toString()
+        else -> if (number.isNaN() && topic.counts.empty > 0 && !beginsGap(topic, index)) null else number
+    }
+}
+
+private fun shouldBeRead(recording: Recording, positions: (Topic) -> DoubleArray) {
+    val lines = linesOf(writeLog(recording).first)
+    val types = lines.filter { it[0] == "start" }.associate { it[1] to it[2] }
+    val found = lines.filter { it[0] == "data" }.groupBy { it[1] }
+    for (value in recording.values) found.getValue(value.name).single()[4] shouldBe hex(value.text)
+    for (topic in recording.topics) {
+        val type = types.getValue(topic.name)
+        val texts = topic.texts()
+        val expected = (0 until topic.size).mapNotNull { index ->
+            valueOf(topic, texts, index, type)?.let { (positions(topic)[index] * 1e6).roundToLong().toString() to it }
+        }
+        val isNumber = type == "double" || type == "float"
+        found[topic.name].orEmpty().map { it[3] to if (isNumber) parseHex(it[4]) else it[4] } shouldBe expected
+    }
+}
+
+private fun parseHex(text: String): Double = when (text) {
+    "nan" -> Double.NaN
+    "inf" -> Double.POSITIVE_INFINITY
+    "-inf" -> Double.NEGATIVE_INFINITY
+    else -> java.lang.Double.parseDouble(text)
+}
+
+private val needsReader: EnabledOrReasonIf = {
+    if (PYTHON != null) Enabled.enabled else Enabled.disabled("Python lacks WPILib's reader; pip install robotpy-wpiutil")
+}
+
+class WpilibReaderSpec : FunSpec({
+    test("WPILib's reader finds every value of a bag").config(enabledOrReasonIf = needsReader) {
+        val bag = parse(VARIED_BAG)
+        val time = bag.topics.single { it.name == "Time" }
+        shouldBeRead(bag) { time.samples }
+    }
+
+    test("WPILib's reader finds every value of a log").config(enabledOrReasonIf = needsReader) {
+        val log = parseLog(VARIED_LOG.bytes)
+        log.topics.any { it.kind == TopicKind.BOOLEAN } shouldBe true
+        shouldBeRead(log) { checkNotNull(it.times) }
+    }
+
+    test("WPILib's reader finds every value of a season's logs, where they are").config(enabledOrReasonIf = needsReader) {
+        for (file in REAL_LOGS) shouldBeRead(parseLog(file.readBytes())) { checkNotNull(it.times) }
+    }
+
+    test("WPILib's reader finds every value of a sample of this project").config(enabledOrReasonIf = needsReader) {
+        val bag = parse(File("../../samples/practice.bag").readBytes())
+        val time = bag.topics.first { "xaxis" in it.attributes }
+        shouldBeRead(bag) { time.samples }
+    }
+})
