@@ -17,13 +17,8 @@ import java.nio.file.Path
  * @throws Failure when the beginning of a WPILOG is lost.
  * @throws badlog.file.UnreadableFileException when it cannot be read.
  */
-<<<<<<< HEAD
 internal fun readLog(file: Path, progress: Progress, xTopic: String? = null): Recording {
-    val recording = readRecording(file, progress = progress::advanced)
-=======
-internal fun readLog(file: Path, progress: ExportProgress, xTopic: String? = null): Recording {
     val recording = readRecording(file, LOG_FORMATS, progress = progress::advanced)
->>>>>>> f6adde9 (WPILOG leaves core for formats, reading files for files: robots carry neither)
     recording.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }?.let { throw NotALog("$file: ${it.message}") }
     if (isFormerWpilog(file, recording)) {
         throw Failure(
