@@ -4,7 +4,6 @@ import badlog.text.MINUS
 import badlog.text.PLUS
 import badlog.text.ZERO
 
-
 /**
  * Writes a [Double] as text with five significant digits, byte for byte the text of
  * `String.format(Locale.ROOT, "%.5g", value)` on Java 17, for every value there is.

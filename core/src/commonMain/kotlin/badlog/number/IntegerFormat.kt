@@ -3,7 +3,6 @@ package badlog.number
 import badlog.text.MINUS
 import badlog.text.ZERO
 
-
 /** Writes whole numbers as text, all of their digits. Calls allocate nothing. */
 internal object IntegerFormat {
     /** Length in bytes of the longest text [write] produces, that of [Long.MIN_VALUE]. */

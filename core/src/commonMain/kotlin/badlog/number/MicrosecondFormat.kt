@@ -4,7 +4,6 @@ import badlog.text.DOT
 import badlog.text.MINUS
 import badlog.text.ZERO
 
-
 /**
  * Writes a number with six digits after its point, as a time in seconds needs them: `%.5g` leaves 10 ms of 100 s. From
  * a size of 9e18 on, and for what is not finite, it is [FiveDigitFormat] that writes. Calls allocate nothing.
