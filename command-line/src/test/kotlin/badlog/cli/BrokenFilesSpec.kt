@@ -12,13 +12,13 @@ import io.kotest.property.arbitrary.byte
 import io.kotest.property.arbitrary.byteArray
 import io.kotest.property.arbitrary.int
 import io.kotest.property.checkAll
+import kotlinx.serialization.json.jsonPrimitive
 import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.attribute.PosixFilePermissions
 import kotlin.io.path.div
 import kotlin.io.path.readBytes
 import kotlin.random.Random
-import kotlinx.serialization.json.jsonPrimitive
 
 /** What every sub-command does with files that are no whole logs. */
 class BrokenFilesSpec : FunSpec({

@@ -14,11 +14,11 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import kotlinx.serialization.json.jsonArray
+import kotlinx.serialization.json.jsonPrimitive
 import kotlin.io.path.div
 import kotlin.io.path.readBytes
 import kotlin.io.path.readText
-import kotlinx.serialization.json.jsonArray
-import kotlinx.serialization.json.jsonPrimitive
 
 class ConvertSpec : FunSpec({
     test("every sample keeps all of its numbers and texts in either format") {

@@ -32,15 +32,15 @@ import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.map
 import io.kotest.property.arbitrary.string
 import io.kotest.property.checkAll
+import kotlinx.serialization.json.int
+import kotlinx.serialization.json.jsonArray
+import kotlinx.serialization.json.jsonPrimitive
 import java.nio.file.Path
 import java.util.zip.GZIPInputStream
 import kotlin.io.path.div
 import kotlin.io.path.fileSize
 import kotlin.io.path.inputStream
 import kotlin.io.path.readBytes
-import kotlinx.serialization.json.int
-import kotlinx.serialization.json.jsonArray
-import kotlinx.serialization.json.jsonPrimitive
 
 /** All that a recording says of its topics and values; as text, because NaN does not equal NaN. */
 private fun contentOf(recording: Recording): List<String> = recording.values.map { it.toString() } + recording.topics.map { topic ->

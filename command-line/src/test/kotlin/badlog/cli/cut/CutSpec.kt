@@ -19,8 +19,8 @@ import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.map
 import io.kotest.property.arbitrary.pair
 import io.kotest.property.checkAll
-import kotlin.io.path.div
 import kotlinx.serialization.json.jsonArray
+import kotlin.io.path.div
 
 class CutSpec : FunSpec({
     fun times(text: String, vararg options: String): List<Double> = inFolder { folder ->

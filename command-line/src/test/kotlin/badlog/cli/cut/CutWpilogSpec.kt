@@ -22,10 +22,10 @@ import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.map
 import io.kotest.property.arbitrary.pair
 import io.kotest.property.checkAll
-import kotlin.io.path.div
 import kotlinx.serialization.json.int
 import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonPrimitive
+import kotlin.io.path.div
 
 /** What [name] holds: its times, with its number or text at each. */
 private fun Recording.held(name: String): List<String> {

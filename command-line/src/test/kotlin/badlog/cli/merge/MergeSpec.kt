@@ -14,10 +14,10 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
-import kotlin.io.path.div
 import kotlinx.serialization.json.int
 import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonPrimitive
+import kotlin.io.path.div
 
 class MergeSpec : FunSpec({
     fun Recording.numbers(name: String) = topics.first { it.name == name }.samples.map { if (it.isNaN()) null else it }

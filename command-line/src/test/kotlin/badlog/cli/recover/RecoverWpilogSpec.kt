@@ -22,18 +22,18 @@ import io.kotest.property.arbitrary.byteArray
 import io.kotest.property.arbitrary.element
 import io.kotest.property.arbitrary.int
 import io.kotest.property.checkAll
-import java.io.ByteArrayOutputStream
-import java.nio.file.Path
-import java.util.zip.GZIPOutputStream
-import kotlin.io.path.div
-import kotlin.io.path.exists
-import kotlin.io.path.readBytes
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.boolean
 import kotlinx.serialization.json.int
 import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
+import java.io.ByteArrayOutputStream
+import java.nio.file.Path
+import java.util.zip.GZIPOutputStream
+import kotlin.io.path.div
+import kotlin.io.path.exists
+import kotlin.io.path.readBytes
 
 /** All that has a record in the log that is made of [recording]; as text, because NaN does not equal NaN. */
 private fun contentOf(recording: Recording): List<String> = recording.values.map { "$it" } + recording.topics.map { topic ->

@@ -36,11 +36,8 @@ public fun readRecording(
         val isOfRecords = formats.any { pieces.beginning(it.signatureSize, it::matches) }
         when {
             pieces.beginning(GzipReader.SIGNATURE_SIZE, GzipReader::isGzip) -> readGzip(pieces, parser(pieces.inflatedSize()))
-
             !untilLastLineEnd -> readPlain(pieces, Long.MAX_VALUE, parser(pieces.total))
-
             isOfRecords -> readPlain(pieces, Long.MAX_VALUE, parser(pieces.total)).without(ProblemKind.RECORD_CUT)
-
             else -> pieces.lastLineEnd().let { end -> readPlain(pieces, end, parser(end)) }
         }
     }
