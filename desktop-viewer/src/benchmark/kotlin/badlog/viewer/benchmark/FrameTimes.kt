@@ -1,6 +1,7 @@
 package badlog.viewer.benchmark
 
 import badlog.analysis.LogView
+import badlog.plot.range.Viewport
 import badlog.recording.CellCounts
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
@@ -12,7 +13,6 @@ import badlog.viewer.graph.standardGraphs
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.theme.Theme
 import badlog.viewer.theme.ViewerTheme
-import badlog.viewer.view.Viewport
 import java.nio.file.Path
 import kotlin.math.sin
 import kotlin.random.Random

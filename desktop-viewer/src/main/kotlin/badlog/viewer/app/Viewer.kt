@@ -5,6 +5,7 @@ import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import badlog.analysis.Span
+import badlog.plot.range.Viewport
 import badlog.viewer.compare.Comparison
 import badlog.viewer.compare.ComparisonLoading
 import badlog.viewer.files.FileChoice
@@ -33,7 +34,6 @@ import badlog.viewer.statistics.StatisticsChoice
 import badlog.viewer.task.LongTasks
 import badlog.viewer.task.Notices
 import badlog.viewer.topic.TopicList
-import badlog.viewer.view.Viewport
 import kotlinx.coroutines.CoroutineScope
 
 /**

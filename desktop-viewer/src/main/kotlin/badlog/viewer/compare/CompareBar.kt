@@ -38,9 +38,9 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
+import badlog.plot.text.exactText
 import badlog.viewer.app.Viewer
 import badlog.viewer.recording.OpenRecording
-import badlog.viewer.text.exactText
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Tip

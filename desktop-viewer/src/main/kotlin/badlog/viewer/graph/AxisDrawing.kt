@@ -15,9 +15,9 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Constraints
 import androidx.compose.ui.unit.sp
 import badlog.analysis.Span
+import badlog.plot.axis.Ticks
 import badlog.viewer.graph.plot.PlotPicture
 import badlog.viewer.graph.plot.PlotState
-import badlog.viewer.graph.plot.Ticks
 import badlog.viewer.graph.plot.YAxis
 import badlog.viewer.graph.plot.laneHeight
 import badlog.viewer.graph.plot.laneTop
@@ -72,8 +72,8 @@ private fun DrawScope.drawNumbers(
     style: TextStyle,
     left: (width: Int) -> Float,
 ) {
-    val last = axis.texts.lastIndex
-    axis.texts.forEachIndexed { index, number ->
+    val last = axis.ticks.texts.lastIndex
+    axis.ticks.texts.forEachIndexed { index, number ->
         // The unit stands once, at the top, where it is short enough.
         val hasUnit = index == last && axis.unit.isNotEmpty() && number.length + axis.unit.length < MOST_WITH_UNIT
         val text = letters.measure(if (hasUnit) "$number ${axis.unit}" else number, style)
@@ -93,19 +93,14 @@ internal fun DrawScope.drawGrid(picture: PlotPicture, visible: Span, palette: Pa
             drawLine(colour, Offset(0f, y), Offset(size.width, y))
         }
     }
-    for (value in xTicks(visible, size.width, density).values) {
+    for (value in Ticks.ofX(visible, size.width.toDp().value.toDouble()).values) {
         val x = pixelOf(value, visible, size.width)
         drawLine(colour, Offset(x, 0f), Offset(x, size.height))
     }
 }
-
-/** The ticks of x on [width] pixels. */
-internal fun xTicks(visible: Span, width: Float, density: Float): Ticks =
-    Ticks.of(visible.from, visible.to, (width / (DP_PER_X_TICK * density)).toInt().coerceAtLeast(1))
 
 private const val GRID_OPACITY = 0.08f
 private const val TEXTS = 64
 private const val MARGIN = 6
 private const val MOST_LETTERS = 40
 private const val MOST_WITH_UNIT = 9
-private const val DP_PER_X_TICK = 90

@@ -8,7 +8,7 @@ import badlog.viewer.keyboard.KeyPress
 /** What the keyboard does with the graphs. */
 internal fun graphCommands(viewer: Viewer): List<Command> {
     fun command(meaning: String, vararg keys: KeyPress, action: () -> Unit) = Command(GROUP, meaning, keys.toList(), action)
-    val pan = { share: Double -> viewer.viewport = viewer.viewport.remembered().shifted(viewer.viewport.visible.width * share) }
+    val pan = { share: Double -> viewer.viewport = viewer.viewport.panned(share) }
     return listOf(
         command("Cursor to the sample before", KeyPress(Key.DirectionLeft, "←")) { stepCursor(viewer, -1) },
         command("Cursor to the next sample", KeyPress(Key.DirectionRight, "→")) { stepCursor(viewer, 1) },
@@ -21,10 +21,13 @@ internal fun graphCommands(viewer: Viewer): List<Command> {
             KeyPress(Key.Equals, "="),
             KeyPress(Key.Equals, "=", shift = true),
             KeyPress(Key.NumPadAdd, "+"),
-        ) { zoomBy(viewer, 1 / ZOOM) },
-        command("Zoom out", KeyPress(Key.Minus, "-"), KeyPress(Key.NumPadSubtract, "-")) { zoomBy(viewer, ZOOM) },
+        ) { viewer.viewport = viewer.viewport.zoomed(1, viewer.cursor) },
+        command("Zoom out", KeyPress(Key.Minus, "-"), KeyPress(Key.NumPadSubtract, "-")) {
+            viewer.viewport = viewer.viewport.zoomed(-1, viewer.cursor)
+        },
         command("Show everything", KeyPress(Key.Zero, "0"), KeyPress(Key.MoveHome, "Home")) { viewer.viewport = viewer.viewport.reset() },
-        command("Back to what was seen before", KeyPress(Key.Backspace, "Backspace")) { viewer.viewport = viewer.viewport.back() },
+        command("Previous view", KeyPress(Key.Backspace, "Backspace")) { viewer.viewport = viewer.viewport.back() },
+        command("Next view", KeyPress(Key.Backspace, "Backspace", shift = true)) { viewer.viewport = viewer.viewport.forward() },
         command("Zoom to the time enabled", KeyPress(Key.E, "E")) { zoomToEnabled(viewer) },
         command("Zoom to the selection", KeyPress(Key.Z, "Z")) { zoomToSelection(viewer) },
         command("Move to the left", KeyPress(Key.LeftBracket, "[")) { pan(-PAN) },
@@ -34,5 +37,4 @@ internal fun graphCommands(viewer: Viewer): List<Command> {
 
 private const val GROUP = "Graphs"
 private const val STRIDE = 10
-private const val ZOOM = 1.5
 private const val PAN = 0.25

@@ -38,14 +38,14 @@ internal fun GraphToolbar(scene: GraphScene) {
 private fun ViewButtons(viewer: Viewer) {
     // The view changes at the speed of the wheel, what the buttons show of it hardly ever.
     val isZoomed by remember(viewer) { derivedStateOf { viewer.viewport.isZoomed } }
-    val hasHistory by remember(viewer) { derivedStateOf { viewer.viewport.history.isNotEmpty() } }
+    val hasHistory by remember(viewer) { derivedStateOf { viewer.viewport.canGoBack } }
     Row(verticalAlignment = Alignment.CenterVertically) {
         ToolButton("Show everything (0)", text = "All", isEnabled = isZoomed) { viewer.viewport = viewer.viewport.reset() }
-        ToolButton("Back to what was seen before (Backspace)", Icons.Back, isEnabled = hasHistory) {
+        ToolButton("Previous view (Backspace)", Icons.Back, isEnabled = hasHistory) {
             viewer.viewport = viewer.viewport.back()
         }
-        ToolButton("Zoom out (-)", Icons.Remove, isEnabled = isZoomed) { zoomBy(viewer, STEP) }
-        ToolButton("Zoom in (+)", Icons.Add) { zoomBy(viewer, 1 / STEP) }
+        ToolButton("Zoom out (-)", Icons.Remove, isEnabled = isZoomed) { viewer.viewport = viewer.viewport.zoomed(-1, viewer.cursor) }
+        ToolButton("Zoom in (+)", Icons.Add) { viewer.viewport = viewer.viewport.zoomed(1, viewer.cursor) }
         if (viewer.open?.enabled.orEmpty().isNotEmpty()) {
             ToolButton("Zoom to the time the robot was enabled (E)", text = "Enabled") { zoomToEnabled(viewer) }
         }
@@ -74,4 +74,3 @@ internal fun setGraphHeight(viewer: Viewer, height: Int) {
 }
 
 private const val HEIGHT_STEP = 25
-private const val STEP = 1.5

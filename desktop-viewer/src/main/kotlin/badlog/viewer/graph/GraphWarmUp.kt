@@ -4,11 +4,11 @@ import androidx.compose.ui.ImageComposeScene
 import androidx.compose.ui.unit.Density
 import badlog.analysis.LogView
 import badlog.bag.BagParser
+import badlog.plot.range.Viewport
 import badlog.viewer.app.Viewer
 import badlog.viewer.app.ViewerScreen
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.settings.UserFolders
-import badlog.viewer.view.Viewport
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.coroutineScope
 import kotlinx.coroutines.delay

@@ -30,6 +30,7 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Constraints
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import badlog.plot.text.unitText
 import badlog.viewer.compare.shortLabel
 import badlog.viewer.graph.plot.DrawnLine
 import badlog.viewer.theme.Icons
@@ -83,7 +84,7 @@ private fun LegendValue(scene: GraphScene, id: Int, line: DrawnLine) {
         Modifier.width(if (line.signal.states == null) 104.dp else 84.dp).height(17.dp).drawBehind {
             val text = readingOf(scene.pictureOf(scene.plots.state(id)), line, scene.viewer.cursor)
             val layout = letters.measure(
-                text.ifEmpty { unitText(line) },
+                text.ifEmpty { unitText(line.signal.unit) },
                 if (text.isEmpty()) unit else style,
                 TextOverflow.Ellipsis,
                 softWrap = false,

@@ -1,7 +1,7 @@
 package badlog.viewer.graph
 
 import badlog.analysis.Span
-import badlog.viewer.view.Viewport
+import badlog.plot.range.Viewport
 
 /** What a drag on the overview takes hold of. */
 internal enum class OverviewGrip {

@@ -1,7 +1,7 @@
 package badlog.viewer.graph
 
 import badlog.analysis.Span
-import badlog.viewer.view.Viewport
+import badlog.plot.range.Viewport
 
 /**
  * A drag over the graphs.

@@ -1,6 +1,5 @@
 package badlog.viewer.graph
 
-import badlog.analysis.Units
 import badlog.viewer.graph.plot.DrawnLine
 import badlog.viewer.graph.plot.PlotPicture
 import badlog.viewer.recording.valueText
@@ -13,6 +12,3 @@ internal fun readingOf(picture: PlotPicture?, line: DrawnLine, cursor: Double?):
         ?: return ""
     return valueText(line.signal, series, cursor - line.offset)
 }
-
-/** The unit of [line] as it is shown: nothing for none. */
-internal fun unitText(line: DrawnLine): String = line.signal.unit.takeUnless { Units.isNone(it) }.orEmpty()

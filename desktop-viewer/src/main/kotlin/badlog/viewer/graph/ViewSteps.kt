@@ -2,13 +2,6 @@ package badlog.viewer.graph
 
 import badlog.viewer.app.Viewer
 
-/** Shows [factor] times as much of x, around the cursor where that is in sight. */
-internal fun zoomBy(viewer: Viewer, factor: Double) {
-    val visible = viewer.viewport.visible
-    val center = viewer.cursor?.takeIf { it in visible } ?: (visible.from + visible.width / 2)
-    viewer.viewport = viewer.viewport.remembered().scaled(factor, center)
-}
-
 /** Shows the time from the first moment at which the robot was enabled to the last; nothing happens where nothing tells. */
 internal fun zoomToEnabled(viewer: Viewer) {
     val enabled = viewer.open?.enabled.orEmpty()

@@ -27,8 +27,8 @@ import androidx.compose.ui.unit.Constraints
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.analysis.Span
-import badlog.viewer.text.axisTexts
-import badlog.viewer.text.cursorText
+import badlog.plot.axis.Ticks
+import badlog.plot.text.cursorText
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Palette
 
@@ -73,9 +73,8 @@ private fun DrawScope.drawPlaces(visible: Span, title: String, letters: TextMeas
     )
     val top = TICK * density
     drawText(name, topLeft = Offset(size.width - name.size.width, top))
-    val ticks = xTicks(visible, size.width, density)
-    if (ticks.values.isEmpty()) return
-    axisTexts(ticks.values, ticks.step, LETTERS).forEachIndexed { index, number ->
+    val ticks = Ticks.ofX(visible, size.width.toDp().value.toDouble())
+    ticks.texts.forEachIndexed { index, number ->
         val x = pixelOf(ticks.values[index], visible, size.width)
         drawLine(palette.muted, Offset(x, 0f), Offset(x, TICK * density))
         val text = letters.measure(number, style)
@@ -99,5 +98,4 @@ private const val HEIGHT = 24
 private const val TEXTS = 64
 private const val TICK = 4
 private const val GAP = 12
-private const val LETTERS = 12
 private const val MOST_LETTERS = 60

@@ -35,12 +35,13 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.analysis.EventLog
 import badlog.analysis.Units
+import badlog.plot.text.countText
+import badlog.plot.text.decimalsFor
+import badlog.plot.text.fixedText
+import badlog.plot.text.minutesText
 import badlog.viewer.app.Viewer
 import badlog.viewer.recording.MatchingEvents
 import badlog.viewer.recording.OpenRecording
-import badlog.viewer.text.decimalsFor
-import badlog.viewer.text.fixedText
-import badlog.viewer.text.minutesText
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.SearchField
 import badlog.viewer.theme.ToolButton
@@ -72,7 +73,7 @@ internal fun EventsPanel(viewer: Viewer, open: OpenRecording, modifier: Modifier
         }
         if (open.eventLogs.size > 1) EventTopics(viewer, open.eventLogs)
         Text(
-            if (filter.isOff) countText(all.size, "event") else "${found.size} of ${countText(all.size, "event")}",
+            if (filter.isOff) countText(all.size, "event") else "${countText(found.size)} of ${countText(all.size, "event")}",
             Modifier.padding(horizontal = 12.dp, vertical = 2.dp),
             color = LocalPalette.current.muted,
         )
@@ -114,9 +115,6 @@ private fun FollowCursor(state: LazyListState, nearest: State<Int>) {
         }
     }
 }
-
-/** `1 event`, `7 events`. */
-internal fun countText(count: Int, one: String): String = "$count $one${if (count == 1) "" else "s"}"
 
 /** Event [index] of [events]: when, and what. */
 @Composable

@@ -37,6 +37,7 @@ import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import badlog.plot.text.countText
 import badlog.recording.Severity
 import badlog.report.SkippedRule
 import badlog.report.rules.Finding

@@ -3,13 +3,14 @@ package badlog.viewer.inspector
 import badlog.analysis.SeriesStatistics
 import badlog.analysis.Span
 import badlog.analysis.statistics
+import badlog.plot.text.countText
+import badlog.plot.text.exactText
+import badlog.plot.text.roundedText
 import badlog.recording.Topic
 import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.recording.Signal
 import badlog.viewer.recording.sampleText
 import badlog.viewer.statistics.Statistic
-import badlog.viewer.text.exactText
-import badlog.viewer.text.figureText
 
 /**
  * What every drawn signal does over a part of x.
@@ -61,7 +62,7 @@ private fun textOf(statistic: Statistic, signal: Signal, statistics: SeriesStati
 
         statistic.isSample -> sampleText(signal, value)
 
-        else -> figureText(value)
+        else -> roundedText(value)
     }
 }
 

@@ -29,13 +29,13 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.analysis.Span
+import badlog.plot.text.roundedText
+import badlog.plot.text.withUnit
 import badlog.viewer.app.Viewer
 import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.compare.colorOf
 import badlog.viewer.compare.drawnRecordings
 import badlog.viewer.recording.OpenRecording
-import badlog.viewer.text.figureText
-import badlog.viewer.text.withUnit
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
@@ -82,8 +82,8 @@ private fun askedFor(viewer: Viewer): Asked {
 
 private fun rangeText(statistics: RangeStatistics): String {
     val (from, to) = statistics.span
-    val ends = "${figureText(from)} – ${withUnit(figureText(to), statistics.xUnit)}"
-    return "${withUnit(figureText(to - from), statistics.xUnit)}  ($ends)"
+    val ends = "${roundedText(from)} – ${withUnit(roundedText(to), statistics.xUnit)}"
+    return "${withUnit(roundedText(to - from), statistics.xUnit)}  ($ends)"
 }
 
 @Composable

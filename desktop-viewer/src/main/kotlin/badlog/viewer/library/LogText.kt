@@ -1,9 +1,9 @@
 package badlog.viewer.library
 
+import badlog.plot.text.minutesText
 import badlog.viewer.library.index.LogDate
 import badlog.viewer.library.index.LogEntry
 import badlog.viewer.library.index.secondsOf
-import badlog.viewer.text.minutesText
 import java.time.format.DateTimeFormatter
 import java.util.Locale
 

@@ -3,8 +3,8 @@ package badlog.viewer.playback
 import androidx.compose.foundation.layout.Row
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
+import badlog.plot.text.exactText
 import badlog.viewer.app.Viewer
-import badlog.viewer.text.exactText
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.ToolButton
 

@@ -9,6 +9,7 @@ import badlog.expression.ViewWithVirtualTopics
 import badlog.expression.withVirtualTopics
 import badlog.file.readRecording
 import badlog.formats.LOG_FORMATS
+import badlog.plot.range.Viewport
 import java.io.IOException
 import java.nio.file.Path
 
@@ -43,7 +44,7 @@ internal class OpenRecording(val file: Path, val logged: LogView, val definition
     val enabled: List<EnabledSpan> by lazy { view.enabledSpans() }
 
     /** All of the x axis that has samples; wider than that where there is a single x. */
-    val span: Span = fullSpan(view.xAxis.range)
+    val span: Span = Viewport.of(view.xAxis.range).full
 
     /** The smallest x; 0 without any. */
     val firstX: Double = view.xAxis.range?.start ?: 0.0
@@ -128,10 +129,4 @@ private fun merged(clocks: List<DoubleArray>): DoubleArray {
     var size = 0
     for (place in all) if (size == 0 || place > all[size - 1]) all[size++] = place
     return all.copyOf(size)
-}
-
-private fun fullSpan(range: ClosedFloatingPointRange<Double>?): Span = when {
-    range == null -> Span(0.0, 1.0)
-    range.start < range.endInclusive -> Span(range.start, range.endInclusive)
-    else -> Span(range.start - 0.5, range.start + 0.5)
 }

@@ -1,8 +1,8 @@
 package badlog.viewer.recording
 
+import badlog.plot.range.Viewport
 import badlog.viewer.app.Viewer
 import badlog.viewer.panels.FrontPart
-import badlog.viewer.view.Viewport
 import kotlinx.coroutines.Job
 import kotlinx.coroutines.launch
 import java.nio.file.Path

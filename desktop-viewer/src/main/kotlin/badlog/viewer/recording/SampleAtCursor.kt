@@ -1,9 +1,9 @@
 package badlog.viewer.recording
 
 import badlog.analysis.Series
-import badlog.viewer.text.exactText
-import badlog.viewer.text.figureText
-import badlog.viewer.text.withUnit
+import badlog.plot.text.exactText
+import badlog.plot.text.roundedText
+import badlog.plot.text.withUnit
 
 /** The index of the last sample at or before [position]; of the last of all for null; -1 when there is none. */
 internal fun Series.lastAtOrBefore(position: Double?): Int {
@@ -40,4 +40,4 @@ internal fun valueText(signal: Signal, series: Series, position: Double?): Strin
 }
 
 /** [value] as [signal] has it: exactly as it was logged, but without the digits that a calculation makes up. */
-internal fun sampleText(signal: Signal, value: Double): String = if (signal.isDerived) figureText(value) else exactText(value)
+internal fun sampleText(signal: Signal, value: Double): String = if (signal.isDerived) roundedText(value) else exactText(value)

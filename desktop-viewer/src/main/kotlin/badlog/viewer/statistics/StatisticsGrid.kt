@@ -2,10 +2,10 @@ package badlog.viewer.statistics
 
 import badlog.analysis.SeriesStatistics
 import badlog.analysis.Units
+import badlog.plot.text.exactText
+import badlog.plot.text.roundedText
+import badlog.plot.text.withUnit
 import badlog.recording.Topic
-import badlog.viewer.text.exactText
-import badlog.viewer.text.figureText
-import badlog.viewer.text.withUnit
 import java.nio.file.Path
 
 /**
@@ -82,7 +82,7 @@ internal class StatisticsGrid(rows: List<StatisticsRow>, choice: StatisticsChoic
 internal fun csvCell(text: String): String = if (text.any { it in ",\"\r\n" }) "\"" + text.replace("\"", "\"\"") + "\"" else text
 
 // How many samples there are is known exactly, however many they are.
-private fun textOf(statistic: Statistic, value: Double) = if (statistic == Statistic.SAMPLES) exactText(value) else figureText(value)
+private fun textOf(statistic: Statistic, value: Double) = if (statistic == Statistic.SAMPLES) exactText(value) else roundedText(value)
 
 private fun sorted(rows: List<StatisticsRow>, choice: StatisticsChoice): List<StatisticsRow> = when (val column = choice.sort) {
     null -> rows

@@ -3,10 +3,10 @@ package badlog.viewer.export
 import androidx.compose.ui.graphics.ImageBitmap
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.plot.range.Viewport
 import badlog.viewer.app.Viewer
 import badlog.viewer.graph.standardGraphs
 import badlog.viewer.settings.UserFolders
-import badlog.viewer.view.Viewport
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir

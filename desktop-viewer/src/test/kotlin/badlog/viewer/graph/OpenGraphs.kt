@@ -11,13 +11,13 @@ import androidx.compose.ui.test.captureToImage
 import androidx.compose.ui.test.onRoot
 import badlog.analysis.LogView
 import badlog.bag.BagParser
+import badlog.plot.range.Viewport
 import badlog.viewer.app.Viewer
 import badlog.viewer.compare.drawnRecordings
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.settings.UserFolders
 import badlog.viewer.theme.Theme
 import badlog.viewer.theme.ViewerTheme
-import badlog.viewer.view.Viewport
 import kotlinx.coroutines.MainScope
 import org.jetbrains.skia.EncodedImageFormat
 import org.jetbrains.skia.Image

@@ -9,6 +9,7 @@ import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.analysis.Span
+import badlog.plot.range.Viewport
 import badlog.viewer.app.Viewer
 import badlog.viewer.bagOf
 import badlog.viewer.graph.GraphList
@@ -18,7 +19,6 @@ import badlog.viewer.recordingOf
 import badlog.viewer.settings.UserFolders
 import badlog.viewer.theme.Theme
 import badlog.viewer.theme.ViewerTheme
-import badlog.viewer.view.Viewport
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe

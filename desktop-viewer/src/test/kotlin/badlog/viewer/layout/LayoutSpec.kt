@@ -1,6 +1,7 @@
 package badlog.viewer.layout
 
 import badlog.analysis.Span
+import badlog.plot.range.Viewport
 import badlog.viewer.app.Viewer
 import badlog.viewer.compare.Comparison
 import badlog.viewer.export.armBag
@@ -14,7 +15,6 @@ import badlog.viewer.panels.InspectorTab
 import badlog.viewer.panels.MainView
 import badlog.viewer.panels.Panels
 import badlog.viewer.settings.UserFolders
-import badlog.viewer.view.Viewport
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir

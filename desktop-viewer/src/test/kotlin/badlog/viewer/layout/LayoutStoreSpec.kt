@@ -4,6 +4,7 @@ import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.analysis.Span
+import badlog.plot.range.Viewport
 import badlog.viewer.app.Viewer
 import badlog.viewer.export.armBag
 import badlog.viewer.export.recordingOf
@@ -13,7 +14,6 @@ import badlog.viewer.library.LibraryState
 import badlog.viewer.panels.Panels
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.settings.UserFolders
-import badlog.viewer.view.Viewport
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldHaveSize

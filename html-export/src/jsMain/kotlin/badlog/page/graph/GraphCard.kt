@@ -7,8 +7,8 @@ import badlog.page.dom.add
 import badlog.page.dom.addIconButton
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
-import badlog.page.text.unitText
 import badlog.page.view.Scene
+import badlog.plot.text.unitText
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 

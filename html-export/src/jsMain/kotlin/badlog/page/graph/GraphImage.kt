@@ -2,8 +2,8 @@ package badlog.page.graph
 
 import badlog.analysis.Graph
 import badlog.page.dom.saveFile
-import badlog.page.text.unitText
 import badlog.page.view.Scene
+import badlog.plot.text.unitText
 import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D

@@ -6,10 +6,11 @@ import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.element
 import badlog.page.dom.showText
-import badlog.page.text.numberText
-import badlog.page.text.unitText
 import badlog.page.view.Cursor
 import badlog.page.view.Palette
+import badlog.plot.text.exactText
+import badlog.plot.text.roundedText
+import badlog.plot.text.unitText
 import org.w3c.dom.HTMLElement
 
 /**
@@ -55,6 +56,10 @@ internal class Legend(private val graph: Graph, private val isShown: BooleanArra
         if (index < 0) return "–"
         val sample = data.y[index]
         val states = series.states
-        return if (states == null || sample.isNaN()) numberText(sample) else states.getOrElse(sample.toInt()) { "?" }
+        return when {
+            graph.isVirtual -> roundedText(sample)
+            states == null || sample.isNaN() -> exactText(sample)
+            else -> states.getOrElse(sample.toInt()) { "?" }
+        }
     }
 }

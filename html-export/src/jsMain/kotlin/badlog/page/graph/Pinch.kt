@@ -14,7 +14,7 @@ internal class Pinch(private val range: VisibleRange, private val xAt: (Double) 
         fingers[event.pointerId] = event.clientX.toDouble()
         if (fingers.size == 2) {
             isOn = true
-            range.remember()
+            range.change { remembered() }
         }
         return fingers.size >= 2
     }
@@ -28,7 +28,7 @@ internal class Pinch(private val range: VisibleRange, private val xAt: (Double) 
         if (!isOn || other == null) return isOn
         val oldDistance = abs(before - other)
         val newDistance = abs(x - other)
-        if (oldDistance > CLOSEST && newDistance > CLOSEST) range.scale(oldDistance / newDistance, xAt(other))
+        if (oldDistance > CLOSEST && newDistance > CLOSEST) range.change { scaled(oldDistance / newDistance, xAt(other)) }
         return true
     }
 

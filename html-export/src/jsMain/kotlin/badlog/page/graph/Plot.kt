@@ -1,9 +1,10 @@
 package badlog.page.graph
 
 import badlog.analysis.PixelColumns
+import badlog.analysis.Span
 import badlog.page.dom.json
-import badlog.page.text.axisTexts
 import badlog.page.view.Scene
+import badlog.plot.axis.Ticks
 import kotlinx.browser.window
 import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLElement
@@ -96,26 +97,26 @@ internal class Plot(
         ),
         "series" to (listOf<dynamic>(json()) + lines).toTypedArray(),
         "axes" to arrayOf(
-            axis("x", X_AXIS_HEIGHT, X_TICK_SPACE, X_LETTERS),
-            axis("y", GUTTER, Y_TICK_SPACE, Y_LETTERS),
+            axis("x", X_AXIS_HEIGHT) { plot -> Ticks.ofX(scene.range.now, plot.bbox.width / window.devicePixelRatio) },
+            axis("y", GUTTER) { plot ->
+                Ticks.ofY(Span(figure.limits.from, figure.limits.to), plot.bbox.height / window.devicePixelRatio)
+            },
         ),
         "hooks" to json("draw" to arrayOf(::draw), "setSize" to arrayOf(onSize)),
     )
 
-    private fun axis(scale: String, size: Int, space: Int, letters: Int): dynamic {
+    private fun axis(scale: String, size: Int, ticksOf: (UPlot) -> Ticks): dynamic {
         val hasTicks = scale == "x" || figure.hasYAxis
         return json(
             "scale" to scale,
             "size" to size,
             "gap" to 6,
-            "space" to space,
             "font" to "11px system-ui, -apple-system, \"Segoe UI\", Roboto, sans-serif",
             "stroke" to { scene.palette.text },
             "grid" to json("show" to hasTicks, "stroke" to { scene.palette.grid }, "width" to 1),
             "ticks" to json("show" to false),
-            "values" to { _: UPlot, splits: Array<Double>, _: Int, _: Double, step: Double ->
-                if (hasTicks) axisTexts(splits, step, letters) else splits.map { "" }.toTypedArray()
-            },
+            "splits" to { plot: UPlot -> if (hasTicks) ticksOf(plot).values.toTypedArray() else emptyArray() },
+            "values" to { plot: UPlot -> if (hasTicks) ticksOf(plot).texts.toTypedArray() else emptyArray() },
         )
     }
 
@@ -125,12 +126,6 @@ internal class Plot(
         const val RIGHT = 14
         const val TOP = 6
         const val X_AXIS_HEIGHT = 26
-        const val X_TICK_SPACE = 76
-        const val Y_TICK_SPACE = 30
-
-        // What fits between two ticks, or into the gutter, in the widest of the common fonts.
-        const val X_LETTERS = 10
-        const val Y_LETTERS = 8
         const val NARROWEST = 100
     }
 }

@@ -77,15 +77,15 @@ internal class PlotGestures(private val over: HTMLElement, private val scene: Sc
             return
         }
         if (!hasMoved && abs(x - startX) < FEWEST_PIXELS) return
-        if (!hasMoved && drag == Drag.PAN) range.remember()
+        if (!hasMoved && drag == Drag.PAN) range.change { remembered() }
         hasMoved = true
         if (drag == Drag.PAN) pan(x) else select(x)
     }
 
     private fun pan(x: Double) {
-        val moved = xAt(lastX) - xAt(x)
+        val distance = xAt(lastX) - xAt(x)
         lastX = x
-        range.move(range.now.from + moved, range.now.to + moved)
+        range.change { shifted(distance) }
     }
 
     private fun select(x: Double) {
@@ -102,7 +102,7 @@ internal class PlotGestures(private val over: HTMLElement, private val scene: Sc
     private fun release(event: PointerEvent) {
         if (pinch.release(event)) return
         val x = event.clientX.toDouble()
-        if (drag == Drag.SELECT && hasMoved) range.show(xWithin(startX), xWithin(x))
+        if (drag == Drag.SELECT && hasMoved) range.change { showing(xWithin(startX), xWithin(x)) }
         if (drag != Drag.NONE && !hasMoved) tap(x)
         stop()
     }
@@ -111,7 +111,7 @@ internal class PlotGestures(private val over: HTMLElement, private val scene: Sc
         val now = window.performance.now()
         if (now - tappedAt < DOUBLE_TAP_MILLISECONDS && abs(x - tappedX) < DOUBLE_TAP_PIXELS) {
             tappedAt = Double.NEGATIVE_INFINITY
-            range.reset()
+            range.change { reset() }
         } else {
             tappedAt = now
             tappedX = x
@@ -125,7 +125,7 @@ internal class PlotGestures(private val over: HTMLElement, private val scene: Sc
     }
 
     private fun giveUp() {
-        if (drag == Drag.PAN) range.move(startSpan.from, startSpan.to)
+        if (drag == Drag.PAN) range.change { moved(startSpan.from, startSpan.to) }
         stop()
     }
 
@@ -141,14 +141,14 @@ internal class PlotGestures(private val over: HTMLElement, private val scene: Sc
         if (!zooms && !pans) return
         event.preventDefault()
         val now = window.performance.now()
-        if (now - wheeledAt > WHEEL_PAUSE_MILLISECONDS) range.remember()
+        if (now - wheeledAt > WHEEL_PAUSE_MILLISECONDS) range.change { remembered() }
         wheeledAt = now
         val lines = if (event.deltaMode == WheelEvent.DOM_DELTA_LINE) PIXELS_OF_LINE else 1.0
         if (zooms) {
-            range.scale(exp((event.deltaY * lines).coerceIn(-60.0, 60.0) * WHEEL_SPEED), xAt(event.clientX.toDouble()))
+            val factor = exp((event.deltaY * lines).coerceIn(-60.0, 60.0) * WHEEL_SPEED)
+            range.change { scaled(factor, xAt(event.clientX.toDouble())) }
         } else {
-            val moved = event.deltaX * lines / over.clientWidth * range.now.width
-            range.move(range.now.from + moved, range.now.to + moved)
+            range.change { shifted(event.deltaX * lines / over.clientWidth * visible.width) }
         }
     }
 

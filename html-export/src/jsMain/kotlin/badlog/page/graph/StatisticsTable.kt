@@ -5,12 +5,11 @@ import badlog.analysis.SeriesStatistics
 import badlog.analysis.statistics
 import badlog.page.dom.add
 import badlog.page.dom.element
-import badlog.page.text.countText
-import badlog.page.text.numberText
 import badlog.page.view.Palette
 import badlog.page.view.Scene
+import badlog.plot.text.countText
+import badlog.plot.text.roundedText
 import org.w3c.dom.HTMLElement
-import kotlin.math.abs
 
 /** What each line of a graph does over the visible part of x, in figures. */
 internal class StatisticsTable(private val graph: Graph, private val scene: Scene) {
@@ -45,24 +44,17 @@ internal class StatisticsTable(private val graph: Graph, private val scene: Scen
     private class Column(val title: String, val hint: String, val text: (SeriesStatistics) -> String)
 
     private companion object {
-        // A figure that was calculated is not exact to the last of its digits.
-        fun rounded(value: Double): String = if (value.isFinite() && abs(value) < 1e300) {
-            numberText(value.asDynamic().toPrecision(6).unsafeCast<String>().toDouble())
-        } else {
-            numberText(value)
-        }
-
         val COLUMNS = listOf(
-            Column("min", "the smallest value") { rounded(it.min) },
-            Column("max", "the largest value") { rounded(it.max) },
-            Column("mean", "the arithmetic mean of the samples") { rounded(it.mean) },
-            Column("std", "the standard deviation of the samples") { rounded(it.standardDeviation) },
-            Column("5 %", "5 % of the samples are below this") { rounded(it.percentile5) },
-            Column("median", "half of the samples are below this") { rounded(it.median) },
-            Column("95 %", "95 % of the samples are below this") { rounded(it.percentile95) },
-            Column("first", "the first value") { rounded(it.first) },
-            Column("last", "the last value") { rounded(it.last) },
-            Column("integral", "the area under the samples") { rounded(it.integral) },
+            Column("min", "the smallest value") { roundedText(it.min) },
+            Column("max", "the largest value") { roundedText(it.max) },
+            Column("mean", "the arithmetic mean of the samples") { roundedText(it.mean) },
+            Column("std", "the standard deviation of the samples") { roundedText(it.standardDeviation) },
+            Column("5 %", "5 % of the samples are below this") { roundedText(it.percentile5) },
+            Column("median", "half of the samples are below this") { roundedText(it.median) },
+            Column("95 %", "95 % of the samples are below this") { roundedText(it.percentile95) },
+            Column("first", "the first value") { roundedText(it.first) },
+            Column("last", "the last value") { roundedText(it.last) },
+            Column("integral", "the area under the samples") { roundedText(it.integral) },
             Column("samples", "how many samples have a value") { countText(it.count) },
             Column("gaps", "how many have none") { countText(it.gaps) },
         )

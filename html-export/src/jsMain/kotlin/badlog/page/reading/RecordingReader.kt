@@ -4,7 +4,7 @@ import badlog.bag.RecordingParser
 import badlog.formats.LOG_FORMATS
 import badlog.page.embedded.Base64
 import badlog.page.embedded.Inflation
-import badlog.page.text.bytesText
+import badlog.plot.text.bytesText
 import badlog.recording.Problem
 import badlog.recording.ProblemKind
 import badlog.recording.Recording

@@ -10,11 +10,11 @@ import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.dom.json
 import badlog.page.dom.showText
-import badlog.page.text.countText
-import badlog.page.text.decimalsFor
-import badlog.page.text.fixedText
 import badlog.page.view.Query
 import badlog.page.view.Scene
+import badlog.plot.text.countText
+import badlog.plot.text.decimalsFor
+import badlog.plot.text.fixedText
 import org.w3c.dom.HTMLElement
 
 /** An event log as a table of times and texts. An event takes the cursor to its time, and zooms there when asked to. */

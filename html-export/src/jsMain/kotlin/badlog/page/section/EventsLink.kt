@@ -4,7 +4,7 @@ import badlog.page.dom.add
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.dom.showText
-import badlog.page.text.countText
+import badlog.plot.text.countText
 import org.w3c.dom.HTMLElement
 
 /** The way to what explains a recording, which stands far below its graphs: the first event log. */

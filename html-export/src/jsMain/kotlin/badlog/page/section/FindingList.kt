@@ -5,12 +5,12 @@ import badlog.page.dom.addButton
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.dom.showText
-import badlog.page.text.countText
-import badlog.page.text.decimalsFor
 import badlog.page.view.Finding
 import badlog.page.view.FindingPlace
 import badlog.page.view.Query
 import badlog.page.view.Scene
+import badlog.plot.text.countText
+import badlog.plot.text.decimalsFor
 import badlog.recording.Severity
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement

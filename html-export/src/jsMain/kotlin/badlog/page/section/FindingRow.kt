@@ -5,8 +5,8 @@ import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.addIconButton
 import badlog.page.dom.element
-import badlog.page.text.fixedText
 import badlog.page.view.Finding
+import badlog.plot.text.fixedText
 import org.w3c.dom.HTMLElement
 
 /**

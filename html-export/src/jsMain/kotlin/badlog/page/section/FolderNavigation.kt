@@ -5,7 +5,7 @@ import badlog.page.dom.addButton
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.dom.showText
-import badlog.page.text.countText
+import badlog.plot.text.countText
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLSelectElement
 

@@ -11,11 +11,11 @@ import badlog.page.dom.isHidden
 import badlog.page.dom.showText
 import badlog.page.embedded.Hook
 import badlog.page.graph.GraphCard
-import badlog.page.text.countText
-import badlog.page.text.unitText
 import badlog.page.view.Hits
 import badlog.page.view.Query
 import badlog.page.view.Scene
+import badlog.plot.text.countText
+import badlog.plot.text.unitText
 import org.w3c.dom.HTMLElement
 
 /**

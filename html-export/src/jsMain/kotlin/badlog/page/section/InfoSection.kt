@@ -4,8 +4,8 @@ import badlog.analysis.LogView
 import badlog.page.dom.add
 import badlog.page.dom.element
 import badlog.page.embedded.About
-import badlog.page.text.bytesText
-import badlog.page.text.countText
+import badlog.plot.text.bytesText
+import badlog.plot.text.countText
 import badlog.recording.RecordingFormat
 import badlog.recording.Severity
 import org.w3c.dom.HTMLElement

@@ -25,10 +25,10 @@ internal class Keyboard(
         when (event.key) {
             "ArrowLeft" -> step(-steps)
             "ArrowRight" -> step(steps)
-            "+", "=" -> zoomBar.scaleBy(1 / ZoomBar.ZOOM)
-            "-", "−" -> zoomBar.scaleBy(ZoomBar.ZOOM)
-            "0", "Home" -> scene.range.reset()
-            "Backspace" -> scene.range.back()
+            "+", "=" -> scene.range.change { zoomed(1, scene.cursor.x) }
+            "-", "−" -> scene.range.change { zoomed(-1, scene.cursor.x) }
+            "0", "Home" -> scene.range.change { reset() }
+            "Backspace" -> scene.range.change { if (event.shiftKey) forward() else back() }
             "n", "N" -> findings.step(1)
             "p", "P" -> findings.step(-1)
             "f", "F" -> formulas.open()
@@ -43,7 +43,7 @@ internal class Keyboard(
     private fun step(count: Int) {
         val now = scene.range.now
         scene.cursor.step(count, (now.from + now.to) / 2)
-        scene.range.reveal(scene.cursor.x)
+        scene.range.change { revealing(scene.cursor.x) }
     }
 
     private fun escape() {

@@ -42,7 +42,7 @@ internal class Overview(private val scene: Scene) {
         addEventListener("pointermove", { drag(it.unsafeCast<PointerEvent>()) })
         addEventListener("pointerup", { release(it.unsafeCast<PointerEvent>()) })
         addEventListener("pointercancel", { stop() })
-        addEventListener("dblclick", { scene.range.reset() })
+        addEventListener("dblclick", { scene.range.change { reset() } })
     }
 
     init {
@@ -100,10 +100,10 @@ internal class Overview(private val scene: Scene) {
         if (!startX.isNaN()) {
             if (abs(event.clientX - startX) < FEWEST_PIXELS) return
             startX = Double.NaN
-            scene.range.remember()
+            scene.range.change { remembered() }
         }
         val x = xAt(event)
-        if (!anchor.isNaN()) scene.range.move(anchor, x) else moveTo(x - grip)
+        if (!anchor.isNaN()) scene.range.change { moved(anchor, x) } else moveTo(x - grip)
     }
 
     private fun release(event: PointerEvent) {
@@ -111,17 +111,17 @@ internal class Overview(private val scene: Scene) {
         val isClick = !startX.isNaN()
         if (isClick && !anchor.isNaN()) {
             val now: Span = scene.range.now
-            if (scene.range.isZoomed) scene.range.remember()
+            if (scene.range.isZoomed) scene.range.change { remembered() }
             moveTo(xAt(event) - now.width / 2)
             scene.cursor.place(xAt(event))
         }
         stop()
     }
 
-    private fun moveTo(from: Double) = scene.range.move(from, from + scene.range.now.width)
+    private fun moveTo(from: Double) = scene.range.change { moved(from, from + visible.width) }
 
     private fun giveUp() {
-        scene.range.move(startSpan.from, startSpan.to)
+        scene.range.change { moved(startSpan.from, startSpan.to) }
         stop()
     }
 

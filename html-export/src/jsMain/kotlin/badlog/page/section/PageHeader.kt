@@ -4,12 +4,12 @@ import badlog.analysis.LogView
 import badlog.page.dom.add
 import badlog.page.dom.element
 import badlog.page.embedded.About
-import badlog.page.text.bytesText
-import badlog.page.text.countText
-import badlog.page.text.durationText
-import badlog.page.text.numberText
-import badlog.page.text.withUnit
 import badlog.page.view.Scene
+import badlog.plot.text.bytesText
+import badlog.plot.text.countText
+import badlog.plot.text.durationText
+import badlog.plot.text.roundedText
+import badlog.plot.text.withUnit
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
 import org.w3c.dom.HTMLElement
@@ -32,7 +32,7 @@ private fun factsOf(view: LogView, scene: Scene, about: About): List<String> {
     val recording = view.recording
     if (!view.xAxis.isIndex && recording.sampleCount > 1) {
         val width = scene.range.full.width
-        facts += if (view.xAxis.unit == "s") durationText(width) else withUnit(numberText(width), view.xAxis.unit)
+        facts += if (view.xAxis.unit == "s") durationText(width) else withUnit(roundedText(width), view.xAxis.unit)
     }
     facts += countText(recording.topics.size, "topic")
     facts += samplesText(recording)

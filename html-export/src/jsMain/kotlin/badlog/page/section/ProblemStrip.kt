@@ -6,7 +6,7 @@ import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
-import badlog.page.text.countText
+import badlog.plot.text.countText
 import badlog.recording.Problem
 import badlog.recording.Severity
 import org.w3c.dom.HTMLElement

@@ -42,11 +42,11 @@ internal class ZoomBar(private val scene: Scene, ways: List<HTMLElement>) {
                 }
             }
             add("div", "zoom-buttons") {
-                addIconButton("", Icon.MINUS, "Zoom out (−)") { scaleBy(ZOOM) }.id = "zoom-out"
-                addIconButton("", Icon.PLUS, "Zoom in (+)") { scaleBy(1 / ZOOM) }.id = "zoom-in"
-                back = addIconButton("", Icon.BACK, "Back to the zoom before (Backspace)") { scene.range.back() }
+                addIconButton("", Icon.MINUS, "Zoom out (−)") { zoom(-1) }.id = "zoom-out"
+                addIconButton("", Icon.PLUS, "Zoom in (+)") { zoom(1) }.id = "zoom-in"
+                back = addIconButton("", Icon.BACK, "Previous view (Backspace)") { scene.range.change { back() } }
                 back.id = "back"
-                reset = addButton("", "Reset zoom", "Show everything (0)") { scene.range.reset() }
+                reset = addButton("", "Reset zoom", "Show everything (0)") { scene.range.change { reset() } }
                 reset.id = "reset"
             }
         }
@@ -63,13 +63,7 @@ internal class ZoomBar(private val scene: Scene, ways: List<HTMLElement>) {
     /** Draws what it draws with the colours of now. */
     fun repaint() = overview.drawMarks()
 
-    /** Zooms around the cursor, if it is in sight, else around the middle. */
-    fun scaleBy(factor: Double) {
-        val now = scene.range.now
-        val x = scene.cursor.x
-        scene.range.remember()
-        scene.range.scale(factor, if (x >= now.from && x <= now.to) x else (now.from + now.to) / 2)
-    }
+    private fun zoom(steps: Int) = scene.range.change { zoomed(steps, scene.cursor.x) }
 
     private fun update() {
         val now = scene.range.now
@@ -96,10 +90,5 @@ internal class ZoomBar(private val scene: Scene, ways: List<HTMLElement>) {
         event.isHidden = false
         event.showText("${scene.xNumber(last.x)}  ${last.text}")
         event.title = last.text
-    }
-
-    companion object {
-        /** How much wider a step of zooming out makes what is visible. */
-        const val ZOOM = 1.6
     }
 }

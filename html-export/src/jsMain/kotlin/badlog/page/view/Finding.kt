@@ -1,7 +1,7 @@
 package badlog.page.view
 
 import badlog.analysis.Span
-import badlog.page.text.countText
+import badlog.plot.text.countText
 import badlog.recording.Severity
 
 /**

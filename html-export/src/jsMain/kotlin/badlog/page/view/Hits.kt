@@ -1,6 +1,6 @@
 package badlog.page.view
 
-import badlog.page.text.countText
+import badlog.plot.text.countText
 
 /** How much of the page a [Query] found. */
 internal data class Hits(val graphs: Int = 0, val values: Int = 0, val events: Int = 0, val findings: Int = 0) {

@@ -3,23 +3,18 @@ package badlog.page.view
 import badlog.analysis.Event
 import badlog.analysis.LogView
 import badlog.analysis.XAxis
-import badlog.page.text.decimalsFor
-import badlog.page.text.fixedText
-import badlog.page.text.withUnit
+import badlog.plot.range.Viewport
+import badlog.plot.text.placeText
+import badlog.plot.text.withUnit
 
 /** What all parts of the page share: the recording, what was found in it, what of it is seen, and the cursor. */
 internal class Scene(val view: LogView, findings: List<Finding> = emptyList()) {
     val xAxis: XAxis = view.xAxis
     val events: EventTimeline = EventTimeline(view)
     val findings: FindingTimeline = FindingTimeline(findings)
-    val range: VisibleRange
+    val range: VisibleRange = VisibleRange(Viewport.of(xAxis.range))
     val cursor: Cursor = Cursor(xAxis.clocks)
     val palette: Palette = Palette()
-
-    init {
-        val x = xAxis.range
-        range = if (x == null) VisibleRange(Double.NaN, Double.NaN) else VisibleRange(x.start, x.endInclusive)
-    }
 
     /** The event that is pointed at when the cursor is at [x], or null. */
     fun eventAt(x: Double): Event? = events.nearest(x, range.now.width * REACH)
@@ -41,15 +36,14 @@ internal class Scene(val view: LogView, findings: List<Finding> = emptyList()) {
     fun goTo(x: Double) {
         if (!x.isFinite() || xAxis.range == null) return
         val place = x.coerceIn(range.full.from, range.full.to)
-        range.reveal(place)
+        range.change { revealing(place) }
         cursor.place(place)
     }
 
     /** Shows what is around [from] to [to], and takes the cursor to [from]. */
     fun zoomTo(from: Double, to: Double) {
         if (!from.isFinite()) return
-        val margin = range.full.width / ZOOM_PARTS
-        range.show(from - margin, to + margin)
+        range.change { around(from, to) }
         goTo(from)
     }
 
@@ -57,16 +51,9 @@ internal class Scene(val view: LogView, findings: List<Finding> = emptyList()) {
     fun xText(x: Double): String = withUnit(xNumber(x), xAxis.unit)
 
     /** The same without the unit. */
-    fun xNumber(x: Double): String {
-        // Between two rows there is nothing to see that decimals could tell.
-        val decimals = if (xAxis.isIndex) 0 else decimalsFor(range.now.width)
-        return if (x.isNaN()) "–" else fixedText(x, decimals)
-    }
+    fun xNumber(x: Double): String = placeText(x, xAxis, range.now.width)
 
     private companion object {
-        /** A zoom to a moment shows two of so many parts. */
-        const val ZOOM_PARTS = 30
-
         /** Which part of the screen's width may lie between the cursor and what it points at. */
         const val REACH = 0.008
 

@@ -1,8 +1,8 @@
 package badlog.viewer.graph.plot
 
 import badlog.analysis.Span
+import badlog.plot.axis.Ticks
 import badlog.plot.axis.YLimits
-import badlog.viewer.text.axisTexts
 
 /**
  * The scales of y for [units], each so that the points [pointsOf] gives for it fill the graph. A person's choice of y is of the
@@ -24,9 +24,7 @@ internal fun axesOf(request: PlotRequest, units: List<String>, height: Float, po
                 whole.from + (chosen.to - first.from) / first.width * whole.width,
             )
         }
-        val most = (height / (DP_PER_TICK * request.density)).toInt().coerceIn(1, MOST_TICKS)
-        val ticks = Ticks.of(shown.from, shown.to, most)
-        YAxis(unit, whole, shown, ticks, if (ticks.values.isEmpty()) emptyList() else axisTexts(ticks.values, ticks.step, LETTERS))
+        YAxis(unit, whole, shown, Ticks.ofY(shown, (height / request.density).toDouble()))
     }
 }
 
@@ -36,7 +34,3 @@ private fun fit(points: List<CurvePoints>, includesZero: Boolean): Span {
     limits.fit(seen.minOfOrNull { it.min } ?: Double.NaN, seen.maxOfOrNull { it.max } ?: Double.NaN, includesZero)
     return Span(limits.from, limits.to)
 }
-
-private const val DP_PER_TICK = 17f
-private const val MOST_TICKS = 12
-private const val LETTERS = 8

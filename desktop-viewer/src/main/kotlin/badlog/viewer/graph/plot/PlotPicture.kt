@@ -1,6 +1,7 @@
 package badlog.viewer.graph.plot
 
 import badlog.analysis.Span
+import badlog.plot.axis.Ticks
 import org.jetbrains.skia.Image
 
 /**
@@ -29,9 +30,8 @@ internal class PlotPicture(
  * @property fitted what the visible samples need.
  * @property shown what is seen of it.
  * @property ticks the places that are labelled.
- * @property texts what stands there, one for each of the ticks.
  */
-internal class YAxis(val unit: String, val fitted: Span, val shown: Span, val ticks: Ticks, val texts: List<String>) {
+internal class YAxis(val unit: String, val fitted: Span, val shown: Span, val ticks: Ticks) {
     /** Where [value] stands on a plot [height] pixels high, from its top. */
     fun pixelOf(value: Double, height: Float): Float {
         val pixel = (shown.to - value) / shown.width * height

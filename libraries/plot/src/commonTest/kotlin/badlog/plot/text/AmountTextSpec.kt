@@ -1,4 +1,4 @@
-package badlog.page.text
+package badlog.plot.text
 
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe

@@ -1,4 +1,4 @@
-package badlog.viewer.view
+package badlog.plot.range
 
 import badlog.analysis.Span
 import io.kotest.core.spec.style.FunSpec
@@ -55,5 +55,34 @@ class ViewportSpec : FunSpec({
     test("when the recording begins anew and is shorter, what is seen stays within it") {
         whole.showing(50.0, 60.0).grown(Span(0.0, 30.0)).visible shouldBe Span(20.0, 30.0)
         whole.showing(50.0, 60.0).grown(Span(0.0, 5.0)).visible shouldBe Span(0.0, 5.0)
+    }
+
+    test("forward undoes back, until something else is shown") {
+        val zoomed = whole.showing(10.0, 50.0).showing(20.0, 30.0)
+        zoomed.back().back().forward().visible shouldBe Span(10.0, 50.0)
+        zoomed.back().back().forward().forward() shouldBe zoomed
+        zoomed.back().showing(1.0, 2.0).canGoForward shouldBe false
+        zoomed.forward() shouldBe zoomed
+    }
+
+    test("a step zooms around the cursor where it is in sight, else around the middle, and a step out undoes it") {
+        whole.zoomed(1, 20.0).visible.from shouldBe (20.0 / 3 plusOrMinus 1e-9)
+        whole.zoomed(1, Double.NaN).zoomed(-1, null).visible.width shouldBe (100.0 plusOrMinus 1e-9)
+    }
+
+    test("it never becomes too narrow to draw, and what is narrower than that cannot be zoomed") {
+        var narrow = whole
+        repeat(1000) { narrow = narrow.scaled(0.5, 50.0) }
+        (narrow.visible.width > 0.0) shouldBe true
+        for (full in listOf(Span(0.0, 2e-310), Span(1e15, 1e15 + 0.5))) {
+            val zoomed = Viewport(full).showing(full.from, full.from + full.width / 2).scaled(0.5, full.from)
+            (zoomed.visible.width <= full.width) shouldBe true
+        }
+    }
+
+    test("a recording of one moment, or of none, can be shown") {
+        (Viewport.of(7.0..7.0).visible.width > 0.0) shouldBe true
+        Viewport.of(null).visible shouldBe Span(0.0, 1.0)
+        Viewport.of(2.0..4.0).full shouldBe Span(2.0, 4.0)
     }
 })

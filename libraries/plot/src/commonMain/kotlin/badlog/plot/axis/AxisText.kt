@@ -1,23 +1,25 @@
-package badlog.viewer.text
+package badlog.plot.axis
 
-import java.math.BigDecimal
-import java.math.MathContext
-import java.math.RoundingMode
+import badlog.plot.text.exponentialDigits
+import badlog.plot.text.fixedText
 import kotlin.math.abs
+import kotlin.math.ceil
 import kotlin.math.floor
 import kotlin.math.log10
 import kotlin.math.pow
+import kotlin.math.round
 
 /**
  * What stands at the ticks [values] of an axis, [step] apart: no shorter than tells them apart, and no longer than so
  * many [letters]. Of a number that cannot be that short, `…` stands for its beginning, which is the same at all ticks.
  */
 internal fun axisTexts(values: DoubleArray, step: Double, letters: Int): List<String> {
-    val largest = values.maxOfOrNull { abs(it) } ?: 0.0
+    var largest = 0.0
+    for (value in values) largest = maxOf(largest, abs(value))
     val plain = if (step > SMALLEST_PLAIN && largest < LARGEST_PLAIN) plainTexts(values, step) else null
-    if (plain != null && plain.all { it.length <= letters }) return plain
+    if (plain != null && longest(plain) <= letters) return plain
     val exponential = exponentialTexts(values, step, largest)
-    val shorter = if (plain == null || exponential.maxOf { it.length } < plain.maxOf { it.length }) exponential else plain
+    val shorter = if (plain == null || longest(exponential) < longest(plain)) exponential else plain
     return shorter.map { if (it.length <= letters) it else "…" + it.takeLast(letters - 1) }
 }
 
@@ -29,14 +31,25 @@ private fun plainTexts(values: DoubleArray, step: Double): List<String> {
 private fun exponentialTexts(values: DoubleArray, step: Double, largest: Double): List<String> {
     // As many digits as the largest one needs to differ from its neighbours.
     val digits = if (largest > 0) decimalsOf(step / 10.0.pow(floor(log10(largest)))) else 0
-    return values.map { if (it == 0.0) "0" else exponentialText(it, digits) }
+    return values.map { if (it == 0.0) "0" else exponentialDigits(it, digits) }
 }
 
-private fun exponentialText(value: Double, digits: Int): String {
-    val rounded = BigDecimal(value).round(MathContext(digits + 1, RoundingMode.HALF_UP))
-    val exponent = rounded.precision() - rounded.scale() - 1
-    return "${rounded.movePointLeft(exponent).setScale(digits, RoundingMode.HALF_UP).toPlainString()}e$exponent"
+private fun longest(texts: List<String>): Int {
+    var length = 0
+    for (text in texts) length = maxOf(length, text.length)
+    return length
+}
+
+/** How many decimals a multiple of [step] needs, which has one or, as 2.5 has, two digits. */
+internal fun decimalsOf(step: Double): Int {
+    if (!(step > 0)) return 0
+    val ofFirst = ceil(-log10(step) - ROUNDING).toInt().coerceIn(0, MAX_DECIMALS)
+    val scaled = step * 10.0.pow(ofFirst)
+    val isWhole = abs(scaled - round(scaled)) <= scaled * ROUNDING
+    return if (isWhole) ofFirst else minOf(ofFirst + 1, MAX_DECIMALS)
 }
 
 private const val LARGEST_PLAIN = 1e15
 private const val SMALLEST_PLAIN = 9e-5
+private const val MAX_DECIMALS = 15
+private const val ROUNDING = 1e-9

@@ -1,12 +1,13 @@
-package badlog.page.text
+package badlog.plot.axis
 
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeUnique
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.ints.shouldBeLessThanOrEqual
+import io.kotest.matchers.shouldBe
 
 class AxisTextSpec : FunSpec({
-    fun texts(from: Double, step: Double, letters: Int, count: Int = 5) = axisTexts(Array(count) { from + it * step }, step, letters).toList()
+    fun texts(from: Double, step: Double, letters: Int, count: Int = 5) = axisTexts(DoubleArray(count) { from + it * step }, step, letters)
 
     test("quarters have two decimals, and fifths one") {
         texts(0.0, 0.25, 8).shouldContainExactly("0.00", "0.25", "0.50", "0.75", "1.00")
@@ -40,5 +41,13 @@ class AxisTextSpec : FunSpec({
                 }
             }
         }
+    }
+
+    test("a step of one or two digits tells how many decimals its multiples need") {
+        decimalsOf(0.25) shouldBe 2
+        decimalsOf(2.5) shouldBe 1
+        decimalsOf(25.0) shouldBe 0
+        decimalsOf(0.01) shouldBe 2
+        decimalsOf(20.0) shouldBe 0
     }
 })

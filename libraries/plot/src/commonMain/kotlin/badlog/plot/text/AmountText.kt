@@ -1,9 +1,9 @@
-package badlog.page.text
+package badlog.plot.text
 
 import kotlin.math.floor
 
 /** A count with its thousands apart, by a space that does not break. */
-internal fun countText(count: Int): String {
+public fun countText(count: Int): String {
     val digits = count.toString()
     if (digits.length <= GROUP + 1) return digits
     return buildString {
@@ -15,19 +15,19 @@ internal fun countText(count: Int): String {
 }
 
 /** `1 graph`, `7 graphs`. */
-internal fun countText(count: Int, one: String, many: String = one + "s"): String = "${countText(count)} ${if (count == 1) one else many}"
+public fun countText(count: Int, one: String, many: String = one + "s"): String = "${countText(count)} ${if (count == 1) one else many}"
 
 /** A number of bytes as a person reads it. */
-internal fun bytesText(bytes: Double): String = when {
+public fun bytesText(bytes: Double): String = when {
     bytes < 1000 -> "${bytes.toInt()} bytes"
-    bytes < 1e6 -> "${fixedText(bytes / 1e3, 1)} kB"
-    bytes < 1e9 -> "${fixedText(bytes / 1e6, 1)} MB"
+    bytes < 999_950 -> "${fixedText(bytes / 1e3, 1)} kB"
+    bytes < 999_950_000 -> "${fixedText(bytes / 1e6, 1)} MB"
     else -> "${fixedText(bytes / 1e9, 2)} GB"
 }
 
 /** A length of time in seconds as a person says it: `2 min 30 s`. */
-internal fun durationText(seconds: Double): String {
-    if (seconds < SECONDS_OF_MINUTE) return "${numberText(floor(seconds * 100 + 0.5) / 100)} s"
+public fun durationText(seconds: Double): String {
+    if (seconds < SECONDS_OF_MINUTE) return "${exactText(floor(seconds * 100 + 0.5) / 100)} s"
     val whole = floor(seconds + 0.5).toInt()
     val minutes = whole / SECONDS_OF_MINUTE
     val hours = minutes / MINUTES_OF_HOUR

@@ -1,0 +1,51 @@
+package badlog.plot.text
+
+import badlog.analysis.EnabledSpan
+import badlog.analysis.Units
+import badlog.analysis.XAxis
+import kotlin.math.abs
+
+/** [x] as a place on [axis], as exactly as a screen that shows [width] of it can tell, without the unit. */
+public fun placeText(x: Double, axis: XAxis, width: Double): String =
+    // Between two rows there is nothing to see that decimals could tell.
+    if (x.isNaN()) NO_NUMBER else fixedText(x, if (axis.isIndex) 0 else decimalsFor(width))
+
+/** Where the cursor stands: `93.740 s · 1:31.7 since enabled`, the latter where [enabled] tells when that was. */
+public fun cursorText(x: Double, axis: XAxis, width: Double, enabled: List<EnabledSpan>): String {
+    val place = withUnit(placeText(x, axis, width), axis.unit)
+    val seconds = Units.secondsIn(axis.unit)
+    if (seconds == null || !x.isFinite()) return place
+    val start = enabled.firstOrNull()?.span?.from
+    return when {
+        start != null && x >= start -> "$place · ${minutesText((x - start) * seconds)} since enabled"
+        abs(x * seconds) >= SECONDS -> "$place · ${minutesText(x * seconds)}"
+        else -> place
+    }
+}
+
+/** A length on [axis], with a unit, and in minutes where it is one. */
+public fun lengthText(length: Double, axis: XAxis): String {
+    val number = withUnit(exactText(fixedText(length, decimalsFor(length)).toDouble()), axis.unit)
+    val name = if (axis.isIndex) "$number rows" else number
+    val seconds = Units.secondsIn(axis.unit)?.let { length * it } ?: 0.0
+    return if (seconds >= SECONDS) "$name · ${minutesText(seconds)}" else name
+}
+
+/** `1:33.7`, `1:02:05.0`: [seconds] in minutes, and hours where there are any. */
+public fun minutesText(seconds: Double, decimals: Int = 1): String {
+    if (!(abs(seconds) < LARGEST_SECONDS)) return exactText(seconds)
+    val text = fixedText(abs(seconds), decimals)
+    val point = text.indexOf('.').let { if (it < 0) text.length else it }
+    val whole = text.substring(0, point).toInt()
+    val hours = whole / SECONDS / MINUTES
+    val minutes = whole / SECONDS % MINUTES
+    val sign = if (seconds < 0 && text.toDouble() > 0) "-" else ""
+    val large = if (hours > 0) "$hours:${twoDigits(minutes)}" else "$minutes"
+    return "$sign$large:${twoDigits(whole % SECONDS)}${text.substring(point)}"
+}
+
+private fun twoDigits(number: Int) = if (number < 10) "0$number" else "$number"
+
+private const val SECONDS = 60
+private const val MINUTES = 60
+private const val LARGEST_SECONDS = 2e9
