@@ -1,6 +1,6 @@
 package badlog.cli
 
-import badlog.report.hook.commandWords
+import badlog.rules.commandWords
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldNotBeEmpty
 import io.kotest.matchers.shouldBe

@@ -6,7 +6,7 @@ import badlog.report.Find;
 import badlog.report.FindTextKt;
 import badlog.report.Report;
 import badlog.report.ReportTextKt;
-import badlog.report.rules.RuleSet;
+import badlog.rules.RulesFile;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -32,7 +32,7 @@ public final class ReportBenchmark {
                 measure("find, " + run, () -> FindTextKt.findText(
                     new Find(QUESTION, List.of(), cache, null).over(files, ReportBenchmark::ignore, result -> Unit.INSTANCE)));
                 measure("report, " + run, () -> ReportTextKt.reportText(
-                        new Report(RuleSet.Companion.getDEFAULT(), List.of(), List.of(), cache, null)
+                        new Report(RulesFile.Companion.getBUILT_IN().getRules(), List.of(), List.of(), cache, null)
                         .over(files, ReportBenchmark::ignore, (log, hooks) -> Unit.INSTANCE)));
             }
         } finally {

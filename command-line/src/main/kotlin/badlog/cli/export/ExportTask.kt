@@ -22,9 +22,9 @@ import badlog.file.requireRegularFile
 import badlog.html.ExportException
 import badlog.html.HtmlExporter
 import badlog.html.PageAdditions
-import badlog.report.SkippedRule
 import badlog.report.failureJson
-import badlog.report.rules.RuleSet
+import badlog.rules.RulesFile
+import badlog.rules.SkippedRule
 import badlog.report.skippedJson
 import badlog.report.undefinedJson
 import badlog.terminal.Progress
@@ -52,7 +52,7 @@ internal class ExportTask(
             return ExitCode.NOTHING
         }
         val rules = try {
-            search.ruleSet(RuleSet.NONE)
+            search.namedRules() ?: RulesFile.NONE
         } catch (e: SearchException) {
             console.warn(e.message)
             return ExitCode.USAGE
@@ -62,7 +62,7 @@ internal class ExportTask(
         val code = LogLoop("export", console, isJson).run(paths) { input, progress ->
             // Only what looks for something reads a log before it is in a page.
             if (search.isEmpty) return@run export(exporter, input, null, progress)
-            val found = Found.of(input.file, rules, search.hooksWith(rules), search.virtualTopics) { done, total ->
+            val found = Found.of(input.file, rules.rules, search.hooksWith(rules), search.virtualTopics) { done, total ->
                 progress.advanced(done, total * 2)
             }
             if (found.unreadable == null) refused += found.skipped

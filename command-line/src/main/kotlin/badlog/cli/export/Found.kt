@@ -4,14 +4,14 @@ import badlog.analysis.LogView
 import badlog.cli.input.readLog
 import badlog.expression.withVirtualTopics
 import badlog.html.PageAdditions
-import badlog.report.SkippedRule
 import badlog.report.hook.HookException
 import badlog.report.hook.HookOutcome
 import badlog.report.hook.HookRunner
 import badlog.report.page.pageAdditions
-import badlog.report.rules.LogFindings
-import badlog.report.rules.RuleSet
-import badlog.report.rules.over
+import badlog.rules.LogFindings
+import badlog.rules.RuleSet
+import badlog.rules.SkippedRule
+import badlog.rules.over
 import badlog.terminal.Progress
 import java.nio.file.Path
 
@@ -24,7 +24,7 @@ internal class Found private constructor(private val rules: LogFindings, private
     /** How much that is. */
     val count: Int get() = rules.findings.size + hooks.sumOf { it.result?.findings?.size ?: 0 }
 
-    /** The rules that the log could not be asked. */
+    /** The rules that were skipped for the log. */
     val skipped: List<SkippedRule> get() = rules.skipped
 
     /** The programs that failed. */

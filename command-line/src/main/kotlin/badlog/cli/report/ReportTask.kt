@@ -17,7 +17,7 @@ import badlog.report.page.ReportFolder
 import badlog.report.reportCsv
 import badlog.report.reportJson
 import badlog.report.reportText
-import badlog.report.rules.RuleSet
+import badlog.rules.RulesFile
 import java.nio.file.Path
 
 /**
@@ -40,8 +40,8 @@ internal class ReportTask(
 ) : Task {
     override fun run(console: Console): ExitCode {
         val report = try {
-            val rules = search.ruleSet(RuleSet.DEFAULT)
-            Report(rules, search.hooksWith(rules), search.virtualTopics, cache, xTopic)
+            val file = search.namedRules()
+            Report((file ?: RulesFile.BUILT_IN).rules, search.hooksWith(file), search.virtualTopics, cache, xTopic)
         } catch (e: SearchException) {
             console.warn(e.message)
             return ExitCode.USAGE

@@ -3,10 +3,10 @@ package badlog.cli.search
 import badlog.file.UnreadableFileException
 import badlog.file.reading
 import badlog.file.requireRegularFile
-import badlog.report.SkippedRule
 import badlog.report.hook.HookRunner
-import badlog.report.rules.RuleSet
-import badlog.report.rules.RulesException
+import badlog.rules.RulesException
+import badlog.rules.RulesFile
+import badlog.rules.SkippedRule
 import java.nio.charset.CharacterCodingException
 import java.nio.file.Files
 import java.nio.file.Path
@@ -23,19 +23,19 @@ internal class Search(private val rules: Path?, private val hooks: List<HookRunn
     private val hasOwnRules get() = rules != null && rules != Path.of(DEFAULT_RULES)
 
     /**
-     * The rules that were named.
+     * The rules that were named; null where none are.
      *
-     * @param unnamed the rules where none are named.
      * @throws SearchException when there are no such rules.
      */
-    fun ruleSet(unnamed: RuleSet): RuleSet = when {
-        rules == null -> unnamed
-        !hasOwnRules -> RuleSet.DEFAULT
+    fun namedRules(): RulesFile? = when {
+        rules == null -> null
+        !hasOwnRules -> RulesFile.BUILT_IN
         else -> read(rules)
     }
 
-    /** All programs to run. Those that [ruleSet] names are among them, since the person who named the rules knows them. */
-    fun hooksWith(ruleSet: RuleSet): List<HookRunner> = hooks + ruleSet.hooks
+    /** All programs to run. Those that [named] names are among them, since the person who named that file knows them. */
+    fun hooksWith(named: RulesFile?): List<HookRunner> =
+        hooks + named?.hooks.orEmpty().map { HookRunner.of(it, rules?.toAbsolutePath()?.parent) }
 
     /** Those of [skipped] that the user has to know: a log need not have all that badlog's own rules look for. */
     fun toldOf(skipped: List<SkippedRule>): List<SkippedRule> = if (hasOwnRules) skipped else emptyList()
@@ -45,7 +45,7 @@ internal class Search(private val rules: Path?, private val hooks: List<HookRunn
         toldOf(skipped.flatten()).groupBy { it.rule }.values.filter { it.size == skipped.size }.flatten()
 
     private fun read(file: Path) = try {
-        RuleSet.parse(textOf(file), file.toAbsolutePath().parent)
+        RulesFile.parse(textOf(file))
     } catch (e: RulesException) {
         throw SearchException("$file: ${e.message}")
     }
@@ -60,7 +60,7 @@ internal class Search(private val rules: Path?, private val hooks: List<HookRunn
     }
 
     companion object {
-        /** The name of the rules that badlog brings along. */
+        /** The name of the built-in rules. */
         const val DEFAULT_RULES = "default"
     }
 }

@@ -1,7 +1,7 @@
 package badlog.cli.search
 
 import badlog.report.hook.HookRunner
-import badlog.report.hook.commandWords
+import badlog.rules.commandWords
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.convert
@@ -16,7 +16,7 @@ import kotlin.time.Duration.Companion.seconds
 /** Options of everything that looks for something in logs by rules and programs. */
 internal class SearchOptions : OptionGroup() {
     private val rules by option("--rules", metavar = "FILE").path()
-        .help("Rules in TOML, or “${Search.DEFAULT_RULES}”, those of badlog.")
+        .help("Rules in TOML, or “${Search.DEFAULT_RULES}” for the built-in ones.")
     private val hooks by option("--hook", metavar = "COMMAND").convert { text ->
         try {
             commandWords(text)

@@ -9,7 +9,7 @@ import androidx.compose.ui.graphics.drawscope.Fill
 import androidx.compose.ui.graphics.drawscope.Stroke
 import badlog.analysis.Span
 import badlog.recording.Severity
-import badlog.report.rules.Finding
+import badlog.rules.Finding
 import badlog.viewer.graph.drawBand
 import badlog.viewer.graph.pixelOf
 import badlog.viewer.theme.Palette

@@ -15,7 +15,7 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import badlog.analysis.Span
-import badlog.report.rules.Finding
+import badlog.rules.Finding
 import badlog.viewer.app.Viewer
 import badlog.viewer.graph.GraphScene
 import badlog.viewer.theme.LocalPalette

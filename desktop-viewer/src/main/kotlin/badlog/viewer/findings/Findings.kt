@@ -1,8 +1,8 @@
 package badlog.viewer.findings
 
 import badlog.recording.Severity
-import badlog.report.SkippedRule
-import badlog.report.rules.Finding
+import badlog.rules.Finding
+import badlog.rules.SkippedRule
 import java.nio.file.Path
 
 /**
@@ -33,8 +33,8 @@ internal data class Findings(
  * What rules found in a recording.
  *
  * @property all the findings: those of the whole log first, then the others by time.
- * @property skipped the rules that could not be asked of it.
- * @property rulesFile where the rules come from; null for those that badlog brings along.
+ * @property skipped the rules that were skipped for it.
+ * @property rulesFile where the rules come from; null for the built-in ones.
  * @property trouble why a file of rules is not used, or why nothing was found out, as a sentence; null when all is well.
  */
 internal class FindingList(

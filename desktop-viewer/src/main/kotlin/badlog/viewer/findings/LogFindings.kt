@@ -3,8 +3,9 @@ package badlog.viewer.findings
 import androidx.compose.runtime.snapshotFlow
 import androidx.compose.ui.input.key.Key
 import badlog.analysis.LogView
-import badlog.report.rules.Finding
-import badlog.report.rules.over
+import badlog.rules.Finding
+import badlog.rules.FolderRules
+import badlog.rules.over
 import badlog.viewer.app.Viewer
 import badlog.viewer.compare.drawnRecordings
 import badlog.viewer.keyboard.Command
@@ -68,13 +69,13 @@ internal class RuleRunning(
 /**
  * Runs the rules for [file], which was read as [view], over it. Takes its time; interrupting the thread gives up.
  *
- * @param library the folder of logs, see [RulesFor.of].
+ * @param library the folder of logs, see [FolderRules.of].
  */
 internal fun findingsOf(view: LogView, file: Path, library: Path?): FindingList {
-    val rules = RulesFor.of(file, library)
+    val rules = FolderRules.of(file, library)
     return try {
-        val found = rules.set.over(view, file.fileName.toString())
-        FindingList(found.findings, found.skipped, rules.file, rules.trouble)
+        val found = rules.rules.over(view, file.fileName.toString()) { if (Thread.interrupted()) throw InterruptedException() }
+        FindingList(found.findings, found.skipped, rules.file, rules.problem)
     } catch (_: OutOfMemoryError) {
         FindingList(trouble = "There is not enough memory to run the rules over this log; close other logs and run them again.")
     }

@@ -39,8 +39,8 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.plot.text.countText
 import badlog.recording.Severity
-import badlog.report.SkippedRule
-import badlog.report.rules.Finding
+import badlog.rules.Finding
+import badlog.rules.SkippedRule
 import badlog.viewer.app.Viewer
 import badlog.viewer.compare.drawnRecordings
 import badlog.viewer.findings.BEFORE
@@ -56,7 +56,7 @@ import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
 
-/** What rules found in [open], by time; a click on a line goes there. Below it the rules that could not be asked, folded. */
+/** What rules found in [open], by time; a click on a line goes there. Below it the rules that were skipped, folded. */
 @Composable
 internal fun FindingsPanel(viewer: Viewer, open: OpenRecording, modifier: Modifier) {
     val findings = viewer.findings
@@ -153,7 +153,7 @@ private fun Time(text: String) {
     )
 }
 
-/** How many rules could not be asked; a click shows and hides which. */
+/** How many rules were skipped; a click shows and hides which. */
 @Composable
 internal fun SkippedHead(count: Int, isOpen: Boolean, onToggle: () -> Unit) {
     val palette = LocalPalette.current
@@ -166,11 +166,11 @@ internal fun SkippedHead(count: Int, isOpen: Boolean, onToggle: () -> Unit) {
         Alignment.CenterVertically,
     ) {
         Icon(if (isOpen) Icons.Down else Icons.Right, contentDescription = null, Modifier.size(14.dp), palette.muted)
-        Text("${countText(count, "rule")} could not be asked", color = palette.muted)
+        Text("${countText(count, "rule")} skipped (topics missing)", color = palette.muted)
     }
 }
 
-/** A rule that could not be asked of the log, and why. */
+/** A rule that was skipped for the log, and why. */
 @Composable
 internal fun SkippedLine(rule: SkippedRule) {
     val palette = LocalPalette.current

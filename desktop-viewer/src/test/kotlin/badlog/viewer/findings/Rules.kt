@@ -1,5 +1,6 @@
 package badlog.viewer.findings
 
+import badlog.rules.RulesFile
 import badlog.viewer.bagOf
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.recordingOf
@@ -10,7 +11,7 @@ import java.nio.file.Path
 internal fun ruleText(name: String, condition: String, severity: String = "warning", text: String = "$name at {time}"): String = "[[rule]]\nname = \"$name\"\nseverity = \"$severity\"\nwhen = \"$condition\"\ntext = \"$text\"\n"
 
 /** Writes [rules] as the rules of [folder]. */
-internal fun writeRules(folder: Path, vararg rules: String): Path = Files.writeString(Files.createDirectories(folder).resolve(RulesFor.NAME), rules.joinToString("\n"))
+internal fun writeRules(folder: Path, vararg rules: String): Path = Files.writeString(Files.createDirectories(folder).resolve(RulesFile.NAME), rules.joinToString("\n"))
 
 /** A recording in [folder] of a hundred rows, one each second: `A` counts them, `B` is 1 in every tenth. */
 internal fun counted(folder: Path, rows: Int = 100): OpenRecording = recordingOf(

@@ -56,7 +56,7 @@ class FindingsPanelSpec : FunSpec({
             }
             onNodeWithContentDescription("Finding, error: Early").assertIsSelected()
             onNodeWithText("None").assertDoesNotExist()
-            onNodeWithText("1 rule could not be asked").performClick()
+            onNodeWithText("1 rule skipped (topics missing)").performClick()
             onNodeWithText("None").assertExists()
         }
     }

@@ -1,8 +1,8 @@
 package badlog.report
 
 import badlog.expression.ExpressionErrorKind
-import badlog.expression.Figure
 import badlog.expression.Outcome
+import badlog.rules.timeText
 import badlog.terminal.TextTable
 
 /**
@@ -70,8 +70,5 @@ private fun valueText(reply: Reply.Answered): String {
     val figures = reply.figures
     return (if (figures.size == 1) figures[0].text else figures.joinToString { it.toString() }.ifEmpty { "yes" }) + times
 }
-
-/** [time] as a person reads it, such as `93.7 s`; empty when it is not known. */
-internal fun timeText(time: Double, unit: String): String = if (time.isNaN()) "" else Figure("", time, unit, Double.NaN).text
 
 internal fun count(number: Int, thing: String): String = "$number $thing${if (number == 1) "" else "s"}"

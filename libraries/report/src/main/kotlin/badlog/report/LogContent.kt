@@ -6,10 +6,8 @@ import badlog.file.LogFile
 import badlog.file.UnreadableFileException
 import badlog.file.readRecording
 import badlog.formats.LOG_FORMATS
-import badlog.recording.PathName
 import badlog.recording.ProblemKind
 import badlog.recording.Recording
-import badlog.recording.Value
 
 /** What a file turned out to hold. */
 internal sealed interface LogContent {
@@ -74,8 +72,3 @@ internal sealed interface LogContent {
         }
     }
 }
-
-/** The type of the match that [values] tell of, such as `Qualification`. */
-internal fun matchType(values: List<Value>): String? = values
-    .firstOrNull { PathName.baseNameOf(it.name).replace('_', ' ').lowercase() == "match type" && it.text.isNotBlank() }
-    ?.text?.trim()

@@ -4,10 +4,14 @@ import badlog.analysis.Span
 import badlog.file.LogFile
 import badlog.report.hook.HookOutcome
 import badlog.report.hook.HookRunner
-import badlog.report.rules.Finding
-import badlog.report.rules.Rule
-import badlog.report.rules.RuleRunner
-import badlog.report.rules.RuleSet
+import badlog.rules.BUILT_IN
+import badlog.rules.Finding
+import badlog.rules.LogShape
+import badlog.rules.Rule
+import badlog.rules.RuleProgram
+import badlog.rules.RuleSet
+import badlog.rules.SkippedRule
+import badlog.rules.toJson
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.Transient
 import java.nio.file.Path
@@ -15,7 +19,7 @@ import java.nio.file.Path
 /**
  * Runs rules, and programs of the user's, over many logs.
  *
- * @param rules what to look for. The hooks that they name do not run unless they are given as [hooks], too.
+ * @param rules what to look for.
  * @param hooks programs to run for each log; what they find joins what the rules find.
  * @param virtualTopics definitions of topics that the rules may use beside a log's own, such as `Power = Voltage * Current`.
  * @param cache a folder for what was found out before, so that a file that did not change is not read again; null for none. What
@@ -23,18 +27,18 @@ import java.nio.file.Path
  * @param xTopic the topic to take as x axis, which plain CSV does not tell; null for what the log itself says.
  */
 public class Report(
-    private val rules: RuleSet = RuleSet.DEFAULT,
+    private val rules: RuleSet = RuleSet.BUILT_IN,
     private val hooks: List<HookRunner> = emptyList(),
     private val virtualTopics: List<String> = emptyList(),
     private val cache: Path? = null,
     private val xTopic: String? = null,
 ) {
-    private val runner = RuleRunner(rules)
+    private val programs = Remembered<LogShape, RuleProgram>(MAX_PROGRAMS) { RuleProgram(rules, it) }
 
     @Serializable
     internal class Stored(
         val title: String?,
-        val findings: List<Finding>,
+        val findings: List<@Serializable(with = FindingSerializer::class) Finding>,
         val asked: List<Asked>,
         val unreadable: String?,
         val isNoLog: Boolean = false,
@@ -61,7 +65,7 @@ public class Report(
     ): ReportResult {
         val logs = ArrayList<LogReport>(files.size)
         val asked = HashMap<String, MutableList<Asked>>()
-        val question = "report\n${virtualTopics.joinToString("\n")}\n\n${xTopic.orEmpty()}\n${rules.source}"
+        val question = "report\n${virtualTopics.joinToString("\n")}\n\n${xTopic.orEmpty()}\n${rules.toJson()}"
         val known = cache?.takeIf { hooks.isEmpty() }?.let { ResultCache(it, question, Stored.serializer()) }
         runCached(files, known, ::examine) { file, stored ->
             val failures = stored.hooks.mapNotNull { hook -> hook.failure?.let { HookFailure(hook.hook, it.message) } }
@@ -89,9 +93,9 @@ public class Report(
         is LogContent.Log -> {
             val findings = ArrayList<Finding>()
             val asked = ArrayList<Asked>()
-            val match = content.view.title ?: file.name
-            runner.run(content.view, match, file.name, { findings += it }) { rule, refusal ->
-                asked += Asked(rule.name, refusal?.message, refusal?.mistake)
+            for (rule in programs[LogShape.of(content.view)].run(content.view, file.name)) {
+                findings += rule.findings
+                asked += Asked(rule.rule.name, rule.refusal?.message, rule.refusal?.mistake)
             }
             val outcomes = hooks.map { HookOutcome.of(it, content.recording) }
             for (outcome in outcomes) findings += findingsOf(outcome, content.view.xAxis.unit)
@@ -119,5 +123,10 @@ public class Report(
         // A rule that can be asked of one log is right; another log only lacks its topics.
         val isMistake = mistaken != null && refused.size == asked.size
         return SkippedRule(rule, refused.size, (if (isMistake) first.mistake else first.refusal).orEmpty(), isMistake)
+    }
+
+    private companion object {
+        // Each knows all names of its logs several times over.
+        const val MAX_PROGRAMS = 16
     }
 }

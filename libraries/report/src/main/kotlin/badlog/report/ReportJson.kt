@@ -1,6 +1,7 @@
 package badlog.report
 
-import badlog.report.rules.Finding
+import badlog.rules.Finding
+import badlog.rules.SkippedRule
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.buildJsonObject
@@ -33,7 +34,7 @@ private fun findingJson(finding: Finding): JsonElement = buildJsonObject {
     put("isOfHook", finding.isOfHook)
 }
 
-/** A rule that could not be asked, for other programs. */
+/** A rule that was skipped, for other programs. */
 public fun skippedJson(skipped: SkippedRule): JsonElement = buildJsonObject {
     put("rule", skipped.rule)
     put("message", skipped.message)

@@ -2,13 +2,14 @@ package badlog.report
 
 import badlog.file.LogFile
 import badlog.recording.Severity
-import badlog.report.rules.Finding
+import badlog.rules.Finding
+import badlog.rules.SkippedRule
 
 /**
  * What was found in many logs.
  *
  * @property logs every file, in the order in which they were given.
- * @property skipped the rules that could not be asked of some logs, in the order of the rules.
+ * @property skipped the rules that were skipped for some logs, in the order of the rules.
  */
 public class ReportResult internal constructor(public val logs: List<LogReport>, public val skipped: List<SkippedRule>) {
     /** How many findings there are of [severity]. */
@@ -21,7 +22,7 @@ public class ReportResult internal constructor(public val logs: List<LogReport>,
  * @property file the file.
  * @property title what match it is, from its values; null when they do not tell or it cannot be read.
  * @property findings in the order of the rules, then of the hooks.
- * @property skipped the rules that could not be asked of it, in the order of the rules; one that is a mistake here may be right for
+ * @property skipped the rules that were skipped for it, in the order of the rules; one that is a mistake here may be right for
  *   another log.
  * @property unreadable why the file cannot be read or is no log, as a sentence; null when all is well.
  * @property isNoLog whether it is [unreadable] because it is something else than a log.
@@ -48,26 +49,3 @@ public class LogReport internal constructor(
  * @property message what went wrong, as a sentence.
  */
 public class HookFailure internal constructor(public val hook: String, public val message: String)
-
-/**
- * A rule that could not be asked of some logs.
- *
- * @property rule its name.
- * @property logs of how many.
- * @property message why not in the first of them.
- * @property isMistake whether the rule itself is wrong; [message] then points at the mistake in the file of rules.
- */
-public class SkippedRule internal constructor(
-    public val rule: String,
-    public val logs: Int,
-    public val message: String,
-    public val isMistake: Boolean,
-) {
-    /** As a sentence, or more where the rule is wrong. */
-    override fun toString(): String = if (isMistake) {
-        "The rule “$rule” is wrong. $message"
-    } else {
-        val end = if (message.last() in ".?!") "" else "."
-        "The rule “$rule” was not asked of ${count(logs, "log")}: $message$end"
-    }
-}

@@ -1,6 +1,7 @@
 package badlog.report
 
 import badlog.recording.Severity
+import badlog.rules.timeText
 import badlog.terminal.TextTable
 import badlog.terminal.TextTable.Column
 import badlog.terminal.printable

@@ -2,13 +2,15 @@ package badlog.report
 
 import badlog.analysis.Span
 import badlog.expression.Figure
+import badlog.recording.Severity
+import badlog.rules.Finding
 import kotlinx.serialization.KSerializer
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.descriptors.SerialDescriptor
 import kotlinx.serialization.encoding.Decoder
 import kotlinx.serialization.encoding.Encoder
 
-/** Core's [Span] and [Figure] as a cache keeps them. */
+/** [Span], [Figure] and [Finding] as a cache keeps them: their own modules do without a library for it. */
 internal object SpanSerializer : KSerializer<Span> {
     @Serializable
     private class Stored(val from: Double, val to: Double)
@@ -32,4 +34,29 @@ internal object FigureSerializer : KSerializer<Figure> {
 
     override fun deserialize(decoder: Decoder): Figure =
         decoder.decodeSerializableValue(Stored.serializer()).let { Figure(it.name, it.value, it.unit, it.time) }
+}
+
+internal object FindingSerializer : KSerializer<Finding> {
+    @Serializable
+    private class Stored(
+        val rule: String,
+        val severity: Severity,
+        val topic: String?,
+        val text: String,
+        val time: Double,
+        val spans: List<@Serializable(with = SpanSerializer::class) Span>,
+        val spanCount: Int,
+        val timeUnit: String,
+        val isOfHook: Boolean,
+    )
+
+    override val descriptor: SerialDescriptor = Stored.serializer().descriptor
+
+    override fun serialize(encoder: Encoder, value: Finding) = encoder.encodeSerializableValue(
+        Stored.serializer(),
+        value.run { Stored(rule, severity, topic, text, time, spans, spanCount, timeUnit, isOfHook) },
+    )
+
+    override fun deserialize(decoder: Decoder): Finding = decoder.decodeSerializableValue(Stored.serializer())
+        .run { Finding(rule, severity, topic, text, time, spans, spanCount, timeUnit, isOfHook) }
 }

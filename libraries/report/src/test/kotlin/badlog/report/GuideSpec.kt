@@ -1,7 +1,7 @@
 package badlog.report
 
-import badlog.report.rules.RuleSet
-import badlog.report.rules.RulesException
+import badlog.rules.RulesException
+import badlog.rules.RulesFile
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
@@ -18,9 +18,9 @@ class GuideSpec : FunSpec({
             val shown = when (kind) {
                 "find" -> findText(Find(argument).over(SAMPLES))
                 "report" -> reportText(Report().over(SAMPLES))
-                "report-of-these-rules" -> reportText(Report(RuleSet.parse(written.getValue("rules"))).over(SAMPLES))
-                "mistake" -> shouldThrow<RulesException> { RuleSet.parse(written.getValue("mistaken-rules")) }.message
-                "default-rules" -> RuleSet.DEFAULT.source
+                "report-of-these-rules" -> reportText(Report(RulesFile.parse(written.getValue("rules")).rules).over(SAMPLES))
+                "mistake" -> shouldThrow<RulesException> { RulesFile.parse(written.getValue("mistaken-rules")) }.message
+                "default-rules" -> RulesFile.BUILT_IN.source
                 else -> content
             }
             "```$kind${if (argument.isEmpty()) "" else " $argument"}\n${shown.trimEnd('\n')}\n```"

@@ -1,4 +1,4 @@
-package badlog.report.rules
+package badlog.rules
 
 import badlog.analysis.Units
 import badlog.expression.Signal

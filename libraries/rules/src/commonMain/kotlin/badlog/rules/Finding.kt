@@ -1,9 +1,8 @@
-package badlog.report.rules
+package badlog.rules
 
 import badlog.analysis.Span
+import badlog.expression.Figure
 import badlog.recording.Severity
-import badlog.report.SpanSerializer
-import kotlinx.serialization.Serializable
 
 /**
  * A rule that holds in a log, or what a hook found there.
@@ -11,25 +10,29 @@ import kotlinx.serialization.Serializable
  * @property rule the rule's name, or what the hook is called.
  * @property severity how bad it is.
  * @property topic the topic it is about; null when there is none.
- * @property text the rule's text, filled in.
- * @property time where to look first; NaN when it is about the whole log.
- * @property spans when, at most the first hundred.
+ * @property text what was found, as a sentence: the rule's text, filled in.
+ * @property time where to look first, in the unit of x; NaN when it is about the whole log.
+ * @property spans when, at most the first [MAX_SPANS]; a moment has a span without width. Empty when it is about the whole log.
  * @property spanCount how often.
  * @property timeUnit the unit of all times, empty where x has none.
  * @property isOfHook whether a hook found it, and no rule.
  */
-@Serializable
-public class Finding internal constructor(
+public class Finding(
     public val rule: String,
     public val severity: Severity,
     public val topic: String?,
     public val text: String,
     public val time: Double,
-    public val spans: List<
-        @Serializable(with = SpanSerializer::class)
-        Span,
-        >,
+    public val spans: List<Span>,
     public val spanCount: Int,
     public val timeUnit: String,
     public val isOfHook: Boolean = false,
-)
+) {
+    public companion object {
+        /** So many [spans] are kept of a finding. */
+        public const val MAX_SPANS: Int = 100
+    }
+}
+
+/** [time] as a person reads it, such as `93.7 s`; empty when it is NaN. */
+public fun timeText(time: Double, unit: String): String = if (time.isNaN()) "" else Figure("", time, unit, Double.NaN).text

@@ -1,4 +1,4 @@
-package badlog.report.rules
+package badlog.rules
 
 /**
  * A topic's name, or a pattern for names: `*` stands for anything, regardless of case, and where the pattern has a space, `_`, `-`

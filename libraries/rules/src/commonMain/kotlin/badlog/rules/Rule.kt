@@ -1,4 +1,4 @@
-package badlog.report.rules
+package badlog.rules
 
 import badlog.recording.Severity
 
@@ -8,13 +8,14 @@ import badlog.recording.Severity
  * @property name what it is called; no two rules of a set have the same.
  * @property severity how bad it is.
  * @property condition the expression under `when`.
+ * @property only the types of match that it is for; empty for all.
  */
 public class Rule internal constructor(
     public val name: String,
     public val severity: Severity,
     public val condition: String,
     internal val text: RuleText,
-    internal val only: List<String>,
+    public val only: List<String>,
     internal val each: TopicChoice?,
     internal val place: RulePlace,
 ) {

@@ -1,4 +1,4 @@
-package badlog.report.rules
+package badlog.rules
 
 /**
  * Where a text stands in a file of rules.
@@ -6,9 +6,9 @@ package badlog.report.rules
  * @property lineNumber counted from 1.
  * @property line the whole line.
  * @property column where it begins in [line], from 0.
- * @param literal the text, if it stands there character for character.
+ * @property literal the text, if it stands there character for character.
  */
-internal class RulePlace(val lineNumber: Int, val line: String, val column: Int, private val literal: String?) {
+internal class RulePlace(val lineNumber: Int, val line: String, val column: Int, val literal: String?) {
     /** [message] about what stands from [from] until [until] of the text, with the line and carets below it. */
     fun pointed(message: String, from: Int = 0, until: Int = literal?.length ?: 1): String {
         val begin = minOf(line.length, if (literal != null) column + from else column)

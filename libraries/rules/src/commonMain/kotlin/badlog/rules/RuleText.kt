@@ -1,7 +1,7 @@
-package badlog.report.rules
+package badlog.rules
 
 /** What a finding says, with places for what was found: `{value} at {time}`. A brace itself is written twice. */
-internal class RuleText private constructor(private val parts: List<Part>) {
+internal class RuleText private constructor(val source: String, private val parts: List<Part>) {
     private class Part(val text: String, val isPlace: Boolean)
 
     /** The text with [found], which has all of [PLACES], in its places. */
@@ -41,7 +41,7 @@ internal class RuleText private constructor(private val parts: List<Part>) {
                 }
             }
             parts += Part(plain.toString(), false)
-            return RuleText(parts)
+            return RuleText(text, parts)
         }
     }
 }

@@ -1,4 +1,4 @@
-package badlog.report.rules
+package badlog.rules
 
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe

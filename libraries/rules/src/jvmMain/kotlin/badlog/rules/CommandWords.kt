@@ -1,4 +1,4 @@
-package badlog.report.hook
+package badlog.rules
 
 /**
  * The words of a [command] line: separated by spaces, but in single or double quotes a space is part of a word. A backslash is an ordinary

@@ -1,4 +1,4 @@
-package badlog.report.rules
+package badlog.rules
 
 /**
  * A file of rules cannot be used.
@@ -6,4 +6,4 @@ package badlog.report.rules
  * @property lineNumber the line of the mistake, counted from 1.
  * @property message the line's number and what is wrong as a sentence, below it the line, and carets that point at the mistake.
  */
-public class RulesException internal constructor(internal val lineNumber: Int, override val message: String) : Exception(message)
+public class RulesException internal constructor(public val lineNumber: Int, override val message: String) : Exception(message)

@@ -1,33 +1,29 @@
-package badlog.report.rules
+package badlog.rules
 
 import badlog.expression.Expression
 import badlog.expression.Signal
 import badlog.expression.SignalKind
 import badlog.expression.Vocabulary
 import badlog.recording.Severity
-import badlog.report.hook.HookRunner
-import badlog.report.hook.commandWords
 import org.tomlj.Toml
 import org.tomlj.TomlArray
 import org.tomlj.TomlPosition
 import org.tomlj.TomlTable
-import java.nio.file.Path
 import kotlin.time.Duration
 import kotlin.time.Duration.Companion.seconds
 
 /** Reads a file of rules. Throws [RulesException] at the first mistake. */
-internal class RulesReader(private val source: String, private val folder: Path?) {
+internal class RulesReader(private val source: String) {
     private val lines = source.lines()
 
-    fun read(): RuleSet {
+    fun read(): RulesFile {
         val root = Toml.parse(source)
         root.errors().firstOrNull()?.let { error ->
             val said = error.message.orEmpty().lineSequence().first().trim().trimEnd('.')
-            fail(place(error.position(), null), "This is no TOML: $said.")
+            fail(place(error.position(), null), "This is not TOML: $said.")
         }
         requireKnown(root, setOf("aliases", "rule", "hook"), "the file")
-        val aliases = aliases(root)
-        return RuleSet(aliases, rules(root), hooks(root), source)
+        return RulesFile(RuleSet(aliases(root), rules(root)), hooks(root), source)
     }
 
     private fun aliases(root: TomlTable): List<Alias> {
@@ -35,7 +31,7 @@ internal class RulesReader(private val source: String, private val folder: Path?
         val table = root.get(listOf("aliases")) as? TomlTable ?: fail(placeOf(root, "aliases"), "“aliases” is a table: [aliases].")
         return table.keySet().map { name ->
             if (!isUsable(name)) {
-                fail(placeOf(table, name), "“$name” cannot be an alias; use letters, digits and _, and no word of the language.")
+                fail(placeOf(table, name), "“$name” cannot be an alias; use letters, digits and _, but not a word of the language.")
             }
             val value = table.get(listOf(name))
             if (value is TomlTable) {
@@ -62,7 +58,7 @@ internal class RulesReader(private val source: String, private val folder: Path?
         }
     }
 
-    private fun hooks(root: TomlTable): List<HookRunner> = tables(root, "hook").map { (table, place) ->
+    private fun hooks(root: TomlTable): List<HookCommand> = tables(root, "hook").map { (table, place) ->
         requireKnown(table, setOf("name", "command", "seconds"), "a hook")
         if (!table.contains(listOf("command"))) fail(place, "This hook has no “command”.")
         val command = string(table, "command").orEmpty()
@@ -72,13 +68,12 @@ internal class RulesReader(private val source: String, private val folder: Path?
             fail(placeOf(table, "command"), e.message.orEmpty())
         }
         val seconds = when (val value = table.get(listOf("seconds"))) {
-            null -> HookRunner.USUAL_TIME_LIMIT
+            null -> null
             is Number -> value.toDouble().seconds
             else -> Duration.ZERO
         }
-        if (!seconds.isPositive()) fail(placeOf(table, "seconds"), "“seconds” is a number above 0: how long the hook may take.")
-        val name = string(table, "name")
-        if (name == null) HookRunner(words, seconds, folder = folder) else HookRunner(words, seconds, name, folder)
+        if (seconds?.isPositive() == false) fail(placeOf(table, "seconds"), "“seconds” is a number above 0: how long the hook may take.")
+        HookCommand(words, string(table, "name"), seconds)
     }
 
     /** Every table of the list [key], and where it begins. */
@@ -125,7 +120,7 @@ internal class RulesReader(private val source: String, private val folder: Path?
 
     private fun requireKnown(table: TomlTable, known: Set<String>, what: String) {
         val unknown = table.keySet().firstOrNull { it !in known } ?: return
-        fail(placeOf(table, unknown, isKey = true), "“$unknown” is nothing that $what may have; it may have ${known.joinToString()}.")
+        fail(placeOf(table, unknown, isKey = true), "“$unknown” is not a key of $what; the keys are ${known.joinToString()}.")
     }
 
     private fun patterns(table: TomlTable, key: String, isNeeded: Boolean): List<NamePattern> {

@@ -1,4 +1,4 @@
-package badlog.report.hook
+package badlog.rules
 
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec

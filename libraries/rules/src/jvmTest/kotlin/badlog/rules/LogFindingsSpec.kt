@@ -1,4 +1,4 @@
-package badlog.report.rules
+package badlog.rules
 
 import badlog.analysis.LogView
 import badlog.bag.BagParser
@@ -18,14 +18,14 @@ class LogFindingsSpec : FunSpec({
     val view = LogView.of(BagParser().apply { accept(bag.encodeToByteArray()) }.finish())
 
     test("a view that is read already is asked the rules, and those that do not fit it are told") {
-        val result = RuleSet.DEFAULT.over(view, "test.bag")
+        val result = RuleSet.BUILT_IN.over(view, "test.bag")
         result.findings.map { it.rule } shouldContain "Low battery"
         result.skipped.map { it.rule } shouldContain "Loop overrun"
         result.skipped.none { it.isMistake } shouldBe true
     }
 
     test("a rule that is wrong is told as such, with its place") {
-        val rules = RuleSet.parse("[[rule]]\nname = \"A\"\nseverity = \"note\"\nwhen = \"mean(Battery Voltage, 5) < 3\"\ntext = \"t\"\n")
+        val rules = RulesFile.parse("[[rule]]\nname = \"A\"\nseverity = \"note\"\nwhen = \"mean(Battery Voltage, 5) < 3\"\ntext = \"t\"\n").rules
         val skipped = rules.over(view, "test.bag").skipped.single()
         skipped.isMistake shouldBe true
         skipped.message.lines()[0].contains("4") shouldBe true
@@ -41,7 +41,7 @@ class LogFindingsSpec : FunSpec({
         times,
     )
 
-    fun findingsOf(topics: List<Topic>) = RuleSet.DEFAULT.over(LogView.of(Recording(RecordingFormat.WPILOG, null, emptyList(), topics, 0, emptyList())), "a.wpilog")
+    fun findingsOf(topics: List<Topic>) = RuleSet.BUILT_IN.over(LogView.of(Recording(RecordingFormat.WPILOG, null, emptyList(), topics, 0, emptyList())), "a.wpilog")
 
     test("where topics have times of their own, time is every one of them, whatever topics are called") {
         val result = findingsOf(listOf(ownTimes("A/Time", 0.0, 0.1, 3.0), ownTimes("B/Time", 0.2, 2.9)))
@@ -55,12 +55,14 @@ class LogFindingsSpec : FunSpec({
 
     test("a log that counts rows has no time, whatever topics are called") {
         val csv = LogView.of(BagParser().apply { accept("A/Time,b\n0,1\n5,2\n".encodeToByteArray()) }.finish())
-        RuleSet.DEFAULT.over(csv, "a.csv").skipped.single { it.rule == "Gap in time" }.message shouldBe "the log has no x axis"
+        RuleSet.BUILT_IN.over(csv, "a.csv").skipped.single { it.rule == "Gap in time" }.message shouldBe "the log has no x axis"
     }
 
-    test("an interrupted thread stops asking") {
-        Thread.currentThread().interrupt()
-        shouldThrow<InterruptedException> { RuleSet.DEFAULT.over(view, "test.bag") }
-        Thread.interrupted() shouldBe false
+    test("whoever looks in between two rules can stop the run") {
+        var rules = 0
+        shouldThrow<InterruptedException> {
+            RuleSet.BUILT_IN.over(view, "test.bag") { if (++rules == 3) throw InterruptedException() }
+        }
+        rules shouldBe 3
     }
 })

@@ -1,4 +1,4 @@
-package badlog.report.rules
+package badlog.rules
 
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
@@ -10,41 +10,40 @@ import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.string
 import io.kotest.property.checkAll
 import kotlin.time.Duration.Companion.milliseconds
-import kotlin.time.Duration.Companion.seconds
 
 private const val RULE = "[[rule]]\nname = \"A\"\nseverity = \"note\"\nwhen = \"x > 1\"\ntext = \"t\"\n"
 
-private fun messageOf(rules: String): String = shouldThrow<RulesException> { RuleSet.parse(rules) }.message
+private fun messageOf(rules: String): String = shouldThrow<RulesException> { RulesFile.parse(rules) }.message
 
 class RulesReaderSpec : FunSpec({
     test("the rules that are built in can be read") {
-        RuleSet.DEFAULT.rules.map { it.name }.take(2) shouldBe listOf("Browned out", "Low battery")
+        RuleSet.BUILT_IN.rules.map { it.name }.take(2) shouldBe listOf("Browned out", "Low battery")
     }
 
     test("no rules are fine") {
-        RuleSet.parse("").rules shouldBe emptyList()
+        RulesFile.parse("").rules.rules shouldBe emptyList()
     }
 
     test("a mark of an editor before the text does not count") {
-        RuleSet.parse("\uFEFF$RULE").rules.single().name shouldBe "A"
+        RulesFile.parse("\uFEFF$RULE").rules.rules.single().name shouldBe "A"
     }
 
     test("hooks have a command, and may have a name and a time limit") {
-        val hooks = RuleSet.parse("[[hook]]\ncommand = \"python3 x/a.py -v\"\n[[hook]]\nname = \"B\"\ncommand = \"b\"\nseconds = 1.5\n").hooks
-        hooks.map { it.name } shouldBe listOf("a.py", "B")
+        val hooks = RulesFile.parse("[[hook]]\ncommand = \"python3 x/a.py -v\"\n[[hook]]\nname = \"B\"\ncommand = \"b\"\nseconds = 1.5\n").hooks
+        hooks.map { it.name } shouldBe listOf(null, "B")
         hooks.map { it.command } shouldBe listOf(listOf("python3", "x/a.py", "-v"), listOf("b"))
-        hooks.map { it.timeLimit } shouldBe listOf(30.seconds, 1500.milliseconds)
+        hooks.map { it.timeLimit } shouldBe listOf(null, 1500.milliseconds)
     }
 
-    test("what is no TOML is told with line and caret") {
-        messageOf("[aliases]\nb = \n") shouldStartWith "Line 2: This is no TOML: "
+    test("what is not TOML is reported with line and caret") {
+        messageOf("[aliases]\nb = \n") shouldStartWith "Line 2: This is not TOML: "
         messageOf("[aliases]\nb = \n") shouldContain "\nb = \n    ^"
     }
 
     val mistakes = mapOf(
         RULE.replace("note", "bad") to
             "Line 3: A severity is “error”, “warning” or “note”, not “bad”.\nseverity = \"bad\"\n            ^^^",
-        RULE.replace("when", "wenn") to "Line 4: “wenn” is nothing that a rule may have",
+        RULE.replace("when", "wenn") to "Line 4: “wenn” is not a key of a rule",
         RULE.replace("text = \"t\"\n", "") to "Line 1: This rule has no “text”.\n[[rule]]\n^",
         RULE.replace("\"t\"", "\"a {b} c\"") to "Line 5: There is no place “{b}”; there are {value}, ",
         RULE.replace("\"t\"", "\"a {b} c\"") to "\ntext = \"a {b} c\"\n          ^^^",
@@ -54,7 +53,7 @@ class RulesReaderSpec : FunSpec({
         RULE + "unit = \"A\"\n" to "Line 6: “unit” says which topics “each” means",
         RULE + "each = [1]\n" to "Line 6: “each” is a list of texts",
         RULE + "only = []\n" to "Line 6: “only” is a list of texts",
-        "rules = 1\n" to "Line 1: “rules” is nothing that the file may have",
+        "rules = 1\n" to "Line 1: “rules” is not a key of the file",
         "rule = 1\n" to "Line 1: Each rule begins with [[rule]]",
         "hook = 1\n" to "Line 1: Each hook begins with [[hook]]",
         "[[hook]]\nname = \"h\"\n" to "Line 1: This hook has no “command”.",
@@ -66,7 +65,7 @@ class RulesReaderSpec : FunSpec({
         "[aliases]\ntime = [\"x\"]\n" to "Line 2: “time” cannot be an alias",
         "[aliases]\nnot = [\"x\"]\n" to "“not” cannot be an alias",
         "[aliases]\n\"a b\" = [\"x\"]\n" to "“a b” cannot be an alias",
-        "[aliases]\na = { name = [\"x\"] }\n" to "“name” is nothing that an alias may have",
+        "[aliases]\na = { name = [\"x\"] }\n" to "“name” is not a key of an alias",
         "[aliases]\na = { unit = \"V\" }\n" to "“names” is a list of texts",
     )
     for ((rules, message) in mistakes) {
@@ -74,10 +73,10 @@ class RulesReaderSpec : FunSpec({
     }
 
     test("whatever the text, there are rules or a sentence") {
-        val whole = RuleSet.DEFAULT.source.lines().take(20).joinToString("\n") + "\n" + RULE
+        val whole = RulesFile.BUILT_IN.source.lines().take(20).joinToString("\n") + "\n" + RULE
         checkAll(300, Arb.int(0, whole.length), Arb.string(0, 4)) { at, text ->
             try {
-                RuleSet.parse(whole.take(at) + text + whole.drop(at + text.length))
+                RulesFile.parse(whole.take(at) + text + whole.drop(at + text.length))
             } catch (e: RulesException) {
                 e.message shouldStartWith "Line ${e.lineNumber}: "
             }

@@ -8,6 +8,7 @@ import badlog.bag.BagValue
 import badlog.bag.headerText
 import badlog.recording.Recording
 import badlog.report.orAtProgramEnd
+import badlog.rules.HookCommand
 import java.io.File
 import java.io.IOException
 import java.nio.file.Files
@@ -101,6 +102,10 @@ public class HookRunner(
     public companion object {
         /** How long a program may take where nobody says otherwise. */
         public val USUAL_TIME_LIMIT: Duration = 30.seconds
+
+        /** The program of [hook], which a file of rules in [folder] names. */
+        public fun of(hook: HookCommand, folder: Path?): HookRunner =
+            HookRunner(hook.command, hook.timeLimit ?: USUAL_TIME_LIMIT, hook.name ?: nameOf(hook.command), folder)
 
         // The first argument that looks like a file's name is the script, as in `python3 -u tools/analyse.py`.
         private fun nameOf(command: List<String>): String {

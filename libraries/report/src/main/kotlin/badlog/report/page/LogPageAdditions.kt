@@ -6,7 +6,7 @@ import badlog.html.PageFigure
 import badlog.html.PageFinding
 import badlog.html.PageSeries
 import badlog.report.hook.HookOutcome
-import badlog.report.rules.Finding
+import badlog.rules.Finding
 
 /** What the page of a log shows besides the log: [virtualTopics], the [findings] of rules, and what [hooks] came to. */
 public fun pageAdditions(virtualTopics: List<String>, findings: List<Finding>, hooks: List<HookOutcome> = emptyList()): PageAdditions =

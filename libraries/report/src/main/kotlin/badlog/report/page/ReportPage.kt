@@ -6,10 +6,10 @@ import badlog.report.LogReport
 import badlog.report.ORDER
 import badlog.report.ReportResult
 import badlog.report.notesOf
-import badlog.report.rules.Finding
 import badlog.report.shortNames
 import badlog.report.summary
-import badlog.report.timeText
+import badlog.rules.Finding
+import badlog.rules.timeText
 import badlog.terminal.printable
 import java.net.URLEncoder
 import java.security.MessageDigest

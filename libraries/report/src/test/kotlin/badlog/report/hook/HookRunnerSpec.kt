@@ -9,6 +9,7 @@ import badlog.recording.TextColumn
 import badlog.recording.Topic
 import badlog.report.ROOT
 import badlog.report.sample
+import badlog.rules.commandWords
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec

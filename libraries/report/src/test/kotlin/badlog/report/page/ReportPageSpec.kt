@@ -10,7 +10,8 @@ import badlog.report.batteryBag
 import badlog.report.inFolder
 import badlog.report.logsIn
 import badlog.report.put
-import badlog.report.rules.RuleSet
+import badlog.rules.RuleSet
+import badlog.rules.RulesFile
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
@@ -28,7 +29,7 @@ class ReportPageSpec : FunSpec({
     test("texts from files are shown as they are, and the style is the one that is allowed") {
         inFolder { folder ->
             folder.put("1.bag", bag(mapOf("Time" to "s", HOSTILE to "V"), listOf("0,1"), mapOf("Event" to HOSTILE, "Match Number" to "1")))
-            val rules = RuleSet.parse("[[rule]]\nname='<b>'\nseverity='error'\neach='*'\nwhen='topic > 0'\ntext='{topic} <i> {match}'")
+            val rules = RulesFile.parse("[[rule]]\nname='<b>'\nseverity='error'\neach='*'\nwhen='topic > 0'\ntext='{topic} <i> {match}'").rules
             val page = reportPage(Report(rules).over(logsIn(folder)), HOSTILE) { "javascript:alert(1)/a b#?.html" }
             page shouldNotContain "<script"
             page shouldNotContain "<i>"
@@ -50,7 +51,7 @@ class ReportPageSpec : FunSpec({
             folder.put("logs/b/Q1.csv", "Time,Volts\n0,1\n1,2\n")
             folder.put("logs/index.bag", batteryBag(12.0))
             folder.put("logs/z.csv", "words\nand words\n")
-            val rules = RuleSet.parse("[[rule]]\nname='R'\nseverity='note'\nwhen='min(Battery Voltage) < 7'\ntext='low'")
+            val rules = RulesFile.parse("[[rule]]\nname='R'\nseverity='note'\nwhen='min(Battery Voltage) < 7'\ntext='low'").rules
             val out = folder.resolve("out/report")
             val exporter = HtmlExporter(parts = PageParts("", ""))
             val logs = logsIn(folder.resolve("logs"))

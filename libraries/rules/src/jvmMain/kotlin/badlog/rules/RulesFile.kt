@@ -1,0 +1,49 @@
+package badlog.rules
+
+import kotlin.time.Duration
+
+/**
+ * What a file of rules says.
+ *
+ * @property rules the rules with their aliases.
+ * @property hooks the programs that it names. They are to be run only where the person who starts badlog named the file: one that
+ *   lay among the logs came with them.
+ * @property source the whole text.
+ */
+public class RulesFile internal constructor(public val rules: RuleSet, public val hooks: List<HookCommand>, public val source: String) {
+    public companion object {
+        /** What a file of rules among the logs is called. */
+        public const val NAME: String = "badlog-rules.toml"
+
+        /**
+         * Reads [text], which is TOML. The expressions are checked when they meet a log, because what is a name depends on it.
+         *
+         * @throws RulesException at the first mistake.
+         */
+        public fun parse(text: String): RulesFile = RulesReader(text.removePrefix(BYTE_ORDER_MARK)).read()
+
+        /** No rules, no hooks. */
+        public val NONE: RulesFile = RulesFile(RuleSet.NONE, emptyList(), "")
+
+        /** The built-in rules. */
+        public val BUILT_IN: RulesFile by lazy {
+            val stream = checkNotNull(RulesFile::class.java.getResourceAsStream("/badlog/rules/$NAME"))
+            parse(stream.use { it.readBytes().decodeToString() })
+        }
+
+        /** What some editors of Windows begin a file with. */
+        private const val BYTE_ORDER_MARK = "\uFEFF"
+    }
+}
+
+/** The built-in rules. */
+public val RuleSet.Companion.BUILT_IN: RuleSet get() = RulesFile.BUILT_IN.rules
+
+/**
+ * A program that a file of rules names, to be run for each log.
+ *
+ * @property command the program and its arguments, at least one word.
+ * @property name what the file calls it, or null.
+ * @property timeLimit how long it may take for a log; null for the usual time.
+ */
+public class HookCommand internal constructor(public val command: List<String>, public val name: String?, public val timeLimit: Duration?)
