@@ -37,7 +37,6 @@ include(":samples")
 include(":benchmarks:jvm")
 include(":benchmarks:node")
 include(":benchmarks:robot")
-include(":benchmarks:viewer")
 
 project(":expression").projectDir = file("libraries/expression")
 project(":files").projectDir = file("libraries/files")

@@ -28,7 +28,7 @@ private fun openingsOf(folder: Path, pictures: Path): List<Pair<Path, List<Openi
 
 private fun reportOf(frames: List<FrameTimes>, openings: List<Pair<Path, List<Opening>>>): String = buildString {
     val system = listOf("os.name", "os.arch").joinToString(" ") { System.getProperty(it) }
-    val command = "./gradlew :benchmarks:viewer:benchmark" + if (openings.isEmpty()) "" else " -PbenchmarkBags=DIR"
+    val command = "./gradlew :desktop-viewer:benchmark" + if (openings.isEmpty()) "" else " -PbenchmarkBags=DIR"
     appendLine("# Benchmarks of the viewer")
     appendLine()
     appendLine("Made by `$command` on ${Runtime.getRuntime().availableProcessors()} cores")
