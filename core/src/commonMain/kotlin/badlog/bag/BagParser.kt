@@ -24,10 +24,14 @@ import badlog.text.TextDecoder
  *   are some, and returns when all calls have. Used for what takes long in each column.
  */
 public class BagParser(
-    private val expectedBytes: Long = 0,
-    private val keepSamples: Boolean = true,
-    private val forAll: (count: Int, work: (Int) -> Unit) -> Unit = { count, work -> repeat(count, work) },
+    private val expectedBytes: Long,
+    private val keepSamples: Boolean,
+    private val forAll: (count: Int, work: (Int) -> Unit) -> Unit,
 ) : LogParser {
+    /** A parser that does all of it on the calling thread; the parameters are those of the other constructor. */
+    public constructor(expectedBytes: Long = 0, keepSamples: Boolean = true) :
+        this(expectedBytes, keepSamples, { count, work -> repeat(count, work) })
+
     private val decoder = TextDecoder()
     private val problems = ProblemList()
     private val pending = PendingBytes()

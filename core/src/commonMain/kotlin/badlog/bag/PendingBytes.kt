@@ -12,6 +12,10 @@ internal class PendingBytes {
     var end = 0
         private set
 
+    /** Behind the last line end, or NUL, that has arrived. */
+    var lineEnd = 0
+        private set
+
     /** The physical line, from 1, that [start] is in. */
     var line = 1
 
@@ -35,10 +39,14 @@ internal class PendingBytes {
         if (end + until - from > bytes.size) {
             bytes.copyInto(bytes, 0, start, end)
             end -= start
+            lineEnd -= start
             start = 0
             if (end + until - from > bytes.size) bytes = bytes.copyOf((end + until - from) * 2)
         }
         more.copyInto(bytes, end, from, until)
+        var at = end + until - from
+        while (at > end && !isLineEnd(bytes[at - 1].toInt())) at--
+        if (at > end) lineEnd = at
         end += until - from
     }
 

@@ -8,14 +8,22 @@ import badlog.recording.Recording
  * Reads a log of any of [formats], or else a bag or a CSV file. The content decides.
  *
  * @param formats what it may be besides a bag and a CSV file.
- * @param expectedBytes how long the file will be, if known; else 0.
  * @param keepSamples false to find only topics, counts and problems, in memory that does not grow with the file.
+ * @param bag makes the parser of a bag, or of a CSV file.
  */
 public class RecordingParser(
     private val formats: List<LogFormat>,
-    private val expectedBytes: Long = 0,
-    private val keepSamples: Boolean = true,
+    private val keepSamples: Boolean,
+    private val bag: () -> BagParser,
 ) : LogParser {
+    /**
+     * A parser that reads a bag by itself.
+     *
+     * @param expectedBytes how long the file will be, if known; else 0.
+     */
+    public constructor(formats: List<LogFormat>, expectedBytes: Long = 0, keepSamples: Boolean = true) :
+        this(formats, keepSamples, { BagParser(expectedBytes, keepSamples) })
+
     private val beginning = ByteArray(formats.maxOfOrNull { it.signatureSize } ?: 0)
     private var seen = 0
     private var parser: LogParser? = null
@@ -40,6 +48,6 @@ public class RecordingParser(
 
     private fun choose(): LogParser {
         val format = formats.find { it.matches(beginning, seen) }
-        return format?.parser(keepSamples) ?: BagParser(expectedBytes, keepSamples)
+        return format?.parser(keepSamples) ?: bag()
     }
 }

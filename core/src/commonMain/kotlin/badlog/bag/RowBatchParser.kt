@@ -1,6 +1,7 @@
 package badlog.bag
 
 import badlog.recording.ProblemList
+import badlog.text.LF
 import badlog.text.TextDecoder
 
 /**
@@ -25,6 +26,7 @@ public class RowBatchParser(readsDecimalComma: BooleanArray, private val keepSam
      *   may depend on those before or after, and the [BagParser] has to read the bytes itself.
      */
     public fun parse(bytes: ByteArray, from: Int, until: Int): RowBatch? {
+        if (until <= from || bytes[until - 1].toInt() != LF) return null
         val problems = ProblemList()
         val repair = RowRepair(pending, cells, cellReader, columns, decoder, problems, endsInNewline = true)
         for (column in columns) column.clear()

@@ -39,7 +39,8 @@ internal class RowReader(
 
     /** Reads one row; returns where the next begins, or [RowScanner.INCOMPLETE]. */
     fun read(isEnd: Boolean): Int {
-        val scanned = scanner.scan(pending.bytes, pending.start, pending.end)
+        val hasEnd = pending.start < pending.lineEnd
+        val scanned = if (hasEnd) scanner.scan(pending.bytes, pending.start, pending.end) else RowScanner.INCOMPLETE
         if (scanned >= 0) {
             addRow(pending.bytes)
             pending.line++

@@ -17,22 +17,21 @@ import badlog.text.ZERO
  */
 internal class RowScanner(private val cells: RowCells, private val reader: CellReader) {
     /**
-     * Reads the row that begins at [from] into the cells.
+     * Reads the row that begins at [from] into the cells. There has to be a line end or a NUL behind it, which spares a look at
+     * the end with every byte.
      *
-     * @return where the next row begins; [INCOMPLETE] when the row's end is not in sight; [IRREGULAR] when it is not plain.
+     * @return where the next row begins; [INCOMPLETE] when it ends in what may be half of a CRLF; [IRREGULAR] when it is not plain.
      */
     fun scan(bytes: ByteArray, from: Int, until: Int): Int {
         val last = cells.columns - 1
         var cell = 0
         var at = from
         while (true) {
-            if (at >= until) return INCOMPLETE
             val start = at
             var byte = bytes[at].toInt()
             val negative = byte == MINUS
             if (negative) {
-                if (++at >= until) return INCOMPLETE
-                byte = bytes[at].toInt()
+                byte = bytes[++at].toInt()
             }
             var mantissa = 0
             var digits = 0
@@ -40,17 +39,14 @@ internal class RowScanner(private val cells: RowCells, private val reader: CellR
             while (byte in ZERO..NINE) {
                 mantissa = mantissa * 10 + (byte - ZERO)
                 digits++
-                if (++at >= until) return INCOMPLETE
-                byte = bytes[at].toInt()
+                byte = bytes[++at].toInt()
             }
             if (byte == DOT) {
-                if (++at >= until) return INCOMPLETE
-                byte = bytes[at].toInt()
+                byte = bytes[++at].toInt()
                 while (byte in ZERO..NINE) {
                     mantissa = mantissa * 10 + (byte - ZERO)
                     scale++
-                    if (++at >= until) return INCOMPLETE
-                    byte = bytes[at].toInt()
+                    byte = bytes[++at].toInt()
                 }
                 digits += scale
             }
@@ -61,8 +57,7 @@ internal class RowScanner(private val cells: RowCells, private val reader: CellR
             } else {
                 while (byte != COMMA && byte != LF && byte != CR) {
                     if (byte == QUOTE || byte == NUL) return IRREGULAR
-                    if (++at >= until) return INCOMPLETE
-                    byte = bytes[at].toInt()
+                    byte = bytes[++at].toInt()
                 }
                 if (at == start && cell == 0 && byte != COMMA) return IRREGULAR
                 cells.kinds[cell] = if (at == start) CellKind.EMPTY else reader.read(bytes, start, at)

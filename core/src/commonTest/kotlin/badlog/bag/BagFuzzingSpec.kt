@@ -14,12 +14,6 @@ import io.kotest.property.arbitrary.map
 import io.kotest.property.checkAll
 import kotlin.random.Random
 
-/** The pieces that bags, and broken bags, are made of: far more telling than random bytes alone. */
-internal val FRAGMENTS = listOf(
-    "1", "-2.5", "1e5", "12.346", "abc", "\"", "\"\"", ",", ",", ",", "\n", "\n", "\r", "\r\n", "\u0000", "\u0000\u0000",
-    "true", "NaN", "null", "\"1,5\"", "\"a,b\"", " ", "Ω", "{", "}", "[",
-)
-
 class BagFuzzingSpec : FunSpec({
     test("random bytes never make the parser throw, whole or in pieces, and read the same either way") {
         checkAll(500, Arb.byteArray(Arb.int(0..300), Arb.byte())) { bytes ->

@@ -9,8 +9,8 @@ import java.nio.file.Path
 
 /**
  * Reads [file]: a bag, a CSV file or a log of one of [formats], perhaps compressed with gzip; its content decides, never its
- * name. Whatever is wrong in it becomes a problem of the recording. Besides the recording, it holds less than 3 MB whatever the
- * file's size.
+ * name. Whatever is wrong in it becomes a problem of the recording. It is read on all cores. Besides the recording, it holds
+ * less than 3 MB, and 1 MB for each core, whatever the file's size.
  *
  * @param formats what it may be besides a bag and a CSV file.
  * @param keepSamples false to find only topics, counts and problems, in memory that does not grow with the file.
@@ -32,16 +32,28 @@ public fun readRecording(
     requireRegularFile(file)
     return reading(file) { FileChannel.open(file) }.use { channel ->
         val pieces = FilePieces(file, channel, progress)
-        fun parser(expectedBytes: Long) = RecordingParser(formats, expectedBytes, keepSamples)
+        fun threads(expectedBytes: Long) = ParsingThreads(formats, expectedBytes, keepSamples)
         val isOfRecords = formats.any { pieces.beginning(it.signatureSize, it::matches) }
+        val end = if (untilLastLineEnd && !isOfRecords) pieces.lastLineEnd() else pieces.total
+        val until = if (untilLastLineEnd && !isOfRecords) end else Long.MAX_VALUE
         when {
-            pieces.beginning(GzipReader.SIGNATURE_SIZE, GzipReader::isGzip) -> readGzip(pieces, parser(pieces.inflatedSize()))
-            !untilLastLineEnd -> readPlain(pieces, Long.MAX_VALUE, parser(pieces.total))
-            isOfRecords -> readPlain(pieces, Long.MAX_VALUE, parser(pieces.total)).without(ProblemKind.RECORD_CUT)
-            else -> pieces.lastLineEnd().let { end -> readPlain(pieces, end, parser(end)) }
+            pieces.beginning(GzipReader.SIGNATURE_SIZE, GzipReader::isGzip) -> readGzip(pieces, threads(pieces.inflatedSize()))
+
+            isOfRecords || end < MIN_PARALLEL -> {
+                val recording = readPlain(pieces, until, RecordingParser(formats, end, keepSamples))
+                if (untilLastLineEnd) recording.without(ProblemKind.RECORD_CUT) else recording
+            }
+
+            else -> threads(end).use { parsing ->
+                pieces.forEach(until, parsing::accept)
+                parsing.finish()
+            }
         }
     }
 }
+
+/** Smaller files are read before other threads have begun. */
+private const val MIN_PARALLEL = 1L shl 20
 
 private fun readPlain(pieces: FilePieces, until: Long, parser: RecordingParser): Recording {
     pieces.forEach(until) { bytes, size -> parser.accept(bytes, 0, size) }
@@ -50,7 +62,7 @@ private fun readPlain(pieces: FilePieces, until: Long, parser: RecordingParser):
 
 private fun Recording.without(kind: ProblemKind) = copy(problems = problems.filter { it.kind != kind })
 
-private fun readGzip(pieces: FilePieces, parser: RecordingParser): Recording = ParsingThread(parser).use { parsing ->
+private fun readGzip(pieces: FilePieces, threads: ParsingThreads): Recording = threads.use { parsing ->
     GzipReader(parsing::accept).use { reader ->
         pieces.forEach { bytes, size -> reader.accept(bytes, 0, size) }
         val recording = parsing.finish()
