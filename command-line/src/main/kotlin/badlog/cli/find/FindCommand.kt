@@ -9,7 +9,7 @@ import badlog.cli.command.Task
 import badlog.cli.command.VirtualTopicOption
 import badlog.cli.command.cacheFolder
 import badlog.cli.console.Console
-import badlog.expression.ExpressionErrorKind
+import badlog.expression.syntax.ExpressionErrorKind
 import badlog.report.Find
 import badlog.report.FindResult
 import badlog.report.Reply

@@ -3,7 +3,7 @@ package badlog.viewer.formula
 import androidx.compose.runtime.snapshotFlow
 import androidx.compose.ui.input.key.Key
 import badlog.expression.LogViewSignals
-import badlog.expression.Vocabulary
+import badlog.expression.signals.Vocabulary
 import badlog.viewer.app.Viewer
 import badlog.viewer.keyboard.Command
 import badlog.viewer.keyboard.KeyPress

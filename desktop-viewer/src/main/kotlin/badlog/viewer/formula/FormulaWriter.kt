@@ -10,7 +10,7 @@ import androidx.compose.ui.text.input.TextFieldValue
 import badlog.expression.ExpressionError
 import badlog.expression.ParsedVirtualTopic
 import badlog.expression.VirtualTopic
-import badlog.expression.Vocabulary
+import badlog.expression.signals.Vocabulary
 import badlog.viewer.recording.nameInExpression
 import badlog.viewer.text.wordsOf
 

@@ -3,7 +3,7 @@ package badlog.viewer.recording
 import badlog.expression.Expression
 import badlog.expression.ExpressionError
 import badlog.expression.VirtualTopic
-import badlog.expression.Vocabulary
+import badlog.expression.signals.Vocabulary
 
 /**
  * What a definition of a topic, such as `Power [W] = Voltage * Current`, comes to in one recording.

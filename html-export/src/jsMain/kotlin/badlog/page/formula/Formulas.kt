@@ -5,7 +5,7 @@ import badlog.analysis.LogView
 import badlog.expression.ExpressionError
 import badlog.expression.LogViewSignals
 import badlog.expression.VirtualTopic
-import badlog.expression.Vocabulary
+import badlog.expression.signals.Vocabulary
 import badlog.expression.withVirtualTopics
 import badlog.page.dom.Remembered
 

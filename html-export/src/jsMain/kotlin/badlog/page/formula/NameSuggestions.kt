@@ -1,7 +1,7 @@
 package badlog.page.formula
 
 import badlog.expression.Expression
-import badlog.expression.Vocabulary
+import badlog.expression.signals.Vocabulary
 
 /**
  * The names that may be meant by what stands before the caret of a formula.

@@ -11,7 +11,7 @@ import badlog.analysis.Units
  *   `total` speak of. They are apart from each other and in the order of time, unless the clock was set back; a span over which
  *   it was is cut there. Something that happens at a moment has a span without width. Empty for a figure of the whole recording.
  * @property times how often it holds: the number of [spans], but one that was cut counts once.
- * @property figures the numbers that were compared, in the order of the expression; of one over time the most telling while
+ * @property quantities the numbers that were compared, in the order of the expression; of one over time the most telling while
  *   the expression holds: the smallest for `<`, the largest for `>`, else the first. Of an expression that is a number, the
  *   number; of one over time, its smallest and its largest, as `min(…)` and `max(…)`.
  * @property timeUnit the unit of all times, empty where x has none.
@@ -20,7 +20,7 @@ public class Answer internal constructor(
     public val outcome: Outcome,
     public val spans: List<Span>,
     public val times: Int,
-    public val figures: List<Figure>,
+    public val quantities: List<Quantity>,
     public val timeUnit: String,
 ) {
     /** Whether the expression holds. */
@@ -28,7 +28,7 @@ public class Answer internal constructor(
 
     /** Where to look first: the begin of the first span, else where the first figure was found; NaN when neither tells. */
     public val time: Double
-        get() = if (spans.isNotEmpty()) spans[0].from else figures.firstOrNull { !it.time.isNaN() }?.time ?: Double.NaN
+        get() = if (spans.isNotEmpty()) spans[0].from else quantities.firstOrNull { !it.time.isNaN() }?.time ?: Double.NaN
 
     /** In a line, such as `yes, min(Battery Voltage) = 6.7 V at 93.74 s` or `yes, from 92 s to 97.2 s`. */
     override fun toString(): String {
@@ -39,7 +39,7 @@ public class Answer internal constructor(
             Outcome.UNKNOWN -> parts += "not known"
             Outcome.NO_QUESTION -> {}
         }
-        figures.mapTo(parts) { if (it.time.isNaN()) it.toString() else "$it at ${timed(it.time)}" }
+        quantities.mapTo(parts) { if (it.time.isNaN()) it.toString() else "$it at ${timed(it.time)}" }
         if (spans.isNotEmpty()) {
             val first = spans[0]
             parts += if (first.width == 0.0) "at ${timed(first.from)}" else "from ${timed(first.from)} to ${timed(first.to)}"
@@ -50,4 +50,19 @@ public class Answer internal constructor(
     }
 
     private fun timed(time: Double) = if (Units.isNone(timeUnit)) readable(time) else "${readable(time)} $timeUnit"
+}
+
+/** What the answer to a question is. */
+public enum class Outcome {
+    /** Yes: it holds, or does at some time. */
+    HOLDS,
+
+    /** No. */
+    FAILS,
+
+    /** Not known, since samples are missing that would tell. */
+    UNKNOWN,
+
+    /** The expression was no question but a number; see [Answer.quantities]. */
+    NO_QUESTION,
 }

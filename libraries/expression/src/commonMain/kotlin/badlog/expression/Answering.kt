@@ -1,11 +1,27 @@
 package badlog.expression
 
 import badlog.analysis.Units
+import badlog.expression.checking.unitOf
+import badlog.expression.samples.Column
+import badlog.expression.samples.Scalar
+import badlog.expression.samples.Spans
+import badlog.expression.samples.Value
+import badlog.expression.samples.any
+import badlog.expression.samples.first
+import badlog.expression.samples.inverted
+import badlog.expression.samples.maximum
+import badlog.expression.samples.minimum
+import badlog.expression.samples.restricted
+import badlog.expression.signals.Signals
+import badlog.expression.syntax.Function
+import badlog.expression.syntax.Kind
+import badlog.expression.syntax.Node
+import badlog.expression.syntax.Operator
 
 /** Makes the [Answer] of the expression with the root [root], which was written as [text], over [signals]. */
 internal class Answering(private val text: String, private val root: Node, private val signals: Signals) {
     private val evaluation = Evaluation(signals, root.id + 1)
-    private val figures = ArrayList<Figure>()
+    private val quantities = ArrayList<Quantity>()
     private val whenTrue = ArrayList<Spans>()
 
     fun answer(): Answer {
@@ -16,11 +32,11 @@ internal class Answering(private val text: String, private val root: Node, priva
         }
         if (value is Column) {
             val whether = value.any(signals.range)
-            addFigures(root, value, false)
+            addQuantities(root, value, false)
             return answer(outcomeOf(whether), whether.spans)
         }
         val outcome = outcomeOf(value as Scalar)
-        addFigures(root, null, false)
+        addQuantities(root, null, false)
         // Those of several conditions may overlap; then the first alone says when.
         return answer(outcome, if (outcome == Outcome.HOLDS) whenTrue.firstOrNull { it.isNotEmpty() } else null)
     }
@@ -32,30 +48,30 @@ internal class Answering(private val text: String, private val root: Node, priva
     }
 
     private fun answer(outcome: Outcome, spans: Spans?) =
-        Answer(outcome, spans.orEmpty(), spans?.times ?: 0, figures, shownUnit(signals.timeUnit))
+        Answer(outcome, spans.orEmpty(), spans?.times ?: 0, quantities, shownUnit(signals.timeUnit))
 
     private fun addNumber(value: Value) = when (value) {
-        is Scalar -> addFigure(root, value)
+        is Scalar -> addQuantity(root, value)
 
         is Column -> {
-            addFigure(root, value.minimum(), "min")
-            addFigure(root, value.maximum(), "max")
+            addQuantity(root, value.minimum(), "min")
+            addQuantity(root, value.maximum(), "max")
         }
     }
 
     /** Adds what is compared in [node]; [within] is the condition during which it counts, null for the whole recording. */
-    private fun addFigures(node: Node, within: Column?, isNegated: Boolean) {
+    private fun addQuantities(node: Node, within: Column?, isNegated: Boolean) {
         when (node) {
-            is Node.Not -> addFigures(node.operand, within, !isNegated)
+            is Node.Not -> addQuantities(node.operand, within, !isNegated)
 
-            is Node.For -> addFigures(node.condition, within, isNegated)
+            is Node.For -> addQuantities(node.condition, within, isNegated)
 
             is Node.Call -> addOfCall(node, isNegated)
 
             is Node.Binary -> when {
-                node.operator == Operator.WHEN -> addFigures(node.left, within, isNegated)
+                node.operator == Operator.WHEN -> addQuantities(node.left, within, isNegated)
 
-                node.operator.group == Operator.Group.LOGIC -> node.children.forEach { addFigures(it, within, isNegated) }
+                node.operator.group == Operator.Group.LOGIC -> node.children.forEach { addQuantities(it, within, isNegated) }
 
                 node.operator.isComparison -> node.children.forEachIndexed { index, side ->
                     addSide(side, within, smallest(node.operator, isNegated != (index == 1)))
@@ -72,7 +88,7 @@ internal class Answering(private val text: String, private val root: Node, priva
         (evaluation.valueOf(call) as Scalar).spans?.let { whenTrue += it }
         val condition = evaluation.valueOf(call.arguments[0]) as Column
         val isAny = call.function == Function.ANY
-        addFigures(call.arguments[0], if (isAny) condition else inverted(condition) as Column, isNegated != !isAny)
+        addQuantities(call.arguments[0], if (isAny) condition else inverted(condition) as Column, isNegated != !isAny)
     }
 
     /** Whether the smallest value of the left side tells most, or the largest; null when neither does. */
@@ -83,11 +99,11 @@ internal class Answering(private val text: String, private val root: Node, priva
     }
 
     private fun addSide(side: Node, within: Column?, smallest: Boolean?) {
-        if (figures.size == MOST_FIGURES || side.type.kind == Kind.TEXT || isConstant(side)) return
+        if (quantities.size == MAX_QUANTITIES || side.type.kind == Kind.TEXT || isConstant(side)) return
         val value = evaluation.valueOf(side)
         if (value is Scalar) {
             value.spans?.let { whenTrue += it }
-            addFigure(side, value)
+            addQuantity(side, value)
         } else if (within != null) {
             val inside = restricted(value, within) as Column
             val found = when (smallest) {
@@ -95,21 +111,21 @@ internal class Answering(private val text: String, private val root: Node, priva
                 false -> inside.maximum()
                 null -> inside.first()
             }
-            if (!found.value.isNaN()) addFigure(side, found)
+            if (!found.value.isNaN()) addQuantity(side, found)
         }
     }
 
     private fun isConstant(node: Node): Boolean = node !is Node.Topic && node !is Node.Enabled && node.children.all(::isConstant)
 
-    private fun addFigure(node: Node, found: Scalar, function: String? = null) {
+    private fun addQuantity(node: Node, found: Scalar, function: String? = null) {
         val unit = shownUnit(unitOf(node, signals.timeUnit))
         val written = text.substring(node.from, node.until)
-        figures += Figure(if (function == null) written else "$function($written)", found.value, unit, found.time)
+        quantities += Quantity(if (function == null) written else "$function($written)", found.value, unit, found.time)
     }
 
     private fun shownUnit(unit: String) = if (Units.isNone(unit)) "" else unit
 
     private companion object {
-        const val MOST_FIGURES = 8
+        const val MAX_QUANTITIES = 8
     }
 }

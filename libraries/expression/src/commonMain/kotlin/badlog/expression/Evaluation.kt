@@ -2,6 +2,27 @@ package badlog.expression
 
 import badlog.analysis.EnabledSpan
 import badlog.analysis.Series
+import badlog.expression.samples.Column
+import badlog.expression.samples.Operation
+import badlog.expression.samples.Scalar
+import badlog.expression.samples.Stretches
+import badlog.expression.samples.Value
+import badlog.expression.samples.combined
+import badlog.expression.samples.equalTexts
+import badlog.expression.samples.heldFor
+import badlog.expression.samples.inverted
+import badlog.expression.samples.matches
+import badlog.expression.samples.perSecond
+import badlog.expression.samples.restricted
+import badlog.expression.samples.stepsOf
+import badlog.expression.samples.whereText
+import badlog.expression.signals.Signal
+import badlog.expression.signals.SignalKind
+import badlog.expression.signals.Signals
+import badlog.expression.syntax.Arguments
+import badlog.expression.syntax.Kind
+import badlog.expression.syntax.Node
+import badlog.expression.syntax.Operator
 
 /** The values of an expression's nodes over one recording, each computed once. */
 internal class Evaluation(private val signals: Signals, nodes: Int) {
@@ -25,7 +46,7 @@ internal class Evaluation(private val signals: Signals, nodes: Int) {
 
         is Node.Enabled -> stepsOf(signals.enabled.filter { !node.isAutonomous || it.isAutonomous }.map(EnabledSpan::span), range)
 
-        is Node.Negative -> combined(Scalar(-1.0), valueOf(node.operand), Operator.TIMES.operation)
+        is Node.Negative -> combined(Scalar(-1.0), valueOf(node.operand), Operation.TIMES)
 
         is Node.Not -> inverted(valueOf(node.operand))
 
@@ -34,7 +55,7 @@ internal class Evaluation(private val signals: Signals, nodes: Int) {
         is Node.Binary -> computeBinary(node)
 
         is Node.Call -> node.function.compute.of(
-            Arguments(node.arguments.map(::valueOf), node.arguments.map { it.type }, range),
+            Arguments(node.arguments.map(::valueOf), node.arguments.map { it.type.kind == Kind.CONDITION }, range),
         )
     }
 

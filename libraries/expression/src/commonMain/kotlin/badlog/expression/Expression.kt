@@ -1,6 +1,17 @@
 package badlog.expression
 
 import badlog.analysis.Series
+import badlog.expression.checking.Checker
+import badlog.expression.samples.Column
+import badlog.expression.samples.Scalar
+import badlog.expression.signals.Signals
+import badlog.expression.signals.Vocabulary
+import badlog.expression.syntax.Kind
+import badlog.expression.syntax.Mistake
+import badlog.expression.syntax.Node
+import badlog.expression.syntax.Parser
+import badlog.expression.syntax.mistake
+import badlog.expression.syntax.printed
 
 /**
  * A question to a recording, or a formula between its topics, read and checked. `docs/expressions.md` has the language.
@@ -47,10 +58,21 @@ public class Expression internal constructor(public val text: String, public val
         public fun parse(text: String, vocabulary: Vocabulary): ParsedExpression = try {
             val root = Parser(text, vocabulary).parse()
             Checker.check(root)
-            if (root.type.kind == Kind.TEXT) mistake(root, "This is a text, no answer; compare it, as in State == 'IDLE'.")
+            if (root.type.kind == Kind.TEXT) mistake(root, "This is a text, not an answer; compare it, as in State == 'IDLE'.")
             Expression(text, vocabulary, root)
         } catch (mistake: Mistake) {
             ExpressionError(text, mistake.from, mistake.until, mistake.kind, mistake.message)
         }
     }
 }
+
+/** What became of a text: an [Expression], or the [ExpressionError] that says why not. */
+public sealed interface ParsedExpression
+
+/**
+ * What an expression gives.
+ *
+ * @property isCondition whether true and false, rather than numbers.
+ * @property isOverTime whether one for each moment, rather than one for the whole recording.
+ */
+public data class ExpressionType(public val isCondition: Boolean, public val isOverTime: Boolean)

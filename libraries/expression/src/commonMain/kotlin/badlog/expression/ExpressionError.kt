@@ -1,5 +1,7 @@
 package badlog.expression
 
+import badlog.expression.syntax.ExpressionErrorKind
+
 /**
  * Why a text is no expression.
  *

@@ -7,6 +7,11 @@ import badlog.analysis.Series
 import badlog.analysis.Span
 import badlog.analysis.Units
 import badlog.analysis.enabledSpans
+import badlog.expression.samples.Stretches
+import badlog.expression.signals.Signal
+import badlog.expression.signals.SignalKind
+import badlog.expression.signals.Signals
+import badlog.expression.signals.Vocabulary
 import badlog.recording.Topic
 import badlog.recording.TopicKind
 

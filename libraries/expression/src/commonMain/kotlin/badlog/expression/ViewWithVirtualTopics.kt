@@ -1,7 +1,17 @@
 package badlog.expression
 
+import badlog.analysis.EnabledSpan
 import badlog.analysis.LogView
+import badlog.analysis.Series
+import badlog.analysis.Span
+import badlog.analysis.XAxis
+import badlog.expression.samples.Stretches
+import badlog.expression.signals.Signals
+import badlog.expression.signals.Vocabulary
+import badlog.recording.CellCounts
 import badlog.recording.Recording
+import badlog.recording.TextColumn
+import badlog.recording.Topic
 
 /**
  * A view whose topics are also virtual ones.
@@ -54,4 +64,69 @@ private class DefinedTopics(view: LogView, definitions: List<String>) {
             }
         }
     }
+}
+
+/**
+ * These signals and the virtual [topic], which may have been read with the vocabulary of either this or what this was made
+ * from. So one virtual topic can be made of others.
+ */
+public fun Signals.with(topic: VirtualTopic): Signals = SignalsWithVirtual(this, topic)
+
+private class SignalsWithVirtual(private val others: Signals, private val topic: VirtualTopic) : Signals {
+    private val samples by lazy { topic.series(others) }
+
+    override val vocabulary: Vocabulary = others.vocabulary.run { Vocabulary(signals + topic.signal, hasTime) }
+
+    override fun series(name: String): Series = if (name == topic.name) samples else others.series(name)
+
+    override fun states(name: String): List<String> = others.states(name)
+
+    override val enabled: List<EnabledSpan> get() = others.enabled
+
+    override val range: Span? get() = others.range
+
+    override val timeUnit: String get() = others.timeUnit
+
+    override val stretches: Stretches? get() = others.stretches
+}
+
+/** The samples [calculated] of [virtual] as a topic of a recording with [xAxis], whose time went as [stretches] tell. */
+internal fun calculatedTopic(virtual: VirtualTopic, calculated: Series, xAxis: XAxis, stretches: Stretches?): Topic {
+    // Times of their own ascend, so that where the clock was set back only rows can tell the order of samples.
+    val series = stretches?.inRows(calculated, xAxis.positions) ?: calculated
+    val isOfRows = series.x === xAxis.positions
+    return Topic(
+        virtual.name,
+        virtual.unit.ifEmpty { Topic.UNITLESS },
+        attributes = emptyList(),
+        series.y,
+        TextColumn.EMPTY,
+        countsOf(series.y, virtual.expression.type.isCondition),
+        // A topic without a sample needs no clock.
+        times = if (isOfRows || series.size == 0) null else series.x,
+        metadata = "= ${virtual.expression}",
+    )
+}
+
+private fun countsOf(samples: DoubleArray, areTruthValues: Boolean): CellCounts {
+    var finite = 0
+    var infinite = 0
+    var gaps = 0
+    for (i in samples.indices) {
+        val sample = samples[i]
+        if (sample.isFinite()) {
+            finite++
+        } else {
+            if (sample.isInfinite()) infinite++
+            if (i == 0 || samples[i - 1].isFinite()) gaps++
+        }
+    }
+    return CellCounts(
+        numbers = if (areTruthValues) 0 else finite,
+        notFinite = infinite,
+        truthValues = if (areTruthValues) finite else 0,
+        texts = 0,
+        empty = samples.size - finite - infinite,
+        gaps = gaps,
+    )
 }

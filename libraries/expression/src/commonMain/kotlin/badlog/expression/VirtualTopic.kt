@@ -1,6 +1,14 @@
 package badlog.expression
 
 import badlog.analysis.Series
+import badlog.expression.signals.Signal
+import badlog.expression.signals.SignalKind
+import badlog.expression.signals.Signals
+import badlog.expression.signals.Vocabulary
+import badlog.expression.syntax.ExpressionErrorKind
+import badlog.expression.syntax.KEYWORDS
+import badlog.expression.syntax.Mistake
+import badlog.expression.syntax.Scanner
 
 /**
  * A topic that is calculated from others: `Power [W] = Voltage * Current`.
@@ -45,4 +53,38 @@ public class VirtualTopic private constructor(public val name: String, public va
             ExpressionError(text, mistake.from, mistake.until, mistake.kind, mistake.message)
         }
     }
+}
+
+/** What became of a definition: a [VirtualTopic], or the [ExpressionError] that says why not. */
+public sealed interface ParsedVirtualTopic
+
+/** What stands before the expression in the definition [text] of a virtual topic, the `=` included. */
+internal class VirtualTopicHeading(private val text: String) {
+    private var nameEnd = 0
+
+    val name: String
+    val unit: String
+
+    /** How many characters it has. */
+    val length: Int
+
+    init {
+        val scanner = Scanner(text)
+        scanner.skipSpace()
+        val isQuoted = scanner.at < text.length && text[scanner.at] == '"'
+        val quoted = if (isQuoted) scanner.quoted('"', "name") else ""
+        val equals = text.indexOf('=', scanner.at)
+        if (equals < 0) fail("A virtual topic needs a name and =, as in Power [W] = Voltage * Current.", text.length)
+        nameEnd = equals
+        val rest = text.substring(scanner.at, equals).trim()
+        val bracket = if (rest.endsWith(']')) rest.lastIndexOf('[') else -1
+        unit = if (bracket < 0) "" else rest.substring(bracket + 1, rest.length - 1).trim()
+        val plainName = if (bracket < 0) rest else rest.substring(0, bracket).trim()
+        if (isQuoted && plainName.isNotEmpty()) fail("Between a quoted name and = only a unit may stand, in brackets.")
+        name = if (isQuoted) quoted else plainName
+        if (name.isBlank()) fail("The virtual topic has no name before =.")
+        length = equals + 1
+    }
+
+    fun fail(message: String, until: Int = nameEnd): Nothing = throw Mistake(0, until, ExpressionErrorKind.SYNTAX, message)
 }

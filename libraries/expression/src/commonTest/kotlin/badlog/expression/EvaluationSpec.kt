@@ -1,5 +1,8 @@
 package badlog.expression
 
+import badlog.expression.samples.Column
+import badlog.expression.samples.Scalar
+import badlog.expression.syntax.Node
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import kotlin.math.abs

@@ -3,6 +3,9 @@ package badlog.expression
 import badlog.analysis.EnabledSpan
 import badlog.analysis.Series
 import badlog.analysis.Span
+import badlog.expression.samples.Scalar
+import badlog.expression.signals.Signal
+import badlog.expression.signals.SignalKind
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
@@ -145,7 +148,7 @@ class FunctionsSpec : FunSpec({
     test("an event that is held is a state") {
         pairs("hold(log) contains 'can'") shouldBe "1:1, 1.5:0, 4:1"
         parsed("hold(log) == 'brownout' for 1 s").answer(SIGNALS).spans shouldBe listOf(Span(2.5, 4.0))
-        parsed("total(hold(log) == 'brownout')").answer(SIGNALS).figures.single().value shouldBe 2.5
+        parsed("total(hold(log) == 'brownout')").answer(SIGNALS).quantities.single().value shouldBe 2.5
     }
 
     test("where time goes back, samples stay in their order, and what follows comes later") {

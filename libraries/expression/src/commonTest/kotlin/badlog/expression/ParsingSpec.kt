@@ -1,5 +1,10 @@
 package badlog.expression
 
+import badlog.expression.signals.Signal
+import badlog.expression.signals.SignalKind
+import badlog.expression.signals.Vocabulary
+import badlog.expression.syntax.ExpressionErrorKind
+import badlog.expression.syntax.Node
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
@@ -20,7 +25,7 @@ private val VOCABULARY = Vocabulary(
 private const val PERCENT = "“%” is the remainder of a division; after a number no unit is written, not even %."
 
 private const val OVER_AT_ONCE =
-    "An event is over at once, so this never lasts; hold(x) keeps the text of an event until the next, count(c) counts."
+    "An event has no duration; hold(x) keeps the text of an event until the next, count(c) counts."
 
 private fun shapeOf(text: String) = shape(parsed(text, VOCABULARY).root)
 
@@ -118,7 +123,7 @@ class ParsingSpec : FunSpec({
         errorOf("a > 1 for 5 s", rows).run {
             kind shouldBe ExpressionErrorKind.NO_TIME
             message shouldBe
-                "x of this log is no time, so nothing can be asked about 5 s of it; give it an x axis with a unit of time."
+                "The x axis of this log is not a time, so “5 s” has no meaning; give it an x axis with a unit of time."
             text.substring(from, until) shouldBe "5 s"
         }
         for (text in listOf("mean(a, 5 s) > 1", "a > -5 s", "shift(a, 1 s) > 1")) errorOf(text, rows).kind shouldBe ExpressionErrorKind.NO_TIME
@@ -147,14 +152,14 @@ class ParsingSpec : FunSpec({
         Triple("min(,a)", ",", "Something is missing before “,”."),
         Triple("a # b", "#", "“#” is not expected here; an operator such as + or < may follow, or the end."),
         Triple("a b", "b", "“b” is not expected here; an operator such as + or < may follow, or the end."),
-        Triple("# > a", "#", "“#” begins nothing that is known."),
+        Triple("# > a", "#", "“#” is not expected here."),
         Triple("(a + b", "(", "This parenthesis is never closed."),
         Triple("a + b)", ")", "This parenthesis was never opened."),
-        Triple("p & q", "&", "“&” is no operator; write “&&”."),
+        Triple("p & q", "&", "“&” is not an operator; write “&&”."),
         Triple("a < 1,5", ",", "A comma stands only between the operands of a function; a decimal point is a point."),
         Triple("State == 'IDLE", "'IDLE", "This text is never closed; ' is missing."),
         Triple("\"Arm", "\"Arm", "This name is never closed; \" is missing."),
-        Triple("a < 7 V", "V", "“V” is no unit of time; times are written in h, min, s, ms or us, other numbers without a unit."),
+        Triple("a < 7 V", "V", "“V” is not a unit of time; times are written in h, min, s, ms or us, other numbers without a unit."),
         Triple("a < 1e999", "1e999", "This number is too large."),
         Triple("a < 1e305 h", "1e305 h", "This time is too long."),
         Triple("a < b < c", "<", "Comparisons cannot be chained; write “a < b and b < c”."),
@@ -196,13 +201,13 @@ class ParsingSpec : FunSpec({
         Triple("'x' == 'y'", "'x' == 'y'", "Two fixed texts need no comparison."),
         Triple("a contains 'x'", "a", "Before “contains” a topic of texts is needed, not “a”, which is a number."),
         Triple("Log contains a", "a", "After “contains” a text in single quotes is needed."),
-        Triple("max(a) > 3 when p", "max(a)", "max is of the whole recording, “when” or not; put “when” inside it: max(x when c)."),
-        Triple("count(p) when q", "count(p)", "count is of the whole recording, “when” or not; put “when” inside it: count(x when c)."),
-        Triple("1 + any(p) when q", "any(p)", "any is of the whole recording, “when” or not; put “when” inside it: any(x when c)."),
+        Triple("max(a) > 3 when p", "max(a)", "max covers the whole recording, so “when” has no effect; put it inside: max(x when c)."),
+        Triple("count(p) when q", "count(p)", "count covers the whole recording, so “when” has no effect; put it inside: count(x when c)."),
+        Triple("1 + any(p) when q", "any(p)", "any covers the whole recording, so “when” has no effect; put it inside: any(x when c)."),
         Triple("not (Log == 'a') for 1 s", "not (Log == 'a')", OVER_AT_ONCE),
         Triple("total(changed(Log))", "changed(Log)", OVER_AT_ONCE),
-        Triple("'x' when p", "'x'", "A fixed text has no “when”."),
-        Triple("State", "State", "This is a text, no answer; compare it, as in State == 'IDLE'."),
+        Triple("'x' when p", "'x'", "A fixed text cannot have “when”."),
+        Triple("State", "State", "This is a text, not an answer; compare it, as in State == 'IDLE'."),
         Triple("min(7)", "7", "min needs here numbers that change over time, not a number."),
         Triple("any(a)", "a", "any needs here a condition that changes over time, such as x > 0, not “a”, which is a number."),
         Triple("mean(a, 5)", "5", "mean needs here a time above 0 with its unit, such as 1 s, not a number."),

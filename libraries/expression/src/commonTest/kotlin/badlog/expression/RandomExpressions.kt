@@ -3,6 +3,9 @@ package badlog.expression
 import badlog.analysis.EnabledSpan
 import badlog.analysis.Series
 import badlog.analysis.Span
+import badlog.expression.signals.Signal
+import badlog.expression.signals.SignalKind
+import badlog.expression.signals.Signals
 import kotlin.random.Random
 
 /** Makes expressions that fit together, over the signals of [randomSignals]. */

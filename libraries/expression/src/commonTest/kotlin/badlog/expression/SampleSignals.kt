@@ -3,6 +3,10 @@ package badlog.expression
 import badlog.analysis.EnabledSpan
 import badlog.analysis.Series
 import badlog.analysis.Span
+import badlog.expression.signals.Signal
+import badlog.expression.signals.SignalKind
+import badlog.expression.signals.Signals
+import badlog.expression.signals.Vocabulary
 
 /** Signals from what a test says. */
 internal class SampleSignals(

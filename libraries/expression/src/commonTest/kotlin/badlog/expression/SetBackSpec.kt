@@ -25,7 +25,7 @@ class SetBackSpec : FunSpec({
     val signals = LogViewSignals(view)
 
     fun answer(text: String) = parsed(text, signals.vocabulary).answer(signals)
-    fun number(text: String) = answer(text).figures.single().value
+    fun number(text: String) = answer(text).quantities.single().value
 
     test("the rule that a clock was set back holds where it was") {
         answer("delta(Time) < 0").toString() shouldBe "yes, delta(Time) = -4.9 s at 5 s, from 5 s to 5.1 s"
@@ -62,7 +62,7 @@ class SetBackSpec : FunSpec({
             with.recording.topics.single { it.name == name }.times shouldBe null
         }
         val asked = LogViewSignals(with)
-        fun count(text: String) = parsed(text, asked.vocabulary).answer(asked).figures[0].value
+        fun count(text: String) = parsed(text, asked.vocabulary).answer(asked).quantities[0].value
         count("count(Later < 1)") shouldBe 1.0
         count("max(Low)") shouldBe 0.0
         with.xAxis.clocks.size shouldBe 1
@@ -78,6 +78,6 @@ class SetBackSpec : FunSpec({
     test("a clock that is set back all the time costs no more than others") {
         val restless = LogViewSignals(viewOf(List(100_000) { "${it % 2},${it % 7},," }))
         parsed("V > 5 and during(0, 0.5) for 0.5 s", restless.vocabulary).answer(restless).times shouldBe 0
-        parsed("count(V > 5)", restless.vocabulary).answer(restless).figures.single().value shouldBe 14_285.0
+        parsed("count(V > 5)", restless.vocabulary).answer(restless).quantities.single().value shouldBe 14_285.0
     }
 })

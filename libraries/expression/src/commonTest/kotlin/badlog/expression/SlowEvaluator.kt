@@ -1,5 +1,12 @@
 package badlog.expression
 
+import badlog.expression.signals.Signal
+import badlog.expression.signals.SignalKind
+import badlog.expression.signals.Signals
+import badlog.expression.syntax.Function
+import badlog.expression.syntax.Kind
+import badlog.expression.syntax.Node
+import badlog.expression.syntax.Operator
 import kotlin.math.abs
 import kotlin.math.pow
 import kotlin.math.round

@@ -2,6 +2,8 @@ package badlog.expression
 
 import badlog.analysis.LogView
 import badlog.bag.BagParser
+import badlog.expression.signals.Signals
+import badlog.expression.syntax.ExpressionErrorKind
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
@@ -22,7 +24,7 @@ class TimeUnitsSpec : FunSpec({
             val signals = signals(step, unit)
             val spans = parsed("V >= 50 for 0.5 s", signals.vocabulary).answer(signals).spans
             readable(spans.single().from / step) shouldBe "75"
-            readable(parsed("max(V - min(V, 1 s))", signals.vocabulary).answer(signals).figures.single().value) shouldBe "49"
+            readable(parsed("max(V - min(V, 1 s))", signals.vocabulary).answer(signals).quantities.single().value) shouldBe "49"
         }
     }
 
@@ -36,6 +38,6 @@ class TimeUnitsSpec : FunSpec({
         val signals = signals(1.0, null)
         val with = signals.with(VirtualTopic.parse("Twice = 2 * V", signals.vocabulary) as VirtualTopic)
         errorOf("Twice >= 50 for 0.5 s", with.vocabulary).kind shouldBe ExpressionErrorKind.NO_TIME
-        parsed("count(Twice >= 50)", with.vocabulary).answer(with).figures.single().value shouldBe 1.0
+        parsed("count(Twice >= 50)", with.vocabulary).answer(with).quantities.single().value shouldBe 1.0
     }
 })

@@ -3,6 +3,9 @@ package badlog.expression
 import badlog.analysis.LogView
 import badlog.analysis.Span
 import badlog.bag.BagParser
+import badlog.expression.signals.Signal
+import badlog.expression.signals.SignalKind
+import badlog.expression.signals.Vocabulary
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import kotlin.random.Random

@@ -1,6 +1,7 @@
 package badlog.expression
 
 import badlog.analysis.LogView
+import badlog.expression.signals.Signals
 import badlog.file.readRecording
 import badlog.formats.LOG_FORMATS
 import io.kotest.core.spec.style.FunSpec

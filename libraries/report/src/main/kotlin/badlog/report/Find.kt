@@ -5,7 +5,7 @@ import badlog.expression.Expression
 import badlog.expression.ExpressionError
 import badlog.expression.LogViewSignals
 import badlog.expression.ParsedExpression
-import badlog.expression.Vocabulary
+import badlog.expression.signals.Vocabulary
 import badlog.file.LogFile
 import kotlinx.serialization.Serializable
 import java.nio.file.Path
@@ -87,7 +87,7 @@ public class Find(
             answer.outcome,
             answer.spans.take(MOST_SPANS),
             answer.times,
-            answer.figures,
+            answer.quantities,
             answer.time,
             answer.timeUnit,
         )

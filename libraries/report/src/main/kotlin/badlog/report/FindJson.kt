@@ -2,7 +2,7 @@ package badlog.report
 
 import badlog.analysis.Span
 import badlog.expression.ExpressionError
-import badlog.expression.Figure
+import badlog.expression.Quantity
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonNull
@@ -29,7 +29,7 @@ public fun findJson(result: FindResult): Map<String, JsonElement> = buildJsonObj
     put("undefined", jsonOf(result.undefined))
 }
 
-private fun figureJson(figure: Figure): JsonElement = buildJsonObject {
+private fun figureJson(figure: Quantity): JsonElement = buildJsonObject {
     put("name", figure.name)
     put("value", number(figure.value))
     put("unit", figure.unit)

@@ -1,9 +1,9 @@
 package badlog.report
 
 import badlog.analysis.Span
-import badlog.expression.ExpressionErrorKind
-import badlog.expression.Figure
 import badlog.expression.Outcome
+import badlog.expression.Quantity
+import badlog.expression.syntax.ExpressionErrorKind
 import badlog.file.LogFile
 import kotlinx.serialization.Serializable
 
@@ -46,8 +46,8 @@ public sealed interface Reply {
             >,
         public val spanCount: Int,
         public val figures: List<
-            @Serializable(with = FigureSerializer::class)
-            Figure,
+            @Serializable(with = QuantitySerializer::class)
+            Quantity,
             >,
         public val time: Double,
         public val timeUnit: String,

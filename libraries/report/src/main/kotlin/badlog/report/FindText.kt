@@ -1,7 +1,7 @@
 package badlog.report
 
-import badlog.expression.ExpressionErrorKind
 import badlog.expression.Outcome
+import badlog.expression.syntax.ExpressionErrorKind
 import badlog.rules.timeText
 import badlog.terminal.TextTable
 

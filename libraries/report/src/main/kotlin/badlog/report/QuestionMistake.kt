@@ -2,11 +2,11 @@ package badlog.report
 
 import badlog.expression.Expression
 import badlog.expression.ExpressionError
-import badlog.expression.ExpressionErrorKind
 import badlog.expression.ParsedExpression
-import badlog.expression.Signal
-import badlog.expression.SignalKind
-import badlog.expression.Vocabulary
+import badlog.expression.signals.Signal
+import badlog.expression.signals.SignalKind
+import badlog.expression.signals.Vocabulary
+import badlog.expression.syntax.ExpressionErrorKind
 
 /**
  * What is wrong with [question] whatever topics a log has, or null. What topics might be called is guessed, so some mistakes still

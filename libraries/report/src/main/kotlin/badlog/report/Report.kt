@@ -38,7 +38,10 @@ public class Report(
     @Serializable
     internal class Stored(
         val title: String?,
-        val findings: List<@Serializable(with = FindingSerializer::class) Finding>,
+        val findings: List<
+            @Serializable(with = FindingSerializer::class)
+            Finding,
+            >,
         val asked: List<Asked>,
         val unreadable: String?,
         val isNoLog: Boolean = false,

@@ -1,7 +1,7 @@
 package badlog.report
 
 import badlog.analysis.Span
-import badlog.expression.Figure
+import badlog.expression.Quantity
 import badlog.recording.Severity
 import badlog.rules.Finding
 import kotlinx.serialization.KSerializer
@@ -10,7 +10,7 @@ import kotlinx.serialization.descriptors.SerialDescriptor
 import kotlinx.serialization.encoding.Decoder
 import kotlinx.serialization.encoding.Encoder
 
-/** [Span], [Figure] and [Finding] as a cache keeps them: their own modules do without a library for it. */
+/** [Span], [Quantity] and [Finding] as a cache keeps them: their own modules do without a library for it. */
 internal object SpanSerializer : KSerializer<Span> {
     @Serializable
     private class Stored(val from: Double, val to: Double)
@@ -23,17 +23,17 @@ internal object SpanSerializer : KSerializer<Span> {
     override fun deserialize(decoder: Decoder): Span = decoder.decodeSerializableValue(Stored.serializer()).let { Span(it.from, it.to) }
 }
 
-internal object FigureSerializer : KSerializer<Figure> {
+internal object QuantitySerializer : KSerializer<Quantity> {
     @Serializable
     private class Stored(val name: String, val value: Double, val unit: String, val time: Double)
 
     override val descriptor: SerialDescriptor = Stored.serializer().descriptor
 
-    override fun serialize(encoder: Encoder, value: Figure) =
+    override fun serialize(encoder: Encoder, value: Quantity) =
         encoder.encodeSerializableValue(Stored.serializer(), Stored(value.name, value.value, value.unit, value.time))
 
-    override fun deserialize(decoder: Decoder): Figure =
-        decoder.decodeSerializableValue(Stored.serializer()).let { Figure(it.name, it.value, it.unit, it.time) }
+    override fun deserialize(decoder: Decoder): Quantity =
+        decoder.decodeSerializableValue(Stored.serializer()).let { Quantity(it.name, it.value, it.unit, it.time) }
 }
 
 internal object FindingSerializer : KSerializer<Finding> {
@@ -44,7 +44,10 @@ internal object FindingSerializer : KSerializer<Finding> {
         val topic: String?,
         val text: String,
         val time: Double,
-        val spans: List<@Serializable(with = SpanSerializer::class) Span>,
+        val spans: List<
+            @Serializable(with = SpanSerializer::class)
+            Span,
+            >,
         val spanCount: Int,
         val timeUnit: String,
         val isOfHook: Boolean,

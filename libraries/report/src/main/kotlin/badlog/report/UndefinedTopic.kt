@@ -1,7 +1,7 @@
 package badlog.report
 
 import badlog.expression.ExpressionError
-import badlog.expression.ExpressionErrorKind
+import badlog.expression.syntax.ExpressionErrorKind
 import kotlinx.serialization.Serializable
 
 /**

@@ -1,10 +1,10 @@
 package badlog.report
 
 import badlog.expression.Expression
-import badlog.expression.ExpressionErrorKind
-import badlog.expression.Signal
-import badlog.expression.SignalKind
-import badlog.expression.Vocabulary
+import badlog.expression.signals.Signal
+import badlog.expression.signals.SignalKind
+import badlog.expression.signals.Vocabulary
+import badlog.expression.syntax.ExpressionErrorKind
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.booleans.shouldBeTrue
 import io.kotest.matchers.nulls.shouldNotBeNull

@@ -1,8 +1,8 @@
 package badlog.rules
 
 import badlog.analysis.Units
-import badlog.expression.Signal
-import badlog.expression.SignalKind
+import badlog.expression.signals.Signal
+import badlog.expression.signals.SignalKind
 
 /**
  * A name that rules use for a topic which is called differently from log to log.

@@ -2,8 +2,8 @@ package badlog.rules
 
 import badlog.analysis.Series
 import badlog.analysis.XAxis
-import badlog.expression.Signal
-import badlog.expression.SignalKind
+import badlog.expression.signals.Signal
+import badlog.expression.signals.SignalKind
 
 /** What `time` is where no topic is the x axis, but topics have times of their own: every time at which there is a sample. */
 internal val CLOCK = Signal(RuleProgram.TIME, SignalKind.NUMBER, "s")

@@ -1,7 +1,7 @@
 package badlog.rules
 
 import badlog.analysis.Span
-import badlog.expression.Figure
+import badlog.expression.Quantity
 import badlog.recording.Severity
 
 /**
@@ -35,4 +35,4 @@ public class Finding(
 }
 
 /** [time] as a person reads it, such as `93.7 s`; empty when it is NaN. */
-public fun timeText(time: Double, unit: String): String = if (time.isNaN()) "" else Figure("", time, unit, Double.NaN).text
+public fun timeText(time: Double, unit: String): String = if (time.isNaN()) "" else Quantity("", time, unit, Double.NaN).text

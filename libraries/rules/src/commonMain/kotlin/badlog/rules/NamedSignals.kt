@@ -1,9 +1,9 @@
 package badlog.rules
 
 import badlog.analysis.Series
-import badlog.expression.Signal
-import badlog.expression.Signals
-import badlog.expression.Vocabulary
+import badlog.expression.signals.Signal
+import badlog.expression.signals.Signals
+import badlog.expression.signals.Vocabulary
 
 /** [signal] under the name [name], its numbers times [scale] in [unit]. */
 internal class NamedSignal(val name: String, val signal: Signal, val scale: Double, unit: String) {

@@ -3,10 +3,10 @@ package badlog.rules
 import badlog.analysis.LogView
 import badlog.expression.Expression
 import badlog.expression.ExpressionError
-import badlog.expression.ExpressionErrorKind
 import badlog.expression.LogViewSignals
-import badlog.expression.Signal
-import badlog.expression.Vocabulary
+import badlog.expression.signals.Signal
+import badlog.expression.signals.Vocabulary
+import badlog.expression.syntax.ExpressionErrorKind
 
 /**
  * What decides how rules are asked of a log. Logs of an equal shape share a [RuleProgram].

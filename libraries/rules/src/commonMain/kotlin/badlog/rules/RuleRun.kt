@@ -3,8 +3,8 @@ package badlog.rules
 import badlog.analysis.LogView
 import badlog.expression.Answer
 import badlog.expression.LogViewSignals
-import badlog.expression.SignalKind
-import badlog.expression.Signals
+import badlog.expression.signals.SignalKind
+import badlog.expression.signals.Signals
 import badlog.recording.PathName
 import badlog.recording.Value
 
@@ -19,8 +19,7 @@ internal class RuleRun(view: LogView, private val file: String) {
     fun isAsked(rule: Rule): Boolean = rule.isFor(type)
 
     /** What comes of asking [step]. */
-    fun ask(step: RuleProgram.Step): AskedRule =
-        AskedRule(step.rule, step.questions.mapNotNull { find(step.rule, it) }, step.refusal)
+    fun ask(step: RuleProgram.Step): AskedRule = AskedRule(step.rule, step.questions.mapNotNull { find(step.rule, it) }, step.refusal)
 
     private fun find(rule: Rule, question: RuleProgram.Question): Finding? {
         val signals = NamedSignals(log, question.named, question.expression.vocabulary) { clock }
@@ -35,7 +34,7 @@ internal class RuleRun(view: LogView, private val file: String) {
         val time = if (answer.time.isNaN() && spans.isNotEmpty()) spans[0].from else answer.time
         val text = rule.text.filled(
             mapOf(
-                "value" to (answer.figures.firstOrNull()?.text ?: textAt(answer.time, question, signals)),
+                "value" to (answer.quantities.firstOrNull()?.text ?: textAt(answer.time, question, signals)),
                 "time" to timeText(time, answer.timeUnit),
                 "match" to match,
                 "file" to file,

@@ -1,8 +1,7 @@
 package badlog.rules
 
 /** These rules as a line of JSON, which says all there is to know of them: equal texts are equal rules. */
-public fun RuleSet.toJson(): String =
-    "{\"aliases\":${array(aliases, ::aliasJson)},\"rules\":${array(rules, ::ruleJson)}}"
+public fun RuleSet.toJson(): String = "{\"aliases\":${array(aliases, ::aliasJson)},\"rules\":${array(rules, ::ruleJson)}}"
 
 private fun aliasJson(alias: Alias): String {
     val unit = alias.unit?.let { ",\"unit\":${quoted(it)}" }.orEmpty()

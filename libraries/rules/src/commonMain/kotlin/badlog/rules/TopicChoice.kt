@@ -1,7 +1,7 @@
 package badlog.rules
 
 import badlog.analysis.Units
-import badlog.expression.Signal
+import badlog.expression.signals.Signal
 
 /**
  * The topics that a rule is asked of one by one. Each list is empty, or the unit null, where the rules do not say. A topic without

@@ -1,9 +1,9 @@
 package badlog.rules
 
 import badlog.expression.Expression
-import badlog.expression.Signal
-import badlog.expression.SignalKind
-import badlog.expression.Vocabulary
+import badlog.expression.signals.Signal
+import badlog.expression.signals.SignalKind
+import badlog.expression.signals.Vocabulary
 import badlog.recording.Severity
 import org.tomlj.Toml
 import org.tomlj.TomlArray

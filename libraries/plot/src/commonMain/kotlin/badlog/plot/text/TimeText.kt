@@ -6,8 +6,7 @@ import badlog.analysis.XAxis
 import kotlin.math.abs
 
 /** [x] as a place on [axis], as exactly as a screen that shows [width] of it can tell, without the unit. */
-public fun placeText(x: Double, axis: XAxis, width: Double): String =
-    // Between two rows there is nothing to see that decimals could tell.
+public fun placeText(x: Double, axis: XAxis, width: Double): String = // Between two rows there is nothing to see that decimals could tell.
     if (x.isNaN()) NO_NUMBER else fixedText(x, if (axis.isIndex) 0 else decimalsFor(width))
 
 /** Where the cursor stands: `93.740 s · 1:31.7 since enabled`, the latter where [enabled] tells when that was. */

@@ -1,4 +1,0 @@
-package badlog.expression
-
-/** What became of a text: an [Expression], or the [ExpressionError] that says why not. */
-public sealed interface ParsedExpression

@@ -1,4 +1,0 @@
-package badlog.expression
-
-/** What became of a definition: a [VirtualTopic], or the [ExpressionError] that says why not. */
-public sealed interface ParsedVirtualTopic

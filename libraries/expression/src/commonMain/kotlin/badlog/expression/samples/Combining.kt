@@ -1,0 +1,143 @@
+package badlog.expression.samples
+
+/** Calculates with two samples. Not a function type, which would make an object of each number on the JVM. */
+internal fun interface Operation {
+    fun of(left: Double, right: Double): Double
+
+    companion object {
+        /** The left where the right holds. */
+        val WHEN: Operation = Operation { x, on -> if (on == 1.0) x else Double.NaN }
+
+        /** Whether both are the same; not known beside a gap. */
+        val EQUAL: Operation = Operation { a, b -> known(a, b, a == b) }
+
+        val MINUS: Operation = Operation { a, b -> a - b }
+
+        val TIMES: Operation = Operation { a, b -> a * b }
+    }
+}
+
+/** 1 where it [holds], 0 where it does not; a gap beside a gap. */
+internal fun known(a: Double, b: Double, holds: Boolean): Double = if (a.isNaN() || b.isNaN()) {
+    Double.NaN
+} else if (holds) {
+    1.0
+} else {
+    0.0
+}
+
+/** Calculates with each two samples of [left] and [right] at their common times; for [absent] see [Joined]. */
+internal fun combined(left: Value, right: Value, operation: Operation, absent: Double = Double.NaN): Value {
+    if (left is Scalar && right is Scalar) return Scalar(operation.of(left.value, right.value), timeOf(left, right))
+    val joined = Joined(listOf(left, right), absent)
+    val (one, other) = joined.operands
+    val x = joined.x!!
+    val samples = DoubleArray(x.size) { operation.of(one[it], other[it]) }
+    return Column(x, samples, null, joined.isMomentary, joined.stretches)
+}
+
+/** Where one of the two is a constant, the result is found where the other was. */
+private fun timeOf(left: Scalar, right: Scalar) = when {
+    left.time.isNaN() -> right.time
+    right.time.isNaN() -> left.time
+    else -> Double.NaN
+}
+
+/** The samples of [value] where [condition] holds, gaps elsewhere. */
+internal fun restricted(value: Value, condition: Value): Value {
+    val result = combined(value, condition, Operation.WHEN)
+    val texts = (value as? Column)?.texts
+    return if (texts == null || result !is Column) result else Column(result.x, result.y, texts, result.isMomentary, result.stretches)
+}
+
+/** [whenTrue] where [condition] holds, [whenFalse] where it does not, a gap where that is not known. */
+internal fun chosen(condition: Value, whenTrue: Value, whenFalse: Value): Value =
+    combinedThree(condition, whenTrue, whenFalse) { on, yes, no ->
+        if (on == 1.0) {
+            yes
+        } else if (on == 0.0) {
+            no
+        } else {
+            Double.NaN
+        }
+    }
+
+/** [value], but not below [low] nor above [high]; where those cross, [high]. */
+internal fun clamped(value: Value, low: Value, high: Value): Value =
+    combinedThree(value, low, high) { sample, least, most -> minOf(maxOf(sample, least), most) }
+
+private inline fun combinedThree(a: Value, b: Value, c: Value, operation: (Double, Double, Double) -> Double): Value {
+    if (a is Scalar && b is Scalar && c is Scalar) return Scalar(operation(a.value, b.value, c.value))
+    // Between events none of them holds.
+    val joined = Joined(listOf(a, b, c), absent = 0.0)
+    val (first, second, third) = joined.operands
+    val x = joined.x!!
+    val samples = DoubleArray(x.size) { operation(first[it], second[it], third[it]) }
+    return Column(x, samples, null, joined.isMomentary, joined.stretches)
+}
+
+/** True where [condition] is false. */
+internal fun inverted(condition: Value): Value = combined(Scalar(1.0), condition, Operation.MINUS)
+
+/** One operand after joining: its sample at each of the common times. */
+internal class Operand(private val samples: DoubleArray?, private val constant: Double) {
+    operator fun get(index: Int): Double = if (samples == null) constant else samples[index]
+}
+
+/**
+ * Several values at common times. Those of equal times stay sample by sample. Otherwise the common times are all that any of
+ * them has, each once, and each value is that of its last sample until then: a gap before its first one, and where it is
+ * [momentary][Column.isMomentary], [absent] at all times but its own. Where one clock was set back and another was not, what
+ * the other tells of a time counts each time that it comes.
+ *
+ * @property x the times; null when no value is over time.
+ */
+internal class Joined(values: List<Value>, absent: Double) {
+    /** Of those whose clock was set back. */
+    val stretches: Stretches? = values.firstNotNullOfOrNull { (it as? Column)?.stretches }
+
+    private val alike = values.map { if (it is Column && stretches != null && it.stretches == null) stretches.spread(it) else it }
+    private val columns = alike.filterIsInstance<Column>()
+
+    val x: DoubleArray? = columns.map { it.x }.reduceOrNull(::union)
+
+    /** Whether there are events alone. */
+    val isMomentary: Boolean = columns.isNotEmpty() && columns.all { it.isMomentary }
+
+    /** The values in their order. */
+    val operands: List<Operand> = alike.map {
+        when (it) {
+            is Scalar -> Operand(null, it.value)
+            is Column -> Operand(if (isSame(it.x, x!!)) it.y else held(it, x, absent), 0.0)
+        }
+    }
+}
+
+private fun isSame(one: DoubleArray, other: DoubleArray) = one === other || one.contentEquals(other)
+
+private fun union(one: DoubleArray, other: DoubleArray): DoubleArray {
+    if (isSame(one, other)) return one
+    val times = DoubleArray(one.size + other.size)
+    var size = 0
+    var i = 0
+    var j = 0
+    while (i < one.size || j < other.size) {
+        val time = if (j == other.size || (i < one.size && one[i] <= other[j])) one[i++] else other[j++]
+        if (size == 0 || times[size - 1] != time) times[size++] = time
+    }
+    return times.copyOf(size)
+}
+
+private fun held(column: Column, times: DoubleArray, absent: Double): DoubleArray {
+    val x = column.x
+    var next = 0
+    return DoubleArray(times.size) { index ->
+        val time = times[index]
+        while (next < x.size && x[next] <= time) next++
+        when {
+            column.isMomentary && (next == 0 || x[next - 1] != time) -> absent
+            next == 0 -> Double.NaN
+            else -> column.y[next - 1]
+        }
+    }
+}

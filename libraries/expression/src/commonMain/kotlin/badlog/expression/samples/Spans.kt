@@ -1,0 +1,92 @@
+package badlog.expression.samples
+
+import badlog.analysis.Span
+
+/**
+ * Spans of time, in the order in which they came.
+ *
+ * @property times how many they are, where one over which the clock was set back counts once.
+ */
+internal class Spans(private val from: DoubleArray, private val to: DoubleArray, val times: Int = from.size) : AbstractList<Span>() {
+    override val size: Int get() = from.size
+
+    override fun get(index: Int): Span = Span(from[index], to[index])
+
+    /** How long they are together. */
+    val total: Double
+        get() {
+            var sum = 0.0
+            for (i in from.indices) sum += to[i] - from[i]
+            return sum
+        }
+}
+
+/**
+ * When this condition holds: from its first true sample to the next that is not, or to [end] after the last one. Each true sample
+ * of a momentary condition is a span without width.
+ */
+internal fun Column.spans(end: Double): Spans {
+    var count = 0
+    for (i in 0 until size) if (beginsAt(i)) count++
+    val from = DoubleArray(count)
+    val to = DoubleArray(count)
+    var span = -1
+    for (i in 0 until size) {
+        if (beginsAt(i)) from[++span] = x[i]
+        if (y[i] == 1.0) {
+            to[span] = if (isMomentary) {
+                x[i]
+            } else if (i + 1 < size) {
+                x[i + 1]
+            } else {
+                maxOf(end, x[i])
+            }
+        }
+    }
+    return stretches?.logged(from, to) ?: Spans(from, to)
+}
+
+private fun Stretches.logged(from: DoubleArray, to: DoubleArray): Spans {
+    val loggedFrom = ArrayList<Double>()
+    val loggedTo = ArrayList<Double>()
+    for (i in from.indices) {
+        eachPart(from[i], to[i]) { begin, end ->
+            loggedFrom += begin
+            loggedTo += end
+        }
+    }
+    return Spans(loggedFrom.toDoubleArray(), loggedTo.toDoubleArray(), from.size)
+}
+
+private fun Column.beginsAt(index: Int) = y[index] == 1.0 && (isMomentary || index == 0 || y[index - 1] != 1.0)
+
+/**
+ * A condition that holds within [spans] and not elsewhere in [range]. The end of a span is not within it, but for the end of the
+ * recording.
+ */
+internal fun stepsOf(spans: List<Span>, range: Span?): Column {
+    if (range == null) return Column(DoubleArray(0), DoubleArray(0))
+    val times = ArrayList<Double>()
+    val states = ArrayList<Double>()
+    fun set(time: Double, state: Double) {
+        if (times.isNotEmpty() && time <= times.last()) {
+            states[states.lastIndex] = state
+        } else {
+            times += time
+            states += state
+        }
+    }
+    set(range.from, 0.0)
+    for (span in spans) {
+        if (span.to <= range.from || span.from > range.to || span.width <= 0) continue
+        set(maxOf(span.from, range.from), 1.0)
+        if (span.to < range.to) set(span.to, 0.0)
+    }
+    return Column(times.toDoubleArray(), states.toDoubleArray())
+}
+
+/** A condition that holds from time [from] until [to]; not known when one of them is not. */
+internal fun during(from: Double, to: Double, range: Span?): Column {
+    if (from.isNaN() || to.isNaN()) return stepsOf(emptyList(), range).let { it.with(DoubleArray(it.size) { Double.NaN }) }
+    return stepsOf(if (from < to) listOf(Span(from, to)) else emptyList(), range)
+}

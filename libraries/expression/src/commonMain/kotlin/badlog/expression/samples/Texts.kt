@@ -1,0 +1,46 @@
+package badlog.expression.samples
+
+/** 1 where the text of [column] is one that [holds], 0 where it is another, a gap where there is none. */
+internal fun whereText(column: Column, holds: (String) -> Boolean): Column {
+    val results = DoubleArray(column.texts!!.size) { if (holds(column.texts[it])) 1.0 else 0.0 }
+    return column.with(DoubleArray(column.size) { column.y[it].let { id -> if (id.isNaN()) id else results[id.toInt()] } })
+}
+
+/** 1 where the two have the same text; a gap where one has none. */
+internal fun equalTexts(left: Column, right: Column): Value {
+    val places = HashMap<String, Int>()
+    for ((index, text) in left.texts!!.withIndex()) if (text !in places) places[text] = index
+    val inLeft = DoubleArray(right.texts!!.size) { places[right.texts[it]]?.toDouble() ?: -1.0 }
+    val translated = DoubleArray(right.size) { right.y[it].let { id -> if (id.isNaN()) id else inLeft[id.toInt()] } }
+    return combined(left, right.with(translated), Operation.EQUAL)
+}
+
+/**
+ * Whether the whole of [text] is like [pattern], in which `*` stands for any characters and `?` for one; regardless of case.
+ * Not a regular expression: those differ between platforms, and some never come to an end.
+ */
+internal fun matches(text: String, pattern: String): Boolean {
+    var at = 0
+    var patternAt = 0
+    var star = -1
+    var starText = 0
+    while (at < text.length) {
+        if (patternAt < pattern.length && pattern[patternAt] == '*') {
+            star = patternAt++
+            starText = at
+        } else if (patternAt < pattern.length && isLike(text[at], pattern[patternAt])) {
+            at++
+            patternAt++
+        } else if (star >= 0) {
+            // What the last star stands for gets longer by one.
+            patternAt = star + 1
+            at = ++starText
+        } else {
+            return false
+        }
+    }
+    while (patternAt < pattern.length && pattern[patternAt] == '*') patternAt++
+    return patternAt == pattern.length
+}
+
+private fun isLike(character: Char, wanted: Char) = wanted == '?' || character.equals(wanted, ignoreCase = true)

@@ -1,0 +1,130 @@
+package badlog.expression.signals
+
+/**
+ * The names that expressions over one recording may use. Equal ones have equal signals in the same order, so that an expression
+ * parsed for one recording serves all recordings with an equal vocabulary.
+ *
+ * A signal is called by its full name or by the end of its path where only one signal ends so: `Battery Voltage` for
+ * `System/Battery Voltage`. Upper and lower case count only where nothing else tells two names apart.
+ *
+ * @property signals what there is; where two have the same name, the first counts.
+ * @property hasTime whether x is a time; where it is not, an expression with a time, such as `0.5 s`, is a mistake.
+ */
+public class Vocabulary(public val signals: List<Signal>, public val hasTime: Boolean) {
+    /** Of a recording over time. */
+    public constructor(signals: List<Signal>) : this(signals, hasTime = true)
+
+    private val entries by lazy { Entries(signals) }
+
+    override fun equals(other: Any?): Boolean =
+        this === other || (other is Vocabulary && hasTime == other.hasTime && signals == other.signals)
+
+    override fun hashCode(): Int = signals.hashCode()
+
+    /** The signals that [name] may mean: none, the one, or those that it fails to tell apart. */
+    internal fun find(name: String): List<Signal> = entries.find(name, ignoreCase = true)
+
+    /** How long the longest name is that stands in [text] at [from] and ends there as a word does; 0 without one. */
+    internal fun longestAt(text: String, from: Int, ignoreCase: Boolean): Int = entries.lengths.firstOrNull { length ->
+        val until = from + length
+        until <= text.length && isWordEnd(text, until) && entries.find(text.substring(from, until), ignoreCase).isNotEmpty()
+    } ?: 0
+
+    /** The signal whose name is most like [name], or null when none is like it. */
+    internal fun nearest(name: String): Signal? {
+        val wanted = folded(name.take(MAX_COMPARED))
+        var best: Signal? = null
+        var least = maxOf(1, wanted.length / 3) + 1
+        for (signal in signals) {
+            for (key in listOf(signal.name, signal.name.trimEnd('/').substringAfterLast('/'))) {
+                val distance = editDistance(wanted, folded(key.take(MAX_COMPARED)), least)
+                if (distance < least) {
+                    least = distance
+                    best = signal
+                }
+            }
+        }
+        return best
+    }
+
+    /** What each name means; made when first needed, since most vocabularies are only compared. */
+    private class Entries(signals: List<Signal>) {
+        private val full = HashMap<String, Signal>()
+        private val ends = HashMap<String, MutableList<Signal>>()
+        private val foldedFull = HashMap<String, MutableList<Signal>>()
+        private val foldedEnds = HashMap<String, MutableList<Signal>>()
+
+        init {
+            for (signal in signals) {
+                if (signal.name.isEmpty() || signal.name in full) continue
+                full[signal.name] = signal
+                foldedFull.getOrPut(folded(signal.name)) { ArrayList(1) } += signal
+                addEnds(signal)
+            }
+        }
+
+        private fun addEnds(signal: Signal) {
+            var slash = signal.name.lastIndexOf('/', signal.name.length - 2)
+            var left = MAX_ENDS
+            // What is longer than an expression is never asked for.
+            while (slash >= 0 && left-- > 0 && signal.name.length - slash <= MAX_EXPRESSION_LENGTH) {
+                val end = signal.name.substring(slash + 1)
+                ends.getOrPut(end) { ArrayList(1) } += signal
+                foldedEnds.getOrPut(folded(end)) { ArrayList(1) } += signal
+                slash = if (slash == 0) -1 else signal.name.lastIndexOf('/', slash - 1)
+            }
+        }
+
+        /** The lengths of all names, the longest first. */
+        val lengths: List<Int> = (full.keys + ends.keys).mapTo(HashSet()) { it.length }.sortedDescending()
+
+        fun find(name: String, ignoreCase: Boolean): List<Signal> {
+            full[name]?.let { return listOf(it) }
+            ends[name]?.let { return it }
+            if (!ignoreCase) return emptyList()
+            val key = folded(name)
+            return foldedFull[key] ?: foldedEnds[key] ?: emptyList()
+        }
+    }
+
+    private companion object {
+        const val MAX_COMPARED = 80
+
+        // Of a path; names come from files, and all ends of a long one would fill the memory.
+        const val MAX_ENDS = 32
+    }
+}
+
+/** How many characters an expression has at most. */
+internal const val MAX_EXPRESSION_LENGTH = 4000
+
+/** Whether a name that ends before [at] ends there: `Arm` does not end within `Arms`. */
+internal fun isWordEnd(text: String, at: Int): Boolean =
+    at >= text.length || at == 0 || !isWordCharacter(text[at]) || !isWordCharacter(text[at - 1])
+
+internal fun isWordCharacter(character: Char): Boolean = character.isLetterOrDigit() || character == '_'
+
+// Character by character, so that the length stays.
+private fun folded(text: String): String {
+    val characters = CharArray(text.length) { text[it].lowercaseChar() }
+    return characters.concatToString()
+}
+
+/**
+ * How many characters must be put in, left out or replaced to make [other] of [one] (Levenshtein 1966); [limit] when it is as
+ * many or more.
+ */
+internal fun editDistance(one: String, other: String, limit: Int): Int {
+    if (kotlin.math.abs(one.length - other.length) >= limit) return limit
+    var last = IntArray(other.length + 1) { it }
+    var row = IntArray(other.length + 1)
+    for (i in one.indices) {
+        row[0] = i + 1
+        for (j in other.indices) {
+            val replaced = last[j] + if (one[i] == other[j]) 0 else 1
+            row[j + 1] = minOf(replaced, last[j + 1] + 1, row[j] + 1)
+        }
+        last = row.also { row = last }
+    }
+    return minOf(last[other.length], limit)
+}

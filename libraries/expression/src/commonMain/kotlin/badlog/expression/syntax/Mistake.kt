@@ -1,0 +1,27 @@
+package badlog.expression.syntax
+
+/** Leaves the parser at the first mistake; never seen outside of it. */
+internal class Mistake(val from: Int, val until: Int, val kind: ExpressionErrorKind, override val message: String) : Exception(message)
+
+internal fun mistake(node: Node, message: String): Nothing = throw Mistake(node.from, node.until, ExpressionErrorKind.TYPE, message)
+
+/** What sort of mistake an [badlog.expression.ExpressionError] is. */
+public enum class ExpressionErrorKind {
+    /** It cannot be read as an expression. */
+    SYNTAX,
+
+    /** It names a topic that this recording does not have; another one may. */
+    UNKNOWN_TOPIC,
+
+    /** It names a topic by an end of its path that several share. */
+    AMBIGUOUS_TOPIC,
+
+    /** It has a time, such as `0.5 s`, but x of this recording is none; that of another may be. */
+    NO_TIME,
+
+    /** It uses something where something else is needed, such as a number as a condition. */
+    TYPE,
+
+    /** It is longer, deeper or costlier than expressions may be. */
+    LIMIT,
+}

@@ -1,0 +1,138 @@
+package badlog.expression.syntax
+
+import badlog.expression.signals.Vocabulary
+import badlog.expression.signals.editDistance
+import badlog.expression.signals.isWordCharacter
+
+/** Words that mean themselves when they are written like this. */
+internal val KEYWORDS = setOf("not", "true", "false", "enabled", "autonomous")
+
+/** What a word means where an operand may stand. */
+internal sealed interface Meaning {
+    class Topic(val node: Node.Topic) : Meaning
+
+    /** The scanner still stands before [name], as it is written there. */
+    class Call(val name: String) : Meaning
+
+    /** The scanner still stands before it. */
+    class Keyword(val word: String) : Meaning
+}
+
+/** Tells names of topics from functions and keywords. */
+internal class NameReader(private val text: String, private val scanner: Scanner, private val vocabulary: Vocabulary) {
+    /** What begins at the scanner's place. */
+    fun read(): Meaning {
+        val from = afterNeedlessSlash(scanner.at)
+        val word = scanner.wordAt(from)
+        val key = word.lowercase()
+        // A keyword as it is always written gives way only to a longer name that is written in just that case.
+        val isKeyword = word in KEYWORDS
+        val length = vocabulary.longestAt(text, from, ignoreCase = !isKeyword)
+        if (isKeyword && length <= word.length) return Meaning.Keyword(word)
+        if (from == scanner.at && length <= word.length && Function.called(key).isNotEmpty() && isCalled(from + word.length)) {
+            return Meaning.Call(word)
+        }
+        if (length > 0) {
+            scanner.at = from + length
+            return Meaning.Topic(topic(text.substring(from, scanner.at), from, scanner.at))
+        }
+        if (key in KEYWORDS) return Meaning.Keyword(key)
+        failUnknown(from, word, key)
+    }
+
+    // Elsewhere names begin with a slash, as paths do.
+    private fun afterNeedlessSlash(from: Int): Int {
+        val isNeedless = text[from] == '/' && vocabulary.longestAt(text, from, ignoreCase = true) == 0
+        return if (isNeedless && vocabulary.longestAt(text, from + 1, ignoreCase = true) > 0) from + 1 else from
+    }
+
+    /** The topic that is called [name], which stands from [from] until [until]. */
+    fun topic(name: String, from: Int, until: Int): Node.Topic {
+        val found = vocabulary.find(name).ifEmpty { vocabulary.find(name.removePrefix("/")) }
+        if (found.isEmpty()) failUnknownTopic(name, from, until)
+        if (found.size > 1) {
+            val some = found.take(MAX_NAMED).joinToString(" or ") { "“${it.name}”" }
+            val others = if (found.size > MAX_NAMED) " or ${found.size - MAX_NAMED} others" else ""
+            throw Mistake(from, until, ExpressionErrorKind.AMBIGUOUS_TOPIC, "“$name” may mean $some$others.")
+        }
+        return Node.Topic(from, until, found[0])
+    }
+
+    private fun isCalled(at: Int): Boolean {
+        var next = at
+        while (next < text.length && text[next].isWhitespace()) next++
+        return next < text.length && text[next] == '('
+    }
+
+    private fun failUnknown(from: Int, word: String, key: String): Nothing {
+        val operator = scanner.peekOperator()?.first ?: if (key == "for") word else null
+        when {
+            operator != null && !(text[from] == '/' && scanner.wordAt(from + 1).isNotEmpty()) -> {
+                val written = text.substring(from, from + operator.length)
+                fail(from, from + operator.length, "Something is missing before “$written”.")
+            }
+
+            word.isEmpty() && text[from] != '/' -> {
+                val found = text[from]
+                fail(
+                    from,
+                    from + 1,
+                    if (found in ",)") {
+                        "Something is missing before “$found”."
+                    } else {
+                        "“$found” is not expected here."
+                    },
+                )
+            }
+
+            isCalled(from + word.length) -> {
+                val nearest = CALLED_ELSEWHERE[key] ?: Function.entries.minBy { editDistance(key, it.title, NEVER) }.title
+                val isNear = key in CALLED_ELSEWHERE || editDistance(key, nearest, NEVER) <= maxOf(1, key.length / 3)
+                val suggestion = if (isNear) "; did you mean $nearest?" else "."
+                fail(from, from + word.length, "There is no function “$word”$suggestion")
+            }
+
+            Function.called(key).isNotEmpty() ->
+                fail(from, from + word.length, "$key is a function; its operands stand in parentheses behind it.")
+
+            else -> {
+                val until = nameEnd(from)
+                failUnknownTopic(text.substring(from, until), from, until)
+            }
+        }
+    }
+
+    /** Where what was meant as a name seems to end: names have spaces and slashes, operators in words do not belong to them. */
+    private fun nameEnd(from: Int): Int {
+        var until = from
+        while (until < text.length) {
+            val character = text[until]
+            if (character == ' ') {
+                var nextFrom = until
+                while (nextFrom < text.length && text[nextFrom] == ' ') nextFrom++
+                val next = scanner.wordAt(nextFrom)
+                if (next.isEmpty() || next.lowercase() in INFIX_WORDS) break
+            } else if (!isWordCharacter(character) && character !in "/.:[]#") {
+                break
+            }
+            until++
+        }
+        return maxOf(until, from + 1)
+    }
+
+    private fun failUnknownTopic(name: String, from: Int, until: Int): Nothing {
+        val nearest = vocabulary.nearest(name)
+        val suggestion = if (nearest == null) "." else "; did you mean “${nearest.name}”?"
+        throw Mistake(from, until, ExpressionErrorKind.UNKNOWN_TOPIC, "There is no topic “$name”$suggestion")
+    }
+
+    private fun fail(from: Int, until: Int, message: String): Nothing = throw Mistake(from, until, ExpressionErrorKind.SYNTAX, message)
+
+    private companion object {
+        const val MAX_NAMED = 3
+        const val NEVER = 1000
+        val CALLED_ELSEWHERE =
+            mapOf("sum" to "integral", "avg" to "mean", "average" to "mean", "std" to "stddev", "diff" to "delta", "length" to "duration")
+        val INFIX_WORDS = setOf("and", "or", "for", "when", "contains", "matches")
+    }
+}

@@ -1,0 +1,232 @@
+package badlog.expression.syntax
+
+import badlog.expression.signals.MAX_EXPRESSION_LENGTH
+import badlog.expression.signals.SignalKind
+import badlog.expression.signals.Vocabulary
+
+/**
+ * Reads an expression by the precedence of its operators (Pratt 1973). Written by hand, since what is a name depends on the
+ * vocabulary and on where an operand may stand, which a table of tokens cannot say.
+ */
+internal class Parser(private val text: String, private val vocabulary: Vocabulary) {
+    private val scanner = Scanner(text)
+    private val names = NameReader(text, scanner, vocabulary)
+    private var nodes = 0
+    private var moves = 0
+
+    /** The whole text. */
+    fun parse(): Node {
+        if (text.length > Limits.LENGTH) {
+            fail(Limits.LENGTH, text.length, "An expression has at most ${Limits.LENGTH} characters.", ExpressionErrorKind.LIMIT)
+        }
+        val node = expression(Precedence.WHEN, 0)
+        if (!scanner.isAtEnd()) failAtRest()
+        return node
+    }
+
+    private fun expression(least: Int, nesting: Int): Node {
+        if (nesting > Limits.NESTING) tooDeep(scanner.at, scanner.at)
+        var left = operand(nesting)
+        while (true) {
+            scanner.skipSpace()
+            val operatorFrom = scanner.at
+            if (least <= Precedence.FOR && scanner.takeWord("for")) {
+                left = made(Node.For(left, readTime(operatorFrom)))
+                countMove(left)
+                continue
+            }
+            val spelling = scanner.peekOperator() ?: return left
+            val operator = spelling.second
+            if (operator.precedence < least) return left
+            if (operator.isComparison && left is Node.Binary && left.operator.isComparison && !isInParentheses(left)) {
+                fail(operatorFrom, operatorFrom + spelling.first.length, CHAINED)
+            }
+            scanner.at += spelling.first.length
+            // To the right of all but ^, what holds together as tightly begins the next round.
+            val right = try {
+                if (operator == Operator.REMAINDER && left is Node.Number && isOperandMissing()) {
+                    fail(operatorFrom, operatorFrom + 1, NO_PERCENT)
+                }
+                expression(operator.precedence + if (operator == Operator.POWER) 0 else 1, nesting + 1)
+            } catch (mistake: Mistake) {
+                throw if (isOfText(left, operator) && mistake.kind == ExpressionErrorKind.UNKNOWN_TOPIC) asText(mistake) else mistake
+            }
+            left = made(Node.Binary(operator, left, right))
+        }
+    }
+
+    private fun isOperandMissing(): Boolean {
+        if (scanner.isAtEnd() || text[scanner.at] in "),") return true
+        val next = scanner.peekOperator()?.second
+        return (next != null && next != Operator.MINUS) || scanner.restWord().equals("for", ignoreCase = true)
+    }
+
+    private fun isOfText(left: Node, operator: Operator) = operator.group == Operator.Group.TEXT ||
+        (operator.group == Operator.Group.EQUALITY && left is Node.Topic && left.signal.kind in TEXTS)
+
+    private fun asText(mistake: Mistake): Mistake = mistake.run {
+        val name = text.substring(from, until).trim('"', '`')
+        Mistake(from, until, kind, "There is no topic “$name”; a text stands in single quotes, as in '$name'.")
+    }
+
+    // An operand in parentheses reaches farther than what it is made of.
+    private fun isInParentheses(node: Node) = node.from < node.children.first().from
+
+    private fun readTime(forFrom: Int): Node.Time {
+        scanner.skipSpace()
+        val from = scanner.at
+        if (!scanner.isNumberHere()) fail(forFrom, forFrom + "for".length, NO_TIME)
+        return number() as? Node.Time ?: fail(from, scanner.at, NO_TIME)
+    }
+
+    private fun operand(nesting: Int): Node {
+        if (scanner.isAtEnd()) {
+            fail(text.length, text.length, "Something is missing here: a topic, a number or a function.")
+        }
+        val from = scanner.at
+        return when (val first = text[from]) {
+            '(' -> parenthesized(nesting)
+            '\'' -> made(scanner.quoted('\'', "text").let { Node.Text(from, scanner.at, it) })
+            '"', '`' -> scanner.quoted(first, "name").let { made(names.topic(it, from, scanner.at)) }
+            '-', '−' -> negative(from, nesting)
+            '!' -> negation(from, 1, nesting)
+            else -> if (scanner.isNumberHere()) number() else word(from, nesting)
+        }
+    }
+
+    private fun parenthesized(nesting: Int): Node {
+        val from = scanner.at++
+        val node = expression(Precedence.WHEN, nesting + 1)
+        close(from)
+        node.from = from
+        node.until = scanner.at
+        return node
+    }
+
+    private fun close(open: Int) {
+        if (scanner.isAtEnd()) fail(open, open + 1, "This parenthesis is never closed.")
+        if (text[scanner.at] != ')') failAtRest()
+        scanner.at++
+    }
+
+    private fun negative(from: Int, nesting: Int): Node {
+        scanner.at++
+        val operand = expression(Precedence.POWER, nesting + 1)
+        if (operand is Node.Time && operand.seconds > 0) {
+            return made(Node.Time(from, operand.until, -operand.seconds, "-${operand.written}"))
+        }
+        return made(Node.Negative(from, operand))
+    }
+
+    private fun negation(from: Int, length: Int, nesting: Int): Node {
+        scanner.at += length
+        return made(Node.Not(from, expression(Precedence.NOT, nesting + 1)))
+    }
+
+    private fun number(): Node {
+        val number = scanner.number()
+        if (number is Node.Time && !vocabulary.hasTime) {
+            val written = text.substring(number.from, number.until)
+            val message = "The x axis of this log is not a time, so “$written” has no meaning; give it an x axis with a unit of time."
+            fail(number.from, number.until, message, ExpressionErrorKind.NO_TIME)
+        }
+        return made(number)
+    }
+
+    private fun word(from: Int, nesting: Int): Node = when (val meaning = names.read()) {
+        is Meaning.Topic -> made(meaning.node)
+
+        is Meaning.Call -> call(from, meaning.name, nesting)
+
+        is Meaning.Keyword -> when (meaning.word) {
+            "not" -> negation(from, meaning.word.length, nesting)
+
+            else -> {
+                scanner.at += meaning.word.length
+                made(
+                    when (meaning.word) {
+                        "true", "false" -> Node.Truth(from, scanner.at, meaning.word == "true")
+                        else -> Node.Enabled(from, scanner.at, meaning.word == "autonomous")
+                    },
+                )
+            }
+        }
+    }
+
+    private fun call(from: Int, name: String, nesting: Int): Node {
+        val arguments = ArrayList<Node>()
+        scanner.at += name.length
+        scanner.skipSpace()
+        val open = scanner.at++
+        if (!scanner.take(')')) {
+            do arguments += expression(Precedence.WHEN, nesting + 1) while (scanner.take(','))
+            close(open)
+        }
+        val functions = Function.called(name)
+        val function = functions.find { it.parameters.size == arguments.size }
+            ?: fail(from, scanner.at, "${functions[0].title} takes ${countsOf(functions)}, not ${arguments.size}.")
+        val node = made(Node.Call(from, scanner.at, function, arguments))
+        if (function.movesTimes) countMove(node)
+        return node
+    }
+
+    private fun countsOf(functions: List<Function>) = functions.joinToString(" or ") { function ->
+        val count = function.parameters.size
+        if (count == 1) "1 operand" else "$count operands"
+    }
+
+    private fun <T : Node> made(node: T): T {
+        if (node.depth > Limits.DEPTH) tooDeep(node.from, node.until)
+        if (++nodes > Limits.NODES) {
+            fail(node.from, node.until, "An expression has at most ${Limits.NODES} parts.", ExpressionErrorKind.LIMIT)
+        }
+        return node
+    }
+
+    private fun countMove(node: Node) {
+        if (++moves > Limits.MOVES) {
+            val message = "An expression has at most ${Limits.MOVES} times “for”, during and shift."
+            fail(node.from, node.until, message, ExpressionErrorKind.LIMIT)
+        }
+    }
+
+    private fun tooDeep(from: Int, until: Int): Nothing =
+        fail(minOf(from, text.length), until, "This is nested too deeply.", ExpressionErrorKind.LIMIT)
+
+    private fun failAtRest(): Nothing {
+        val from = scanner.at
+        val found = scanner.restWord()
+        fail(
+            from,
+            from + found.length,
+            when (found) {
+                ")" -> "This parenthesis was never opened."
+                "&", "|" -> "“$found” is not an operator; write “$found$found”."
+                "," -> "A comma stands only between the operands of a function; a decimal point is a point."
+                else -> "“$found” is not expected here; an operator such as + or < may follow, or the end."
+            },
+        )
+    }
+
+    private fun fail(from: Int, until: Int, message: String, kind: ExpressionErrorKind = ExpressionErrorKind.SYNTAX): Nothing =
+        throw Mistake(from, until, kind, message)
+
+    private companion object {
+        val TEXTS = setOf(SignalKind.STATE, SignalKind.EVENT)
+        const val NO_PERCENT = "“%” is the remainder of a division; after a number no unit is written, not even %."
+        const val NO_TIME = "After “for” a time is needed, as in for 0.5 s."
+        const val CHAINED = "Comparisons cannot be chained; write “a < b and b < c”."
+    }
+}
+
+/**
+ * What an expression may be at most. They keep what comes from elsewhere from overflowing the stack, and bound the work: each
+ * node costs a pass over the samples, and only what moves times makes more of them.
+ */
+internal object Limits {
+    const val LENGTH = MAX_EXPRESSION_LENGTH
+    const val NESTING = 100
+    const val DEPTH = 200
+    const val NODES = 500
+    const val MOVES = 16
+}

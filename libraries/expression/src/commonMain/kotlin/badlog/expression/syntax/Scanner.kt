@@ -1,0 +1,112 @@
+package badlog.expression.syntax
+
+import badlog.analysis.Units
+import badlog.expression.signals.isWordCharacter
+import badlog.expression.signals.isWordEnd
+
+/** Walks over the text of an expression; knows numbers, quotes and operators, but not names. */
+internal class Scanner(private val text: String) {
+    /** The next character. */
+    var at = 0
+
+    fun skipSpace() {
+        while (at < text.length && text[at].isWhitespace()) at++
+    }
+
+    /** Whether nothing but spaces is left; skips them. */
+    fun isAtEnd(): Boolean {
+        skipSpace()
+        return at == text.length
+    }
+
+    /** Whether [character] comes next; if so, it is passed. */
+    fun take(character: Char): Boolean {
+        skipSpace()
+        val isNext = at < text.length && text[at] == character
+        if (isNext) at++
+        return isNext
+    }
+
+    fun takeWord(word: String): Boolean {
+        val isNext = text.startsWith(word, at, ignoreCase = true) && isWordEnd(text, at + word.length)
+        if (isNext) at += word.length
+        return isNext
+    }
+
+    /** How the operator that comes next is written, and which it is. */
+    fun peekOperator(): Pair<String, Operator>? = Operator.spellings.find { (spelling, _) ->
+        text.startsWith(spelling, at, ignoreCase = true) && isWordEnd(text, at + spelling.length)
+    }
+
+    /** The letters, digits and underscores that begin at [from]. */
+    fun wordAt(from: Int): String {
+        var until = from
+        while (until < text.length && isWordCharacter(text[until])) until++
+        return text.substring(from, until)
+    }
+
+    /** The word that comes next, or the one character. */
+    fun restWord(): String = wordAt(at).ifEmpty { text.substring(at, at + 1) }
+
+    fun isNumberHere(): Boolean = isDigit(at) || (at < text.length && text[at] == '.' && isDigit(at + 1))
+
+    private fun isDigit(place: Int) = place < text.length && text[place] in '0'..'9'
+
+    /** A number, or a time when a unit follows. */
+    fun number(): Node {
+        val from = at
+        skipDigits()
+        if (at < text.length && text[at] == '.' && isDigit(at + 1)) {
+            at++
+            skipDigits()
+        }
+        if (at < text.length && text[at] in "eE") {
+            val sign = if (at + 1 < text.length && text[at + 1] in "+-") 1 else 0
+            if (isDigit(at + 1 + sign)) {
+                at += 1 + sign
+                skipDigits()
+            }
+        }
+        val digits = text.substring(from, at)
+        val value = digits.toDouble()
+        if (!value.isFinite()) fail(from, at, "This number is too large.")
+        val end = at
+        skipSpace()
+        val unitFrom = at
+        val unit = wordAt(at)
+        val isTaken = unit.isEmpty() || peekOperator() != null || unit.equals("for", ignoreCase = true)
+        val seconds = Units.secondsIn(unit)
+        if (isTaken || seconds == null) {
+            if (!isTaken) fail(unitFrom, unitFrom + unit.length, noUnit(unit))
+            at = end
+            return Node.Number(from, end, value, digits)
+        }
+        at += unit.length
+        if (!(value * seconds).isFinite()) fail(from, at, "This time is too long.")
+        return Node.Time(from, at, value * seconds, "$digits $unit")
+    }
+
+    private fun skipDigits() {
+        while (isDigit(at)) at++
+    }
+
+    /** What stands between two [quote]s, the first of which comes next; a double one stands for one. */
+    fun quoted(quote: Char, what: String): String {
+        val from = at++
+        val content = StringBuilder()
+        while (at < text.length) {
+            val character = text[at++]
+            if (character == quote) {
+                if (at == text.length || text[at] != quote) return content.toString()
+                at++
+            }
+            content.append(character)
+        }
+        fail(from, text.length, "This $what is never closed; $quote is missing.")
+    }
+
+    private fun noUnit(unit: String) =
+        "“$unit” is not a unit of time; times are written in h, min, s, ms or us, other numbers without a unit."
+
+    private fun fail(from: Int, until: Int, message: String): Nothing = throw Mistake(from, until, ExpressionErrorKind.SYNTAX, message)
+}
