@@ -4,13 +4,13 @@ import badlog.samples.bag.BagLog
 import badlog.samples.bag.NumberText
 import badlog.samples.bag.cutInLastRow
 import badlog.samples.bag.losePage
-import badlog.samples.match.Mishap
-import badlog.samples.match.Mishaps
 import badlog.samples.match.Order
 import badlog.samples.match.Schedule
 import badlog.samples.match.Task
 import badlog.samples.robot.Battery
 import badlog.samples.robot.Drivetrain
+import badlog.samples.robot.Mishap
+import badlog.samples.robot.Mishaps
 import badlog.samples.robot.Robot
 import badlog.samples.robot.Superstructure
 

@@ -3,11 +3,11 @@ package badlog.samples
 import badlog.samples.bag.BagLog
 import badlog.samples.bag.NumberText
 import badlog.samples.bag.gzipNeverClosed
-import badlog.samples.match.Mishap
-import badlog.samples.match.Mishaps
 import badlog.samples.match.Schedule
 import badlog.samples.robot.Battery
 import badlog.samples.robot.Drivetrain
+import badlog.samples.robot.Mishap
+import badlog.samples.robot.Mishaps
 import badlog.samples.robot.Robot
 
 /** When the robot is hit from the side: 1:10 into the match. */

@@ -1,7 +1,7 @@
 package badlog.samples
 
 import badlog.samples.bag.BagLog
-import badlog.samples.match.Mode
+import badlog.samples.robot.Mode
 import badlog.samples.robot.Robot
 
 // The topics that the robot's program creates, by the part that they are of.

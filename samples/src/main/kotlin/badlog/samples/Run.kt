@@ -2,10 +2,10 @@ package badlog.samples
 
 import badlog.samples.match.Announcer
 import badlog.samples.match.Driver
-import badlog.samples.match.Mishaps
-import badlog.samples.match.Mode
 import badlog.samples.match.Order
 import badlog.samples.match.Schedule
+import badlog.samples.robot.Mishaps
+import badlog.samples.robot.Mode
 import badlog.samples.robot.Noise
 import badlog.samples.robot.Robot
 

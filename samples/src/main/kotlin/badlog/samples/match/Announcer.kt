@@ -1,6 +1,8 @@
 package badlog.samples.match
 
 import badlog.samples.bag.decimalText
+import badlog.samples.robot.Mishaps
+import badlog.samples.robot.Mode
 import badlog.samples.robot.Robot
 import badlog.samples.robot.Superstructure
 

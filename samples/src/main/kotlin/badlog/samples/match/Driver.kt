@@ -3,6 +3,7 @@ package badlog.samples.match
 import badlog.samples.robot.Camera
 import badlog.samples.robot.Drivetrain
 import badlog.samples.robot.Noise
+import badlog.samples.robot.Sticks
 import badlog.samples.robot.cosine
 import badlog.samples.robot.direction
 import badlog.samples.robot.sine

@@ -1,5 +1,7 @@
 package badlog.samples.match
 
+import badlog.samples.robot.Mode
+
 /** When the robot is in which mode, in seconds of the recording. */
 class Schedule(private val periods: List<Period>, val end: Double) {
     class Period(val mode: Mode, val from: Double, val until: Double)

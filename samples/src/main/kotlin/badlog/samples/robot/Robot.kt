@@ -1,9 +1,5 @@
 package badlog.samples.robot
 
-import badlog.samples.match.Mishaps
-import badlog.samples.match.Mode
-import badlog.samples.match.Sticks
-
 /** The whole robot, stepped once for each of its 20 ms loops. */
 class Robot(seed: Long, val battery: Battery, val drivetrain: Drivetrain, pressure: Double, private val mishaps: Mishaps) {
     private val noise = Noise(seed)
@@ -93,4 +89,19 @@ class Robot(seed: Long, val battery: Battery, val drivetrain: Drivetrain, pressu
         const val SHIFT = 0.9
         const val GRAB = 1.6
     }
+}
+
+/**
+ * What elevator, arm and rollers do together.
+ *
+ * @property height where the elevator goes, in metres.
+ * @property angle where the arm goes, in degrees.
+ * @property rollers the output of the intake's rollers, negative for out.
+ */
+enum class Superstructure(val height: Double, val angle: Double, val rollers: Double) {
+    STOWED(0.0, Arm.STOWED_ANGLE, 0.0),
+    INTAKING(0.0, -8.0, 0.85),
+    HOLDING(0.12, 70.0, 0.12),
+    RAISING(1.36, 35.0, 0.12),
+    SCORING(1.36, 12.0, -0.7),
 }

@@ -1,6 +1,7 @@
-package badlog.samples.match
+package badlog.samples.robot
 
-import badlog.samples.robot.Superstructure
+/** What the driver station tells the robot to be. */
+enum class Mode { DISABLED, AUTONOMOUS, TELEOP }
 
 /**
  * What reaches the robot in one loop.

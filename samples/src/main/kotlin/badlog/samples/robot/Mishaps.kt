@@ -1,4 +1,4 @@
-package badlog.samples.match
+package badlog.samples.robot
 
 /** What goes wrong in a recording, and when, in seconds. What follows from it is up to the robot. */
 class Mishaps(private val all: List<Mishap> = emptyList()) {
