@@ -34,10 +34,12 @@ include(":replay")
 include(":terminal")
 
 include(":samples")
+include(":architecture")
 include(":benchmarks:jvm")
 include(":benchmarks:node")
 include(":benchmarks:robot")
 
+project(":architecture").projectDir = file("gradle/architecture")
 project(":expression").projectDir = file("libraries/expression")
 project(":files").projectDir = file("libraries/files")
 project(":formats").projectDir = file("libraries/formats")

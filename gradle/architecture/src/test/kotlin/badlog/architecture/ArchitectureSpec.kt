@@ -1,0 +1,62 @@
+package badlog.architecture
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldContainAll
+import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.shouldBe
+import java.io.File
+
+private val ROOT = File("../..").canonicalFile
+private val SOURCES = sourcesUnder(ROOT)
+private val TABLE = moduleTable(File(ROOT, "docs/architecture.md"))
+
+/** The arrows that lie in circles still. Who cuts one takes its line away; none comes. */
+private val EXCEPTIONS = File("src/test/resources/circles.txt").readLines().filter { it.isNotBlank() && !it.startsWith('#') }.toSet()
+
+private val MODULES_OF_PACKAGES = SOURCES.filter { !it.isTest }.groupBy({ it.packageName }, { it.module }).mapValues { it.value.toSet() }
+
+class ArchitectureSpec : FunSpec({
+    test("the sources of robot, page, window and benchmarks are read") {
+        SOURCES.map { it.sourceSet }.toSet() shouldContainAll listOf("main", "commonMain", "jvmMain", "jsMain", "test", "commonTest", "benchmark")
+        SOURCES.sumOf { it.imports.size } shouldBeGreaterThan 3_000
+    }
+
+    test("docs/architecture.md lists every module, and no other") {
+        TABLE.map { it.module }.toSet() shouldBe SOURCES.map { it.module }.toSet()
+    }
+
+    test("what modules may use, as docs/architecture.md says, forms no circle") {
+        circular(TABLE.flatMapTo(HashSet()) { row -> row.mayUse.map { Arrow(row.module, it) } }).shouldBeEmpty()
+    }
+
+    test("modules use each other as docs/architecture.md says they may") {
+        SOURCES.flatMap { file ->
+            val allowed = TABLE.filter { it.module == file.module && (it.sourceSets.isEmpty() || file.sourceSet in it.sourceSets) }
+                .flatMap { if (file.isTest) it.mayUse + it.testsMayUse else it.mayUse } + file.module
+            file.imports.mapNotNull { import ->
+                val modules = packageOf(import, MODULES_OF_PACKAGES.keys)?.let(MODULES_OF_PACKAGES::getValue).orEmpty()
+                if (modules.isEmpty() || modules.any { it in allowed }) null else "${file.path}: $import, of ${modules.joinToString()}"
+            }
+        }.shouldBeEmpty()
+    }
+
+    test("a package stands in one module") {
+        MODULES_OF_PACKAGES.filter { it.key.isNotEmpty() && it.value.size > 1 }.keys.shouldBeEmpty()
+    }
+
+    test("packages form no circle, in code or by what tests share") {
+        val code = packageArrows(SOURCES.filter { !it.isTest }) { packageOf(it, MODULES_OF_PACKAGES.keys) }
+        val tests = SOURCES.filter { it.isTest }.groupBy { it.module }.values.map { files ->
+            val shared = files.flatMapTo(HashSet()) { it.declared }
+            packageArrows(files) { name -> name.substringBeforeLast('.').takeIf { name in shared } }
+        }
+        val circles = circular(code).map { "$it" } + tests.flatMap { circular(it) }.map { "$it, tests" }
+        val cut = EXCEPTIONS - circles.toSet()
+        val new = circles.toSet() - EXCEPTIONS
+        check(cut.isEmpty() && new.isEmpty()) {
+            "Arrows between packages:\n" + new.joinToString("") { "$it closes a circle; turn it around\n" } +
+                cut.joinToString("") { "$it is in no circle any more; take it out of circles.txt\n" }
+        }
+    }
+})

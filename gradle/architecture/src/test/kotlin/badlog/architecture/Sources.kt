@@ -1,0 +1,58 @@
+package badlog.architecture
+
+import java.io.File
+
+private val PACKAGE = Regex("""(?m)^package ([\w.]+)""")
+private val IMPORT = Regex("""(?m)^import (?:static )?([\w.]+)""")
+
+/** What is declared at the left margin, behind its modifiers, type parameters and receiver. */
+private val DECLARATION = Regex(
+    """(?m)^(?:(?:public|internal|const|inline|data|value|sealed|abstract|open|enum|annotation|suspend|operator|infix|tailrec|final|lateinit) )*""" +
+        """(?:class|interface|object|fun(?: interface)?|val|var|typealias) (?:<[^>]*> )?(?:[\w<>?*, ]+\.)?(\w+)""",
+)
+
+/**
+ * A source file of the project.
+ *
+ * @property path where it stands, from the project's folder.
+ * @property module the folder of its module; those in `libraries/` go without it.
+ * @property sourceSet the folder under `src`, as in `jsMain`.
+ * @property packageName empty for none.
+ * @property imports the full names that it imports; those of a star import end where the star stood.
+ * @property declared the full names of what it declares at the top level.
+ */
+internal class SourceFile(
+    val path: String,
+    val module: String,
+    val sourceSet: String,
+    val packageName: String,
+    val imports: List<String>,
+    val declared: List<String>,
+) {
+    val isTest: Boolean get() = "test" in sourceSet.lowercase()
+}
+
+/** All Kotlin and Java under [root], but for what builds left behind. */
+internal fun sourcesUnder(root: File): List<SourceFile> = root.walk()
+    .onEnter { it == root || it.name !in setOf("build", "node_modules") && !it.name.startsWith('.') }
+    .filter { it.extension == "kt" || it.extension == "java" }
+    .mapNotNull { sourceOf(it, it.relativeTo(root).invariantSeparatorsPath) }
+    .sortedBy { it.path }
+    .toList()
+
+private fun sourceOf(file: File, path: String): SourceFile? {
+    val folders = path.split('/')
+    val src = folders.indexOf("src")
+    if (src < 1) return null
+    // Block comments of a Kotlin file may show imports, too, but never at the left margin.
+    val text = file.readText()
+    val packageName = PACKAGE.find(text)?.groupValues?.get(1).orEmpty()
+    return SourceFile(
+        path = path,
+        module = folders.take(src).joinToString("/").removePrefix("libraries/"),
+        sourceSet = folders[src + 1],
+        packageName = packageName,
+        imports = IMPORT.findAll(text).map { it.groupValues[1].removeSuffix(".") }.toList(),
+        declared = DECLARATION.findAll(text).map { "$packageName.${it.groupValues[1]}" }.toList(),
+    )
+}
