@@ -20,17 +20,20 @@ import badlog.text.TextDecoder
  * @param expectedBytes how long the file will be, if known: spares columns from growing beyond what its rows need. 0 when it
  *   is not known.
  * @param keepSamples false to find only topics, counts and problems, in memory that does not grow with the file.
- * @param forAll calls its function for each number from 0 until the first argument, in any order, on several threads where there
- *   are some, and returns when all calls have. Used for what takes long in each column.
  */
-public class BagParser(
-    private val expectedBytes: Long,
-    private val keepSamples: Boolean,
-    private val forAll: (count: Int, work: (Int) -> Unit) -> Unit,
-) : LogParser {
-    /** A parser that does all of it on the calling thread; the parameters are those of the other constructor. */
-    public constructor(expectedBytes: Long = 0, keepSamples: Boolean = true) :
-        this(expectedBytes, keepSamples, { count, work -> repeat(count, work) })
+public class BagParser(private val expectedBytes: Long = 0, private val keepSamples: Boolean = true) : LogParser {
+    private var forAll: (count: Int, work: (Int) -> Unit) -> Unit = { count, work -> repeat(count, work) }
+
+    /**
+     * A parser that leaves to [forAll] what takes long in each column.
+     *
+     * @param forAll calls its function for each number from 0 until the first argument, in any order, on several threads where
+     *   there are some, and returns when all calls have.
+     */
+    public constructor(expectedBytes: Long, keepSamples: Boolean, forAll: (count: Int, work: (Int) -> Unit) -> Unit) :
+        this(expectedBytes, keepSamples) {
+        this.forAll = forAll
+    }
 
     private val decoder = TextDecoder()
     private val problems = ProblemList()

@@ -247,7 +247,7 @@ internal class ColumnBuilder(
         val samples = when {
             !keepsSamples || numeric == 0 -> DoubleArray(0)
             numbers.size == rows -> numbers
-            else -> numbers.copyOf(rows)
+            else -> numbers.copyOfRange(0, rows)
         }
         numbers = samples
         val column = texts?.let { TextColumn(textRows.copyOf(textCount), textIds.copyOf(textCount), it.dictionary) }

@@ -11,11 +11,8 @@ import badlog.recording.Recording
  * @param keepSamples false to find only topics, counts and problems, in memory that does not grow with the file.
  * @param bag makes the parser of a bag, or of a CSV file.
  */
-public class RecordingParser(
-    private val formats: List<LogFormat>,
-    private val keepSamples: Boolean,
-    private val bag: () -> BagParser,
-) : LogParser {
+public class RecordingParser(private val formats: List<LogFormat>, private val keepSamples: Boolean, private val bag: () -> BagParser) :
+    LogParser {
     /**
      * A parser that reads a bag by itself.
      *
