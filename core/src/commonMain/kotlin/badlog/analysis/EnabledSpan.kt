@@ -26,6 +26,13 @@ public fun LogView.enabledSpans(): List<EnabledSpan> {
     return spansOf(named ?: return emptyList(), findFlag("autonomous", "auto", "isautonomous")) { { it != 0.0 } }
 }
 
+/** The topics that [enabledSpans] looks at. */
+public fun LogView.enabledTopics(): List<Topic> = listOfNotNull(
+    findFlag("enabled", "robot enabled", "isenabled"),
+    findFlag("fmscontroldata"),
+    findFlag("autonomous", "auto", "isautonomous"),
+)
+
 private fun LogView.spansOf(enabled: Topic, autonomous: Topic?, isSet: (bit: Int) -> (Double) -> Boolean): List<EnabledSpan> {
     val alone = autonomous?.let { runsWhere(it, isSet(AUTONOMOUS_BIT)) }.orEmpty()
     return runsWhere(enabled, isSet(ENABLED_BIT)).flatMap { split(it, alone) }

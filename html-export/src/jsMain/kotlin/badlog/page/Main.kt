@@ -1,8 +1,13 @@
 package badlog.page
 
 import badlog.page.reading.ReadingWorker
+import badlog.page.rules.RulesWorker
 
 /** The script of an exported page. It is also the script of the worker that the page starts. */
 internal fun main() {
-    if (ReadingWorker.isHere) ReadingWorker.run() else Startup().run()
+    when {
+        !ReadingWorker.isHere -> Startup().run()
+        RulesWorker.isHere -> RulesWorker.run()
+        else -> ReadingWorker.run()
+    }
 }

@@ -2,8 +2,8 @@ package badlog.page
 
 import badlog.analysis.LogView
 import badlog.page.embedded.About
-import badlog.page.embedded.Additions
 import badlog.page.embedded.Inflation
+import badlog.page.embedded.findAdditions
 import badlog.page.formula.Formulas
 import badlog.page.reading.Reading
 import badlog.page.section.Downloads
@@ -14,11 +14,11 @@ import badlog.page.section.failureScreen
 import badlog.page.section.setPageState
 import badlog.recording.ProblemKind
 import badlog.recording.Recording
+import kotlin.js.Promise
 import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.dom.Element
 import org.w3c.dom.HTMLElement
-import kotlin.js.Promise
 
 /** Brings the page up: reads the recording, shows it, or says why it cannot be shown. Never leaves an empty page. */
 internal class Startup {
@@ -61,15 +61,18 @@ internal class Startup {
             fail("There is nothing to show of ${about.name}", unreadable.message, downloads.element)
             return
         }
-        val additions = Additions.find()
-        val formulas = Formulas(LogView.of(read), additions.virtualTopics, about.fileKey)
+        val additions = findAdditions()
+        val formulas = Formulas(LogView.of(read), additions?.virtualTopics.orEmpty(), about.fileKey)
         val shown = LogPage(formulas, about, additions, downloads, theme)
         page = shown
         show(shown.element)
         shown.start()
         setPageState("ready")
         // uPlot draws in a microtask; this one comes after it.
-        Promise.resolve(Unit).then { window.performance.asDynamic().mark("badlog-first-graphs") }
+        Promise.resolve(Unit).then {
+            window.performance.asDynamic().mark("badlog-first-graphs")
+            shown.search(formulas.given)
+        }
     }
 
     private fun show(element: HTMLElement) {

@@ -4,13 +4,13 @@ import java.io.IOException
 import java.nio.file.Path
 
 /** Why no page was made. The message is one sentence for the person who asked: what, where, and what to do. */
-sealed class ExportException(message: String, cause: Throwable? = null) : IOException(message, cause) {
+public sealed class ExportException(message: String, cause: Throwable? = null) : IOException(message, cause) {
     /** The [file] to read is missing, is no file, or cannot be read. */
-    class Unreadable(val file: Path, message: String, cause: Throwable? = null) : ExportException(message, cause)
+    public class Unreadable internal constructor(public val file: Path, message: String, cause: Throwable? = null) : ExportException(message, cause)
 
     /** The [input] holds neither a bag, nor CSV, nor another log that this version reads. */
-    class NotARecording(val input: Path, message: String) : ExportException(message)
+    public class NotARecording internal constructor(public val input: Path, message: String) : ExportException(message)
 
     /** The [page] cannot be written: no permission, a full disk, or a folder of its name. */
-    class Unwritable(val page: Path, message: String, cause: Throwable? = null) : ExportException(message, cause)
+    public class Unwritable(public val page: Path, message: String, cause: Throwable? = null) : ExportException(message, cause)
 }

@@ -12,4 +12,9 @@ import java.nio.file.Path
  * @property inflatedBytes how many bytes the recording has once it is inflated; [originalBytes] unless the input is
  *   gzip.
  */
-class ExportReport(val page: Path, val recording: Recording, val originalBytes: Long, val inflatedBytes: Long)
+public class ExportReport internal constructor(
+    public val page: Path,
+    public val recording: Recording,
+    public val originalBytes: Long,
+    public val inflatedBytes: Long,
+)

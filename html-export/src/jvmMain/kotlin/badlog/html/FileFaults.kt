@@ -26,7 +26,7 @@ private fun <T> refusing(work: () -> T): T = try {
 }
 
 /** Runs [work], which writes [page]; its failures become [ExportException.Unwritable]. */
-fun <T> writing(page: Path, work: () -> T): T = try {
+public fun <T> writing(page: Path, work: () -> T): T = try {
     work()
 } catch (e: ExportException) {
     throw e

@@ -3,6 +3,7 @@ package badlog.html
 import badlog.bag.RecordingParser
 import badlog.file.withGzipCut
 import badlog.formats.LOG_FORMATS
+import badlog.html.protocol.PageAdditions
 import badlog.recording.ProblemKind
 import badlog.terminal.Progress
 import java.io.ByteArrayInputStream
@@ -19,7 +20,7 @@ import java.nio.file.Path
  * @param attachments files to put into every page beside the recording.
  * @param parts the program and the styles of the pages.
  */
-class HtmlExporter(private val attachments: List<Path> = emptyList(), private val parts: PageParts = PageParts.bundled()) {
+public class HtmlExporter(private val attachments: List<Path> = emptyList(), private val parts: PageParts = PageParts.bundled()) {
     /**
      * Makes the page [output] of the file [input], a bag, a CSV file or a WPILOG, perhaps compressed with gzip. Whatever is wrong
      * in it is told in the report and on the page. [output] is replaced only by a whole page; its folder is made if
@@ -31,7 +32,7 @@ class HtmlExporter(private val attachments: List<Path> = emptyList(), private va
      * @throws ExportException when there is nothing to show, or a file cannot be read or written.
      * @throws InterruptedException when the thread was interrupted.
      */
-    fun export(
+    public fun export(
         input: Path,
         output: Path,
         additions: PageAdditions = PageAdditions(),

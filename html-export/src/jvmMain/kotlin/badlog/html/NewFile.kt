@@ -18,11 +18,11 @@ import java.util.UUID
  *
  * @throws IOException when the folder cannot be written to.
  */
-class NewFile(private val target: Path) : AutoCloseable {
+public class NewFile(private val target: Path) : AutoCloseable {
     private val draft = target.resolveSibling(".badlog-${UUID.randomUUID()}.part")
 
     /** Where the content goes. */
-    val out: OutputStream =
+    public val out: OutputStream =
         BufferedOutputStream(RoomGuard(draft, Files.newOutputStream(draft, CREATE_NEW, WRITE)), 1 shl 16)
     private val cleaner = Thread { Files.deleteIfExists(draft) }
 
@@ -31,7 +31,7 @@ class NewFile(private val target: Path) : AutoCloseable {
     }
 
     /** Puts the file in its place, instead of any older one. */
-    fun commit() {
+    public fun commit() {
         out.close()
         try {
             Files.move(draft, target, ATOMIC_MOVE)

@@ -10,7 +10,7 @@ import java.util.Base64
  * @param style the text of one style sheet.
  * @throws IllegalArgumentException when the style cannot stand inside its element as it is.
  */
-class PageParts(program: String, style: String) {
+public class PageParts(program: String, style: String) {
     internal val program: ByteArray = lines(program).encodeToByteArray()
     internal val style: ByteArray = lines(style).encodeToByteArray()
 
@@ -27,9 +27,9 @@ class PageParts(program: String, style: String) {
             "style-src '${hash(style)}'; " +
             "img-src data: blob:; base-uri 'none'; form-action 'none'"
 
-    companion object {
+    public companion object {
         /** The page that this version of badlog brings along. */
-        fun bundled(): PageParts = PageParts(resource("page.js"), resource("page.css"))
+        public fun bundled(): PageParts = PageParts(resource("page.js"), resource("page.css"))
 
         private fun resource(name: String): String {
             val stream = PageParts::class.java.getResourceAsStream("/badlog/page/$name")

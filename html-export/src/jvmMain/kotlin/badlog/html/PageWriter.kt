@@ -1,5 +1,9 @@
 package badlog.html
 
+import badlog.html.protocol.PageAdditions
+import badlog.html.protocol.inScript
+import badlog.html.protocol.toJson
+import badlog.json.quotedJson
 import java.io.OutputStream
 
 /** Writes a page from its beginning to its end; the functions are to be called in their order here. */
@@ -42,7 +46,7 @@ internal class PageWriter(private val out: OutputStream, private val parts: Page
     fun additions(additions: PageAdditions) {
         if (additions.isEmpty) return
         text("<script type=\"application/json\" id=\"additions\">")
-        AdditionsJson(out).write(additions)
+        text(additions.toJson())
         text("</script>\n")
     }
 
@@ -50,9 +54,9 @@ internal class PageWriter(private val out: OutputStream, private val parts: Page
     fun end(name: String, file: EmbeddedFile, isGzip: Boolean) {
         val cut = if (file.isCut) ",\"cut\":true" else ""
         text(
-            "<script type=\"application/json\" id=\"about\">{\"name\":${quoteJson(name)}," +
+            "<script type=\"application/json\" id=\"about\">{\"name\":${inScript(quotedJson(name))}," +
                 "\"original\":\"${if (isGzip) "gzip" else "raw"}\",\"inflatedBytes\":${file.inflatedBytes}$cut," +
-                "\"version\":${quoteJson(BADLOG_VERSION)}}</script>\n" +
+                "\"version\":${quotedJson(BADLOG_VERSION)}}</script>\n" +
                 "<script type=\"application/octet-stream\" id=\"packed\">",
         )
         out.write(parts.packedProgram)

@@ -1,5 +1,6 @@
 package badlog.html
 
+import badlog.json.quotedJson
 import badlog.recording.ProblemKind
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
@@ -9,16 +10,16 @@ import io.kotest.matchers.nulls.shouldBeNull
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
-import kotlinx.serialization.json.jsonPrimitive
 import java.io.IOException
 import java.nio.channels.ClosedByInterruptException
 import java.nio.file.Path
-import kotlin.io.path.createDirectory
 import kotlin.io.path.div
+import kotlin.io.path.createDirectory
 import kotlin.io.path.name
 import kotlin.io.path.readText
 import kotlin.io.path.writeBytes
 import kotlin.io.path.writeText
+import kotlinx.serialization.json.jsonPrimitive
 
 class HtmlExporterSpec : FunSpec({
     val parts = PageParts("draw()", "main{}")
@@ -105,7 +106,7 @@ class HtmlExporterSpec : FunSpec({
 
     test("names and values from outside cannot break out") {
         val evil = "</script><script>alert(1)</script><!--<img src=x onerror=alert(1)>\"'&amp;\u0001"
-        val header = "{\"topics\":[],\"values\":[{\"name\":\"Event\",\"value\":${quoteJson("</title>$evil")}}]}\nA\n1\n"
+        val header = "{\"topics\":[],\"values\":[{\"name\":\"Event\",\"value\":${quotedJson("</title>$evil")}}]}\nA\n1\n"
         inFolder { folder ->
             val name = "<!--'\"&<\\script>\u0001ü"
             val input = folder / name

@@ -1,6 +1,6 @@
 package badlog.page
 
-import badlog.html.PageAdditions
+import badlog.html.protocol.PageAdditions
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import java.nio.file.Files

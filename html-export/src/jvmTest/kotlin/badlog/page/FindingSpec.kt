@@ -2,9 +2,9 @@ package badlog.page
 
 import badlog.analysis.Span
 import badlog.bag.BagTopic
-import badlog.html.PageAdditions
-import badlog.html.PageFinding
+import badlog.html.protocol.PageAdditions
 import badlog.recording.Severity
+import badlog.rules.Finding
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.doubles.shouldBeLessThan
@@ -18,7 +18,7 @@ import java.nio.file.Path
 private const val NEVER = Double.NaN
 
 internal class FindingSpec : PageSpec({
-    fun pageWith(findings: List<PageFinding>): Path {
+    fun pageWith(findings: List<Finding>): Path {
         val topics = listOf(TIME, BagTopic("Angle", "deg"), BagTopic("Log", attributes = listOf("log")))
         val bag = bagOf(topics, 1001) { row, column ->
             when (column) {
@@ -33,10 +33,10 @@ internal class FindingSpec : PageSpec({
     val page by lazy {
         pageWith(
             listOf(
-                PageFinding("Gap in time", Severity.NOTE, "no sample for 0.1 s", 2.0, NEVER),
-                PageFinding("Over current", Severity.WARNING, "200 A for too long", 5.0, 6.5),
-                PageFinding("Brownout", Severity.ERROR, "the voltage fell", 8.0, NEVER),
-                PageFinding("No vision", Severity.WARNING, "there was no target", NEVER, NEVER),
+                finding("Gap in time", Severity.NOTE, "no sample for 0.1 s", 2.0, NEVER),
+                finding("Over current", Severity.WARNING, "200 A for too long", 5.0, 6.5),
+                finding("Brownout", Severity.ERROR, "the voltage fell", 8.0, NEVER),
+                finding("No vision", Severity.WARNING, "there was no target", NEVER, NEVER),
             ),
         )
     }
@@ -118,7 +118,7 @@ internal class FindingSpec : PageSpec({
 
     browserTest("what was found several times is listed once, marked everywhere, and gone through place by place") {
         val further = listOf(Span(4.0, 4.5), Span(9.0, 9.0))
-        onPage(pageWith(listOf(PageFinding("Brownout", Severity.ERROR, "three times", 1.0, 1.2, further)))) {
+        onPage(pageWith(listOf(finding("Brownout", Severity.ERROR, "three times", 1.0, 1.2, further)))) {
             texts(".finding .event-go") shouldBe listOf("1.000 – 1.200")
             graph("Angle").hover(0.42)
             graph("Angle").label shouldBe "error · Brownout: three times"
@@ -134,7 +134,7 @@ internal class FindingSpec : PageSpec({
     }
 
     browserTest("findings at one time are gone through one by one") {
-        val twins = listOf("A", "B").map { PageFinding(it, Severity.NOTE, it, 3.0, NEVER) }
+        val twins = listOf("A", "B").map { finding(it, Severity.NOTE, it, 3.0, NEVER) }
         onPage(pageWith(twins)) {
             press("n")
             element(".finding[aria-current]").text shouldContain "A"
@@ -146,7 +146,7 @@ internal class FindingSpec : PageSpec({
     }
 
     browserTest("of many the worst are shown, the others when asked for") {
-        onPage(pageWith(List(60) { PageFinding("R", if (it == 59) Severity.ERROR else Severity.NOTE, "$it", it / 10.0, NEVER) })) {
+        onPage(pageWith(List(60) { finding("R", if (it == 59) Severity.ERROR else Severity.NOTE, "$it", it / 10.0, NEVER) })) {
             elements(".finding").size shouldBe 5
             texts(".finding .severity").first() shouldBe "error"
             val folded = element("#findings").size.height
@@ -180,7 +180,7 @@ internal class FindingSpec : PageSpec({
     }
 
     browserTest("one beyond the recording leads to its end, and hurts nothing") {
-        onPage(pageWith(listOf(-1e300, 1e300).map { PageFinding("R", Severity.ERROR, "far", it, 1e301) })) {
+        onPage(pageWith(listOf(-1e300, 1e300).map { finding("R", Severity.ERROR, "far", it, 1e301) })) {
             press("n")
             cursor() shouldBe 0.0
             elements(".finding .event-zoom")[1].click()

@@ -1,7 +1,7 @@
 package badlog.page
 
 import badlog.bag.BagTopic
-import badlog.html.PageAdditions
+import badlog.html.protocol.PageAdditions
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldNotContain
 import io.kotest.matchers.shouldBe

@@ -1,12 +1,12 @@
 package badlog.page
 
 import badlog.analysis.Series
-import badlog.html.HookPart
-import badlog.html.PageAdditions
-import badlog.html.PageFigure
-import badlog.html.PageFinding
-import badlog.html.PageSeries
+import badlog.html.protocol.HookPart
+import badlog.html.protocol.PageAdditions
+import badlog.html.protocol.PageFigure
+import badlog.html.protocol.PageSeries
 import badlog.recording.Severity
+import badlog.recording.Value
 import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
@@ -17,15 +17,15 @@ private const val SVG = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0
 internal class HookSpec : PageSpec({
     val hook = HookPart(
         "tools/analyse.py",
-        values = mapOf("Energy" to "1.7 Ah", "10" to "b", "9" to "a"),
-        findings = listOf(PageFinding("tools/analyse.py", Severity.WARNING, "it sags", 6.0, Double.NaN)),
+        values = listOf(Value("Energy", "1.7 Ah"), Value("10", "b"), Value("9", "a")),
+        findings = listOf(finding("tools/analyse.py", Severity.WARNING, "it sags", 6.0, Double.NaN)),
         series = listOf(
             PageSeries("Fit", "V", Series(doubleArrayOf(0.0, 10.0), doubleArrayOf(0.0, 20.0))),
             PageSeries("Nothing", "", Series(DoubleArray(0), DoubleArray(0))),
         ),
         figures = listOf(
-            PageFigure("Energy", "image/svg+xml", SVG.encodeToByteArray()),
-            PageFigure("Broken", "image/png", ByteArray(20)),
+            PageFigure("Energy", "image/svg+xml", base64(SVG.encodeToByteArray())),
+            PageFigure("Broken", "image/png", base64(ByteArray(20))),
         ),
     )
     val failed = HookPart("slow.R", error = "it took longer than 30 s")

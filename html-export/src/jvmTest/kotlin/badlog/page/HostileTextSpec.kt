@@ -2,11 +2,11 @@ package badlog.page
 
 import badlog.analysis.Series
 import badlog.bag.BagTopic
-import badlog.html.HookPart
-import badlog.html.PageAdditions
-import badlog.html.PageFinding
-import badlog.html.PageSeries
+import badlog.html.protocol.HookPart
+import badlog.html.protocol.PageAdditions
+import badlog.html.protocol.PageSeries
 import badlog.recording.Severity
+import badlog.recording.Value
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainAll
 import io.kotest.matchers.shouldBe
@@ -100,7 +100,7 @@ internal class HostileTextSpec : PageSpec({
     }
 
     browserTest("hostile findings stay text, in the list, on the graphs and in the bar") {
-        val findings = HOSTILE.mapIndexed { i, text -> PageFinding(text, Severity.entries[i % 3], text, i.toDouble(), Double.NaN) }
+        val findings = HOSTILE.mapIndexed { i, text -> finding(text, Severity.entries[i % 3], text, i.toDouble(), Double.NaN) }
         val bag = bagOf(listOf(TIME, BagTopic("A")), HOSTILE.size) { row, _ -> row }
         onPage(TestPages.of(bag, additions = PageAdditions(findings = findings)), script = alarm) {
             click(".findings-more button")
@@ -117,8 +117,8 @@ internal class HostileTextSpec : PageSpec({
     browserTest("hostile names, values, errors and lines of hooks stay text") {
         val line = Series(doubleArrayOf(0.0, 1.0), doubleArrayOf(0.0, 1.0))
         val hooks = HOSTILE.map { text ->
-            val finding = PageFinding(text, Severity.NOTE, text, 1.0, 2.0)
-            HookPart(text, text, mapOf(text to text), listOf(finding), listOf(PageSeries(text, text, line)))
+            val finding = finding(text, Severity.NOTE, text, 1.0, 2.0)
+            HookPart(text, text, listOf(Value(text, text)), listOf(finding), listOf(PageSeries(text, text, line)))
         }
         val bag = bagOf(listOf(TIME, BagTopic("A")), 5) { row, _ -> row }
         onPage(TestPages.of(bag, additions = PageAdditions(hooks = hooks)), script = alarm) {

@@ -1,10 +1,10 @@
 package badlog.page
 
 import badlog.bag.BagTopic
-import badlog.html.HookPart
-import badlog.html.PageAdditions
-import badlog.html.PageFinding
+import badlog.html.protocol.HookPart
+import badlog.html.protocol.PageAdditions
 import badlog.recording.Severity
+import badlog.recording.Value
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.doubles.shouldBeLessThan
@@ -25,9 +25,9 @@ internal class KeyboardSpec : PageSpec({
     }
     val page by lazy { TestPages.of(bag) }
     val pageWithAll by lazy {
-        val findings = List(8) { PageFinding("Rule", Severity.WARNING, "found", it.toDouble(), Double.NaN) }
-        val hook = HookPart("analyse.py", values = mapOf("Energy" to "1.7"))
-        TestPages.of(bag, additions = PageAdditions(listOf("Twice = Angle * 2", "Bad ="), findings, listOf(hook)))
+        val findings = List(8) { finding("Rule", Severity.WARNING, "found", it.toDouble(), Double.NaN) }
+        val hook = HookPart("analyse.py", values = listOf(Value("Energy", "1.7")))
+        TestPages.of(bag, additions = PageAdditions(listOf("Twice = Angle * 2", "Bad ="), findings = findings, hooks = listOf(hook)))
     }
 
     browserTest("Tab reaches everything that can be pressed, and where it is can be seen") {

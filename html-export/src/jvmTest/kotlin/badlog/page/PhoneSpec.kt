@@ -1,10 +1,9 @@
 package badlog.page
 
 import badlog.analysis.Series
-import badlog.html.HookPart
-import badlog.html.PageAdditions
-import badlog.html.PageFinding
-import badlog.html.PageSeries
+import badlog.html.protocol.HookPart
+import badlog.html.protocol.PageAdditions
+import badlog.html.protocol.PageSeries
 import badlog.recording.Severity
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.doubles.shouldBeGreaterThan
@@ -12,12 +11,12 @@ import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.doubles.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import java.time.Duration
 import org.openqa.selenium.interactions.PointerInput
 import org.openqa.selenium.interactions.PointerInput.Kind
 import org.openqa.selenium.interactions.PointerInput.MouseButton
 import org.openqa.selenium.interactions.PointerInput.Origin
 import org.openqa.selenium.interactions.Sequence
-import java.time.Duration
 
 internal class PhoneSpec : PageSpec({
     val page by lazy { TestPages.of(stepBag(graphs = 12)) }
@@ -55,10 +54,10 @@ internal class PhoneSpec : PageSpec({
     }
 
     browserTest("a tap on a finding's mark tells what was found, on a page that is no wider than the phone") {
-        val finding = PageFinding("Brownout", Severity.ERROR, "a long text of what was found ".repeat(9), 5.0, Double.NaN)
+        val finding = finding("Brownout", Severity.ERROR, "a long text of what was found ".repeat(9), 5.0, Double.NaN)
         val line = PageSeries("Fit", "V", Series(doubleArrayOf(1.0), doubleArrayOf(1.0)))
         val hook = HookPart("a-long-name-of-a-program.py".repeat(4), series = listOf(line))
-        val additions = PageAdditions(listOf("Bad = " + "x".repeat(200)), listOf(finding), listOf(hook))
+        val additions = PageAdditions(listOf("Bad = " + "x".repeat(200)), findings = listOf(finding), hooks = listOf(hook))
         onPage(TestPages.of(stepBag(graphs = 2), additions = additions), Screen.PHONE) {
             number("return document.documentElement.scrollWidth") shouldBeLessThanOrEqual 390.0
             val middle = graph("Step 1").scrollTo().frame.at(0.5)

@@ -1,12 +1,12 @@
 package badlog.page
 
 import badlog.analysis.Series
-import badlog.html.HookPart
-import badlog.html.PageAdditions
-import badlog.html.PageFigure
-import badlog.html.PageFinding
-import badlog.html.PageSeries
+import badlog.html.protocol.HookPart
+import badlog.html.protocol.PageAdditions
+import badlog.html.protocol.PageFigure
+import badlog.html.protocol.PageSeries
 import badlog.recording.Severity
+import badlog.recording.Value
 import org.openqa.selenium.Keys
 
 /** Keeps pictures of the page under `build/screenshots`, for people to look at. */
@@ -36,19 +36,19 @@ internal class PicturesSpec : PageSpec({
     val additions by lazy {
         val findings = List(12) { i ->
             val until = if (i % 4 == 0) 12.0 * i + 5 else Double.NaN
-            PageFinding("Rule ${i % 4}", Severity.entries[i % 3], "finding $i", 12.0 * i, until)
+            finding("Rule ${i % 4}", Severity.entries[i % 3], "finding $i", 12.0 * i, until)
         }
         val svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 300 100\">" +
             "<path d=\"M5 90L150 20L295 60\" fill=\"none\" stroke=\"black\"/></svg>"
         val hook = HookPart(
             "analyse.py",
-            values = mapOf("Energy" to "1.69 Ah"),
-            findings = listOf(PageFinding("analyse.py", Severity.WARNING, "it sags", 60.0, 75.0)),
+            values = listOf(Value("Energy", "1.69 Ah")),
+            findings = listOf(finding("analyse.py", Severity.WARNING, "it sags", 60.0, 75.0)),
             series = listOf(PageSeries("Fit", "V", Series(doubleArrayOf(0.0, 150.0), doubleArrayOf(12.6, 11.4)))),
-            figures = listOf(PageFigure("Energy", "image/svg+xml", svg.encodeToByteArray())),
+            figures = listOf(PageFigure("Energy", "image/svg+xml", base64(svg.encodeToByteArray()))),
         )
         val formulas = listOf("PDP/Power [W] = Battery Voltage * Total Current", "Bad = Battery Voltge")
-        TestPages.ofSample(match, PageAdditions(formulas, findings, listOf(hook, HookPart("slow.R", "it took longer than 30 s"))))
+        TestPages.ofSample(match, PageAdditions(formulas, findings = findings, hooks = listOf(hook, HookPart("slow.R", "it took longer than 30 s"))))
     }
 
     for (screen in listOf(Screen.WIDE, Screen.PHONE)) {

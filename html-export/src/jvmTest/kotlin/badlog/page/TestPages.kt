@@ -1,7 +1,7 @@
 package badlog.page
 
 import badlog.html.HtmlExporter
-import badlog.html.PageAdditions
+import badlog.html.protocol.PageAdditions
 import java.nio.file.Files
 import java.nio.file.Path
 

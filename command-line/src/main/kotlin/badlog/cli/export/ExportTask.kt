@@ -21,21 +21,23 @@ import badlog.file.UnreadableFileException
 import badlog.file.requireRegularFile
 import badlog.html.ExportException
 import badlog.html.HtmlExporter
-import badlog.html.PageAdditions
+import badlog.html.protocol.PageAdditions
 import badlog.report.failureJson
-import badlog.rules.RulesFile
-import badlog.rules.SkippedRule
+import badlog.report.page.hookParts
 import badlog.report.skippedJson
 import badlog.report.undefinedJson
+import badlog.rules.FolderRules
+import badlog.rules.SkippedRule
+import badlog.rules.skippedFor
 import badlog.terminal.Progress
+import java.nio.file.Path
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonPrimitive
-import java.nio.file.Path
 
 /**
  * Makes a page of each log, one after the other: each takes all cores by itself.
  *
- * @param search what to look for in the logs, and show in their pages.
+ * @param search what the pages look for, and what is looked for in the logs for them.
  */
 internal class ExportTask(
     private val paths: List<Path>,
@@ -51,60 +53,75 @@ internal class ExportTask(
             console.warn(e.message)
             return ExitCode.NOTHING
         }
-        val rules = try {
-            search.namedRules() ?: RulesFile.NONE
+        val named = try {
+            search.namedRules()
         } catch (e: SearchException) {
             console.warn(e.message)
             return ExitCode.USAGE
         }
+        val hooks = search.hooksWith(named)
         val exporter = HtmlExporter(attachments)
         val refused = ArrayList<List<SkippedRule>>()
         val code = LogLoop("export", console, isJson).run(paths) { input, progress ->
-            // Only what looks for something reads a log before it is in a page.
-            if (search.isEmpty) return@run export(exporter, input, null, progress)
-            val found = Found.of(input.file, rules.rules, search.hooksWith(rules), search.virtualTopics) { done, total ->
-                progress.advanced(done, total * 2)
-            }
-            if (found.unreadable == null) refused += found.skipped
-            export(exporter, input, found) { done, total -> progress.advanced(total + done, total * 2) }
+            val rules = if (named == null) rulesBeside(input.file, console) else null
+            val additions = PageAdditions(search.virtualTopics, rules?.rules ?: checkNotNull(named).rules, rules?.problem)
+            // Only what looks for something here reads a log before it is in a page.
+            if (hooks.isEmpty()) return@run export(exporter, input, additions, rules, PageFindings.NONE, refused, progress)
+            val found = PageFindings.of(input.file, hooks) { done, total -> progress.advanced(done, total * 2) }
+            export(exporter, input, additions, rules, found, refused) { done, total -> progress.advanced(total + done, total * 2) }
         }
         return if (search.neverAsked(refused).any { it.isMistake }) ExitCode.USAGE else code
     }
 
-    private fun export(exporter: HtmlExporter, input: LogInput, found: Found?, progress: Progress): Outcome {
+    private val rulesOfFolder = HashMap<Path, FolderRules>()
+
+    private fun rulesBeside(log: Path, console: Console): FolderRules = rulesOfFolder.getOrPut(log.toAbsolutePath().normalize().parent) {
+        FolderRules.of(log).also { rules -> rules.problem?.let(console::warn) }
+    }
+
+    private fun export(
+        exporter: HtmlExporter,
+        input: LogInput,
+        own: PageAdditions,
+        folder: FolderRules?,
+        found: PageFindings,
+        refused: MutableList<List<SkippedRule>>,
+        progress: Progress,
+    ): Outcome {
         val name = "${input.file.fileName}.html"
         val target = plan.place(input, name, name)
-        val additions = found?.additions(search.virtualTopics) ?: PageAdditions(search.virtualTopics)
+        val additions = own.run { PageAdditions(virtualTopics, rules, rulesProblem, hooks = hookParts(found.hooks)) }
         val report = try {
             exporter.export(input.file, target, additions, progress)
         } catch (e: ExportException.NotARecording) {
             throw NotALog(e.message.orEmpty())
         }
-        val undefined = undefinedTopics(LogView.of(report.recording), search.virtualTopics)
-        val failures = found?.failures.orEmpty()
-        val skipped = found?.skipped.orEmpty()
+        val view = LogView.of(report.recording)
+        val undefined = undefinedTopics(view, search.virtualTopics)
+        val skipped = own.rules.skippedFor(view, search.virtualTopics)
+        refused += skipped
+        val told = search.toldOf(skipped)
         val text = listOf("${input.file} -> $target") +
-            listOfNotNull(found?.let(::findingsText)) +
-            search.toldOf(skipped).flatMap { it.toString().lines() }.map { "  $it" } +
+            listOfNotNull(folder?.file?.let { wrapped("  ", "with the rules of $it") }) +
+            listOfNotNull(found.count?.let { "  " + counted(it.toLong(), "finding") + " of hooks" }) +
+            listOfNotNull(found.unreadable?.let { wrapped("  ", "no hook was run: $it") }) +
+            told.flatMap { it.toString().lines() }.map { "  $it" } +
             undefinedLines(undefined) +
-            failures.map { (hook, failure) -> wrapped("  ", "hook “$hook”: ${failure.message}") } +
+            found.failures.map { (hook, failure) -> wrapped("  ", "hook “$hook”: ${failure.message}") } +
             lossLines(report.recording.problems)
         val json = mapOf(
             "output" to JsonPrimitive(target.toString()),
             "rows" to JsonPrimitive(report.recording.rowCount),
-            "findings" to JsonPrimitive(found?.count),
-            "findingsError" to JsonPrimitive(found?.unreadable),
+            "rulesFile" to JsonPrimitive(folder?.file?.toString()),
+            "rulesProblem" to JsonPrimitive(folder?.problem),
+            "findings" to JsonPrimitive(found.count),
+            "findingsError" to JsonPrimitive(found.unreadable),
             "notAsked" to JsonArray(skipped.map(::skippedJson)),
             "undefined" to undefinedJson(undefined),
-            "hookFailures" to JsonArray(failures.map { (hook, failure) -> failureJson(hook, failure.message) }),
+            "hookFailures" to JsonArray(found.failures.map { (hook, failure) -> failureJson(hook, failure.message) }),
             "problems" to JsonArray(report.recording.problems.map { json(it) }),
         )
-        val isIncomplete = failures.isNotEmpty() || found?.unreadable != null || search.toldOf(skipped).isNotEmpty()
+        val isIncomplete = found.failures.isNotEmpty() || found.unreadable != null || folder?.problem != null || told.isNotEmpty()
         return Outcome(report.recording.isSalvaged || isIncomplete, text.joinToString("\n"), json)
-    }
-
-    private fun findingsText(found: Found): String = when (val reason = found.unreadable) {
-        null -> "  " + counted(found.count.toLong(), "finding")
-        else -> wrapped("  ", "nothing was looked for: $reason")
     }
 }

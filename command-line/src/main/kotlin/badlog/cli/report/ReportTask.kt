@@ -17,7 +17,11 @@ import badlog.report.page.ReportFolder
 import badlog.report.reportCsv
 import badlog.report.reportJson
 import badlog.report.reportText
+import badlog.rules.BUILT_IN
+import badlog.rules.FolderRules
+import badlog.rules.RuleSet
 import badlog.rules.RulesFile
+import java.nio.file.Files
 import java.nio.file.Path
 
 /**
@@ -39,16 +43,18 @@ internal class ReportTask(
     private val xTopic: String?,
 ) : Task {
     override fun run(console: Console): ExitCode {
+        val rules: RuleSet
         val report = try {
-            val file = search.namedRules()
-            Report((file ?: RulesFile.BUILT_IN).rules, search.hooksWith(file), search.virtualTopics, cache, xTopic)
+            val named = search.namedRules()
+            rules = named?.rules ?: rulesBeside(console)
+            Report(rules, search.hooksWith(named), search.virtualTopics, cache, xTopic)
         } catch (e: SearchException) {
             console.warn(e.message)
             return ExitCode.USAGE
         }
         val logs = LogFiles(paths, console)
         val pages = try {
-            folder?.let { ReportPages(ReportFolder(it, logs.files, search.virtualTopics, isForced)) }
+            folder?.let { ReportPages(ReportFolder(it, logs.files, rules, search.virtualTopics, isForced)) }
         } catch (e: ExportException) {
             console.warn(e.message.orEmpty())
             return ExitCode.NOTHING
@@ -70,6 +76,14 @@ internal class ReportTask(
         val code = outcomes.end()
         if (form != ReportForm.JSON && pages?.index != null) console.warn("The index is ${pages.index}.")
         return if (result.skipped.any { it.isMistake }) ExitCode.USAGE else code
+    }
+
+    /** The rules that lie beside the logs, where all of them have the same; else the built-in ones. */
+    private fun rulesBeside(console: Console): RuleSet {
+        val beside = paths.map { FolderRules.of(if (Files.isDirectory(it)) it.resolve(RulesFile.NAME) else it) }
+        val rules = beside.distinctBy { it.file }.singleOrNull() ?: return RuleSet.BUILT_IN
+        rules.problem?.let(console::warn)
+        return rules.rules
     }
 
     private fun tell(log: LogReport, pages: ReportPages?, outcomes: Outcomes, console: Console) {

@@ -16,18 +16,21 @@ import java.nio.file.Path
  *
  * @property virtualTopics definitions of topics that logs have beside their own.
  */
-internal class Search(private val rules: Path?, private val hooks: List<HookRunner>, val virtualTopics: List<String>) {
-    /** Whether nothing is asked for. */
-    val isEmpty: Boolean get() = rules == null && hooks.isEmpty()
-
+internal class Search(
+    private val rules: Path?,
+    private val isWithoutRules: Boolean,
+    private val hooks: List<HookRunner>,
+    val virtualTopics: List<String>,
+) {
     private val hasOwnRules get() = rules != null && rules != Path.of(DEFAULT_RULES)
 
     /**
-     * The rules that were named; null where none are.
+     * The rules that were named; null where nothing is said of rules.
      *
      * @throws SearchException when there are no such rules.
      */
     fun namedRules(): RulesFile? = when {
+        isWithoutRules -> RulesFile.NONE
         rules == null -> null
         !hasOwnRules -> RulesFile.BUILT_IN
         else -> read(rules)

@@ -2,9 +2,11 @@ package badlog.cli.search
 
 import badlog.report.hook.HookRunner
 import badlog.rules.commandWords
+import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.convert
+import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.help
 import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
@@ -17,6 +19,7 @@ import kotlin.time.Duration.Companion.seconds
 internal class SearchOptions : OptionGroup() {
     private val rules by option("--rules", metavar = "FILE").path()
         .help("Rules in TOML, or “${Search.DEFAULT_RULES}” for the built-in ones.")
+    private val isWithoutRules by option("--no-rules").flag().help("No rules at all.")
     private val hooks by option("--hook", metavar = "COMMAND").convert { text ->
         try {
             commandWords(text)
@@ -31,6 +34,7 @@ internal class SearchOptions : OptionGroup() {
     /** What they ask for, where logs also have the topics of [virtualTopics]. */
     fun search(virtualTopics: List<String>): Search {
         val limit = hookSeconds?.seconds ?: HookRunner.USUAL_TIME_LIMIT
-        return Search(rules, hooks.map { HookRunner(it, limit) }, virtualTopics)
+        if (isWithoutRules && rules != null) throw UsageError("--rules and --no-rules exclude each other")
+        return Search(rules, isWithoutRules, hooks.map { HookRunner(it, limit) }, virtualTopics)
     }
 }

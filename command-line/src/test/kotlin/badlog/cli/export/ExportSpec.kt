@@ -14,7 +14,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
-import kotlinx.serialization.json.int
+import io.kotest.matchers.string.shouldNotContain
 import kotlinx.serialization.json.jsonPrimitive
 import kotlin.io.path.div
 import kotlin.io.path.readText
@@ -61,15 +61,45 @@ class ExportSpec : FunSpec({
         }
     }
 
-    test("a page holds what rules find") {
+    test("a page carries the rules that were named, else those beside the log, else the built-in ones, or none") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
-            val rules = folder.with("r.toml", "[[rule]]\nname='Fast'\nseverity='note'\nwhen='Speed > 5'\ntext='It was fast.'")
-            val json = badlogJson("export", log, "--rules", rules).json.single()
-            json.getValue("findings").jsonPrimitive.int shouldBe 1
-            (folder / "a.bag.html").readText() shouldContain "It was fast."
-            badlog("export", log, "--rules", "default", "--force").out shouldContain "  0 findings"
+            val builtIn = "The roboRIO browned out"
+            fun export(vararg options: Any): String {
+                badlog("export", log, "--force", *options).code shouldBe ExitCode.WHOLE
+                return (folder / "a.bag.html").readText()
+            }
+            export() shouldContain builtIn
+            export("--no-rules") shouldNotContain builtIn
+            val named = folder.with("r.toml", "[[rule]]\nname='Fast'\nseverity='note'\nwhen='Speed > 5'\ntext='It was fast.'")
+            export("--rules", named) shouldContain "It was fast."
+            val beside = folder.with("badlog-rules.toml", "[[rule]]\nname='Fast'\nseverity='note'\nwhen='Speed > 5'\ntext='Very fast.'")
+            export() shouldContain "Very fast."
+            export("--rules", "default") shouldContain builtIn
+            val json = badlogJson("export", log, "--force").json.single()
+            json.getValue("rulesFile").jsonPrimitive.content shouldBe "$beside"
             badlog("export", log, "--rules", folder / "nix.toml", "--force").code shouldBe ExitCode.USAGE
+            badlog("export", log, "--rules", named, "--no-rules", "--force").code shouldBe ExitCode.USAGE
+        }
+    }
+
+    test("a mistake in the rules beside a log is reported, and its page has the built-in ones") {
+        inFolder { folder ->
+            val log = folder.with("a.bag", BAG)
+            folder.with("badlog-rules.toml", "[[rule]]\nname='Fast'\nseverity='bad'\nwhen='Speed > 5'\ntext='t'")
+            val ended = badlog("export", log)
+            ended.code shouldBe ExitCode.SALVAGED
+            ended.err shouldContain "badlog-rules.toml: Line 3: A severity is"
+            (folder / "a.bag.html").readText() shouldContain "The roboRIO browned out"
+        }
+    }
+
+    test("the hooks of rules that lie beside a log are never run") {
+        inFolder { folder ->
+            val log = folder.with("a.bag", BAG)
+            folder.with("badlog-rules.toml", "[[hook]]\ncommand = 'touch ${folder / "ran"}'\n")
+            badlog("export", log).code shouldBe ExitCode.WHOLE
+            folder.names().contains("ran") shouldBe false
         }
     }
 

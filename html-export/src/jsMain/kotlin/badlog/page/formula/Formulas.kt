@@ -31,7 +31,16 @@ internal class Formulas(logged: LogView, given: List<String>, fileKey: String) {
         private set
 
     /** Why some of what was given or remembered could not be calculated. */
-    val errors: List<ExpressionError> = extend(given + remembered)
+    val errors: List<ExpressionError>
+
+    /** The recording with the topics of the definitions that the page came with. */
+    val given: LogView
+
+    init {
+        val ofPage = extend(given)
+        this.given = view
+        errors = ofPage + extend(remembered)
+    }
 
     /** The person's definitions, in the order in which they were made. */
     val own: List<String> get() = remembered

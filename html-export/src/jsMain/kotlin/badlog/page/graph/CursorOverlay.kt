@@ -7,6 +7,7 @@ import badlog.page.dom.showText
 import badlog.page.view.Palette
 import badlog.page.view.Scene
 import badlog.page.view.findingText
+import badlog.page.view.word
 import org.w3c.dom.HTMLElement
 
 /** The cursor over one plot: its line, a dot on each curve, and the event and the finding it points at. */

@@ -1,6 +1,6 @@
 package badlog.page.section
 
-import badlog.page.embedded.Additions
+import badlog.html.protocol.PageAdditions
 import badlog.page.formula.Formulas
 
 /**
@@ -11,17 +11,20 @@ import badlog.page.formula.Formulas
  */
 internal class AdditionProblem(val message: String, val pointer: String? = null)
 
-/** All that is wrong with [additions], and with what [formulas] were to calculate. */
-internal fun additionProblems(formulas: Formulas, additions: Additions): List<AdditionProblem> {
+/** All that is wrong with [additions], which are null when they cannot be read, and with what [formulas] were to calculate. */
+internal fun additionProblems(formulas: Formulas, additions: PageAdditions?): List<AdditionProblem> {
     val problems = ArrayList<AdditionProblem>()
-    if (additions.isUnreadable) {
+    if (additions == null) {
         problems += AdditionProblem("This browser cannot read the findings and calculations in this page; try another one.")
     }
     for (error in formulas.errors) {
         val kind = if (error.text in formulas.own) "Your formula" else "A formula of this page"
         problems += AdditionProblem("$kind cannot be calculated: ${error.message}", error.pointed().substringAfter('\n'))
     }
-    for (hook in additions.hooks) {
+    additions?.rulesProblem?.let { problem ->
+        problems += AdditionProblem(problem.substringBefore('\n'), problem.substringAfter('\n', "").ifEmpty { null })
+    }
+    for (hook in additions?.hooks.orEmpty()) {
         if (hook.error != null) problems += AdditionProblem("The hook ${hook.name} failed: ${hook.error}")
     }
     return problems

@@ -5,60 +5,99 @@ import badlog.page.dom.addButton
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.dom.showText
-import badlog.page.view.Finding
 import badlog.page.view.FindingPlace
 import badlog.page.view.Query
 import badlog.page.view.Scene
+import badlog.page.view.end
+import badlog.page.view.word
 import badlog.plot.text.countText
 import badlog.plot.text.decimalsFor
 import badlog.recording.Severity
+import badlog.rules.Finding
+import badlog.rules.SkippedRule
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
 /**
  * What was found in the recording, the worst first: a few at once, all when asked for. A finding takes the cursor to its time.
+ * Out of sight while there is nothing to tell.
  *
  * @param onJump is called when the cursor was taken somewhere.
  */
 internal class FindingList(private val scene: Scene, private val onJump: () -> Unit) {
-    private val all = scene.findings.worstFirst
-    private val haystacks = all.map { "${it.source} ${it.word} ${it.text}".lowercase() }
+    private var all = emptyList<Finding>()
+    private var haystacks = emptyList<String>()
+    private var query = Query("")
     private val decimals = decimalsFor(scene.range.full.width)
     private val rows = HashMap<Finding, HTMLElement>()
     private var found = all
     private var listed = 0
     private var current: FindingPlace? = null
+    private var isSearching = false
     private lateinit var count: HTMLElement
     private lateinit var list: HTMLElement
     private lateinit var body: HTMLElement
     private lateinit var more: HTMLElement
     private lateinit var fewer: HTMLElement
+    private lateinit var mistakes: HTMLElement
+    private lateinit var skipped: HTMLElement
 
     val element: HTMLElement = element("section", "findings card") {
         id = "findings"
         setAttribute("aria-label", "Findings")
-        isHidden = all.isEmpty()
-        classList.toggle("has-spans", all.any { it.end > it.time })
         add("header", "graph-head") {
             add("h2", "findings-title", "Findings")
-            count = add("span", "unit")
+            count = add("span", "unit") { setAttribute("role", "status") }
         }
+        mistakes = add("ul", "problem-list")
         list = add("div", "findings-list") { body = add("ol") }
         add("div", "findings-more") {
             more = addButton("text-button", "") { list(listed + PAGE) }
             fewer = addButton("text-button", "Show fewer") { list(FEW) }
         }
+        skipped = add("details", "findings-skipped")
     }
 
     init {
+        mistakes.isHidden = true
+        skipped.isHidden = true
+        show()
+    }
+
+    /** Says that rules are still running, unless they end soon. */
+    fun wait() {
+        isSearching = true
+        window.setTimeout({ if (isSearching) showFound() }, PATIENCE)
+    }
+
+    /** Shows the findings of the scene, which may be others than before, and which rules were skipped or are wrong. */
+    fun show(skippedRules: List<SkippedRule> = emptyList()) {
+        isSearching = false
+        all = scene.findings.worstFirst
+        haystacks = all.map { "${it.rule} ${it.word} ${it.text}".lowercase() }
+        element.classList.toggle("has-spans", all.any { it.end > it.time })
+        val (wrong, lacking) = skippedRules.partition { it.isMistake }
+        for (rule in wrong) addProblem("The rule “${rule.rule}” is wrong. ${rule.message.substringBefore('\n')}", rule.message)
+        if (lacking.isNotEmpty()) {
+            skipped.isHidden = false
+            skipped.add("summary", "", "${countText(lacking.size, "skipped rule")} (topics missing)")
+            skipped.add("ul") { for (rule in lacking) add("li", "", "${rule.rule}: ${rule.message}") }
+        }
+        filter(query)
+    }
+
+    /** Says that the rules could not be run, because of [reason]. */
+    fun fail(reason: String) {
+        isSearching = false
+        addProblem("The rules could not be run: $reason")
         showFound()
     }
 
     /** Shows the findings that [query] finds, and tells how many they are. */
     fun filter(query: Query): Int {
+        this.query = query
         found = if (query.isEmpty) all else all.filterIndexed { i, _ -> query.matches(haystacks[i]) }
         showFound()
-        element.isHidden = found.isEmpty()
         return if (query.isEmpty) 0 else found.size
     }
 
@@ -67,13 +106,26 @@ internal class FindingList(private val scene: Scene, private val onJump: () -> U
         scene.findings.beside(current, scene.cursor.x, steps)?.let(::go)
     }
 
+    private fun addProblem(text: String, pointed: String = "") {
+        mistakes.isHidden = false
+        mistakes.add("li", "problem") {
+            add("span", "severity is-warning", "warning")
+            add("div", "problem-text") {
+                add("span", "", text)
+                if ('\n' in pointed) add("pre", "pointer", pointed.substringAfter('\n'))
+            }
+        }
+    }
+
     private fun showFound() {
         val share = if (found.size == all.size) "" else "${countText(found.size)} of ${countText(all.size)}: "
         val parts = Severity.entries.reversed().mapNotNull { severity ->
             val number = found.count { it.severity == severity }
             if (number == 0) null else countText(number, severity.name.lowercase())
         }
-        count.showText(share + parts.joinToString())
+        val waiting = if (isSearching) listOf("rules are running…") else emptyList()
+        count.showText(share + (parts + waiting).joinToString())
+        element.isHidden = found.isEmpty() && (!query.isEmpty || (!isSearching && mistakes.isHidden))
         list(FEW)
     }
 
@@ -86,7 +138,7 @@ internal class FindingList(private val scene: Scene, private val onJump: () -> U
             listed = 0
         }
         for (finding in found.subList(listed, until)) {
-            val row = findingRow(finding, decimals, { go(it.places[0]) }, { zoom(it.places[0]) })
+            val row = findingRow(finding, decimals, { go(scene.findings.placeOf(it)) }, { zoom(scene.findings.placeOf(it)) })
             rows[finding] = row
             body.appendChild(row)
         }
@@ -131,5 +183,8 @@ internal class FindingList(private val scene: Scene, private val onJump: () -> U
 
         /** So many rows are made at a time. */
         const val PAGE = 300
+
+        /** Milliseconds for which nothing is said of rules that run. */
+        const val PATIENCE = 400
     }
 }

@@ -5,8 +5,11 @@ import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.addIconButton
 import badlog.page.dom.element
-import badlog.page.view.Finding
+import badlog.page.view.end
+import badlog.page.view.isPlaced
+import badlog.page.view.word
 import badlog.plot.text.fixedText
+import badlog.rules.Finding
 import org.w3c.dom.HTMLElement
 
 /**
@@ -24,7 +27,7 @@ internal fun findingRow(finding: Finding, decimals: Int, go: (Finding) -> Unit, 
             add("span", "finding-whole", "whole log")
         }
         add("span", "finding-text") {
-            add("span", "finding-source", finding.source)
+            add("span", "finding-source", finding.rule)
             add("span", "", finding.text)
         }
         if (finding.isPlaced) {

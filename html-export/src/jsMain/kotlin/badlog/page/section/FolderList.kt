@@ -3,9 +3,9 @@ package badlog.page.section
 import badlog.analysis.Folder
 import badlog.analysis.Graph
 import badlog.analysis.LogView
+import badlog.html.protocol.HookPart
 import badlog.page.dom.Remembered
 import badlog.page.dom.element
-import badlog.page.embedded.Hook
 import badlog.page.graph.GraphCard
 import badlog.page.view.Hits
 import badlog.page.view.Query
@@ -22,7 +22,7 @@ internal class FolderList(
     view: LogView,
     private val scene: Scene,
     fileKey: String,
-    hooks: List<Hook>,
+    hooks: List<HookPart>,
     private val origin: (Graph) -> String,
 ) {
     private val key = "closed:$fileKey"

@@ -2,6 +2,7 @@ package badlog.page.section
 
 import badlog.analysis.Folder
 import badlog.analysis.Graph
+import badlog.html.protocol.HookPart
 import badlog.page.dom.Icon
 import badlog.page.dom.add
 import badlog.page.dom.addButton
@@ -9,7 +10,6 @@ import badlog.page.dom.bringIntoSight
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.dom.showText
-import badlog.page.embedded.Hook
 import badlog.page.graph.GraphCard
 import badlog.page.view.Hits
 import badlog.page.view.Query
@@ -32,7 +32,7 @@ internal class FolderSection(
     isClosed: Boolean,
     private val onToggle: () -> Unit,
     private val origin: (Graph) -> String = { "" },
-    private val hook: Hook? = null,
+    private val hook: HookPart? = null,
 ) {
     private val values = folder.values.takeIf { it.isNotEmpty() }?.let(::ValueList)
     private var toggle: HTMLElement? = null

@@ -7,8 +7,8 @@ import badlog.analysis.Graph
 import badlog.analysis.GraphSeries
 import badlog.analysis.LogView
 import badlog.analysis.TopicPlan
-import badlog.page.embedded.Hook
-import badlog.page.embedded.HookSeries
+import badlog.html.protocol.HookPart
+import badlog.html.protocol.PageSeries
 import badlog.recording.CellCounts
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
@@ -16,7 +16,7 @@ import badlog.recording.TextColumn
 import badlog.recording.Topic
 
 /** What [hook] calculated, as a folder of its own. */
-internal fun folderOf(hook: Hook): Folder = Folder(
+internal fun folderOf(hook: HookPart): Folder = Folder(
     "From the hook ${hook.name}",
     hook.values,
     emptyList(),
@@ -24,10 +24,10 @@ internal fun folderOf(hook: Hook): Folder = Folder(
 )
 
 /** Whether [hook] returned something that has a section. */
-internal fun hasSection(hook: Hook): Boolean = hook.values.isNotEmpty() || hook.series.isNotEmpty() || hook.figures.isNotEmpty()
+internal fun hasSection(hook: HookPart): Boolean = hook.values.isNotEmpty() || hook.series.isNotEmpty() || hook.figures.isNotEmpty()
 
 /** A calculated line: unlike a logged topic with times of its own, it goes straight from one sample to the next. */
-private fun lineOf(series: HookSeries): GraphSeries {
+private fun lineOf(series: PageSeries): GraphSeries {
     val samples = series.data.y
     val values = samples.count { it.isFinite() }
     val counts = CellCounts(values, 0, 0, 0, samples.size - values, 0)

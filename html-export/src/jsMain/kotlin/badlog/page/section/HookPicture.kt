@@ -1,12 +1,12 @@
 package badlog.page.section
 
+import badlog.html.protocol.PageFigure
 import badlog.page.dom.add
 import badlog.page.dom.element
-import badlog.page.embedded.HookFigure
 import org.w3c.dom.HTMLElement
 
 /** A picture that a hook drew, below its title. */
-internal fun hookPicture(figure: HookFigure): HTMLElement = element("figure", "picture card") {
+internal fun hookPicture(figure: PageFigure): HTMLElement = element("figure", "picture card") {
     add("figcaption", "picture-title", figure.title)
     // As an image, whatever scripts or addresses stand in it stay without effect.
     val image = add("img")
@@ -15,7 +15,5 @@ internal fun hookPicture(figure: HookFigure): HTMLElement = element("figure", "p
         image.remove()
         add("p", "unit", "This picture cannot be drawn.")
     })
-    if (figure.mediaType == "image/png" || figure.mediaType == "image/svg+xml") {
-        image.setAttribute("src", "data:${figure.mediaType};base64,${figure.base64}")
-    }
+    image.setAttribute("src", "data:${figure.mediaType};base64,${figure.base64}")
 }

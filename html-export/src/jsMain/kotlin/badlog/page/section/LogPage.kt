@@ -1,5 +1,7 @@
 package badlog.page.section
 
+import badlog.analysis.LogView
+import badlog.html.protocol.PageAdditions
 import badlog.page.dom.Icon
 import badlog.page.dom.add
 import badlog.page.dom.addButton
@@ -8,10 +10,11 @@ import badlog.page.dom.bringIntoSight
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.embedded.About
-import badlog.page.embedded.Additions
 import badlog.page.formula.FormulaDialog
 import badlog.page.formula.Formulas
 import badlog.page.graph.GraphDeck
+import badlog.page.rules.RuleSearch
+import badlog.page.view.FindingTimeline
 import badlog.page.view.Hits
 import badlog.page.view.Query
 import badlog.page.view.Scene
@@ -19,10 +22,18 @@ import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
 /** The page of a recording, put together. */
-internal class LogPage(private val formulas: Formulas, about: About, additions: Additions, downloads: Downloads, theme: ThemeSwitch) {
+internal class LogPage(
+    private val formulas: Formulas,
+    private val about: About,
+    additions: PageAdditions?,
+    downloads: Downloads,
+    theme: ThemeSwitch,
+) {
+    private val additions = additions ?: PageAdditions()
     private val view = formulas.view
-    private val scene = Scene(view, additions.findings + additions.hooks.flatMap { it.findings })
-    private val folders = FolderList(view, scene, about.fileKey, additions.hooks) { graph ->
+    private val embeddedFindings = this.additions.findings + this.additions.hooks.flatMap { it.findings }
+    private val scene = Scene(view).apply { findings = FindingTimeline(embeddedFindings) }
+    private val folders = FolderList(view, scene, about.fileKey, this.additions.hooks) { graph ->
         if (formulas.formulaOf(graph) == null) "" else "formula"
     }
     private val navigation = FolderNavigation(folders)
@@ -81,6 +92,24 @@ internal class LogPage(private val formulas: Formulas, about: About, additions: 
     fun start() {
         deck.start(folders.cards)
         timeLink.start()
+    }
+
+    /** Runs the rules that the page carries over [logged], the recording with the exporter's formulas; to be called once all is drawn. */
+    fun search(logged: LogView) {
+        if (additions.rules.rules.isEmpty()) return setRulesState("done")
+        findings.wait()
+        RuleSearch(logged, additions.rules, about.name).start(
+            onFindings = { found ->
+                scene.findings = FindingTimeline(found.findings + embeddedFindings)
+                findings.show(found.skipped)
+                if (found.findings.isNotEmpty()) repaint()
+                setRulesState("done")
+            },
+            onFailure = { reason ->
+                findings.fail(reason)
+                setRulesState("failed")
+            },
+        )
     }
 
     /** Draws everything that has colours of its own again. */

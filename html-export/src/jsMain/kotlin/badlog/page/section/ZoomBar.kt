@@ -11,6 +11,7 @@ import badlog.page.dom.showText
 import badlog.page.view.Frame
 import badlog.page.view.Scene
 import badlog.page.view.shortFindingText
+import badlog.page.view.word
 import org.w3c.dom.HTMLElement
 
 /**
@@ -83,7 +84,7 @@ internal class ZoomBar(private val scene: Scene, ways: List<HTMLElement>) {
         if (findings.isNotEmpty()) {
             event.isHidden = false
             event.showText(shortFindingText(findings))
-            event.title = findings.joinToString("\n") { "${it.word} · ${it.source}: ${it.text}" }
+            event.title = findings.joinToString("\n") { "${it.word} · ${it.rule}: ${it.text}" }
             return
         }
         val last = scene.lastEventAt(x) ?: return

@@ -1,6 +1,12 @@
 package badlog.page.view
 
+import badlog.analysis.Span
+import badlog.plot.text.countText
 import badlog.recording.Severity
+import badlog.rules.Finding
+
+/** One of the places on the x axis at which [finding] was found. */
+internal class FindingPlace(val finding: Finding, val span: Span)
 
 /** The findings of a recording by their places on the x axis. */
 internal class FindingTimeline(all: List<Finding>) {
@@ -9,14 +15,14 @@ internal class FindingTimeline(all: List<Finding>) {
         all.sortedWith(compareBy<Finding> { -it.severity.ordinal }.thenBy { if (it.isPlaced) it.time else Double.NEGATIVE_INFINITY })
 
     /** All places of all of them, in the order of x. */
-    val places: List<FindingPlace> = all.flatMap { it.places }.sortedBy { it.span.from }
+    val places: List<FindingPlace> = all.flatMap { finding -> finding.places.map { FindingPlace(finding, it) } }.sortedBy { it.span.from }
 
     /** How many are of [severity]. */
     fun count(severity: Severity): Int = worstFirst.count { it.severity == severity }
 
     /** Those that are no further than [distance] from [x], or last over it, the worst first. */
     fun at(x: Double, distance: Double): List<Finding> =
-        worstFirst.filter { finding -> finding.places.any { x >= it.span.from - distance && x <= it.span.to + distance } }
+        worstFirst.filter { finding -> finding.places.any { x >= it.from - distance && x <= it.to + distance } }
 
     /**
      * The place [steps] after [current] while the cursor at [x] still is at that, else the first after x; before them when [steps]
@@ -30,4 +36,32 @@ internal class FindingTimeline(all: List<Finding>) {
             else -> if (x.isNaN()) places.lastOrNull() else places.lastOrNull { it.span.from < x }
         }
     }
+
+    /** The first place of [finding]. */
+    fun placeOf(finding: Finding): FindingPlace = places.first { it.finding == finding && it.span == finding.places[0] }
+}
+
+/** Whether it has a place on the x axis. */
+internal val Finding.isPlaced: Boolean get() = time.isFinite()
+
+/** Everywhere it was found, the first place first; none when it is about the whole. */
+internal val Finding.places: List<Span>
+    get() = if (isPlaced) spans.ifEmpty { listOf(Span(time, time)) } else emptyList()
+
+/** Where it ends first, or stands. */
+internal val Finding.end: Double get() = maxOf(time, spans.firstOrNull()?.to ?: time)
+
+/** Its severity as a word, which is also the name of its style. */
+internal val Finding.word: String get() = severity.name.lowercase()
+
+/** The first of [findings] with its severity, and how many more there are. */
+internal fun findingText(findings: List<Finding>): String {
+    val first = findings.firstOrNull() ?: return ""
+    return "${first.word} · ${shortFindingText(findings)}"
+}
+
+/** The same without the severity. */
+internal fun shortFindingText(findings: List<Finding>): String {
+    val others = if (findings.size > 1) " (and ${countText(findings.size - 1)} more)" else ""
+    return "${findings[0].rule}: ${findings[0].text}$others"
 }

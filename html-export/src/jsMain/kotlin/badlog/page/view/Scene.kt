@@ -6,12 +6,15 @@ import badlog.analysis.XAxis
 import badlog.plot.range.Viewport
 import badlog.plot.text.placeText
 import badlog.plot.text.withUnit
+import badlog.rules.Finding
 
 /** What all parts of the page share: the recording, what was found in it, what of it is seen, and the cursor. */
-internal class Scene(val view: LogView, findings: List<Finding> = emptyList()) {
+internal class Scene(val view: LogView) {
     val xAxis: XAxis = view.xAxis
     val events: EventTimeline = EventTimeline(view)
-    val findings: FindingTimeline = FindingTimeline(findings)
+
+    /** What was found so far. Whoever changes it draws again. */
+    var findings: FindingTimeline = FindingTimeline(emptyList())
     val range: VisibleRange = VisibleRange(Viewport.of(xAxis.range))
     val cursor: Cursor = Cursor(xAxis.clocks)
     val palette: Palette = Palette()
@@ -29,7 +32,7 @@ internal class Scene(val view: LogView, findings: List<Finding> = emptyList()) {
     fun newsAt(x: Double): List<Finding> {
         val last = lastEventAt(x) ?: return findingsAt(x)
         val from = last.x - range.now.width * REACH
-        return findingsAt(x).filter { finding -> finding.places.any { it.span.from >= from } }
+        return findingsAt(x).filter { finding -> finding.places.any { it.from >= from } }
     }
 
     /** Takes the cursor to [x], and the view where that is out of sight. */

@@ -49,6 +49,8 @@ internal class ArgumentParser {
             .help("Put the pages into this folder, which is made if need be.")
         private val attachments by option("-a", "--attach", metavar = "FILE").path().multiple()
             .help("Include this file in the results; may be given again.")
+        private val isWithoutRules by option("--no-rules").flag()
+            .help("The pages look for nothing, neither by badlog-rules.toml beside a log nor by the built-in rules.")
         private val opensPage by option("-o", "--open").flag()
             .help("Open resulting HTML in default browser; of several, that of the newest input.")
 
@@ -76,7 +78,7 @@ internal class ArgumentParser {
 
         override fun run() = Unit
 
-        fun result() = Arguments(paths, outFolder, attachments, opensPage)
+        fun result() = Arguments(paths, outFolder, attachments, !isWithoutRules, opensPage)
     }
 
     private companion object {

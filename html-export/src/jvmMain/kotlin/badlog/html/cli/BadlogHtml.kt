@@ -4,7 +4,9 @@ import badlog.html.ExportException
 import badlog.html.ExportReport
 import badlog.html.HtmlExporter
 import badlog.html.checkReadable
+import badlog.html.protocol.PageAdditions
 import badlog.recording.Severity
+import badlog.rules.FolderRules
 import badlog.terminal.Progress
 import badlog.terminal.ProgressBar
 import java.io.PrintStream
@@ -12,7 +14,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /** Makes the page of an input, as [HtmlExporter.export] does. */
-internal typealias Export = (input: Path, page: Path, progress: Progress) -> ExportReport
+internal typealias Export = (input: Path, page: Path, additions: PageAdditions, progress: Progress) -> ExportReport
 
 /**
  * The command line: makes the pages that its arguments ask for, prints where they are, and says what went wrong.
@@ -29,7 +31,7 @@ internal class BadlogHtml(
     private val isTerminal: Boolean,
     private val exporterOf: (attachments: List<Path>) -> Export = { attachments ->
         val exporter = HtmlExporter(attachments)
-        val export: Export = { input, page, progress -> exporter.export(input, page, progress = progress) }
+        val export: Export = exporter::export
         export
     },
     private val open: (Path) -> Boolean,
@@ -37,6 +39,7 @@ internal class BadlogHtml(
     private val made = ArrayList<ExportReport>()
     private var failed = 0
     private var skipped = 0
+    private val rulesOfFolder = HashMap<Path, FolderRules>()
 
     /** Does what [arguments] ask for. To be called once. */
     fun run(arguments: List<String>): ExitCode = when (val parsed = ArgumentParser().parse(arguments)) {
@@ -56,20 +59,28 @@ internal class BadlogHtml(
         val export = exporterOf(arguments.attachments)
         jobs.forEachIndexed { index, job ->
             val label = (if (jobs.size > 1) "${index + 1}/${jobs.size} " else "") + job.input.fileName
-            make(job, export, ProgressBar(label, err, isTerminal))
+            make(job, additions(job, arguments), export, ProgressBar(label, err, isTerminal))
         }
         sayWhatIsMissing()
         if (arguments.opensPage) openNewest(jobs)
         return when {
             made.isEmpty() -> ExitCode.NOTHING
-            failed > 0 || made.any { it.recording.isSalvaged } -> ExitCode.SALVAGED
+            failed > 0 || rulesOfFolder.values.any { it.problem != null } || made.any { it.recording.isSalvaged } -> ExitCode.SALVAGED
             else -> ExitCode.WHOLE
         }
     }
 
-    private fun make(job: ExportJob, export: Export, bar: ProgressBar) {
+    private fun additions(job: ExportJob, arguments: Arguments): PageAdditions {
+        if (!arguments.hasRules) return PageAdditions()
+        val rules = rulesOfFolder.getOrPut(job.input.toAbsolutePath().normalize().parent) {
+            FolderRules.of(job.input).also { rules -> rules.problem?.let(err::println) }
+        }
+        return PageAdditions(rules = rules.rules, rulesProblem = rules.problem)
+    }
+
+    private fun make(job: ExportJob, additions: PageAdditions, export: Export, bar: ProgressBar) {
         try {
-            val report = bar.use { export(job.input, job.page, it) }
+            val report = bar.use { export(job.input, job.page, additions, it) }
             made += report
             out.println(report.page)
             saySalvaged(job, report)

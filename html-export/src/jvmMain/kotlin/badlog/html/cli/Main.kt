@@ -3,7 +3,7 @@ package badlog.html.cli
 import kotlin.system.exitProcess
 
 /** The program `badlog-html`. */
-fun main(arguments: Array<String>) {
+public fun main(arguments: Array<String>) {
     // The start script can ask for it; Java could not until version 22.
     val isTerminal = System.getProperty("badlog.terminal")?.toBoolean() ?: (System.console() != null)
     val program = BadlogHtml(System.out, System.err, isTerminal, open = ::openInBrowser)

@@ -8,7 +8,6 @@ import badlog.html.ReadPage
 import badlog.html.gzip
 import badlog.html.inFolder
 import badlog.html.names
-import badlog.terminal.Progress
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainExactly
@@ -20,8 +19,8 @@ import java.io.ByteArrayOutputStream
 import java.io.PrintStream
 import java.nio.file.Path
 import java.nio.file.attribute.FileTime
-import kotlin.io.path.createDirectory
 import kotlin.io.path.div
+import kotlin.io.path.createDirectory
 import kotlin.io.path.name
 import kotlin.io.path.readText
 import kotlin.io.path.setLastModifiedTime
@@ -36,9 +35,9 @@ class BadlogHtmlSpec : FunSpec({
     // Makes pages, but of a file named so it fails as no exporter should.
     fun failingOn(name: String) = { attachments: List<Path> ->
         val exporter = HtmlExporter(attachments)
-        val export: Export = { input, page, progress ->
+        val export: Export = { input, page, additions, progress ->
             check(input.name != name) { "Out of cheese\n+++" }
-            exporter.export(input, page, progress = progress)
+            exporter.export(input, page, additions, progress)
         }
         export
     }

@@ -46,6 +46,12 @@ public fun LogView.withVirtualTopics(definitions: List<String>): ViewWithVirtual
 /** Why some of [definitions] make no topic in [view], in their order. Calculates nothing, so [view] needs no samples. */
 public fun undefinedTopics(view: LogView, definitions: List<String>): List<ExpressionError> = DefinedTopics(view, definitions).errors
 
+/**
+ * What the topics of [view], and those that [definitions] make in it, are called in expressions. Calculates nothing, so [view] needs no
+ * samples.
+ */
+public fun vocabularyWith(view: LogView, definitions: List<String>): Vocabulary = DefinedTopics(view, definitions).signals.vocabulary
+
 private class DefinedTopics(view: LogView, definitions: List<String>) {
     val topics = ArrayList<VirtualTopic>()
     val errors = ArrayList<ExpressionError>()

@@ -24,7 +24,7 @@ public class Find(
     private val cache: Path? = null,
     private val xTopic: String? = null,
 ) {
-    private val parsed = Remembered<Vocabulary, ParsedExpression>(MOST_VOCABULARIES) { Expression.parse(question, it) }
+    private val parsed = LruCache<Vocabulary, ParsedExpression>(MOST_VOCABULARIES) { Expression.parse(question, it) }
 
     /** What is wrong with the question whatever a log has, such as a parenthesis that is never closed; null when nothing seems to be. */
     public val mistake: Reply.NotAsked? = mistakeForAnyLog(question)?.let(::notAsked)
@@ -63,11 +63,11 @@ public class Find(
         return results
     }
 
-    private fun ask(file: LogFile): Found<Stored> =
-        if (mistake != null) Found(Stored(null, mistake), isLasting = false) else LogContent.examined(file, virtualTopics, xTopic, ::ask)
+    private fun ask(file: LogFile): CachedResult<Stored> =
+        if (mistake != null) CachedResult(Stored(null, mistake), isLasting = false) else LogContent.examined(file, virtualTopics, xTopic, ::ask)
 
-    private fun ask(content: LogContent): Found<Stored> = when (content) {
-        is LogContent.None -> Found(Stored(null, Reply.Unreadable(content.message, content.isNoLog)), content.isNoLog)
+    private fun ask(content: LogContent): CachedResult<Stored> = when (content) {
+        is LogContent.None -> CachedResult(Stored(null, Reply.Unreadable(content.message, content.isNoLog)), content.isNoLog)
 
         is LogContent.Log -> {
             val signals = LogViewSignals(content.view)
@@ -75,7 +75,7 @@ public class Find(
                 is ExpressionError -> notAsked(expression)
                 is Expression -> answered(expression.answer(signals))
             }
-            Found(Stored(content.view.title, reply, content.undefined, content.recording.isSalvaged), isLasting = true)
+            CachedResult(Stored(content.view.title, reply, content.undefined, content.recording.isSalvaged), isLasting = true)
         }
     }
 

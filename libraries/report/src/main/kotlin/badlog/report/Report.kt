@@ -1,6 +1,5 @@
 package badlog.report
 
-import badlog.analysis.Span
 import badlog.file.LogFile
 import badlog.report.hook.HookOutcome
 import badlog.report.hook.HookRunner
@@ -12,9 +11,9 @@ import badlog.rules.RuleProgram
 import badlog.rules.RuleSet
 import badlog.rules.SkippedRule
 import badlog.rules.toJson
+import java.nio.file.Path
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.Transient
-import java.nio.file.Path
 
 /**
  * Runs rules, and programs of the user's, over many logs.
@@ -33,7 +32,7 @@ public class Report(
     private val cache: Path? = null,
     private val xTopic: String? = null,
 ) {
-    private val programs = Remembered<LogShape, RuleProgram>(MAX_PROGRAMS) { RuleProgram(rules, it) }
+    private val programs = LruCache<LogShape, RuleProgram>(MAX_PROGRAMS) { RuleProgram(rules, it) }
 
     @Serializable
     internal class Stored(
@@ -88,10 +87,10 @@ public class Report(
         return ReportResult(logs, skipped)
     }
 
-    private fun examine(file: LogFile): Found<Stored> = LogContent.examined(file, virtualTopics, xTopic) { examine(file, it) }
+    private fun examine(file: LogFile): CachedResult<Stored> = LogContent.examined(file, virtualTopics, xTopic) { examine(file, it) }
 
-    private fun examine(file: LogFile, content: LogContent): Found<Stored> = when (content) {
-        is LogContent.None -> Found(Stored(null, emptyList(), emptyList(), content.message, content.isNoLog), content.isNoLog)
+    private fun examine(file: LogFile, content: LogContent): CachedResult<Stored> = when (content) {
+        is LogContent.None -> CachedResult(Stored(null, emptyList(), emptyList(), content.message, content.isNoLog), content.isNoLog)
 
         is LogContent.Log -> {
             val findings = ArrayList<Finding>()
@@ -101,17 +100,12 @@ public class Report(
                 asked += Asked(rule.rule.name, rule.refusal?.message, rule.refusal?.mistake)
             }
             val outcomes = hooks.map { HookOutcome.of(it, content.recording) }
-            for (outcome in outcomes) findings += findingsOf(outcome, content.view.xAxis.unit)
+            for (outcome in outcomes) findings += outcome.findings(content.view.xAxis.unit)
             val isSalvaged = content.recording.isSalvaged
             val stored =
                 Stored(content.view.title, findings, asked, null, isSalvaged = isSalvaged, undefined = content.undefined, hooks = outcomes)
-            Found(stored, isLasting = true)
+            CachedResult(stored, isLasting = true)
         }
-    }
-
-    private fun findingsOf(outcome: HookOutcome, timeUnit: String) = outcome.result?.findings.orEmpty().map { found ->
-        val spans = if (found.time.isNaN()) emptyList() else listOf(Span(found.time, if (found.until.isNaN()) found.time else found.until))
-        Finding(outcome.hook, found.severity, null, found.text, found.time, spans, spans.size, timeUnit, isOfHook = true)
     }
 
     private fun unasked(rule: Rule, logs: Int): SkippedRule? {

@@ -1,6 +1,7 @@
 package badlog.rules
 
 import badlog.analysis.LogView
+import badlog.expression.vocabularyWith
 
 /**
  * What rules say of one log.
@@ -8,7 +9,11 @@ import badlog.analysis.LogView
  * @property findings in the order of the rules.
  * @property skipped the rules that were skipped, in their order.
  */
-public class LogFindings(public val findings: List<Finding>, public val skipped: List<SkippedRule>)
+public class LogFindings(public val findings: List<Finding>, public val skipped: List<SkippedRule>) {
+    /** These and what [asked] came to. */
+    public operator fun plus(asked: AskedRule): LogFindings =
+        LogFindings(findings + asked.findings, skipped + listOfNotNull(asked.refusal?.of(asked.rule, logs = 1)))
+}
 
 /**
  * A rule that was skipped, mostly because a log lacks its topics.
@@ -34,13 +39,17 @@ public class SkippedRule(public val rule: String, public val logs: Int, public v
  * @param beforeEach is called before each rule; what it throws stops the run and is passed on.
  */
 public fun RuleSet.over(view: LogView, file: String, beforeEach: () -> Unit = {}): LogFindings {
-    val findings = ArrayList<Finding>()
-    val skipped = ArrayList<SkippedRule>()
+    var found = LogFindings(emptyList(), emptyList())
     beforeEach()
     for (asked in RuleProgram(this, LogShape.of(view)).run(view, file)) {
-        findings += asked.findings
-        asked.refusal?.let { skipped += it.of(asked.rule, logs = 1) }
+        found += asked
         beforeEach()
     }
-    return LogFindings(findings, skipped)
+    return found
+}
+
+/** The rules that would be skipped for [view], which needs no samples for it, with the topics that [definitions] make there. */
+public fun RuleSet.skippedFor(view: LogView, definitions: List<String> = emptyList()): List<SkippedRule> {
+    val shape = LogShape.of(view).copy(vocabulary = vocabularyWith(view, definitions))
+    return RuleProgram(this, shape).refusals(view.recording.values).map { (rule, refusal) -> refusal.of(rule, logs = 1) }
 }

@@ -7,6 +7,8 @@ import badlog.expression.LogViewSignals
 import badlog.expression.signals.Signal
 import badlog.expression.signals.Vocabulary
 import badlog.expression.syntax.ExpressionErrorKind
+import badlog.recording.PathName
+import badlog.recording.Value
 
 /**
  * What decides how rules are asked of a log. Logs of an equal shape share a [RuleProgram].
@@ -94,7 +96,14 @@ public class RuleProgram(rules: RuleSet, private val shape: LogShape) {
      */
     public fun run(view: LogView, file: String): Sequence<AskedRule> {
         val run = RuleRun(view, file)
-        return steps.asSequence().filter { run.isAsked(it.rule) }.map(run::ask)
+        val type = matchType(view.recording.values)
+        return steps.asSequence().filter { it.rule.isFor(type) }.map(run::ask)
+    }
+
+    /** The rules that cannot be asked of a log with these [values], and why. */
+    internal fun refusals(values: List<Value>): List<Pair<Rule, Refusal>> {
+        val type = matchType(values)
+        return steps.mapNotNull { step -> step.refusal?.takeIf { step.rule.isFor(type) }?.let { step.rule to it } }
     }
 
     private fun stepOf(rule: Rule): Step {
@@ -177,3 +186,8 @@ public class RuleProgram(rules: RuleSet, private val shape: LogShape) {
         val RESERVED = setOf(TOPIC, TIME)
     }
 }
+
+/** The type of the match that [values] tell of, such as `Qualification`. */
+private fun matchType(values: List<Value>): String? = values
+    .firstOrNull { PathName.baseNameOf(it.name).replace('_', ' ').lowercase() == "match type" && it.text.isNotBlank() }
+    ?.text?.trim()

@@ -5,18 +5,12 @@ import badlog.expression.Answer
 import badlog.expression.LogViewSignals
 import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Signals
-import badlog.recording.PathName
-import badlog.recording.Value
 
 /** The rules of a program on their way over [view], which was read from a file called [file]. */
 internal class RuleRun(view: LogView, private val file: String) {
     private val log = LogViewSignals(view)
     private val match = view.title ?: file
     private val clock by lazy { clockOf(view.xAxis) }
-    private val type = matchType(view.recording.values)
-
-    /** Whether [rule] is for matches of this type. */
-    fun isAsked(rule: Rule): Boolean = rule.isFor(type)
 
     /** What comes of asking [step]. */
     fun ask(step: RuleProgram.Step): AskedRule = AskedRule(step.rule, step.questions.mapNotNull { find(step.rule, it) }, step.refusal)
@@ -66,8 +60,3 @@ internal class RuleRun(view: LogView, private val file: String) {
         return signals.states(name)[series.y[at].toInt()]
     }
 }
-
-/** The type of the match that [values] tell of, such as `Qualification`. */
-private fun matchType(values: List<Value>): String? = values
-    .firstOrNull { PathName.baseNameOf(it.name).replace('_', ' ').lowercase() == "match type" && it.text.isNotBlank() }
-    ?.text?.trim()

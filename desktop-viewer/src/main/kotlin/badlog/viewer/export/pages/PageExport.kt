@@ -1,10 +1,13 @@
 package badlog.viewer.export.pages
 
+import badlog.analysis.LogView
+import badlog.expression.undefinedTopics
+import badlog.file.readRecording
+import badlog.formats.LOG_FORMATS
 import badlog.html.ExportException
 import badlog.html.HtmlExporter
-import badlog.html.PageAdditions
-import badlog.report.page.pageAdditions
-import badlog.viewer.findings.findingsOf
+import badlog.html.protocol.PageAdditions
+import badlog.rules.FolderRules
 import badlog.viewer.recording.OpenRecording
 import java.io.IOException
 import java.nio.file.Path
@@ -65,7 +68,7 @@ internal fun makePages(jobs: List<PageJob>, additions: Additions, progress: (Flo
 }
 
 /**
- * What the pages show besides the recordings: the formulas that make a topic there, and what the rules find.
+ * What the pages show besides the recordings: the formulas that make a topic there, and the rules for their folder.
  *
  * @param known recordings that are read already.
  * @param definitions the formulas.
@@ -74,14 +77,21 @@ internal fun makePages(jobs: List<PageJob>, additions: Additions, progress: (Flo
 internal class Additions(known: List<OpenRecording>, private val definitions: List<String>, private val library: Path?) {
     private val known = known.associateBy { it.file }
 
-    /** Those of the page of [log]; none where it cannot be read, which whoever makes the page tells. */
-    fun of(log: Path): PageAdditions = try {
-        val recording = known[log] ?: OpenRecording.read(log, { definitions })
-        val working = recording.formulas.filter { it.topic != null }.map { it.definition }
-        pageAdditions(working, findingsOf(recording.logged, log, library).all)
-    } catch (_: IOException) {
-        PageAdditions()
-    } catch (_: OutOfMemoryError) {
-        PageAdditions()
+    /** Those of the page of [log]. */
+    fun of(log: Path): PageAdditions {
+        val rules = FolderRules.of(log, library)
+        return PageAdditions(workingIn(log), rules.rules, rules.problem)
+    }
+
+    /** The formulas that make a topic in [log]; none where it cannot be read, which whoever makes the page tells. */
+    private fun workingIn(log: Path): List<String> {
+        if (definitions.isEmpty()) return emptyList()
+        known[log]?.let { recording -> return recording.formulas.filter { it.topic != null }.map { it.definition } }
+        return try {
+            val undefined = undefinedTopics(LogView.of(readRecording(log, LOG_FORMATS, keepSamples = false)), definitions)
+            definitions - undefined.mapTo(HashSet()) { it.text }
+        } catch (_: IOException) {
+            emptyList()
+        }
     }
 }

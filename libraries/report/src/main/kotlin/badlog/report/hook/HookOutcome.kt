@@ -1,6 +1,8 @@
 package badlog.report.hook
 
+import badlog.analysis.Span
 import badlog.recording.Recording
+import badlog.rules.Finding
 
 /**
  * What came of a hook for one recording: [result], or [failure] that says why there is none.
@@ -10,6 +12,12 @@ import badlog.recording.Recording
  * @property failure what went wrong; null when nothing did.
  */
 public class HookOutcome private constructor(public val hook: String, public val result: HookResult?, public val failure: HookException?) {
+    /** What the program found, where x has the unit [timeUnit]. */
+    public fun findings(timeUnit: String): List<Finding> = result?.findings.orEmpty().map { found ->
+        val spans = if (found.time.isNaN()) emptyList() else listOf(Span(found.time, if (found.until.isNaN()) found.time else found.until))
+        Finding(hook, found.severity, null, found.text, found.time, spans, spans.size, timeUnit, isOfHook = true)
+    }
+
     public companion object {
         /**
          * Runs [hook] for [recording], as [HookRunner.run] does.

@@ -4,11 +4,13 @@ import badlog.file.LogFile
 import badlog.html.ExportException
 import badlog.html.HtmlExporter
 import badlog.html.NewFile
+import badlog.html.protocol.PageAdditions
 import badlog.html.writing
 import badlog.report.LogReport
 import badlog.report.ReportResult
 import badlog.report.hook.HookOutcome
 import badlog.report.startOfBytes
+import badlog.rules.RuleSet
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
@@ -18,6 +20,7 @@ import java.nio.file.Path
  * files stay.
  *
  * @param logs what is read, and therefore never replaced.
+ * @param rules what the pages look for; those of the report, so that index and pages agree.
  * @param virtualTopics definitions of topics that the pages show beside the logs' own, where a log can be given them.
  * @param isForced whether files are replaced that badlog did not make, too.
  * @param exporter makes the pages of the logs.
@@ -25,6 +28,7 @@ import java.nio.file.Path
 public class ReportFolder(
     private val folder: Path,
     logs: List<LogFile>,
+    private val rules: RuleSet,
     private val virtualTopics: List<String> = emptyList(),
     private val isForced: Boolean = false,
     private val exporter: HtmlExporter = HtmlExporter(),
@@ -42,7 +46,7 @@ public class ReportFolder(
     public fun checkIndex(): Unit = check(index)
 
     /**
-     * Makes the page of [log], unless it cannot be read, with its findings and what [hooks] came to.
+     * Makes the page of [log], unless it cannot be read, with the rules and what [hooks] came to.
      *
      * @return where it is, or null without one.
      * @throws ExportException when the page cannot be made, or another file stands there; the others can.
@@ -54,7 +58,7 @@ public class ReportFolder(
         val page = folder.resolve(name)
         check(page)
         val defined = virtualTopics - log.undefined.mapTo(HashSet()) { it.definition }
-        exporter.export(log.file.path, page, pageAdditions(defined, log.findings, hooks))
+        exporter.export(log.file.path, page, PageAdditions(defined, rules, hooks = hookParts(hooks)))
         pages[log] = name
         return page
     }

@@ -55,7 +55,7 @@ class ReportPageSpec : FunSpec({
             val out = folder.resolve("out/report")
             val exporter = HtmlExporter(parts = PageParts("", ""))
             val logs = logsIn(folder.resolve("logs"))
-            val report = ReportFolder(out, logs, exporter = exporter)
+            val report = ReportFolder(out, logs, rules, exporter = exporter)
             val index = report.writeIndex(Report(rules).over(logs) { log, hooks -> report.add(log, hooks) })
             Files.list(out).use { files -> files.map { it.fileName.toString() }.toList() }.sorted() shouldBe
                 listOf("Q1 (2).html", "Q1.html", "index (2).html", "index.html")
@@ -71,7 +71,7 @@ class ReportPageSpec : FunSpec({
             val logs = listOf(log, folder.resolve("Q1.bag")).map { LogFile.of(it) }
             val exporter = HtmlExporter(parts = PageParts("", ""))
             fun report(out: Path, isForced: Boolean) {
-                val pages = ReportFolder(out, logs, isForced = isForced, exporter = exporter)
+                val pages = ReportFolder(out, logs, RuleSet.NONE, isForced = isForced, exporter = exporter)
                 pages.checkIndex()
                 pages.writeIndex(Report(RuleSet.NONE).over(logs) { read, hooks -> pages.add(read, hooks) })
             }
@@ -92,7 +92,7 @@ class ReportPageSpec : FunSpec({
     test("a log with the longest name there may be has a page") {
         inFolder { folder ->
             val log = LogFile.of(folder.put("\u00e9".repeat(125) + ".bag", batteryBag(6.0)))
-            val pages = ReportFolder(folder.resolve("out"), listOf(log), exporter = HtmlExporter(parts = PageParts("", "")))
+            val pages = ReportFolder(folder.resolve("out"), listOf(log), RuleSet.NONE, exporter = HtmlExporter(parts = PageParts("", "")))
             Report(RuleSet.NONE).over(listOf(log)) { read, hooks -> Files.exists(checkNotNull(pages.add(read, hooks))) shouldBe true }
         }
     }

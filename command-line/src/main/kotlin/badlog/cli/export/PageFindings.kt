@@ -1,0 +1,36 @@
+package badlog.cli.export
+
+import badlog.cli.input.readLog
+import badlog.report.hook.HookException
+import badlog.report.hook.HookOutcome
+import badlog.report.hook.HookRunner
+import badlog.terminal.Progress
+import java.nio.file.Path
+
+/**
+ * What is embedded in the page of a log because the page cannot find it itself.
+ *
+ * @property hooks what each program returned.
+ * @property unreadable why none could run, or null.
+ */
+internal class PageFindings private constructor(val hooks: List<HookOutcome>, val unreadable: String?) {
+    /** How many findings that is; null where no program was asked. */
+    val count: Int? get() = if (hooks.isEmpty()) null else hooks.sumOf { it.result?.findings?.size ?: 0 }
+
+    /** The programs that failed. */
+    val failures: List<Pair<String, HookException>> get() = hooks.mapNotNull { hook -> hook.failure?.let { hook.hook to it } }
+
+    companion object {
+        /** Nothing, since nothing is asked for. */
+        val NONE = PageFindings(emptyList(), null)
+
+        /** Runs [hooks] for the log in [file], which they need with its samples. */
+        fun of(file: Path, hooks: List<HookRunner>, progress: Progress): PageFindings = try {
+            val recording = readLog(file, progress)
+            PageFindings(hooks.map { HookOutcome.of(it, recording) }, null)
+        } catch (_: OutOfMemoryError) {
+            // The page itself needs little.
+            PageFindings(emptyList(), "the log is too large for the memory at hand; set JAVA_OPTS=-Xmx8g or so and try again.")
+        }
+    }
+}

@@ -1,0 +1,82 @@
+package badlog.html.protocol
+
+import badlog.analysis.Series
+import badlog.json.JsonReader
+import badlog.json.JsonValue
+import badlog.json.quotedJson
+import badlog.recording.Value
+import badlog.rules.RuleSet
+import badlog.rules.fromJson
+import badlog.rules.toJson
+
+/**
+ * These additions as JSON that can stand in a script element. Samples are the base64 of their doubles, which is exact and a third as
+ * long as digits.
+ */
+public fun PageAdditions.toJson(): String = inScript(
+    jsonObject(
+        "virtual" to array(virtualTopics, ::quotedJson),
+        "rules" to rules.takeIf { it.rules.isNotEmpty() }?.toJson(),
+        "rulesProblem" to rulesProblem?.let(::quotedJson),
+        "findings" to array(findings, ::findingJson),
+        "hooks" to array(hooks, ::hookJson),
+    ),
+)
+
+/** The additions that [text] is of, or null when [PageAdditions.toJson] did not write it. */
+public fun PageAdditions.Companion.fromJson(text: String): PageAdditions? = unlessMalformed {
+    val json = JsonFields(JsonReader.readObject(text))
+    PageAdditions(
+        virtualTopics = json.list("virtual") { it.string },
+        rules = json.find("rules")?.let { RuleSet.fromJson(it.json) ?: malformed() } ?: RuleSet.NONE,
+        rulesProblem = json.find("rulesProblem")?.string,
+        findings = json.list("findings", ::findingOf),
+        hooks = json.list("hooks", ::hookOf),
+    )
+}
+
+private fun hookJson(hook: HookPart): String = jsonObject(
+    "name" to quotedJson(hook.name),
+    "error" to hook.error?.let(::quotedJson),
+    "values" to array(hook.values) { "[${quotedJson(it.name)},${quotedJson(it.text)}]" },
+    "findings" to array(hook.findings, ::findingJson),
+    "series" to array(hook.series) { series ->
+        jsonObject(
+            "name" to quotedJson(series.name),
+            "unit" to quotedJson(series.unit),
+            "x" to quotedJson(base64OfDoubles(series.data.x)),
+            "y" to quotedJson(base64OfDoubles(series.data.y)),
+        )
+    },
+    "figures" to array(hook.figures) {
+        jsonObject("title" to quotedJson(it.title), "type" to quotedJson(it.mediaType), "data" to quotedJson(it.base64))
+    },
+)
+
+private fun hookOf(value: JsonValue): HookPart {
+    val json = JsonFields(value.members)
+    return HookPart(
+        name = json["name"].string,
+        error = json.find("error")?.string,
+        values = json.list("values") { pair ->
+            val (name, text) = pair.items ?: malformed()
+            Value(name.string, text.string)
+        },
+        findings = json.list("findings", ::findingOf),
+        series = json.list("series") { series ->
+            val fields = JsonFields(series.members)
+            val data = Series(doublesOfBase64(fields["x"].string), doublesOfBase64(fields["y"].string))
+            PageSeries(fields["name"].string, fields["unit"].string, data)
+        },
+        figures = json.list("figures") { figure ->
+            val fields = JsonFields(figure.members)
+            PageFigure(fields["title"].string, fields["type"].string, fields["data"].string)
+        },
+    )
+}
+
+/** The base64 of [numbers] as doubles, little end first. */
+internal expect fun base64OfDoubles(numbers: DoubleArray): String
+
+/** The doubles of which [base64OfDoubles] made [base64]. */
+internal expect fun doublesOfBase64(base64: String): DoubleArray

@@ -1,0 +1,57 @@
+package badlog.page.rules
+
+import badlog.analysis.LogView
+import badlog.analysis.enabledTopics
+import badlog.recording.Recording
+import badlog.recording.Topic
+import badlog.rules.LogFindings
+import badlog.rules.LogShape
+import badlog.rules.RuleProgram
+import badlog.rules.RuleSet
+import kotlinx.browser.window
+
+/** Looks for what [rules] find in [view], which was read from a file called [file]: in a worker where there may be one. */
+internal class RuleSearch(private val view: LogView, private val rules: RuleSet, private val file: String) {
+    /** Starts after the next frame is on the screen; then one of [onFindings] and [onFailure] is called. */
+    fun start(onFindings: (LogFindings) -> Unit, onFailure: (String) -> Unit) {
+        window.requestAnimationFrame {
+            window.setTimeout({
+                RulesWorker.ask(view, rules, file, onFindings, onFailure, onForbidden = { runHere(onFindings, onFailure) })
+            }, 0)
+        }
+    }
+
+    /** One rule after the other on the page itself; a timer between two lets it draw and answer. */
+    private fun runHere(onFindings: (LogFindings) -> Unit, onFailure: (String) -> Unit) {
+        val asked = RuleProgram(rules, LogShape.of(view)).run(view, file).iterator()
+        var found = LogFindings(emptyList(), emptyList())
+        fun next() {
+            try {
+                if (asked.hasNext()) {
+                    found += asked.next()
+                    window.setTimeout({ next() }, 0)
+                } else {
+                    onFindings(found)
+                }
+            } catch (problem: Throwable) {
+                onFailure(problem.message ?: problem.toString())
+            }
+        }
+        next()
+    }
+}
+
+/**
+ * The recording of [view] with the samples alone that [rules] look at: they are copied on their way to the worker, and all of a large
+ * log would need its memory twice.
+ */
+internal fun samplesFor(rules: RuleSet, view: LogView): Recording {
+    val names = RuleProgram(rules, LogShape.of(view)).topics
+    val others = view.enabledTopics() + listOfNotNull(view.xAxis.topic)
+    val topics = view.recording.topics.map { topic -> if (topic.name in names || topic in others) topic else topic.withoutSamples() }
+    return view.recording.run { Recording(format, headerLine, values, topics, rowCount, problems) }
+}
+
+private fun Topic.withoutSamples() = Topic(name, unit, attributes, NO_SAMPLES, texts, counts, times, type, metadata)
+
+private val NO_SAMPLES = DoubleArray(0)

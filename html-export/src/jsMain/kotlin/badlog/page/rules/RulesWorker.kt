@@ -1,0 +1,86 @@
+package badlog.page.rules
+
+import badlog.analysis.LogView
+import badlog.html.protocol.logFindingsOf
+import badlog.html.protocol.toJson
+import badlog.page.dom.json
+import badlog.page.reading.RecordingMessage
+import badlog.rules.LogFindings
+import badlog.rules.RuleSet
+import badlog.rules.fromJson
+import badlog.rules.over
+import badlog.rules.toJson
+import kotlinx.browser.document
+import org.w3c.dom.DedicatedWorkerGlobalScope
+import org.w3c.dom.MessageEvent
+import org.w3c.dom.Worker
+import org.w3c.dom.WorkerOptions
+import org.w3c.dom.url.URL
+import org.w3c.files.Blob
+import org.w3c.files.BlobPropertyBag
+
+/**
+ * The worker that runs rules, so that the page stays alive meanwhile. Its script is the page's own; its name tells it from others.
+ *
+ * The page sends an object with `recording`, `rules` as JSON, and `file`. The worker answers with the findings as JSON, or with an
+ * object that has a `failure`.
+ */
+internal object RulesWorker {
+    private const val NAME = "rules"
+
+    /** Whether this script runs in it. */
+    val isHere: Boolean get() = js("self.name") == NAME
+
+    /**
+     * Starts it for [view], which was read from a file called [file].
+     *
+     * @param onFindings gets what [rules] found.
+     * @param onFailure gets why there is nothing.
+     * @param onForbidden is called where the browser's rules for pages on a disk forbid workers.
+     */
+    fun ask(
+        view: LogView,
+        rules: RuleSet,
+        file: String,
+        onFindings: (LogFindings) -> Unit,
+        onFailure: (String) -> Unit,
+        onForbidden: () -> Unit,
+    ) {
+        val worker = start() ?: return onForbidden()
+        worker.onerror = {
+            worker.terminate()
+            onForbidden()
+        }
+        worker.onmessage = { event: MessageEvent ->
+            worker.terminate()
+            val answer: dynamic = event.data
+            val found = if (jsTypeOf(answer) == "string") logFindingsOf(answer as String) else null
+            if (found == null) onFailure(answer.failure as String? ?: "") else onFindings(found)
+        }
+        val recording = RecordingMessage.of(samplesFor(rules, view))
+        worker.postMessage(json("recording" to recording, "rules" to rules.toJson(), "file" to file))
+    }
+
+    /** Does the worker's work. */
+    fun run() {
+        val page = js("self").unsafeCast<DedicatedWorkerGlobalScope>()
+        page.onmessage = { event: MessageEvent ->
+            val question: dynamic = event.data
+            try {
+                val rules = checkNotNull(RuleSet.fromJson(question.rules as String))
+                val view = LogView.of(RecordingMessage.read(question.recording))
+                page.postMessage(rules.over(view, question.file as String).toJson())
+            } catch (problem: Throwable) {
+                page.postMessage(json("failure" to (problem.message ?: problem.toString())))
+            }
+        }
+    }
+
+    private fun start(): Worker? = try {
+        val script = document.getElementById("program")?.textContent.orEmpty()
+        val address = URL.createObjectURL(Blob(arrayOf(script), BlobPropertyBag("text/javascript")))
+        Worker(address, json("name" to NAME).unsafeCast<WorkerOptions>())
+    } catch (_: Throwable) {
+        null
+    }
+}

@@ -1,0 +1,115 @@
+package badlog.page
+
+import badlog.analysis.LogView
+import badlog.bag.BagTopic
+import badlog.expression.withVirtualTopics
+import badlog.file.readRecording
+import badlog.formats.LOG_FORMATS
+import badlog.html.protocol.PageAdditions
+import badlog.recording.Severity
+import badlog.rules.BUILT_IN
+import badlog.rules.RuleSet
+import badlog.rules.RulesFile
+import badlog.rules.over
+import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import java.nio.file.Path
+
+internal class RulesSpec : PageSpec({
+    val samples = listOf("qualification-42.bag", "qualification-57.bag.gz", "practice.bag")
+    val formulas = listOf("PDP/Double = 2 * Total Current")
+    val own = RulesFile.parse(
+        """
+        [aliases]
+        both = ["*double*"]
+        [[rule]]
+        name = "Enabled low"
+        severity = "warning"
+        when = "battery voltage < 11 and enabled"
+        text = "{value} at {time} in {file}, {count} times: {match}"
+        [[rule]]
+        name = "Double"
+        severity = "note"
+        when = "max(both) > 100 or count(time) > 3"
+        text = "{value}"
+        """.trimIndent(),
+    ).rules
+
+    fun OpenPage.awaitRules() = await("the rules") { script("return document.documentElement.dataset.rules") == "done" }
+
+    fun OpenPage.findings(): List<String> {
+        for (button in elements(".findings-more button")) if (button.isDisplayed && "Show all" in button.text) button.click()
+        settle()
+        return texts(".finding .severity").zip(texts(".finding-text")) { severity, text -> "$severity $text" }
+    }
+
+    fun found(sample: Path, rules: RuleSet): List<String> {
+        val view = LogView.of(readRecording(sample, LOG_FORMATS)).withVirtualTopics(formulas).view
+        return rules.over(view, sample.fileName.toString()).findings
+            .map { "${it.severity.name.lowercase()} ${it.rule}${it.text}" }
+    }
+
+    fun bare(texts: List<String>) = texts.map { it.filterNot(Char::isWhitespace) }
+
+    for (sample in samples) {
+        for ((name, rules) in listOf("the built-in rules" to RuleSet.BUILT_IN, "a team's rules" to own)) {
+            browserTest("what the page's worker finds in $sample by $name is what the JVM finds") {
+                onPage(TestPages.ofSample(sample, PageAdditions(formulas, rules))) {
+                    awaitRules()
+                    bare(findings()) shouldContainExactlyInAnyOrder bare(found(SAMPLES.resolve(sample), rules))
+                    number("return performance.getEntriesByName('badlog-first-graphs').length") shouldBe 1.0
+                }
+            }
+        }
+    }
+
+    browserTest("where workers are forbidden the page itself finds the same") {
+        val script = "window.Worker = function () { throw new Error('forbidden') }"
+        onPage(TestPages.ofSample(samples[0], PageAdditions(formulas, RuleSet.BUILT_IN)), script = script) {
+            awaitRules()
+            bare(findings()) shouldContainExactlyInAnyOrder bare(found(SAMPLES.resolve(samples[0]), RuleSet.BUILT_IN))
+        }
+    }
+
+    browserTest("what rules find is marked, searched and gone through like what was embedded, beside that") {
+        val embedded = finding("Comparison", Severity.NOTE, "as the last match", 20.0)
+        onPage(TestPages.ofSample(samples[0], PageAdditions(rules = RuleSet.BUILT_IN, findings = listOf(embedded)))) {
+            awaitRules()
+            press("n", "n")
+            element(".finding[aria-current]").text shouldContain "CAN"
+            press("/")
+            press("browned")
+            texts(".search-count").single() shouldContain "1 finding"
+            texts(".finding-source") shouldBe listOf("Browned out")
+        }
+    }
+
+    val bag = bagOf(listOf(TIME, BagTopic("Angle", "deg")), 100) { row, _ -> row / 10.0 }
+
+    browserTest("where no rule applies there is no empty section, nor where nothing was found") {
+        val rules = RulesFile.parse(
+            "[[rule]]\nname = \"A\"\nseverity = \"note\"\nwhen = \"Arm > 1\"\ntext = \"t\"\n" +
+                "[[rule]]\nname = \"B\"\nseverity = \"note\"\nwhen = \"Angle > 1000\"\ntext = \"t\"\n",
+        ).rules
+        onPage(TestPages.of(bag, additions = PageAdditions(rules = rules))) {
+            awaitRules()
+            element("#findings").isDisplayed shouldBe false
+        }
+    }
+
+    browserTest("a rule that is wrong is pointed at, and those that were skipped are listed with the reason") {
+        val rules = RulesFile.parse(
+            "[[rule]]\nname = \"Wrong\"\nseverity = \"note\"\nwhen = \"mean(Angle, 5) < 3\"\ntext = \"t\"\n" +
+                "[[rule]]\nname = \"Lacking\"\nseverity = \"note\"\nwhen = \"Wrist > 1\"\ntext = \"t\"\n",
+        ).rules
+        val page = TestPages.of(bag, additions = PageAdditions(rules = rules, rulesProblem = "Other rules were meant: Line 1: bad\nx\n^"))
+        onPage(page) {
+            awaitRules()
+            texts("#findings .problem-text").single() shouldContain "The rule “Wrong” is wrong. Line 4: "
+            texts("#findings .pointer").single() shouldContain "^"
+            texts(".findings-skipped summary") shouldBe listOf("1 skipped rule (topics missing)")
+            texts("#problems .problem-text").single() shouldContain "Other rules were meant: Line 1: bad"
+        }
+    }
+})

@@ -1,0 +1,20 @@
+package badlog.report.page
+
+import badlog.html.protocol.HookPart
+import badlog.html.protocol.PageFigure
+import badlog.html.protocol.PageSeries
+import badlog.recording.Value
+import badlog.report.hook.HookOutcome
+import java.util.Base64
+
+/** What the page of a log shows of what [hooks] came to. */
+public fun hookParts(hooks: List<HookOutcome>): List<HookPart> = hooks.map { outcome ->
+    val result = outcome.result ?: return@map HookPart(outcome.hook, error = outcome.failure?.message)
+    HookPart(
+        outcome.hook,
+        values = result.values.map { (name, text) -> Value(name, text) },
+        findings = outcome.findings(timeUnit = ""),
+        series = result.series.map { PageSeries(it.name, it.unit, it.data) },
+        figures = result.figures.map { PageFigure(it.title, it.mediaType, Base64.getEncoder().encodeToString(it.bytes)) },
+    )
+}
