@@ -98,7 +98,7 @@ class ReportSpec : FunSpec({
             result.logs.single().findings.shouldBeEmpty()
             result.skipped.single().run {
                 isMistake shouldBe false
-                toString() shouldBe "The rule “R” was not asked of 1 log: the log has no x axis."
+                toString() shouldBe "The rule “R” was skipped for 1 log: the log has no x axis."
             }
         }
     }
@@ -109,7 +109,7 @@ class ReportSpec : FunSpec({
             val never = Report(rules("true", more = "only = [\"playoff\"]")).over(logsIn(folder))
             never.logs.single().findings.shouldBeEmpty()
             never.skipped.single().toString() shouldBe
-                "The rule “R” was not asked of 1 log: it is only for matches of the type “playoff”."
+                "The rule “R” was skipped for 1 log: it is only for matches of the type “playoff”."
             findings(folder, rules("true", more = "only = [\"playoff\", \"qualification\"]")) shouldContainExactly listOf("t")
         }
     }
@@ -119,7 +119,7 @@ class ReportSpec : FunSpec({
             for (i in 1..3) folder.put("$i.bag", batteryBag(6.0, name = "Other"))
             val rules = rules("b < 7", aliases = "b = [\"*voltage*\"]")
             Report(rules).over(logsIn(folder)).skipped.single().toString() shouldBe
-                "The rule “R” was not asked of 3 logs: no topic for b, called “*voltage*”."
+                "The rule “R” was skipped for 3 logs: no topic for b, matching “*voltage*”."
             folder.put("4.bag", batteryBag(6.0, name = "Total Current"))
             Report(rules("Total Current > 5")).over(logsIn(folder)).run {
                 skipped.single().isMistake shouldBe false
