@@ -155,7 +155,7 @@ class ReportSpec : FunSpec({
             folder.put("1.bag", batteryBag(6.0))
             Report(rules("Battery Voltage < 7 V")).over(logsIn(folder)).skipped.single().run {
                 isMistake shouldBe true
-                message shouldContain "Line 6: “V” is no unit of time"
+                message shouldContain "Line 6: “V” is not a unit of time"
                 message shouldContain "\nwhen = \"Battery Voltage < 7 V\"\n                            ^"
             }
             Report(rules("min(Battery Voltage)")).over(logsIn(folder)).skipped.single().message shouldContain "This is a number; compare it"
