@@ -24,7 +24,4 @@ public class GraphSeries internal constructor(
 
     /** Whether a sample's value holds until the next one: that of a topic with times of its own, logged when it changes. */
     public val holds: Boolean get() = topic.times != null && !isDerived
-
-    /** The index of the sample that tells the value at [x]: the last so far where values hold, else the nearest; -1 for none. */
-    public fun indexAt(x: Double): Int = if (holds) data.firstAfter(x) - 1 else data.nearest(x)
 }

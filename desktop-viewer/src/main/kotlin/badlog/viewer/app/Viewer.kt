@@ -6,6 +6,7 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import badlog.analysis.Span
 import badlog.plot.range.Viewport
+import badlog.plot.timeline.EventTimeline
 import badlog.viewer.compare.Comparison
 import badlog.viewer.compare.ComparisonLoading
 import badlog.viewer.files.FileChoice
@@ -25,7 +26,6 @@ import badlog.viewer.library.LibraryState
 import badlog.viewer.panels.Panels
 import badlog.viewer.playback.Playback
 import badlog.viewer.recording.EventFilter
-import badlog.viewer.recording.MatchingEvents
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.recording.RecordingLoading
 import badlog.viewer.settings.Settings
@@ -95,7 +95,7 @@ internal class Viewer(
     var eventFilter by mutableStateOf(EventFilter())
 
     /** The events of the open recording that [eventFilter] lets through. */
-    val matchingEvents: MatchingEvents by derivedStateOf { open?.events?.matching(eventFilter) ?: MatchingEvents.NONE }
+    val matchingEvents: EventTimeline by derivedStateOf { open?.let { eventFilter.over(it.events, it.eventLogs) } ?: EventTimeline.NONE }
 
     /** The definitions of topics that are calculated from others, in the order in which they may use each other. */
     var formulas by mutableStateOf<List<String>>(emptyList())

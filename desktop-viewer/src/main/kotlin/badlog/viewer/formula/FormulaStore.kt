@@ -4,12 +4,12 @@ import androidx.compose.runtime.snapshotFlow
 import androidx.compose.ui.input.key.Key
 import badlog.expression.LogViewSignals
 import badlog.expression.signals.Vocabulary
+import badlog.plot.formula.nameIn
+import badlog.plot.formula.nameInExpression
 import badlog.viewer.app.Viewer
 import badlog.viewer.keyboard.Command
 import badlog.viewer.keyboard.KeyPress
 import badlog.viewer.recording.OpenRecording
-import badlog.viewer.recording.nameIn
-import badlog.viewer.recording.nameInExpression
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.flow.collectLatest
 import kotlinx.coroutines.withContext

@@ -11,10 +11,11 @@ import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.graphicsLayer
 import badlog.analysis.Span
+import badlog.plot.cursor.dotAt
+import badlog.plot.cursor.indexAt
 import badlog.viewer.findings.drawShownFinding
 import badlog.viewer.graph.plot.PlotPicture
 import badlog.viewer.graph.plot.PlotState
-import badlog.viewer.recording.indexAt
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Palette
 
@@ -73,12 +74,11 @@ private fun DrawScope.drawGesture(gesture: PlotGesture, id: Int, visible: Span, 
 /** A dot on each line where the legend reads it: at the very sample, or where its value holds. */
 private fun DrawScope.drawSamples(picture: PlotPicture, cursor: Double, visible: Span, palette: Palette) {
     for (line in picture.lines) {
-        val signal = line.line.signal
-        val index = signal.indexAt(line.series, cursor - line.line.offset)
+        val read = line.line.signal.line
+        val index = read.indexAt(cursor - line.line.offset)
         if (index < 0) continue
-        val value = line.series.y[index]
-        val place = if (signal.holds) cursor else line.series.x[index] + line.line.offset
-        val x = pixelOf(place, visible, size.width)
+        val value = read.data.y[index]
+        val x = pixelOf(read.dotAt(cursor - line.line.offset) + line.line.offset, visible, size.width)
         if (!value.isFinite() || x < 0 || x > size.width) continue
         val y = picture.axes[line.axis].pixelOf(value, picture.plotHeight)
         if (y < 0 || y > picture.plotHeight) continue

@@ -7,6 +7,7 @@ import androidx.compose.runtime.setValue
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import badlog.analysis.Units
+import badlog.plot.timeline.EventTimeline
 import badlog.viewer.app.Viewer
 import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.compare.drawnRecordings
@@ -14,7 +15,6 @@ import badlog.viewer.graph.plot.PlotPicture
 import badlog.viewer.graph.plot.PlotState
 import badlog.viewer.graph.plot.Plots
 import badlog.viewer.graph.plot.drawnLines
-import badlog.viewer.recording.MatchingEvents
 
 /** What all graphs of a window share. */
 internal class GraphScene(val viewer: Viewer) {
@@ -25,7 +25,7 @@ internal class GraphScene(val viewer: Viewer) {
     val recordings: List<DrawnRecording> by derivedStateOf { viewer.drawnRecordings() }
 
     /** The events that are marked. */
-    val events: MatchingEvents get() = viewer.matchingEvents
+    val events: EventTimeline get() = viewer.matchingEvents
 
     /** Whether signals are being dragged over the window. */
     var isReceiving: Boolean by mutableStateOf(false)

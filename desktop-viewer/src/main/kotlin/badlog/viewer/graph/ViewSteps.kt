@@ -17,21 +17,12 @@ internal fun zoomToSelection(viewer: Viewer) {
     viewer.viewport = viewer.viewport.showing(selection.from, selection.to)
 }
 
-/** Moves the cursor by [samples] rows of the open recording, and shows where it is then. */
+/** Moves the cursor by [samples] of the open recording, or to the one in the middle of the view, and shows where it is then. */
 internal fun stepCursor(viewer: Viewer, samples: Int) {
-    val positions = viewer.open?.positions?.takeIf { it.isNotEmpty() } ?: return
+    val steps = viewer.open?.cursorSteps ?: return
     val visible = viewer.viewport.visible
-    val cursor = viewer.cursor ?: (visible.from + visible.width / 2)
-    val found = positions.binarySearch(cursor)
-    val next = when {
-        found >= 0 -> found + samples
-
-        // Between two rows, the first step leads to the next one.
-        samples > 0 -> -found - 1 + samples - 1
-
-        else -> -found - 1 + samples
-    }
-    val x = positions[next.coerceIn(positions.indices)]
+    val x = viewer.cursor?.let { steps.from(it, samples) } ?: steps.nearest(visible.from + visible.width / 2)
+    if (x.isNaN()) return
     viewer.cursor = x
     viewer.isCursorPinned = true
     viewer.viewport = viewer.viewport.revealing(x)

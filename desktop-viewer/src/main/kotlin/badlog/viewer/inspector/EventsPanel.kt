@@ -39,8 +39,8 @@ import badlog.plot.text.countText
 import badlog.plot.text.decimalsFor
 import badlog.plot.text.fixedText
 import badlog.plot.text.minutesText
+import badlog.plot.timeline.EventTimeline
 import badlog.viewer.app.Viewer
-import badlog.viewer.recording.MatchingEvents
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.SearchField
@@ -60,7 +60,7 @@ internal fun EventsPanel(viewer: Viewer, open: OpenRecording, modifier: Modifier
         value = true
     }
     if (!isReady) return
-    val all = open.events.all
+    val all = open.events
     if (all.size == 0) {
         PanelHint("This log has no events: none of its topics holds texts that say what happened.")
         return
@@ -82,7 +82,7 @@ internal fun EventsPanel(viewer: Viewer, open: OpenRecording, modifier: Modifier
 }
 
 @Composable
-private fun EventList(viewer: Viewer, open: OpenRecording, found: MatchingEvents) {
+private fun EventList(viewer: Viewer, open: OpenRecording, found: EventTimeline) {
     val times = remember(open) { EventTimes(open) }
     val state = rememberLazyListState()
     val nearest = remember(viewer, found) { derivedStateOf { viewer.cursor?.let { found.nearest(it) } ?: -1 } }
@@ -90,7 +90,7 @@ private fun EventList(viewer: Viewer, open: OpenRecording, found: MatchingEvents
     Box(Modifier.fillMaxSize()) {
         LazyColumn(Modifier.fillMaxSize(), state) {
             items(found.size) { index ->
-                EventLine(found, index, times, isTopicShown = found.logs.size > 1, nearest) {
+                EventLine(found, index, times, isTopicShown = open.eventLogs.size > 1, nearest) {
                     val x = found.x[index]
                     if (x.isFinite()) {
                         viewer.cursor = x
@@ -119,7 +119,7 @@ private fun FollowCursor(state: LazyListState, nearest: State<Int>) {
 /** Event [index] of [events]: when, and what. */
 @Composable
 internal fun EventLine(
-    events: MatchingEvents,
+    events: EventTimeline,
     index: Int,
     times: EventTimes,
     isTopicShown: Boolean,

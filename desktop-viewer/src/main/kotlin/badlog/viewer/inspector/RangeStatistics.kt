@@ -3,14 +3,11 @@ package badlog.viewer.inspector
 import badlog.analysis.SeriesStatistics
 import badlog.analysis.Span
 import badlog.analysis.statistics
-import badlog.plot.text.countText
+import badlog.plot.statistics.Statistic
 import badlog.plot.text.exactText
-import badlog.plot.text.roundedText
 import badlog.recording.Topic
 import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.recording.Signal
-import badlog.viewer.recording.sampleText
-import badlog.viewer.statistics.Statistic
 
 /**
  * What every drawn signal does over a part of x.
@@ -50,20 +47,8 @@ internal fun rangeStatistics(drawn: List<DrawnRecording>, names: List<String>, s
 }
 
 private fun figuresOf(signal: Signal, statistics: SeriesStatistics, xUnit: String): List<Figure> {
-    val shown = if (statistics.count == 0) listOf(Statistic.SAMPLES) else Statistic.entries
-    return shown.map { Figure(it.title, textOf(it, signal, statistics), it.unitOf(signal.unit, xUnit)) }
-}
-
-private fun textOf(statistic: Statistic, signal: Signal, statistics: SeriesStatistics): String {
-    val value = statistic.of(statistics)
-    return when {
-        statistic == Statistic.SAMPLES ->
-            statistics.count.toString() + if (statistics.gaps > 0) " + ${countText(statistics.gaps, "gap")}" else ""
-
-        statistic.isSample -> sampleText(signal, value)
-
-        else -> roundedText(value)
-    }
+    val shown = if (statistics.count == 0) listOf(Statistic.SAMPLES, Statistic.GAPS) else Statistic.entries
+    return shown.map { Figure(it.title, it.textOf(statistics, signal.isDerived), it.unitOf(signal.unit, xUnit)) }
 }
 
 // What the numbers of states add up to means nothing.

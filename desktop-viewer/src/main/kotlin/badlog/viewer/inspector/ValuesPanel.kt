@@ -25,10 +25,10 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
+import badlog.plot.search.Query
 import badlog.recording.PathName
 import badlog.recording.Value
 import badlog.viewer.recording.OpenRecording
-import badlog.viewer.text.wordsOf
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.SearchField
@@ -70,11 +70,9 @@ internal class ValueRow(val folder: String, val value: Value?)
 
 /** The values of [open] whose name or text has all words of [query], each folder below its heading; the root has none. */
 internal fun valueRows(open: OpenRecording, query: String): List<ValueRow> {
-    val words = wordsOf(query)
+    val wanted = Query(query)
     return open.view.folders.flatMap { folder ->
-        val found = folder.values.filter { value ->
-            words.all { value.name.contains(it, ignoreCase = true) || value.text.contains(it, ignoreCase = true) }
-        }
+        val found = folder.values.filter { wanted.matches("${it.name} ${it.text}") }
         val heading = if (found.isEmpty() || folder.name.isEmpty()) emptyList() else listOf(ValueRow(folder.name, null))
         heading + found.map { ValueRow(folder.name, it) }
     }

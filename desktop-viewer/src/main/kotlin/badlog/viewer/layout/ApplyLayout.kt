@@ -1,12 +1,12 @@
 package badlog.viewer.layout
 
+import badlog.plot.formula.joined
 import badlog.viewer.app.Viewer
 import badlog.viewer.formula.takeFormulas
 import badlog.viewer.graph.standardGraphs
 import badlog.viewer.panels.InspectorTab
 import badlog.viewer.panels.MainView
 import badlog.viewer.panels.Panels
-import badlog.viewer.recording.joined
 
 /**
  * Arranges the window as [layout] says, as far as the open recording has what it names; what is left out is said. Its formulas

@@ -1,10 +1,10 @@
 package badlog.viewer.library
 
 import badlog.file.NaturalOrder
+import badlog.plot.search.Query
 import badlog.viewer.library.index.Content
 import badlog.viewer.library.index.LogEntry
 import badlog.viewer.library.index.isNamedAsLog
-import badlog.viewer.text.wordsOf
 import java.nio.file.Path
 
 /**
@@ -97,9 +97,9 @@ internal data class Listing(
 ) {
     /** What is listed, in its order. */
     val visible: List<LogEntry> by lazy {
-        val words = wordsOf(filter.lowercase())
+        val query = Query(filter)
         entries
-            .filter { it.content != Content.NO_LOG && !(hidesEmpty && it.isGrey) && hasAll(it, words) }
+            .filter { it.content != Content.NO_LOG && !(hidesEmpty && it.isGrey) && isFound(it, query) }
             .sortedWith(order())
     }
 
@@ -113,11 +113,7 @@ internal data class Listing(
         copy(column = column, isDescending = column.beginsDescending)
     }
 
-    private fun hasAll(entry: LogEntry, words: List<String>): Boolean {
-        if (words.isEmpty()) return true
-        val text = searchText(entry, folder).lowercase()
-        return words.all { it in text }
-    }
+    private fun isFound(entry: LogEntry, query: Query) = query.isEmpty || query.matches(searchText(entry, folder))
 
     private fun order(): Comparator<LogEntry> {
         val present = if (isDescending) column.order.reversed() else column.order

@@ -5,11 +5,14 @@ import badlog.analysis.EventLog
 import badlog.analysis.LogView
 import badlog.analysis.Span
 import badlog.analysis.enabledSpans
-import badlog.expression.ViewWithVirtualTopics
 import badlog.expression.withVirtualTopics
 import badlog.file.readRecording
 import badlog.formats.LOG_FORMATS
+import badlog.plot.cursor.CursorSteps
+import badlog.plot.formula.Formula
+import badlog.plot.formula.formulasOf
 import badlog.plot.range.Viewport
+import badlog.plot.timeline.EventTimeline
 import java.io.IOException
 import java.nio.file.Path
 
@@ -38,7 +41,7 @@ internal class OpenRecording(val file: Path, val logged: LogView, val definition
     val eventLogs: List<EventLog> = view.folders.flatMap { it.eventLogs }
 
     /** All events of those, in the order of x. */
-    val events: RecordingEvents by lazy { RecordingEvents(eventLogs) }
+    val events: EventTimeline by lazy { EventTimeline.of(eventLogs) }
 
     /** When the robot was enabled; empty when nothing tells. */
     val enabled: List<EnabledSpan> by lazy { view.enabledSpans() }
@@ -49,8 +52,8 @@ internal class OpenRecording(val file: Path, val logged: LogView, val definition
     /** The smallest x; 0 without any. */
     val firstX: Double = view.xAxis.range?.start ?: 0.0
 
-    /** Where on x there are samples, ascending: the places the cursor steps to. */
-    val positions: DoubleArray by lazy { ascending(view.xAxis.clocks) }
+    /** The places the cursor steps to. */
+    val cursorSteps: CursorSteps = CursorSteps(view.xAxis.clocks)
 
     /** What a person would call it: the match, or else the name of the file. */
     val label: String get() = view.title ?: file.fileName.toString()
@@ -94,15 +97,6 @@ internal class OpenRecording(val file: Path, val logged: LogView, val definition
     }
 }
 
-private fun formulasOf(definitions: List<String>, calculated: ViewWithVirtualTopics): List<Formula> {
-    val topics = calculated.topics.iterator()
-    val errors = calculated.errors.associateBy { it.text }
-    return definitions.map { definition ->
-        val error = errors[definition]
-        Formula(definition, if (error == null) topics.next() else null, error)
-    }
-}
-
 private fun signalsOf(view: LogView, formulas: List<Formula>): List<Signal> {
     val definitions = formulas.mapNotNull { formula -> formula.topic?.let { it.name to formula.definition } }.toMap()
     val logged = view.recording.topics
@@ -112,21 +106,4 @@ private fun signalsOf(view: LogView, formulas: List<Formula>): List<Signal> {
         .filter { graph -> graph.series.all { it.isDerived } }
         .map { Signal(it.name, isDerived = true, it.series.single()) }
     return logged + derived
-}
-
-/** Every place in [clocks], ascending. Those of several clocks are there once each. */
-private fun ascending(clocks: List<DoubleArray>): DoubleArray {
-    if (clocks.size > 1) return merged(clocks)
-    val positions = clocks.single()
-    val isAscending = positions.indices.all { positions[it].isFinite() && (it == 0 || positions[it] >= positions[it - 1]) }
-    return if (isAscending) positions else positions.filter { it.isFinite() }.toDoubleArray().apply { sort() }
-}
-
-private fun merged(clocks: List<DoubleArray>): DoubleArray {
-    val all = DoubleArray(clocks.sumOf { it.size })
-    clocks.fold(0) { at, clock -> clock.copyInto(all, at).let { at + clock.size } }
-    all.sort()
-    var size = 0
-    for (place in all) if (size == 0 || place > all[size - 1]) all[size++] = place
-    return all.copyOf(size)
 }

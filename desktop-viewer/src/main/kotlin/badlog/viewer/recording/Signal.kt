@@ -12,9 +12,10 @@ import badlog.recording.TopicKind
  *
  * @property name the full name, unique in its recording.
  * @property isDerived whether it was calculated rather than logged; its [title] then stands in brackets.
+ * @property line it as a line of a graph.
  * @property definition the formula that makes it; null for all that no formula makes.
  */
-internal class Signal(val name: String, val isDerived: Boolean, private val line: GraphSeries, val definition: String? = null) {
+internal class Signal(val name: String, val isDerived: Boolean, val line: GraphSeries, val definition: String? = null) {
     /** The unit, `ul` for none. */
     val unit: String get() = line.unit
 

@@ -2,6 +2,7 @@ package badlog.viewer.statistics
 
 import badlog.analysis.SeriesStatistics
 import badlog.analysis.Units
+import badlog.plot.statistics.Statistic
 import badlog.plot.text.exactText
 import badlog.plot.text.roundedText
 import badlog.plot.text.withUnit
@@ -82,7 +83,7 @@ internal class StatisticsGrid(rows: List<StatisticsRow>, choice: StatisticsChoic
 internal fun csvCell(text: String): String = if (text.any { it in ",\"\r\n" }) "\"" + text.replace("\"", "\"\"") + "\"" else text
 
 // How many samples there are is known exactly, however many they are.
-private fun textOf(statistic: Statistic, value: Double) = if (statistic == Statistic.SAMPLES) exactText(value) else roundedText(value)
+private fun textOf(statistic: Statistic, value: Double) = if (statistic.isCount) exactText(value) else roundedText(value)
 
 private fun sorted(rows: List<StatisticsRow>, choice: StatisticsChoice): List<StatisticsRow> = when (val column = choice.sort) {
     null -> rows

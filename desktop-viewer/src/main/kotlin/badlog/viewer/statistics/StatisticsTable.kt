@@ -41,12 +41,13 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import badlog.plot.search.Query
+import badlog.plot.statistics.Statistic
 import badlog.viewer.app.Viewer
 import badlog.viewer.compare.drawnRecordings
 import badlog.viewer.files.askToWrite
 import badlog.viewer.files.writeWhole
 import badlog.viewer.panels.MainView
-import badlog.viewer.text.wordsOf
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.SearchField
@@ -163,8 +164,7 @@ internal fun StatisticsTopics(viewer: Viewer, topics: List<String>, modifier: Mo
     var query by remember { mutableStateOf("") }
     val chosen = viewer.statisticsChoice.topics
     val listed = remember(topics, query, chosen) {
-        val words = wordsOf(query)
-        val found = topics.filter { topic -> words.all { topic.contains(it, ignoreCase = true) } }
+        val found = topics.filter(Query(query)::matches)
         chosen + (found - chosen.toSet())
     }
     val state = rememberLazyListState()

@@ -48,7 +48,6 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
-import badlog.analysis.Series
 import badlog.viewer.app.Viewer
 import badlog.viewer.formula.formulaMenu
 import badlog.viewer.formula.writeFormula
@@ -178,11 +177,12 @@ internal fun SignalValue(viewer: Viewer, open: OpenRecording, signal: Signal) {
         ValueText(if (count == 1) "1 event" else "$count events")
         return
     }
-    val series by produceState<Series?>(null, signal) {
+    val ready by produceState<Signal?>(null, signal) {
         // Samples are calculated when they are first asked for.
-        value = withContext(Dispatchers.Default) { signal.series.also { it.isOrdered } }
+        withContext(Dispatchers.Default) { signal.series.isOrdered }
+        value = signal
     }
-    val text by remember(viewer, signal) { derivedStateOf { series?.let { valueText(signal, it, viewer.cursor) }.orEmpty() } }
+    val text by remember(viewer) { derivedStateOf { ready?.let { valueText(it, viewer.cursor) }.orEmpty() } }
     ValueText(text)
 }
 

@@ -34,13 +34,13 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.text.withStyle
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
+import badlog.plot.search.Query
 import badlog.viewer.app.Viewer
 import badlog.viewer.compare.drawnRecordings
 import badlog.viewer.formula.NEW_FORMULA
 import badlog.viewer.formula.UnmadeFormulas
 import badlog.viewer.formula.writeFormula
 import badlog.viewer.recording.OpenRecording
-import badlog.viewer.text.wordsOf
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Palette
@@ -140,7 +140,7 @@ internal fun indentOf(depth: Int): Dp = (8 + 12 * minOf(depth, DEEPEST)).dp
 /** [text] with what the words of [query] find in it marked. */
 internal fun withMatches(text: String, query: String, palette: Palette): AnnotatedString = buildAnnotatedString {
     val isFound = BooleanArray(text.length)
-    for (word in wordsOf(query)) {
+    for (word in Query(query).words) {
         var at = text.indexOf(word, ignoreCase = true)
         while (at >= 0) {
             isFound.fill(true, at, at + word.length)

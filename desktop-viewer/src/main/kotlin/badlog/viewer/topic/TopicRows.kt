@@ -1,20 +1,20 @@
 package badlog.viewer.topic
 
+import badlog.plot.search.Query
 import badlog.viewer.recording.Signal
-import badlog.viewer.text.wordsOf
 
 /**
  * The lines that the list of topics has for [signals]: in each folder its signals in their order, then its folders by name.
  * Folders in [folded] are closed, unless there is a [query].
  */
 internal fun topicRows(signals: List<Signal>, query: String, folded: Set<String>): List<TopicRow> {
-    val words = wordsOf(query)
+    val wanted = Query(query)
     val root = TopicFolder("", "")
     for (signal in signals) {
-        if (words.all { signal.name.contains(it, ignoreCase = true) }) root.at(signal.folder).signals += signal
+        if (wanted.matches(signal.name)) root.at(signal.folder).signals += signal
     }
     val rows = ArrayList<TopicRow>()
-    root.list(rows, depth = 0, folded = if (words.isEmpty()) folded else emptySet())
+    root.list(rows, depth = 0, folded = if (wanted.isEmpty) folded else emptySet())
     return rows
 }
 

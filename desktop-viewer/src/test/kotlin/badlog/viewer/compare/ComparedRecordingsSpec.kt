@@ -9,12 +9,12 @@ import androidx.compose.ui.test.performKeyInput
 import androidx.compose.ui.test.performTextReplacement
 import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.plot.statistics.Statistic
 import badlog.viewer.app.Viewer
 import badlog.viewer.app.ViewerScreen
 import badlog.viewer.panels.MainView
 import badlog.viewer.recordingOf
 import badlog.viewer.settings.UserFolders
-import badlog.viewer.statistics.Statistic
 import badlog.viewer.statistics.StatisticsChoice
 import badlog.viewer.statistics.StatisticsTable
 import io.kotest.assertions.nondeterministic.eventually

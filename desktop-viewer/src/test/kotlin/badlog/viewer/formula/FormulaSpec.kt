@@ -4,14 +4,10 @@ import androidx.compose.ui.text.AnnotatedString
 import badlog.expression.ExpressionError
 import badlog.expression.VirtualTopic
 import badlog.viewer.bagOf
-import badlog.viewer.graph.GraphList
 import badlog.viewer.graph.standardGraphs
 import badlog.viewer.layout.LayoutGraph
 import badlog.viewer.layout.fitted
 import badlog.viewer.loggedTopic
-import badlog.viewer.recording.joined
-import badlog.viewer.recording.nameIn
-import badlog.viewer.recording.nameInExpression
 import badlog.viewer.recordingOf
 import badlog.viewer.statistics.statisticsRow
 import badlog.viewer.theme.Palette
@@ -39,7 +35,6 @@ class FormulaSpec : FunSpec({
         signal.definition shouldBe "Drive/$power"
         signal.series.y.toList() shouldContainExactly listOf(12.0, 22.0, 30.0)
         open.signal("Twice").shouldNotBeNull().series.y.toList() shouldContainExactly listOf(24.0, 44.0, 60.0)
-        open.positions.toList() shouldContainExactly listOf(0.0, 1.0, 2.0)
         standardGraphs(open.logged) shouldBe standardGraphs(recording.view)
     }
 
@@ -70,42 +65,6 @@ class FormulaSpec : FunSpec({
         val series = open.signal("S").shouldNotBeNull().series
         series.x.toList() shouldContainExactly listOf(0.0, 1.0, 2.0)
         series.y.toList().drop(1) shouldContainExactly listOf(11.0, 13.0)
-    }
-
-    test("the name is known even where the expression means nothing") {
-        nameIn(power) shouldBe "Power"
-        nameIn("\"Odd = [name]\" [V] = nonsense == 3") shouldBe "Odd = [name]"
-        nameIn("no definition") shouldBe null
-        nameIn("= 3") shouldBe null
-    }
-
-    test("formulas of a layout replace those of the same name and leave the others") {
-        joined(listOf("A = 1", "B = 2"), listOf("B = 3", "C = 4")) shouldContainExactly listOf("A = 1", "B = 3", "C = 4")
-        joined(listOf("A = 1"), emptyList()) shouldContainExactly listOf("A = 1")
-    }
-
-    test("what draws a formula goes with it, and takes its new name") {
-        val graphs = GraphList().withGraph(listOf("Power")).withGraph(listOf("Power", "Other")).withGraph(listOf("Other"))
-        graphs.withoutSignal("Power").graphs.map { graph -> graph.lines.map { it.signal } } shouldBe listOf(listOf("Other"), listOf("Other"))
-        val renamed = graphs.renamed("Power", "P")
-        renamed.graphs.map { graph -> graph.lines.map { it.signal } } shouldBe listOf(listOf("P"), listOf("P", "Other"), listOf("Other"))
-        renamed.graphs[0].title shouldBe "P"
-    }
-
-    test("names are suggested from what was typed of them, and stand in quotes where they need them") {
-        val vocabulary = vocabularyFor(recording, null)
-        fun names(text: String) = Suggestions.of(text, text.length, vocabulary).names
-        names("Volt") shouldBe emptyList()
-        names("P = volt") shouldBe listOf("System/Battery Voltage")
-        names("P = bat vol") shouldBe listOf("System/Battery Voltage")
-        names("P = System/Battery Voltage * cur") shouldBe listOf("PDP/Total Current")
-        names("P = System/Battery Voltage") shouldBe emptyList()
-        names("P = 2 when volt") shouldBe listOf("System/Battery Voltage")
-        val found = Suggestions.of("P = 2 * (tot) ", 12, vocabulary)
-        (found.from to found.until) shouldBe (9 to 12)
-        nameInExpression("System/Battery Voltage", vocabulary) shouldBe "System/Battery Voltage"
-        val odd = recordingOf(bagOf(listOf("Time|xaxis", "-odd", "a|b"), listOf("0,1,2")))
-        nameInExpression("-odd", vocabularyFor(odd, null)) shouldBe "\"-odd\""
     }
 
     test("the place of a mistake is underlined; where something is missing, what stands before it") {

@@ -54,7 +54,7 @@ class InspectorTextsSpec : FunSpec({
         statistics.signals.map { it.signal to it.recording } shouldContainExactly
             listOf("A" to "test.bag", "A" to "other.bag", "Mode" to "test.bag")
         figures(0)["mean"] shouldBe "4"
-        figures(0)["change"] shouldBe "2"
+        figures(0)["last − first"] shouldBe "2"
         figures(0)["integral"] shouldBe "4"
         figures(1)["max"] shouldBe "6"
         figures(2) shouldBe mapOf("first" to "o\tn", "last" to "o\tn", "samples" to "2")

@@ -1,30 +1,14 @@
 package badlog.viewer.recording
 
-import badlog.analysis.Series
 import badlog.viewer.bagOf
 import badlog.viewer.recordingOf
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
-import io.kotest.property.Arb
-import io.kotest.property.arbitrary.double
-import io.kotest.property.arbitrary.list
-import io.kotest.property.arbitrary.numericDouble
-import io.kotest.property.checkAll
 
 class SampleAtCursorSpec : FunSpec({
-    test("a state is that of the last sample at or before the cursor, in any order of x") {
-        checkAll(Arb.list(Arb.numericDouble(-5.0, 5.0), 0..20), Arb.double(-6.0, 6.0)) { places, position ->
-            for (x in listOf(places, places.sorted())) {
-                val series = Series(x.toDoubleArray(), DoubleArray(x.size))
-                series.lastAtOrBefore(position) shouldBe x.indexOfLast { it <= position }
-                series.lastAtOrBefore(null) shouldBe x.size - 1
-            }
-        }
-    }
-
     test("the cursor reads the nearest number with its unit, the state that lasts, and a dash of a gap") {
         val open = recordingOf(bagOf(listOf("Time|xaxis", "A", "Mode", "On"), listOf("0,1.5,auto,true", "1,,teleop,false", "2,0.1,teleop,false")))
-        fun text(name: String, x: Double?) = open.signal(name)!!.let { valueText(it, it.series, x) }
+        fun text(name: String, x: Double?) = open.signal(name)!!.let { valueText(it, x) }
         text("A", 0.5) shouldBe "1.5 V"
         text("A", 1.0) shouldBe "–"
         text("A", null) shouldBe "0.1 V"

@@ -1,5 +1,6 @@
 package badlog.viewer.statistics
 
+import badlog.plot.statistics.Statistic
 import badlog.viewer.bagOf
 import badlog.viewer.recordingOf
 import io.kotest.core.spec.style.FunSpec

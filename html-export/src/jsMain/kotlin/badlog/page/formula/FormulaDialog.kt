@@ -7,6 +7,8 @@ import badlog.page.dom.addIconButton
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.dom.showText
+import badlog.plot.formula.Suggestions
+import badlog.plot.formula.nameInExpression
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLInputElement
 import org.w3c.dom.events.KeyboardEvent
@@ -103,12 +105,12 @@ internal class FormulaDialog(private val formulas: Formulas, private val onAdd: 
 
     private fun suggest() {
         val caret = input.selectionStart ?: input.value.length
-        val found = NameSuggestions.of(input.value, caret, formulas.vocabulary)
+        val found = Suggestions.of(input.value, caret, formulas.vocabulary)
         suggestions.textContent = ""
         suggestions.isHidden = found.names.isEmpty()
-        for (name in found.names) {
+        for (name in found.names.map { nameInExpression(it, formulas.vocabulary) }) {
             suggestions.addButton("", name, "Put this topic into the formula") {
-                input.asDynamic().setRangeText(name, found.from, caret, "end")
+                input.asDynamic().setRangeText(name, found.from, found.until, "end")
                 input.focus()
                 check(isFinal = false)
             }

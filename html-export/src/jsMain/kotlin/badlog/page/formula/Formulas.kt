@@ -8,6 +8,8 @@ import badlog.expression.VirtualTopic
 import badlog.expression.signals.Vocabulary
 import badlog.expression.withVirtualTopics
 import badlog.page.dom.Remembered
+import badlog.plot.formula.Formula
+import badlog.plot.formula.formulasOf
 
 /**
  * The topics of the page that are calculated from others: those it came with, and those of the person who reads it, which the
@@ -20,7 +22,7 @@ import badlog.page.dom.Remembered
 internal class Formulas(logged: LogView, given: List<String>, fileKey: String) {
     private val key = "formulas:$fileKey"
     private val remembered = Remembered[key].orEmpty().split('\n').filter { it.isNotBlank() && it !in given }.toMutableList()
-    private val calculated = HashMap<String, String>()
+    private val formulas = ArrayList<Formula>()
 
     /** The recording with the topics that could be calculated. */
     var view: LogView = logged
@@ -46,27 +48,26 @@ internal class Formulas(logged: LogView, given: List<String>, fileKey: String) {
     val own: List<String> get() = remembered
 
     /** The formula that [graph] is calculated by, or null when it was logged. */
-    fun formulaOf(graph: Graph): String? = calculated[graph.name]
+    fun formulaOf(graph: Graph): String? = formulas.find { it.topic?.name == graph.name }?.definition
 
     /** The name of the topic that [definition], one of [own], makes; null when it makes none. */
-    fun nameOf(definition: String): String? = calculated.entries.find { it.value == definition }?.key
+    fun nameOf(definition: String): String? = formulas.find { it.definition == definition }?.topic?.name
 
     /** Why [text] is no definition, or null when it is one. */
     fun mistakeIn(text: String): ExpressionError? = VirtualTopic.parse(text, vocabulary) as? ExpressionError
 
     /** Calculates [definition], which has no mistake, and remembers it. Returns its graph. */
     fun add(definition: String): Graph {
-        val before = calculated.keys.toSet()
         extend(listOf(definition))
         remembered += definition
         remember()
-        val name = calculated.keys.first { it !in before }
+        val name = formulas.last().topic?.name
         return view.folders.flatMap { it.graphs }.first { it.name == name }
     }
 
     /** Forgets [definition]. What was calculated from it stays until the page is opened again. */
     fun remove(definition: String) {
-        nameOf(definition)?.let { calculated.remove(it) }
+        formulas.removeAll { it.definition == definition }
         remembered -= definition
         remember()
     }
@@ -76,10 +77,7 @@ internal class Formulas(logged: LogView, given: List<String>, fileKey: String) {
         val extended = view.withVirtualTopics(definitions)
         view = extended.view
         vocabulary = LogViewSignals(view).vocabulary
-        val failed = extended.errors.mapTo(ArrayList()) { it.text }
-        // Those that failed are missing in the topics, which keep the order of the others.
-        val made = definitions.filterNot { failed.remove(it) }
-        extended.topics.forEachIndexed { index, topic -> calculated[topic.name] = made[index] }
+        formulas += formulasOf(definitions, extended)
         return extended.errors
     }
 

@@ -8,6 +8,7 @@ import badlog.page.view.Palette
 import badlog.page.view.Scene
 import badlog.page.view.findingText
 import badlog.page.view.word
+import badlog.plot.cursor.dotAt
 import org.w3c.dom.HTMLElement
 
 /** The cursor over one plot: its line, a dot on each curve, and the event and the finding it points at. */
@@ -60,16 +61,7 @@ internal class CursorOverlay(
     private fun place(dot: HTMLElement, index: Int, x: Double, width: Int) {
         val now = scene.range.now
         val share = figure.heightAt(index, x)
-        val series = graph.series[index]
-        val sample = series.indexAt(x)
-        val dotX = if (series.holds) {
-            x
-        } else if (sample < 0) {
-            Double.NaN
-        } else {
-            series.data.x[sample]
-        }
-        val sampleX = (dotX - now.from) / now.width
+        val sampleX = (graph.series[index].dotAt(x) - now.from) / now.width
         dot.isHidden = !(share in 0.0..1.0 && sampleX in 0.0..1.0)
         if (!dot.isHidden) dot.style.transform = "translate(${sampleX * width}px, ${share * over.clientHeight}px)"
     }

@@ -2,22 +2,24 @@ package badlog.page.graph
 
 import badlog.analysis.Span
 import badlog.page.view.Scene
+import badlog.plot.timeline.EventMarks
 import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D
 import org.w3c.dom.Path2D
 
 /** Draws the marks of the events of [span] on the time line of a plot. */
 internal fun drawEventMarks(context: CanvasRenderingContext2D, frame: PlotFrame, scene: Scene, span: Span = scene.range.now) {
-    if (scene.events.events.isEmpty()) return
+    if (scene.events.placedCount == 0) return
     val ratio = window.devicePixelRatio
     val head = HEAD * ratio
     val heads = Path2D()
     val lines = Path2D()
     val seriousLines = Path2D()
     val ticks = Path2D()
-    for (mark in eventMarks(scene.events, span, frame.width, ratio)) {
-        val pixel = frame.left + mark.pixel + 0.5
-        if (mark.hasHead) {
+    marks.place(scene.events, span, frame.width, ratio)
+    for (i in 0 until marks.size) {
+        val pixel = frame.left + marks.pixelOf(i) + 0.5
+        if (marks.hasHead(i)) {
             heads.moveTo(pixel - head, frame.top)
             heads.lineTo(pixel + head, frame.top)
             heads.lineTo(pixel, frame.top + head * 1.5)
@@ -25,8 +27,8 @@ internal fun drawEventMarks(context: CanvasRenderingContext2D, frame: PlotFrame,
         } else {
             ticks.rect(pixel - ratio / 2, frame.top, ratio, head)
         }
-        if (mark.hasLine) {
-            val path = if (mark.isSerious) seriousLines else lines
+        if (marks.hasLine(i)) {
+            val path = if (marks.isSerious(i)) seriousLines else lines
             path.moveTo(pixel, frame.top)
             path.lineTo(pixel, frame.bottom)
         }
@@ -44,6 +46,9 @@ internal fun drawEventMarks(context: CanvasRenderingContext2D, frame: PlotFrame,
     context.fill(heads)
     context.restore()
 }
+
+/** One for all plots, which are drawn one after another. */
+private val marks = EventMarks()
 
 private const val HEAD = 3.5
 private const val LINE_OPACITY = 0.2

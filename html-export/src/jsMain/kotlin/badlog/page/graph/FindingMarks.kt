@@ -39,8 +39,8 @@ private class FindingPaths(private val frame: PlotFrame, private val severity: S
             val to = place.span.to
             if (from > span.to) break
             if (place.finding.severity != severity || to < span.from) continue
-            val pixel = frame.pixelOfX(from)
-            if (to > from) addBand(maxOf(pixel, frame.left), minOf(frame.pixelOfX(to), frame.right))
+            val pixel = frame.x.placeOf(from)
+            if (to > from) addBand(maxOf(pixel, frame.left), minOf(frame.x.placeOf(to), frame.right))
             if (from >= span.from && taken.add((pixel / ratio).toInt())) addMark(pixel)
         }
     }

@@ -6,8 +6,9 @@ import badlog.analysis.Span
 import badlog.analysis.StateRuns
 import badlog.page.view.Palette
 import badlog.plot.axis.YLimits
-import badlog.plot.lane.LaneBlock
-import badlog.plot.lane.laneBlocks
+import badlog.plot.lane.LaneBlocks
+import badlog.plot.lane.LaneLook
+import badlog.plot.lane.LaneTone
 import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D
 import kotlin.math.ceil
@@ -16,6 +17,7 @@ import kotlin.math.ceil
 internal class LaneFigure(private val graph: Graph, private val palette: Palette, private val isShown: BooleanArray, end: Double) :
     Figure {
     private val runs = graph.series.map { StateRuns(it.data, end) }
+    private val blocks = LaneBlocks()
     private var span = Span(0.0, 1.0)
 
     override val height: Int get() = LANE_HEIGHT * graph.series.size + AXIS_HEIGHT
@@ -40,47 +42,42 @@ internal class LaneFigure(private val graph: Graph, private val palette: Palette
         context.beginPath()
         context.rect(0.0, 0.0, frame.width, frame.height)
         context.clip()
-        context.font = "${LETTERS * ratio}px system-ui, sans-serif"
+        context.font = "${LaneLook.LETTERS * ratio}px system-ui, sans-serif"
         context.asDynamic().textBaseline = "middle"
         context.asDynamic().textAlign = "left"
         runs.forEachIndexed { index, run ->
             if (!isShown[index]) return@forEachIndexed
+            blocks.place(run, span, frame.width, ceil(LaneLook.SHORTEST * ratio).toInt())
             val names = graph.series[index].states.orEmpty()
-            for (block in laneBlocks(run, span, frame.width, ceil(SHORTEST * ratio).toInt())) {
-                drawBlock(context, block, names, lane * index, lane - GAP * ratio)
-            }
+            for (block in 0 until blocks.size) drawBlock(context, block, names, lane * index, lane - GAP * ratio)
         }
         context.restore()
     }
 
-    private fun drawBlock(context: CanvasRenderingContext2D, block: LaneBlock, names: List<String>, top: Double, height: Double) {
+    private fun drawBlock(context: CanvasRenderingContext2D, block: Int, names: List<String>, top: Double, height: Double) {
+        val left = blocks.left[block]
+        val width = blocks.right[block] - left
+        val state = blocks.states[block]
         // The quiet colours let through what is below them, as the longer block that a short one interrupts.
-        context.clearRect(block.left, top, block.width, height)
-        context.fillStyle = colourOf(block, names)
-        context.fillRect(block.left, top, block.width, height)
-        drawName(context, block, names.getOrElse(block.state) { "?" }, top + height / 2)
+        context.clearRect(left, top, width, height)
+        context.fillStyle = when (LaneTone.of(names, state, width / window.devicePixelRatio)) {
+            LaneTone.OFF -> palette.off
+            LaneTone.QUIET -> palette.state(state)
+            LaneTone.STRONG -> palette.line(state)
+        }
+        context.fillRect(left, top, width, height)
+        drawName(context, left, width, names.getOrElse(state) { "?" }, top + height / 2)
     }
 
-    private fun drawName(context: CanvasRenderingContext2D, block: LaneBlock, name: String, middle: Double) {
+    private fun drawName(context: CanvasRenderingContext2D, left: Double, width: Double, name: String, middle: Double) {
         val ratio = window.devicePixelRatio
-        val room = block.width - 2 * MARGIN * ratio
-        if (room < LETTERS * ratio) return
-        val letters = (room / (LETTERS * ratio * LETTER_SHARE)).toInt()
+        val room = width - 2 * LaneLook.MARGIN * ratio
+        if (!LaneLook.hasRoom(room / ratio, isWhole = true)) return
+        val letters = (room / (LaneLook.LETTERS * ratio * LETTER_SHARE)).toInt()
         val fits = name.length < letters || context.measureText(name).width <= room
-        // A few letters of a name say nothing, or what another state is called.
-        if (!fits && letters <= FEWEST_LETTERS) return
+        if (!LaneLook.hasRoom(room / ratio, isWhole = fits)) return
         context.fillStyle = palette.stateText
-        context.fillText(if (fits) name else name.take(letters - 1) + "…", block.left + MARGIN * ratio, middle)
-    }
-
-    private fun colourOf(block: LaneBlock, names: List<String>) = when {
-        // False is the quiet one: where a switch is pressed has to be seen at a glance.
-        names.size == 2 && names[0] == "false" && block.state == 0 -> palette.off
-
-        // And nobody sees a few pixels of a colour that is quiet enough for text.
-        block.width < NARROW * window.devicePixelRatio -> palette.line(block.state)
-
-        else -> palette.state(block.state)
+        context.fillText(if (fits) name else name.take(letters - 1) + "…", left + LaneLook.MARGIN * ratio, middle)
     }
 
     private companion object {
@@ -88,12 +85,6 @@ internal class LaneFigure(private val graph: Graph, private val palette: Palette
         const val AXIS_HEIGHT = 38
         const val GAP = 3
 
-        /** The width of the shortest state, in pixels of the page. */
-        const val SHORTEST = 1.5
-        const val NARROW = 4
-        const val FEWEST_LETTERS = 6
-        const val LETTERS = 11
         const val LETTER_SHARE = 0.58
-        const val MARGIN = 5
     }
 }

@@ -8,6 +8,8 @@ import badlog.page.dom.element
 import badlog.page.dom.showText
 import badlog.page.view.Cursor
 import badlog.page.view.Palette
+import badlog.plot.cursor.indexAt
+import badlog.plot.cursor.textOf
 import badlog.plot.text.exactText
 import badlog.plot.text.roundedText
 import badlog.plot.text.unitText
@@ -50,16 +52,6 @@ internal class Legend(private val graph: Graph, private val isShown: BooleanArra
         }
     }
 
-    private fun valueAt(series: GraphSeries, x: Double): String {
-        val data = series.data
-        val index = series.indexAt(x)
-        if (index < 0) return "–"
-        val sample = data.y[index]
-        val states = series.states
-        return when {
-            graph.isVirtual -> roundedText(sample)
-            states == null || sample.isNaN() -> exactText(sample)
-            else -> states.getOrElse(sample.toInt()) { "?" }
-        }
-    }
+    private fun valueAt(series: GraphSeries, x: Double): String =
+        series.textOf(series.indexAt(x)) { if (graph.isVirtual) roundedText(it) else exactText(it) }
 }

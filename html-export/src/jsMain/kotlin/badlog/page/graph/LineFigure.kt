@@ -6,7 +6,9 @@ import badlog.analysis.Span
 import badlog.page.dom.json
 import badlog.page.view.Palette
 import badlog.plot.axis.YLimits
+import badlog.plot.cursor.indexAt
 import badlog.plot.curve.Curve
+import badlog.plot.curve.Strokes
 import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D
 
@@ -19,6 +21,7 @@ import org.w3c.dom.CanvasRenderingContext2D
 internal class LineFigure(private val graph: Graph, private val palette: Palette, private val isShown: BooleanArray, end: Double) :
     Figure {
     private val curves = graph.series.map { Curve(it.data, if (it.holds) end else null) }
+    private val strokes = curves.map { Strokes() }
 
     override val height: Int get() = HEIGHT
     override val limits: YLimits = YLimits()
@@ -31,13 +34,18 @@ internal class LineFigure(private val graph: Graph, private val palette: Palette
             "show" to isShown[index],
             "stroke" to { palette.line(index) },
             "fill" to { if (graph.isFilled) palette.line(index) + AREA_OPACITY else null },
-            "paths" to { plot: UPlot -> curvePath(curve, frameOf(plot), graph.isFilled) },
+            "paths" to { plot: UPlot ->
+                val frame = frameOf(plot)
+                strokes[index].trace(curve, frame.x, frame.y)
+                strokesPath(strokes[index], frame, graph.isFilled)
+            },
             "points" to json(
-                "show" to { curve.isSparse },
+                "show" to { strokes[index].dotsSize > 0 },
                 "width" to 0,
                 "fill" to { palette.line(index) },
                 "paths" to { plot: UPlot ->
-                    dotsPath(curve, frameOf(plot), DOT_RADIUS * window.devicePixelRatio)
+                    val radius = if (curve.isSparse) DOT_RADIUS else LONE_RADIUS
+                    dotsPath(strokes[index], frameOf(plot), radius * window.devicePixelRatio)
                 },
             ),
         )
@@ -78,6 +86,7 @@ internal class LineFigure(private val graph: Graph, private val palette: Palette
         const val HEIGHT = 190
         const val LINE_WIDTH = 1.5
         const val DOT_RADIUS = 2.5
+        const val LONE_RADIUS = 1.0
         const val AREA_OPACITY = "30"
     }
 }

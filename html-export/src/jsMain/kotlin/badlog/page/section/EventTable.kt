@@ -10,8 +10,8 @@ import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.dom.json
 import badlog.page.dom.showText
-import badlog.page.view.Query
 import badlog.page.view.Scene
+import badlog.plot.search.Query
 import badlog.plot.text.countText
 import badlog.plot.text.decimalsFor
 import badlog.plot.text.fixedText
@@ -61,7 +61,7 @@ internal class EventTable(private val log: EventLog, private val scene: Scene) {
 
     /** Shows the events that [query] finds, and tells how many they are. */
     fun filter(query: Query): Int {
-        found = if (query.isEmpty) log.events else log.events.filterIndexed { i, _ -> query.matches(haystacks[i]) }
+        found = if (query.isEmpty) log.events else log.events.filterIndexed { i, _ -> query.matchesLowercase(haystacks[i]) }
         showFound()
         element.isHidden = found.isEmpty() && !query.isEmpty
         return found.size

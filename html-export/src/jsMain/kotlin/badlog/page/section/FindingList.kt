@@ -6,10 +6,10 @@ import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.dom.showText
 import badlog.page.view.FindingPlace
-import badlog.page.view.Query
 import badlog.page.view.Scene
 import badlog.page.view.end
 import badlog.page.view.word
+import badlog.plot.search.Query
 import badlog.plot.text.countText
 import badlog.plot.text.decimalsFor
 import badlog.recording.Severity
@@ -96,7 +96,7 @@ internal class FindingList(private val scene: Scene, private val onJump: () -> U
     /** Shows the findings that [query] finds, and tells how many they are. */
     fun filter(query: Query): Int {
         this.query = query
-        found = if (query.isEmpty) all else all.filterIndexed { i, _ -> query.matches(haystacks[i]) }
+        found = if (query.isEmpty) all else all.filterIndexed { i, _ -> query.matchesLowercase(haystacks[i]) }
         showFound()
         return if (query.isEmpty) 0 else found.size
     }

@@ -8,8 +8,8 @@ import badlog.page.dom.Remembered
 import badlog.page.dom.element
 import badlog.page.graph.GraphCard
 import badlog.page.view.Hits
-import badlog.page.view.Query
 import badlog.page.view.Scene
+import badlog.plot.search.Query
 import org.w3c.dom.HTMLElement
 
 /**

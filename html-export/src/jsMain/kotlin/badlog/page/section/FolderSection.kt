@@ -12,8 +12,8 @@ import badlog.page.dom.isHidden
 import badlog.page.dom.showText
 import badlog.page.graph.GraphCard
 import badlog.page.view.Hits
-import badlog.page.view.Query
 import badlog.page.view.Scene
+import badlog.plot.search.Query
 import badlog.plot.text.countText
 import badlog.plot.text.unitText
 import org.w3c.dom.HTMLElement
@@ -93,7 +93,7 @@ internal class FolderSection(
         isSearching = !query.isEmpty
         var graphs = 0
         for (card in cards) {
-            card.element.isHidden = !query.matches(haystacks.getValue(card))
+            card.element.isHidden = !query.matchesLowercase(haystacks.getValue(card))
             if (!card.element.isHidden) graphs++
         }
         val hits = Hits(graphs, values?.filter(query) ?: 0, tables.sumOf { it.filter(query) })

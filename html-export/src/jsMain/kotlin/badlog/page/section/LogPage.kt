@@ -16,8 +16,8 @@ import badlog.page.graph.GraphDeck
 import badlog.page.rules.RuleSearch
 import badlog.page.view.FindingTimeline
 import badlog.page.view.Hits
-import badlog.page.view.Query
 import badlog.page.view.Scene
+import badlog.plot.search.Query
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 

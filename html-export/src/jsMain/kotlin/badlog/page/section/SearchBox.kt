@@ -5,7 +5,7 @@ import badlog.page.dom.add
 import badlog.page.dom.element
 import badlog.page.dom.showText
 import badlog.page.view.Hits
-import badlog.page.view.Query
+import badlog.plot.search.Query
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLInputElement
 import org.w3c.dom.events.KeyboardEvent

@@ -3,7 +3,7 @@ package badlog.page.section
 import badlog.page.dom.add
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
-import badlog.page.view.Query
+import badlog.plot.search.Query
 import badlog.recording.PathName
 import badlog.recording.Value
 import org.w3c.dom.HTMLElement
@@ -27,7 +27,7 @@ internal class ValueList(values: List<Value>) {
     fun filter(query: Query): Int {
         var found = 0
         for ((row, haystack) in rows) {
-            row.isHidden = !query.matches(haystack)
+            row.isHidden = !query.matchesLowercase(haystack)
             if (!row.isHidden) found++
         }
         element.isHidden = found == 0

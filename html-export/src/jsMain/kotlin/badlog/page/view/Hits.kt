@@ -1,5 +1,6 @@
 package badlog.page.view
 
+import badlog.plot.search.Query
 import badlog.plot.text.countText
 
 /** How much of the page a [Query] found. */

@@ -6,12 +6,13 @@ import badlog.analysis.XAxis
 import badlog.plot.range.Viewport
 import badlog.plot.text.placeText
 import badlog.plot.text.withUnit
+import badlog.plot.timeline.EventTimeline
 import badlog.rules.Finding
 
 /** What all parts of the page share: the recording, what was found in it, what of it is seen, and the cursor. */
 internal class Scene(val view: LogView) {
     val xAxis: XAxis = view.xAxis
-    val events: EventTimeline = EventTimeline(view)
+    val events: EventTimeline = EventTimeline.of(view.folders.flatMap { it.eventLogs })
 
     /** What was found so far. Whoever changes it draws again. */
     var findings: FindingTimeline = FindingTimeline(emptyList())

@@ -1,6 +1,7 @@
 package badlog.viewer.export.figure
 
 import badlog.analysis.Span
+import badlog.plot.curve.Strokes
 
 /**
  * A picture of graphs below one another over the same x, with all that is to be read in it. Holds as many points as its
@@ -42,13 +43,9 @@ internal class FigureFrame(
  *
  * @property label what the legend calls it.
  * @property colour its colour, as `#rrggbb`.
- * @property pieces what is joined by a stroke; between them the line is broken.
- * @property dots what deserves a dot: every sample of few, and what stands alone between two gaps.
+ * @property strokes its points, x and y as they were logged, but x moved by the recording's offset.
  */
-internal class FigureLine(val label: String, val colour: String, val pieces: List<FigurePiece>, val dots: FigurePiece)
-
-/** Points, such as one stroke joins: `(x[i], y[i])`. */
-internal class FigurePiece(val x: List<Double>, val y: List<Double>)
+internal class FigureLine(val label: String, val colour: String, val strokes: Strokes)
 
 /**
  * A lane of a [FigureFrame].

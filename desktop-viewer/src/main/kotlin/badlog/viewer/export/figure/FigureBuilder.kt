@@ -5,6 +5,8 @@ import badlog.analysis.Span
 import badlog.analysis.Units
 import badlog.plot.axis.YLimits
 import badlog.plot.curve.Curve
+import badlog.plot.curve.Scale
+import badlog.plot.curve.Strokes
 import badlog.recording.PathName
 import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.graph.GraphSpec
@@ -81,7 +83,8 @@ internal class FigureBuilder(private val recordings: List<DrawnRecording>, priva
             curve.draw(x.from - offset, x.to - offset, columns)
             if (!(least <= curve.min)) least = if (curve.min.isNaN()) least else curve.min
             if (!(most >= curve.max)) most = if (curve.max.isNaN()) most else curve.max
-            FigureLine(source.label, hexOf(Palette.LIGHT.line(source.colour)), piecesOf(curve, offset), dotsOf(curve, offset))
+            val strokes = Strokes().apply { trace(curve, Scale(0.0, 1.0, 1.0, start = offset), Scale.NONE) }
+            FigureLine(source.label, hexOf(Palette.LIGHT.line(source.colour)), strokes)
         }
         val limits = YLimits().apply { fit(least, most, graph.includesZero) }
         val wanted = graph.yRange?.takeIf { isFirst && it.width > 0 }
@@ -138,35 +141,4 @@ internal class FigureBuilder(private val recordings: List<DrawnRecording>, priva
         const val LANE_LETTERS = 20
         const val UNIT_LETTERS = 18
     }
-}
-
-/** The points of [curve] that deserve a dot, moved by [offset]. */
-private fun dotsOf(curve: Curve, offset: Double): FigurePiece {
-    fun isGap(index: Int) = index !in 0 until curve.size || curve.y[index].isNaN()
-    val dotted = (0 until curve.size).filter { i ->
-        !isGap(i) && if (curve.isSparse) !curve.isCorner(i) else isGap(i - 1) && isGap(i + 1)
-    }
-    return FigurePiece(dotted.map { curve.x[it] + offset }, dotted.map { curve.y[it] })
-}
-
-/** The points of [curve], moved by [offset], as strokes between its breaks. */
-private fun piecesOf(curve: Curve, offset: Double): List<FigurePiece> {
-    val pieces = ArrayList<FigurePiece>()
-    var x = ArrayList<Double>()
-    var y = ArrayList<Double>()
-    fun end() {
-        if (x.isNotEmpty()) pieces += FigurePiece(x, y)
-        x = ArrayList()
-        y = ArrayList()
-    }
-    for (i in 0 until curve.size) {
-        if (curve.y[i].isNaN()) {
-            end()
-        } else {
-            x += curve.x[i] + offset
-            y += curve.y[i]
-        }
-    }
-    end()
-    return pieces
 }

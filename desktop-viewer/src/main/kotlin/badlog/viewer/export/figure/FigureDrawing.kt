@@ -135,25 +135,26 @@ private const val FEWEST_LETTERS = 5
  * The points of [frame]'s lines as columns: `x`, `y`, the number of their `line` as a text, and of their `piece`.
  *
  * @property strokes what is joined.
- * @property dots what deserves a dot: every point of few, and what stands alone between two gaps.
+ * @property dots what deserves a dot.
  */
 internal class LinePoints(frame: FigureFrame) {
-    val strokes: Map<String, List<Any>>
-    val dots: Map<String, List<Any>>
+    private val joined = Columns()
+    private val alone = Columns()
+    val strokes: Map<String, List<Any>> get() = joined.all
+    val dots: Map<String, List<Any>> get() = alone.all
 
     init {
-        val joined = Columns()
-        val alone = Columns()
-        var pieceNumber = 0
+        var piece = 0
         frame.lines.forEachIndexed { i, line ->
-            for (piece in line.pieces) {
-                pieceNumber++
-                if (piece.x.size > 1) joined.add(piece, i, pieceNumber)
+            val strokes = line.strokes
+            for (stroke in 0 until strokes.count) {
+                piece++
+                val from = strokes.startOf(stroke)
+                val until = strokes.endOf(stroke)
+                if (until - from > 2) joined.add(strokes.points, from, until, i, piece)
             }
-            alone.add(line.dots, i, pieceNumber)
+            alone.add(strokes.dots, 0, strokes.dotsSize, i, piece)
         }
-        strokes = joined.all
-        dots = alone.all
     }
 
     private class Columns {
@@ -164,11 +165,11 @@ internal class LinePoints(frame: FigureFrame) {
 
         val all: Map<String, List<Any>> = mapOf("x" to x, "y" to y, "line" to line, "piece" to piece)
 
-        fun add(points: FigurePiece, lineNumber: Int, pieceNumber: Int) {
+        fun add(points: DoubleArray, from: Int, until: Int, lineNumber: Int, pieceNumber: Int) {
             val name = lineNumber.toString()
-            for (i in points.x.indices) {
-                x += points.x[i]
-                y += points.y[i]
+            for (at in from until until step 2) {
+                x += points[at]
+                y += points[at + 1]
                 line += name
                 piece += pieceNumber
             }

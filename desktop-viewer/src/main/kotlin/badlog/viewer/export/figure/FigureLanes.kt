@@ -2,7 +2,8 @@ package badlog.viewer.export.figure
 
 import badlog.analysis.Span
 import badlog.analysis.StateRuns
-import badlog.plot.lane.laneBlocks
+import badlog.plot.lane.LaneBlocks
+import badlog.plot.lane.LaneTone
 import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.graph.plot.laneColour
 import badlog.viewer.recording.Signal
@@ -14,17 +15,18 @@ internal fun figureBlocks(signal: Signal, drawn: DrawnRecording, x: Span, column
     val runs = StateRuns(signal.series, drawn.recording.span.to)
     val own = Span(x.from - drawn.offset, x.to - drawn.offset)
     val column = x.width / columns
-    return laneBlocks(runs, own, columns.toDouble(), SHORTEST).map { block ->
+    val blocks = LaneBlocks().apply { place(runs, own, columns.toDouble(), SHORTEST) }
+    return List(blocks.size) { i ->
+        val tone = LaneTone.of(names, blocks.states[i], blocks.right[i] - blocks.left[i])
         FigureBlock(
-            from = x.from + block.left * column,
-            to = x.from + block.right * column,
-            name = plainLine(names.getOrElse(block.state) { "?" }, NAME_LETTERS),
-            colour = hexOf(laneColour(names, block.state, Palette.LIGHT, narrow = block.width <= NARROW)),
+            from = x.from + blocks.left[i] * column,
+            to = x.from + blocks.right[i] * column,
+            name = plainLine(names.getOrElse(blocks.states[i]) { "?" }, NAME_LETTERS),
+            colour = hexOf(laneColour(tone, blocks.states[i], Palette.LIGHT)),
         )
     }
 }
 
 /** In columns, each of which is one to four points of the figure wide. */
 private const val SHORTEST = 1
-private const val NARROW = 3.0
 private const val NAME_LETTERS = 60

@@ -3,13 +3,14 @@ package badlog.viewer.graph.plot
 import badlog.analysis.Span
 import badlog.plot.axis.Ticks
 import badlog.plot.axis.YLimits
+import badlog.plot.curve.Strokes
 
 /**
- * The scales of y for [units], each so that the points [pointsOf] gives for it fill the graph. A person's choice of y is of the
+ * The scales of y for [units], each so that the points [strokesOf] gives for it fill the graph. A person's choice of y is of the
  * first unit; the others keep the same part of theirs, so that all lines move together.
  */
-internal fun axesOf(request: PlotRequest, units: List<String>, height: Float, pointsOf: (String) -> List<CurvePoints>): List<YAxis> {
-    val fitted = units.map { unit -> fit(pointsOf(unit), request.spec.includesZero) }
+internal fun axesOf(request: PlotRequest, units: List<String>, height: Float, strokesOf: (String) -> List<Strokes>): List<YAxis> {
+    val fitted = units.map { unit -> fit(strokesOf(unit), request.spec.includesZero) }
     val first = fitted.firstOrNull() ?: return emptyList()
     val chosen = request.spec.yRange?.takeIf { it.width > 0 && it.width.isFinite() }
     return units.mapIndexed { index, unit ->
@@ -28,8 +29,8 @@ internal fun axesOf(request: PlotRequest, units: List<String>, height: Float, po
     }
 }
 
-private fun fit(points: List<CurvePoints>, includesZero: Boolean): Span {
-    val seen = points.filter { !it.min.isNaN() }
+private fun fit(strokes: List<Strokes>, includesZero: Boolean): Span {
+    val seen = strokes.filter { !it.min.isNaN() }
     val limits = YLimits()
     limits.fit(seen.minOfOrNull { it.min } ?: Double.NaN, seen.maxOfOrNull { it.max } ?: Double.NaN, includesZero)
     return Span(limits.from, limits.to)

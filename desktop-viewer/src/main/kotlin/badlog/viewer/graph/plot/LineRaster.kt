@@ -28,33 +28,37 @@ internal fun rasterOf(request: PlotRequest, axes: List<YAxis>, lines: List<LineP
 private fun drawLine(canvas: Canvas, line: LinePicture, request: PlotRequest, base: Float) {
     val density = request.density
     val colour = request.palette.line(line.line.colour)
-    if (request.spec.isFilled) fill(canvas, line, base, colour)
+    val strokes = line.strokes
     Paint().use { paint ->
         paint.color = colour.toArgb()
         paint.isAntiAlias = true
         paint.mode = PaintMode.STROKE
         // A hairline is many times as fast as any other stroke.
-        paint.strokeWidth = if (line.isDense) 0f else LINE_WIDTH * density
-        for (part in line.points) if (part.size > 2) canvas.drawPolygon(part, paint)
+        paint.strokeWidth = if (strokes.isDense) 0f else LINE_WIDTH * density
+        for (i in 0 until strokes.count) {
+            val stroke = floats(strokes.points, strokes.startOf(i), strokes.endOf(i))
+            if (request.spec.isFilled) fill(canvas, stroke, base, colour)
+            // What stands alone between gaps is a dot.
+            if (stroke.size > 2) canvas.drawPolygon(stroke, paint)
+        }
         paint.strokeCap = PaintStrokeCap.ROUND
-        paint.strokeWidth = (if (line.hasDots) DOT_WIDTH else LINE_WIDTH) * density
-        // What stands alone between gaps has no line to be seen by.
-        if (line.dots.isNotEmpty()) canvas.drawPoints(line.dots, paint)
+        paint.strokeWidth = (if (strokes.isSparse) DOT_WIDTH else LINE_WIDTH) * density
+        if (strokes.dotsSize > 0) canvas.drawPoints(floats(strokes.dots, 0, strokes.dotsSize), paint)
     }
 }
 
-private fun fill(canvas: Canvas, line: LinePicture, base: Float, colour: Color) {
+private fun floats(values: DoubleArray, from: Int, until: Int) = FloatArray(until - from) { values[from + it].toFloat() }
+
+private fun fill(canvas: Canvas, stroke: FloatArray, base: Float, colour: Color) {
     Paint().use { paint ->
         paint.color = colour.copy(alpha = FILL_OPACITY).toArgb()
-        for (part in line.points) {
-            val area = FloatArray(part.size + 4)
-            area[0] = part[0]
-            area[1] = base
-            part.copyInto(area, 2)
-            area[area.size - 2] = part[part.size - 2]
-            area[area.size - 1] = base
-            PathBuilder().use { builder -> builder.addPoly(area, true).detach().use { canvas.drawPath(it, paint) } }
-        }
+        val area = FloatArray(stroke.size + 4)
+        area[0] = stroke[0]
+        area[1] = base
+        stroke.copyInto(area, 2)
+        area[area.size - 2] = stroke[stroke.size - 2]
+        area[area.size - 1] = base
+        PathBuilder().use { builder -> builder.addPoly(area, true).detach().use { canvas.drawPath(it, paint) } }
     }
 }
 

@@ -2,7 +2,9 @@ package badlog.viewer.graph.plot
 
 import badlog.analysis.Span
 import badlog.analysis.Units
-import badlog.plot.lane.laneBlocks
+import badlog.plot.curve.Scale
+import badlog.plot.lane.LaneBlocks
+import badlog.plot.lane.LaneLook
 import kotlin.math.ceil
 
 /** How many lines and lanes one graph draws; nobody can tell more apart. */
@@ -19,10 +21,14 @@ internal fun makePicture(request: PlotRequest, curves: CurveCache): PlotPicture 
         .partition { it.signal.states != null }
     val lanesHeight = lanesHeight(request, states.size, hasLines = numbers.isNotEmpty())
     val plotHeight = request.height - lanesHeight
-    val points = numbers.map { pointsOf(it, request, curves) }
+    val strokes = numbers.map { curves.curve(it.recording, it.signal).trace(visibleOf(it, request), request.width) }
     val units = numbers.map { unitOf(it) }.distinct()
-    val axes = axesOf(request, units, plotHeight) { unit -> points.filterIndexed { i, _ -> unitOf(numbers[i]) == unit } }
-    val lines = numbers.mapIndexed { i, line -> linePicture(line, units.indexOf(unitOf(line)), axes, points[i], plotHeight) }
+    val axes = axesOf(request, units, plotHeight) { unit -> strokes.filterIndexed { i, _ -> unitOf(numbers[i]) == unit } }
+    val lines = numbers.mapIndexed { i, line ->
+        val axis = units.indexOf(unitOf(line))
+        strokes[i].place(Scale.ofY(axes[axis].shown, plotHeight.toDouble()))
+        LinePicture(line, axis, strokes[i])
+    }
     return PlotPicture(
         request = request,
         axes = axes,
@@ -47,33 +53,12 @@ private fun lanesHeight(request: PlotRequest, lanes: Int, hasLines: Boolean): Fl
 /** What of the line's own x is visible. */
 private fun visibleOf(line: DrawnLine, request: PlotRequest) = Span(request.visible.from - line.offset, request.visible.to - line.offset)
 
-private fun pointsOf(line: DrawnLine, request: PlotRequest, curves: CurveCache): CurvePoints {
-    val visible = visibleOf(line, request)
-    return curves.curve(line.recording, line.signal).draw(visible.from, visible.to, request.width) {
-        CurvePoints.of(it, visible, request.width)
-    }
-}
-
-private fun linePicture(line: DrawnLine, axis: Int, axes: List<YAxis>, points: CurvePoints, height: Float) = LinePicture(
-    line = line,
-    series = line.signal.series,
-    axis = axis,
-    points = points.polylines { axes[axis].pixelOf(it, height) },
-    dots = points.dots { axes[axis].pixelOf(it, height) },
-    isDense = points.isDense,
-    hasDots = points.isSparse,
-)
-
 private fun lanePicture(line: DrawnLine, request: PlotRequest, curves: CurveCache): LanePicture {
     val runs = curves.runs(line.recording, line.signal)
-    val shortest = ceil(SHORTEST * request.density).toInt()
+    val shortest = ceil(LaneLook.SHORTEST * request.density).toInt()
     return LanePicture(
         line = line,
-        series = line.signal.series,
         states = line.signal.states.orEmpty(),
-        blocks = laneBlocks(runs, visibleOf(line, request), request.width.toDouble(), shortest),
+        blocks = LaneBlocks().apply { place(runs, visibleOf(line, request), request.width.toDouble(), shortest) },
     )
 }
-
-/** The width of the shortest state, in dp. */
-private const val SHORTEST = 1.5

@@ -2,7 +2,10 @@ package badlog.viewer.graph.plot
 
 import badlog.analysis.PixelColumns
 import badlog.analysis.Series
+import badlog.analysis.Span
 import badlog.plot.curve.Curve
+import badlog.plot.curve.Scale
+import badlog.plot.curve.Strokes
 
 /**
  * The curve of a series, for whoever draws it: graphs are computed on several threads, a curve can be used by one at a time.
@@ -13,11 +16,11 @@ internal class SharedCurve(series: Series, holdsUntil: Double?) {
     private val curve = Curve(series, holdsUntil)
     private var columns = PixelColumns(0)
 
-    /** Finds the points from [from] to [to] on [width] pixels, and gives what [read] makes of them. */
+    /** The strokes for [visible] on [width] pixels, y still as it was logged: its scale is known only when all lines of a graph are. */
     @Synchronized
-    fun <T> draw(from: Double, to: Double, width: Int, read: (Curve) -> T): T {
+    fun trace(visible: Span, width: Int): Strokes {
         if (columns.count != width) columns = PixelColumns(width)
-        curve.draw(from, to, columns)
-        return read(curve)
+        curve.draw(visible.from, visible.to, columns)
+        return Strokes().apply { trace(curve, Scale.ofX(visible, width.toDouble()), Scale.NONE) }
     }
 }

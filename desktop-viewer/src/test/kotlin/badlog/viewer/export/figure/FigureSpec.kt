@@ -46,7 +46,7 @@ class FigureSpec : FunSpec({
         val open = arm.withFormulas(listOf("Arm/Power [W] = Arm/Current * 12"))
         val frame = build(listOf(GraphSpec(1, "Arm/Power", listOf(LineSpec("Arm/Power")))), open.span, open).frames.single()
         frame.yTitle shouldBe "W"
-        frame.lines.single().pieces.single().x.size shouldBe 500
+        frame.lines.single().strokes.let { it.endOf(0) / 2 } shouldBe 500
     }
 
     test("each unit of a graph has a frame of its own, and so have its states") {
@@ -68,13 +68,13 @@ class FigureSpec : FunSpec({
 
     test("a recording is drawn where its offset puts it") {
         val moved = FigureBuilder(listOf(DrawnRecording(arm), DrawnRecording(arm, 100.0)), Span(0.0, 200.0), 900).build(listOf(joint))
-        moved.frames[0].lines[1].pieces.single().x.first() shouldBe 100.0
+        moved.frames[0].lines[1].strokes.points[0] shouldBe 100.0
     }
 
     test("a gap stays a gap, and a sample alone between two gaps is a dot") {
         val gappy = recordingOf(armBag(100) { if (it in 40..59 && it != 50) "" else it.toString() })
         val line = build(listOf(joint), gappy.span, gappy).frames[0].lines[0]
-        line.pieces.map { it.x.size } shouldBe listOf(40, 1, 40)
+        List(line.strokes.count) { (line.strokes.endOf(it) - line.strokes.startOf(it)) / 2 } shouldBe listOf(40, 1, 40)
         LinePoints(build(listOf(joint), gappy.span, gappy).frames[0]).dots.getValue("y") shouldContain 50.0
     }
 
@@ -119,11 +119,11 @@ class FigureSpec : FunSpec({
     test("a recording of one row, and one whose x goes backwards, are drawn too") {
         val one = recordingOf(armBag(1))
         val dot = build(standardGraphs(one.view).graphs, one.span, one)
-        dot.frames.first().lines.single().dots.x.size shouldBe 1
+        dot.frames.first().lines.single().strokes.dotsSize shouldBe 2
         textsIn(svgOf(dot, options)) shouldContain "Arm/Angle"
         val back = recordingOf("Time,A\n1,2\n2,3\n0,4\n1,5\n")
         val line = build(listOf(GraphSpec(1, "A", listOf(LineSpec("A")))), Span(0.0, 2.0), back)
-        line.frames.single().lines.single().pieces.sumOf { it.x.size } shouldBeGreaterThan 1
+        line.frames.single().lines.single().strokes.let { it.endOf(it.count - 1) } shouldBeGreaterThan 2
         textsIn(svgOf(line, options)) shouldContain "A"
     }
 

@@ -13,8 +13,8 @@ import badlog.viewer.theme.Palette
 import badlog.viewer.wpilogRecording
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldHaveSize
-import io.kotest.matchers.floats.plusOrMinus
-import io.kotest.matchers.floats.shouldBeLessThan
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 
@@ -29,8 +29,8 @@ class PictureMakingSpec : FunSpec({
         val line = picture(recordingOf(bagOf(11) { it.toDouble() })).lines.single()
         val points = line.points.single()
         points.size shouldBe 22
-        points[0] shouldBe (0f plusOrMinus 1e-3f)
-        points[20] shouldBe (100f plusOrMinus 1e-3f)
+        points[0] shouldBe (0.0 plusOrMinus 1e-3)
+        points[20] shouldBe (100.0 plusOrMinus 1e-3)
         (points[1] > points[21]) shouldBe true
     }
 
@@ -38,8 +38,8 @@ class PictureMakingSpec : FunSpec({
         val recording = wpilogRecording(loggedTopic("A/Voltage", 0.0 to 1.0, 5.0 to 3.0), loggedTopic("B", 0.0 to 0.0, 10.0 to 0.0))
         val made = picture(recording)
         val line = made.lines.single()
-        line.points.single().filterIndexed { i, _ -> i % 2 == 0 } shouldBe listOf(0f, 50f, 50f, 100f)
-        line.dots.filterIndexed { i, _ -> i % 2 == 0 } shouldBe listOf(0f, 50f)
+        line.points.single().filterIndexed { i, _ -> i % 2 == 0 } shouldBe listOf(0.0, 50.0, 50.0, 100.0)
+        line.strokes.dots.take(line.strokes.dotsSize).filterIndexed { i, _ -> i % 2 == 0 } shouldBe listOf(0.0, 50.0)
         readingOf(made, line.line, 4.9) shouldBe "1 V"
         readingOf(made, line.line, 9.0) shouldBe "3 V"
     }
@@ -55,16 +55,16 @@ class PictureMakingSpec : FunSpec({
         val made = picture(recording)
         val line = made.lines.single()
         line.points.sumOf { it.size / 2 } shouldBeLessThan 500
-        line.isDense shouldBe true
-        line.points.single().filterIndexed { i, _ -> i % 2 == 1 }.min() shouldBe made.axes.single().pixelOf(500.0, 50f)
+        line.strokes.isDense shouldBe true
+        line.points.single().filterIndexed { i, _ -> i % 2 == 1 }.min().toFloat() shouldBe made.axes.single().pixelOf(500.0, 50f)
     }
 
     test("zoomed in, the line runs out of the frame at both sides, and y fits what is seen") {
         val made = picture(recordingOf(bagOf(1001) { it.toDouble() }), Span(50.0, 50.4))
         val points = made.lines.single().points.single()
-        points.first() shouldBeLessThan 0f
-        (points[points.size - 2] > 100f) shouldBe true
-        made.lines.single().hasDots shouldBe true
+        points.first() shouldBeLessThan 0.0
+        (points[points.size - 2] > 100.0) shouldBe true
+        made.lines.single().strokes.isSparse shouldBe true
         (made.axes.single().shown.from in 499.0..500.0) shouldBe true
         (made.axes.single().shown.to in 504.0..505.0) shouldBe true
     }
@@ -72,7 +72,7 @@ class PictureMakingSpec : FunSpec({
     test("what a person has chosen of y is what is shown, and far values stay numbers that can be drawn") {
         val made = picture(recordingOf(bagOf(11) { if (it == 5) 1e300 else 1.0 }), yRange = Span(0.0, 2.0))
         made.axes.single().shown shouldBe Span(0.0, 2.0)
-        made.lines.single().points.single().all { it.isFinite() && it in -10_000f..10_000f } shouldBe true
+        made.lines.single().points.single().all { it.isFinite() && it in -10_000.0..10_000.0 } shouldBe true
     }
 
     test("the second unit has an axis of its own, and keeps its part of y when the first is zoomed") {
@@ -92,7 +92,7 @@ class PictureMakingSpec : FunSpec({
         val recordings = listOf(DrawnRecording(recordingOf(text)))
         val alone = picture(recordings, listOf("Gear"), Span(0.0, 4.0))
         alone.plotHeight shouldBe 0f
-        alone.lanes.single().blocks.map { it.left to it.right } shouldBe listOf(0.0 to 50.0, 50.0 to 100.0)
+        alone.lanes.single().blocks.let { blocks -> List(blocks.size) { blocks.left[it] to blocks.right[it] } } shouldBe listOf(0.0 to 50.0, 50.0 to 100.0)
         val mixed = picture(recordings, listOf("Gear", "V"), Span(0.0, 4.0))
         mixed.plotHeight shouldBe 28f
         readingOf(mixed, mixed.lanes.single().line, 1.9) shouldBe "LOW"
@@ -114,7 +114,7 @@ class PictureMakingSpec : FunSpec({
         val made = picture(listOf(DrawnRecording(one), DrawnRecording(other, 0.5)), listOf("A/Voltage"), Span(0.0, 1.0))
         made.lines shouldHaveSize 2
         made.lines.map { it.line.colour } shouldBe listOf(0, 1)
-        made.lines[1].points.single()[0] shouldBe (50f plusOrMinus 1e-3f)
+        made.lines[1].points.single()[0] shouldBe (50.0 plusOrMinus 1e-3)
         readingOf(made, made.lines[1].line, 0.7) shouldBe "2 V"
     }
 
@@ -134,3 +134,7 @@ class PictureMakingSpec : FunSpec({
         picture(recordingOf(text)).lines.single().points shouldHaveSize 2
     }
 })
+
+/** The strokes' points, x and y in turn. */
+private val LinePicture.points: List<DoubleArray>
+    get() = List(strokes.count) { strokes.points.copyOfRange(strokes.startOf(it), strokes.endOf(it)) }

@@ -1,38 +1,7 @@
 package badlog.viewer.statistics
 
-import badlog.analysis.SeriesStatistics
-import badlog.analysis.Units
+import badlog.plot.statistics.Statistic
 import badlog.recording.Topic
-
-/**
- * A figure that the table across recordings can have.
- *
- * @property title what the window calls it.
- * @property isSample whether it is one of the samples, rather than calculated from them.
- * @property of finds it; NaN where there is none.
- */
-internal enum class Statistic(val title: String, val isSample: Boolean = false, val of: (SeriesStatistics) -> Double) {
-    MIN("min", isSample = true, of = { it.min }),
-    MAX("max", isSample = true, of = { it.max }),
-    MEAN("mean", of = { it.mean }),
-    MEDIAN("median", of = { it.median }),
-    PERCENTILE_5("5 %", of = { it.percentile5 }),
-    PERCENTILE_95("95 %", of = { it.percentile95 }),
-    STANDARD_DEVIATION("std", of = { it.standardDeviation }),
-    FIRST("first", isSample = true, of = { it.first }),
-    LAST("last", isSample = true, of = { it.last }),
-    CHANGE("change", of = { it.last - it.first }),
-    INTEGRAL("integral", of = { it.integral }),
-    SAMPLES("samples", of = { it.count.toDouble() }),
-    ;
-
-    /** Its unit for a topic of [unit] over an x of [xUnit], null where that is not known; `ul` for none. */
-    fun unitOf(unit: String, xUnit: String?): String = when (this) {
-        INTEGRAL -> if (xUnit == null) Topic.UNITLESS else Units.ofIntegral(unit, xUnit)
-        SAMPLES -> Topic.UNITLESS
-        else -> unit
-    }
-}
 
 /**
  * What the table of statistics shows. Never changes; each transition gives a new one.
@@ -78,7 +47,7 @@ internal data object DateColumn : StatisticsColumn
 /** A [statistic] of a [topic]. */
 internal data class FigureColumn(val topic: String, val statistic: Statistic) : StatisticsColumn {
     /** Its figure in [row]; NaN where it has none. */
-    fun of(row: StatisticsRow): Double = row.statistics[topic]?.let(statistic.of) ?: Double.NaN
+    fun of(row: StatisticsRow): Double = row.statistics[topic]?.let(statistic::of) ?: Double.NaN
 
     /** Its unit in [row]; `ul` for none. */
     fun unitIn(row: StatisticsRow): String = statistic.unitOf(row.units[topic] ?: Topic.UNITLESS, row.xUnit)

@@ -1,0 +1,97 @@
+package badlog.plot.curve
+
+/**
+ * A [Curve] ready to be drawn: strokes between its gaps, and dots. The arrays are kept from one drawing to the next.
+ *
+ * Dots are on every sample where those are few, else on those that stand alone between two gaps, which no stroke would show.
+ */
+public class Strokes {
+    /** x and y of all points in turn; stroke `i` has those from index [startOf] until [endOf]. */
+    public var points: DoubleArray = DoubleArray(0)
+        private set
+
+    /** How many strokes there are. One may be a single point. */
+    public var count: Int = 0
+        private set
+
+    /** x and y of all dots in turn, in the first [dotsSize] entries. */
+    public var dots: DoubleArray = DoubleArray(0)
+        private set
+
+    /** How much of [dots] is taken: two for each dot. */
+    public var dotsSize: Int = 0
+        private set
+
+    /** See [Curve.isSparse]. */
+    public var isSparse: Boolean = false
+        private set
+
+    /** See [Curve.isDense]. */
+    public var isDense: Boolean = false
+        private set
+
+    /** See [Curve.min]. */
+    public var min: Double = Double.NaN
+        private set
+
+    /** See [Curve.max]. */
+    public var max: Double = Double.NaN
+        private set
+
+    private var ends = IntArray(0)
+
+    /** Where in [points] stroke [index] begins. */
+    public fun startOf(index: Int): Int = if (index == 0) 0 else ends[index - 1]
+
+    /** Where in [points] stroke [index] ends. */
+    public fun endOf(index: Int): Int = ends[index]
+
+    /** Takes what [curve] found, where [x] and [y] say that it stands. */
+    public fun trace(curve: Curve, x: Scale, y: Scale) {
+        isSparse = curve.isSparse
+        isDense = curve.isDense
+        min = curve.min
+        max = curve.max
+        count = 0
+        dotsSize = 0
+        if (points.size < 2 * curve.size) points = DoubleArray(2 * curve.size)
+        var size = 0
+        for (i in 0 until curve.size) {
+            val value = curve.y[i]
+            if (value.isNaN()) {
+                end(size)
+                continue
+            }
+            points[size++] = x.placeOf(curve.x[i])
+            points[size++] = y.placeOf(value)
+            if (if (isSparse) !curve.isCorner(i) else isAlone(curve, i)) addDot(points[size - 2], points[size - 1])
+        }
+        end(size)
+    }
+
+    /** Puts y where [y] says, of strokes that were traced with y as it was logged: its scale may be known only when others are traced. */
+    public fun place(y: Scale) {
+        for (i in 1 until (if (count == 0) 0 else ends[count - 1]) step 2) points[i] = y.placeOf(points[i])
+        for (i in 1 until dotsSize step 2) dots[i] = y.placeOf(dots[i])
+    }
+
+    private fun end(size: Int) {
+        if (size == (if (count == 0) 0 else ends[count - 1])) return
+        if (count == ends.size) ends = ends.copyOf(maxOf(FIRST_STROKES, count * 2))
+        ends[count++] = size
+    }
+
+    private fun addDot(x: Double, y: Double) {
+        if (dotsSize == dots.size) dots = dots.copyOf(maxOf(FIRST_DOTS, dotsSize * 2))
+        dots[dotsSize++] = x
+        dots[dotsSize++] = y
+    }
+
+    private fun isAlone(curve: Curve, index: Int) =
+        (index == 0 || curve.y[index - 1].isNaN()) && (index == curve.size - 1 || curve.y[index + 1].isNaN())
+
+    private companion object {
+        const val FIRST_STROKES = 8
+        const val FIRST_DOTS = 32
+    }
+}

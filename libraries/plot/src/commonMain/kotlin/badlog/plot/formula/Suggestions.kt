@@ -1,0 +1,54 @@
+package badlog.plot.formula
+
+import badlog.expression.signals.Vocabulary
+import badlog.plot.search.Query
+
+/**
+ * The names that may be meant where a person types a definition.
+ *
+ * @property from where what they would replace begins.
+ * @property until where it ends.
+ * @property names full names, the likeliest first; [nameInExpression] tells how a formula calls them.
+ */
+public class Suggestions(public val from: Int, public val until: Int, public val names: List<String>) {
+    public companion object {
+        /** Those for the definition [text] with the text cursor at [cursor]; none while its own name is typed. */
+        public fun of(text: String, cursor: Int, vocabulary: Vocabulary): Suggestions {
+            val equals = text.indexOf('=')
+            if (equals < 0 || cursor <= equals) return Suggestions(cursor, cursor, emptyList())
+            val typed = text.substring(equals + 1, cursor)
+            // A name may have blanks: all that may belong to it is tried first, then the last word alone.
+            for (start in listOf(lastBreak(typed), typed.lastIndexOf(' ') + 1)) {
+                val begun = typed.substring(start).trimStart()
+                val query = Query(begun.trim('"', '`'))
+                if (query.isEmpty) continue
+                val found = vocabulary.signals.map { it.name }.filter(query::matches)
+                if (found.isEmpty()) continue
+                val others = found.filterNot { it.equals(begun, ignoreCase = true) }
+                return Suggestions(cursor - begun.length, cursor, others.sortedBy { rank(it, query.words[0]) }.take(MAX_NAMES))
+            }
+            return Suggestions(cursor, cursor, emptyList())
+        }
+
+        private fun rank(name: String, word: String) =
+            if (name.startsWith(word, ignoreCase = true) || name.substringAfterLast('/').startsWith(word, ignoreCase = true)) 0 else 1
+
+        /** Behind the last of what cannot be within a name that is still typed, or hardly is. */
+        private fun lastBreak(typed: String): Int {
+            for (end in typed.length downTo 1) {
+                if (typed[end - 1] in OPERATORS) return end
+                if (typed[end - 1] == ' ' && WORDS.any { endsWith(typed, end - 1, it) }) return end
+            }
+            return 0
+        }
+
+        private fun endsWith(typed: String, until: Int, word: String): Boolean {
+            val from = until - word.length
+            return from >= 0 && typed.startsWith(word, from) && (from == 0 || !typed[from - 1].isLetterOrDigit())
+        }
+
+        private const val OPERATORS = "+*(),<>=!&|^%\n"
+        private val WORDS = listOf(" -", " /", "and", "or", "not", "when", "for", "contains", "matches")
+        private const val MAX_NAMES = 8
+    }
+}

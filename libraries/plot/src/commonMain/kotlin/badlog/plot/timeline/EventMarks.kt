@@ -1,0 +1,83 @@
+package badlog.plot.timeline
+
+import badlog.analysis.Span
+import kotlin.math.floor
+
+/**
+ * The marks of events on a time line, each of one or more events that share a pixel: a head, from which a line runs down, or a
+ * tick for what crowds behind another, so that a chatty robot does not hide its graphs. What calls itself an error or a warning
+ * keeps its head in any crowd. The arrays are kept from one drawing to the next.
+ */
+public class EventMarks {
+    private var pixels = DoubleArray(0)
+    private var looks = IntArray(0)
+
+    /** How many there are. */
+    public var size: Int = 0
+        private set
+
+    /** Where mark [index] stands, in pixels from the left. */
+    public fun pixelOf(index: Int): Double = pixels[index]
+
+    /** Whether one of the events of mark [index] is an error or a warning. */
+    public fun isSerious(index: Int): Boolean = looks[index] and SERIOUS != 0
+
+    /** Whether mark [index] is more than a tick. */
+    public fun hasHead(index: Int): Boolean = looks[index] and HEAD != 0
+
+    /** Whether a line runs down from mark [index]. */
+    public fun hasLine(index: Int): Boolean = looks[index] and LINE != 0
+
+    /**
+     * Finds the marks for what [events] has in [span], over [width] pixels, [onePixel] of which look like one. Costs as much as
+     * there are pixels, however many events there are.
+     */
+    public fun place(events: EventTimeline, span: Span, width: Double, onePixel: Double) {
+        size = 0
+        val columns = floor(width / onePixel)
+        if (!(columns >= 1) || !(span.width > 0)) return
+        var index = events.firstAtOrAfter(span.from)
+        while (index < events.placedCount && events.x[index] <= span.to) {
+            val column = floor((events.x[index] - span.from) / span.width * columns)
+            val next = maxOf(index + 1, minOf(events.firstAtOrAfter(span.from + (column + 1) * span.width / columns), events.placedCount))
+            val until = if (column >= columns) events.placedCount else next
+            add(column * onePixel, events.areSerious(index, until))
+            index = until
+        }
+        look(APART * onePixel)
+    }
+
+    private fun add(pixel: Double, isSerious: Boolean) {
+        // What was skipped to may be this pixel again, by rounding.
+        val isSame = size > 0 && pixels[size - 1] == pixel
+        if (!isSame && size++ == pixels.size) {
+            pixels = pixels.copyOf(maxOf(FIRST_MARKS, size * 2))
+            looks = looks.copyOf(pixels.size)
+        }
+        pixels[size - 1] = pixel
+        looks[size - 1] = (if (isSame) looks[size - 1] else 0) or if (isSerious) SERIOUS else 0
+    }
+
+    private fun look(apart: Double) {
+        var lastLine = Double.NEGATIVE_INFINITY
+        for (i in 0 until size) {
+            val isCrowded = (i > 0 && pixels[i] - pixels[i - 1] < apart) ||
+                (i + 1 < size && isSerious(i + 1) && pixels[i + 1] - pixels[i] < apart)
+            if (isSerious(i) || !isCrowded) looks[i] = looks[i] or HEAD
+            if (if (isSerious(i)) pixels[i] - lastLine >= apart else !isCrowded) {
+                looks[i] = looks[i] or LINE
+                lastLine = pixels[i]
+            }
+        }
+    }
+
+    private companion object {
+        const val SERIOUS = 1
+        const val HEAD = 2
+        const val LINE = 4
+
+        /** So many pixels, as they look, are between two heads and two lines. */
+        const val APART = 9
+        const val FIRST_MARKS = 64
+    }
+}

@@ -1,0 +1,147 @@
+package badlog.plot.timeline
+
+import badlog.analysis.Event
+import badlog.analysis.EventLog
+import badlog.analysis.Series
+import badlog.plot.search.Query
+import kotlin.math.abs
+
+/**
+ * Events of several topics in the order of x, without an object for each. Those without an x come last. Of several at the same x
+ * those of an earlier log come first, and those of one log as they were logged.
+ *
+ * @property x where each stands; NaN where the x axis has a gap. Not to be changed.
+ */
+public class EventTimeline private constructor(
+    public val x: DoubleArray,
+    private val logs: List<EventLog>,
+    private val logOf: IntArray,
+    private val cells: IntArray,
+) {
+    /** How many there are. */
+    public val size: Int get() = x.size
+
+    /** How many have an x; they are the first ones. */
+    public val placedCount: Int = x.size - x.count { it.isNaN() }
+
+    private val places = x.copyOf(placedCount).let { Series(it, it) }
+
+    /** For each event with an x how many before it call themselves errors or warnings, and at the end how many do. */
+    private val seriousBefore by lazy {
+        // Each different text is looked at once, however often it was logged.
+        val areSerious = logs.map { log -> BooleanArray(log.topic.texts.dictionary.size) { isSerious(log.topic.texts.dictionary[it]) } }
+        val counts = IntArray(placedCount + 1)
+        for (i in 0 until placedCount) counts[i + 1] = counts[i] + if (areSerious[logOf[i]][idOf(i)]) 1 else 0
+        counts
+    }
+
+    /** Event [index], made anew. */
+    public fun eventAt(index: Int): Event = logs[logOf[index]].events[cells[index]]
+
+    /** The text of event [index]. */
+    public fun textOf(index: Int): String = logs[logOf[index]].topic.texts[cells[index]]
+
+    /** The full name of the topic of event [index]. */
+    public fun topicOf(index: Int): String = logs[logOf[index]].name
+
+    /** The first event at or after [position]; [placedCount] when there is none. */
+    public fun firstAtOrAfter(position: Double): Int = places.firstAtOrAfter(position)
+
+    /** The event nearest to [position]; -1 when none has an x. */
+    public fun nearest(position: Double): Int = places.nearest(position)
+
+    /** The event nearest to [position] if it is no further than [distance], else null. */
+    public fun nearest(position: Double, distance: Double): Event? =
+        nearest(position).takeIf { it >= 0 && abs(x[it] - position) <= distance }?.let(::eventAt)
+
+    /** The last event at or before [position]; null before the first. */
+    public fun lastBefore(position: Double): Event? = (places.firstAfter(position) - 1).takeIf { it >= 0 }?.let(::eventAt)
+
+    /** Whether one of the events from index [from] until [until], which have an x, calls itself an error or a warning. */
+    internal fun areSerious(from: Int, until: Int): Boolean = seriousBefore[until] > seriousBefore[from]
+
+    /** Those whose text or topic [query] finds, of the topics called [topics]; empty for all. */
+    public fun matching(query: Query, topics: Set<String> = emptySet()): EventTimeline {
+        if (query.isEmpty && topics.isEmpty()) return this
+        val fits = logs.map { log ->
+            val isWanted = topics.isEmpty() || log.name in topics
+            val texts = log.topic.texts.dictionary
+            BooleanArray(texts.size) { isWanted && query.matches("${log.name} ${texts[it]}") }
+        }
+        val kept = IntArray(size)
+        var count = 0
+        for (i in 0 until size) if (fits[logOf[i]][idOf(i)]) kept[count++] = i
+        return EventTimeline(
+            DoubleArray(count) { x[kept[it]] },
+            logs,
+            IntArray(count) { logOf[kept[it]] },
+            IntArray(count) { cells[kept[it]] },
+        )
+    }
+
+    private fun idOf(index: Int) = logs[logOf[index]].topic.texts.ids[cells[index]]
+
+    public companion object {
+        /** No events. */
+        public val NONE: EventTimeline = of(emptyList())
+
+        /** The events of all [logs]. */
+        public fun of(logs: List<EventLog>): EventTimeline {
+            val count = logs.sumOf { it.topic.texts.size }
+            val x = DoubleArray(count)
+            val logOf = IntArray(count)
+            val cells = IntArray(count)
+            var next = 0
+            logs.forEachIndexed { log, events ->
+                for (cell in 0 until events.topic.texts.size) {
+                    val place = events.events[cell].x
+                    x[next] = if (place.isFinite()) place else Double.NaN
+                    logOf[next] = log
+                    cells[next++] = cell
+                }
+            }
+            val order = orderOf(x)
+            return EventTimeline(
+                DoubleArray(count) { x[order[it]] },
+                logs,
+                IntArray(count) { logOf[order[it]] },
+                IntArray(count) { cells[order[it]] },
+            )
+        }
+    }
+}
+
+/** Whether [text] calls itself an error or a warning, as logs write it: `ERROR: brownout`, `[warning] …`. */
+private fun isSerious(text: String): Boolean {
+    var start = 0
+    while (start < text.length && !text[start].isLetterOrDigit() && text[start] != '_') start++
+    return SERIOUS.any { text.startsWith(it, start, ignoreCase = true) }
+}
+
+/** The indexes of [x] from the smallest to the largest, equal ones as they stand, NaN last: a merge sort of plain numbers. */
+internal fun orderOf(x: DoubleArray): IntArray {
+    var from = IntArray(x.size) { it }
+    var isOrdered = true
+    // As most logs are.
+    for (i in 1 until x.size) if (x[i].compareTo(x[i - 1]) < 0) isOrdered = false
+    if (isOrdered) return from
+    var into = IntArray(x.size)
+    var width = 1
+    while (width < x.size) {
+        for (start in 0 until x.size step width * 2) {
+            var left = start
+            val middle = minOf(start + width, x.size)
+            var right = middle
+            val end = minOf(start + width * 2, x.size)
+            for (i in start until end) {
+                val takesLeft = left < middle && (right >= end || x[from[left]].compareTo(x[from[right]]) <= 0)
+                into[i] = if (takesLeft) from[left++] else from[right++]
+            }
+        }
+        from = into.also { into = from }
+        width *= 2
+    }
+    return from
+}
+
+private val SERIOUS = listOf("error", "warn", "fatal", "severe", "critical")
