@@ -1,0 +1,46 @@
+package badlog.html
+
+import java.io.ByteArrayOutputStream
+import java.util.Base64
+import java.util.zip.GZIPOutputStream
+
+/** [program] as a page carries it: the base64 of a gzip stream, half its size. [UNPACKING] makes a script of it again. */
+internal fun packed(program: ByteArray): ByteArray {
+    val gzip = ByteArrayOutputStream()
+    GZIPOutputStream(gzip).use { it.write(program) }
+    return Base64.getEncoder().encode(gzip.toByteArray())
+}
+
+/**
+ * The one script that a page has in plain text. The policy knows the program's hash, so the browser runs what this unpacks only
+ * while it is the very program that the exporter packed.
+ */
+internal const val UNPACKING = """/* Unpacks the program of this page, which holds uPlot (MIT licence) and parts of Kotlin's standard library
+(copyright JetBrains s.r.o., Apache License 2.0); their notices stand in it. */
+(() => {
+  const fail = text => {
+    const line = document.createElement('p');
+    line.className = 'screen';
+    line.textContent = text;
+    const page = document.getElementById('page');
+    page.textContent = '';
+    page.append(line);
+    document.documentElement.dataset.state = 'failed';
+  };
+  if (!self.DecompressionStream) {
+    fail('This browser is too old. This page needs Chrome 80, Edge 80, Firefox 113, Safari 16.4 or newer.');
+    return;
+  }
+  Promise.resolve().then(() => {
+    const text = atob(document.getElementById('packed').textContent);
+    const bytes = new Uint8Array(text.length);
+    for (let i = 0; i < bytes.length; i++) bytes[i] = text.charCodeAt(i);
+    return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).text();
+  }).then(program => {
+    const script = document.createElement('script');
+    script.id = 'program';
+    script.textContent = program;
+    document.body.append(script);
+  }).catch(() => fail('This page is not complete. Something of it was damaged in copying; export it again.'));
+})();
+"""
