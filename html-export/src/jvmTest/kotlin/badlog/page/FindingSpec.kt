@@ -103,10 +103,10 @@ internal class FindingSpec : PageSpec({
         }
     }
 
-    browserTest("N goes to the next finding, P to the one before, and both stop at the last one") {
+    browserTest("N goes to the next finding, Shift+N to the one before, and both stop at the last one") {
         onPage(page) {
-            val times = listOf("n", "n", "n", "n", "p", "p", "p").map {
-                press(it)
+            val times = listOf(1, 1, 1, 1, -1, -1, -1).map {
+                if (it > 0) press("n") else pressShift("n")
                 cursor()
             }
             times shouldBe listOf(2.0, 5.0, 8.0, 8.0, 5.0, 2.0, 2.0)
@@ -125,8 +125,8 @@ internal class FindingSpec : PageSpec({
             graph("Angle").hover(0.9)
             graph("Angle").label shouldBe "error · Brownout: three times"
             graph("Angle").hover(0.05)
-            listOf("n", "n", "n", "p").map {
-                press(it)
+            listOf(1, 1, 1, -1).map {
+                if (it > 0) press("n") else pressShift("n")
                 cursor()
             } shouldBe listOf(1.0, 4.0, 9.0, 4.0)
             element(".finding[aria-current]").text shouldContain "three times"
@@ -174,7 +174,8 @@ internal class FindingSpec : PageSpec({
     browserTest("without findings there is no list, and the keys for them do nothing") {
         onPage(TestPages.of(stepBag(graphs = 1))) {
             element("#findings").isDisplayed shouldBe false
-            press("n", "p")
+            press("n")
+            pressShift("n")
             texts(".cursor-readout").single() shouldBe ""
         }
     }

@@ -81,14 +81,17 @@ internal class KeyboardSpec : PageSpec({
         }
     }
 
-    browserTest("plus, minus, Backspace and 0 zoom") {
+    browserTest("plus, minus, Backspace and 0 zoom, and Shift with Backspace goes forward again") {
         onPage(page) {
             press("+")
             val zoomed = visibleRange
             zoomed.endInclusive - zoomed.start shouldBeLessThan 100.0
             press("+")
+            val further = visibleRange
             press(Keys.BACK_SPACE)
             visibleRange shouldBe zoomed
+            pressShift(Keys.BACK_SPACE)
+            visibleRange shouldBe further
             press("0")
             visibleRange shouldBe 0.0..100.0
             press("+", "-")

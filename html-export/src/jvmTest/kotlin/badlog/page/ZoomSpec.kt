@@ -125,6 +125,33 @@ internal class ZoomSpec : PageSpec({
         }
     }
 
+    browserTest("Alt and a drag zoom y of one graph, until that is reset") {
+        onPage(page) {
+            val (x, y) = graph("Step 1").frame.at(0.5)
+            fun drag() = act { keyDown(Keys.ALT).mouseTo(x, y).mouseDown().mouseTo(x, y + 10).mouseTo(x, y + 30).mouseUp().keyUp(Keys.ALT) }
+            drag()
+            visibleRange shouldBe 0.0..10.0
+            element(".reset-y").isDisplayed shouldBe true
+            click(".reset-y")
+            element(".reset-y").isDisplayed shouldBe false
+            drag()
+            graph("Step 1").doubleClick()
+            element(".reset-y").isDisplayed shouldBe false
+        }
+    }
+
+    browserTest("the edges of what is visible can be taken in the overview") {
+        onPage(page) {
+            val strip = element(".overview").rect
+            val y = strip.y + strip.height / 2
+            fun x(seconds: Double) = strip.x + (strip.width * seconds / 10).toInt()
+            act { mouseTo(x(2.0), y).mouseDown().mouseTo(x(4.0), y).mouseTo(x(6.0), y).mouseUp() }
+            act { mouseTo(x(6.0), y).mouseDown().mouseTo(x(7.0), y).mouseTo(x(8.0), y).mouseUp() }
+            visibleRange.start shouldBe (2.0 plusOrMinus 0.05)
+            visibleRange.endInclusive shouldBe (8.0 plusOrMinus 0.05)
+        }
+    }
+
     browserTest("Shift and a drag move along") {
         onPage(page) {
             graph("Step 1").drag(0.2, 0.6)

@@ -1,11 +1,13 @@
 package badlog.viewer.app
 
 import androidx.compose.ui.input.key.Key
+import badlog.plot.gesture.Action
 import badlog.viewer.export.takeAwayCommands
-import badlog.viewer.findings.findingCommands
-import badlog.viewer.formula.formulaCommands
+import badlog.viewer.findings.stepFinding
+import badlog.viewer.formula.writeFormula
 import badlog.viewer.graph.giveUpGesture
 import badlog.viewer.graph.graphCommands
+import badlog.viewer.graph.stepCursor
 import badlog.viewer.inspector.title
 import badlog.viewer.keyboard.Command
 import badlog.viewer.keyboard.KeyPress
@@ -16,9 +18,29 @@ import badlog.viewer.panels.MainView
 import badlog.viewer.playback.togglePlaying
 
 /** All that the keyboard does, in the order of the help sheet. */
-internal fun allCommands(viewer: Viewer): List<Command> =
-    libraryCommands(viewer) + graphCommands(viewer) + formulaCommands(viewer) + findingCommands(viewer) +
-        playbackCommands(viewer) + takeAwayCommands(viewer) + layoutCommands(viewer) + windowCommands(viewer)
+internal fun allCommands(viewer: Viewer): List<Command> = libraryCommands(viewer) + actionCommands(viewer) + graphCommands(viewer) +
+    playbackCommands(viewer) + takeAwayCommands(viewer) + layoutCommands(viewer) + windowCommands(viewer)
+
+/** What the keyboard does as on an exported page. */
+internal fun actionCommands(viewer: Viewer): List<Command> = Action.entries.map { Command(it) { perform(it, viewer) } }
+
+private fun perform(action: Action, viewer: Viewer) = when (action) {
+    Action.PREVIOUS_SAMPLE -> stepCursor(viewer, -1)
+    Action.NEXT_SAMPLE -> stepCursor(viewer, 1)
+    Action.TEN_SAMPLES_BACK -> stepCursor(viewer, -Action.MANY_SAMPLES)
+    Action.TEN_SAMPLES_ON -> stepCursor(viewer, Action.MANY_SAMPLES)
+    Action.ZOOM_IN -> viewer.viewport = viewer.viewport.zoomed(1, viewer.cursor)
+    Action.ZOOM_OUT -> viewer.viewport = viewer.viewport.zoomed(-1, viewer.cursor)
+    Action.SHOW_ALL -> viewer.viewport = viewer.viewport.reset()
+    Action.PREVIOUS_VIEW -> viewer.viewport = viewer.viewport.back()
+    Action.NEXT_VIEW -> viewer.viewport = viewer.viewport.forward()
+    Action.SHOW_ENABLED -> viewer.viewport = viewer.viewport.showingEnabled(viewer.open?.enabled.orEmpty())
+    Action.PAN_LEFT -> viewer.viewport = viewer.viewport.panned(-Action.PAN_SHARE)
+    Action.PAN_RIGHT -> viewer.viewport = viewer.viewport.panned(Action.PAN_SHARE)
+    Action.NEW_FORMULA -> writeFormula(viewer)
+    Action.NEXT_FINDING -> stepFinding(viewer, 1)
+    Action.PREVIOUS_FINDING -> stepFinding(viewer, -1)
+}
 
 /** What the keyboard does with the window's parts. */
 internal fun windowCommands(viewer: Viewer): List<Command> = listOf(

@@ -20,7 +20,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
-import badlog.viewer.keyboard.Command
+import badlog.plot.gesture.HelpLine
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
@@ -28,14 +28,13 @@ import badlog.viewer.theme.sheet
 
 /** What the keyboard and the pointer do; lies above the window, which goes on behind it. */
 @Composable
-internal fun HelpSheet(commands: List<Command>, gestures: List<GestureHelp>, modifier: Modifier = Modifier, onClose: () -> Unit) {
+internal fun HelpSheet(help: List<HelpLine>, modifier: Modifier = Modifier, onClose: () -> Unit) {
     Column(modifier.sheet("Keys and gestures sheet", widest = 960.dp)) {
         Row(Modifier.fillMaxWidth().padding(start = 20.dp, end = 8.dp, top = 8.dp), verticalAlignment = Alignment.CenterVertically) {
             Text("Keys and gestures", Modifier.weight(1f), fontSize = 16.sp, fontWeight = FontWeight.SemiBold)
             ToolButton("Close the sheet", Icons.Close, onClick = onClose)
         }
-        val lines = commands.map { it.group to (keysText(it) to it.meaning) } + gestures.map { it.group to (it.gesture to it.meaning) }
-        val groups = lines.groupBy({ it.first }) { it.second }
+        val groups = help.groupBy { it.group }
         val scroll = rememberScrollState()
         Box {
             FlowRow(
@@ -53,10 +52,8 @@ internal fun HelpSheet(commands: List<Command>, gestures: List<GestureHelp>, mod
     }
 }
 
-private typealias Lines = List<Pair<String, String>>
-
 /** [groups] in two columns of about the same height, in their order. */
-private fun inTwo(groups: Map<String, Lines>): List<List<Map.Entry<String, Lines>>> {
+private fun inTwo(groups: Map<String, List<HelpLine>>): List<List<Map.Entry<String, List<HelpLine>>>> {
     val all = groups.values.sumOf { it.size + 1 }
     var before = 0
     val (first, second) = groups.entries.partition { (_, lines) ->
@@ -67,16 +64,13 @@ private fun inTwo(groups: Map<String, Lines>): List<List<Map.Entry<String, Lines
     return listOf(first, second)
 }
 
-// Which of these need Shift depends on the keyboard.
-private fun keysText(command: Command) = command.keys.map { if (it.label in "+=<>?") it.label else it.text }.distinct().joinToString("  ")
-
 @Composable
-private fun HelpGroup(title: String, lines: Lines) {
+private fun HelpGroup(title: String, lines: List<HelpLine>) {
     Column(Modifier.padding(top = 10.dp)) {
         Text(title, Modifier.padding(bottom = 4.dp), fontWeight = FontWeight.SemiBold)
-        for ((press, meaning) in lines) {
+        for ((_, how, meaning) in lines) {
             Row(Modifier.fillMaxWidth().padding(vertical = 2.dp), Arrangement.spacedBy(10.dp)) {
-                Text(press, Modifier.width(130.dp), LocalPalette.current.accent)
+                Text(how, Modifier.width(130.dp), LocalPalette.current.accent)
                 Text(meaning, Modifier.weight(1f))
             }
         }

@@ -41,7 +41,7 @@ internal fun ViewerScreen(viewer: Viewer) {
                         if (isNarrow) NarrowBody(viewer) else WideBody(viewer)
                         viewer.formulaSheet?.let { FormulaDialog(viewer, it, Modifier.align(Alignment.TopCenter)) }
                         if (viewer.panels.help) {
-                            HelpSheet(viewer.commands, GESTURES, Modifier.align(Alignment.TopCenter)) {
+                            HelpSheet(viewer.commands.map { it.help } + GESTURES, Modifier.align(Alignment.TopCenter)) {
                                 viewer.panels = viewer.panels.copy(help = false)
                             }
                         }

@@ -1,15 +1,12 @@
 package badlog.viewer.findings
 
 import androidx.compose.runtime.snapshotFlow
-import androidx.compose.ui.input.key.Key
 import badlog.analysis.LogView
 import badlog.rules.Finding
 import badlog.rules.FolderRules
 import badlog.rules.over
 import badlog.viewer.app.Viewer
 import badlog.viewer.compare.drawnRecordings
-import badlog.viewer.keyboard.Command
-import badlog.viewer.keyboard.KeyPress
 import badlog.viewer.panels.MainView
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.delay
@@ -96,13 +93,3 @@ internal fun stepFinding(viewer: Viewer, steps: Int) {
     val from = viewer.findings.chosen?.takeIf { it.time == viewer.cursor }
     viewer.findings.list?.stepped(steps, from, viewer.cursor)?.let { goTo(viewer, it) }
 }
-
-/** What the keyboard does with findings. */
-internal fun findingCommands(viewer: Viewer): List<Command> = listOf(
-    Command(GROUP, "To the next finding", listOf(NEXT)) { stepFinding(viewer, 1) },
-    Command(GROUP, "To the finding before", listOf(BEFORE)) { stepFinding(viewer, -1) },
-)
-
-internal val NEXT = KeyPress(Key.N, "N")
-internal val BEFORE = KeyPress(Key.N, "N", shift = true)
-private const val GROUP = "Findings"

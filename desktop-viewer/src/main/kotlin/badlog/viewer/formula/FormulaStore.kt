@@ -1,14 +1,11 @@
 package badlog.viewer.formula
 
 import androidx.compose.runtime.snapshotFlow
-import androidx.compose.ui.input.key.Key
 import badlog.expression.LogViewSignals
 import badlog.expression.signals.Vocabulary
 import badlog.plot.formula.nameIn
 import badlog.plot.formula.nameInExpression
 import badlog.viewer.app.Viewer
-import badlog.viewer.keyboard.Command
-import badlog.viewer.keyboard.KeyPress
 import badlog.viewer.recording.OpenRecording
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.flow.collectLatest
@@ -90,9 +87,3 @@ internal fun writeFormula(viewer: Viewer, names: List<String> = emptyList()) {
     val start = if (names.isEmpty()) "" else " = " + names.joinToString(" * ") { nameInExpression(it, vocabulary) }
     viewer.formulaSheet = FormulaSheet(start = start)
 }
-
-/** What the keyboard does with formulas. */
-internal fun formulaCommands(viewer: Viewer): List<Command> =
-    listOf(Command("Topics", "New formula: a topic calculated from others", listOf(NEW_FORMULA)) { writeFormula(viewer) })
-
-internal val NEW_FORMULA = KeyPress(Key.F, "F")

@@ -13,6 +13,7 @@ import androidx.compose.ui.graphics.graphicsLayer
 import badlog.analysis.Span
 import badlog.plot.cursor.dotAt
 import badlog.plot.cursor.indexAt
+import badlog.plot.gesture.DragKind
 import badlog.viewer.findings.drawShownFinding
 import badlog.viewer.graph.plot.PlotPicture
 import badlog.viewer.graph.plot.PlotState
@@ -56,11 +57,11 @@ internal fun DrawScope.drawSelection(selection: Span, visible: Span, palette: Pa
 
 private fun DrawScope.drawGesture(gesture: PlotGesture, id: Int, visible: Span, picture: PlotPicture?, palette: Palette) {
     when (gesture.kind) {
-        GestureKind.PAN -> Unit
+        DragKind.PAN -> Unit
 
-        GestureKind.ZOOM, GestureKind.SELECT -> drawSelection(gesture.xSpan, visible, palette)
+        DragKind.ZOOM, DragKind.SELECT -> drawSelection(gesture.xSpan, visible, palette)
 
-        GestureKind.ZOOM_Y -> {
+        DragKind.ZOOM_Y -> {
             val axis = picture?.axes?.firstOrNull() ?: return
             if (gesture.graph != id) return
             val top = axis.pixelOf(gesture.ySpan.to, picture.plotHeight)

@@ -65,7 +65,7 @@ private fun GraphButtons(scene: GraphScene, spec: GraphSpec, isHovered: Boolean,
     val palette = LocalPalette.current
     Row(modifier.padding(end = 12.dp).background(palette.surface.copy(alpha = 0.9f), RoundedCornerShape(5.dp))) {
         if (spec.yRange != null) {
-            ToolButton("Show all of y", Icons.Reset, isOn = true) { viewer.graphs = viewer.graphs.withYRange(spec.id, null) }
+            ToolButton("Reset Y zoom", Icons.Reset, isOn = true) { viewer.graphs = viewer.graphs.withYRange(spec.id, null) }
         }
         if (isHovered) {
             ToolButton("Copy a picture of this graph", Icons.Copy) { copyGraphs(viewer, listOf(spec)) }

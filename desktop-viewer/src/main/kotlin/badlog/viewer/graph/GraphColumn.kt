@@ -22,6 +22,7 @@ import androidx.compose.ui.input.pointer.PointerEventPass
 import androidx.compose.ui.input.pointer.PointerEventType
 import androidx.compose.ui.input.pointer.isCtrlPressed
 import androidx.compose.ui.input.pointer.isMetaPressed
+import androidx.compose.ui.input.pointer.isShiftPressed
 import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
@@ -85,14 +86,15 @@ private fun lanesOf(spec: GraphSpec, scene: GraphScene): Int {
     return if (lines.isNotEmpty() && lines.all { it.signal.states != null }) lines.size else 0
 }
 
-/** The wheel with Ctrl makes graphs higher or lower, wherever the pointer is. */
+/** The wheel with Ctrl and Shift makes graphs taller or shorter, wherever the pointer is. */
 private fun Modifier.changesHeights(scene: GraphScene) = pointerInput(scene) {
     awaitPointerEventScope {
         while (true) {
             val event = awaitPointerEvent(PointerEventPass.Initial)
             val isCtrl = event.keyboardModifiers.isCtrlPressed || event.keyboardModifiers.isMetaPressed
-            if (event.type != PointerEventType.Scroll || !isCtrl) continue
-            val notches = event.changes.sumOf { it.scrollDelta.y.toDouble() }
+            if (event.type != PointerEventType.Scroll || !isCtrl || !event.keyboardModifiers.isShiftPressed) continue
+            // Some systems turn the wheel sideways while Shift is held.
+            val notches = event.changes.sumOf { (it.scrollDelta.x + it.scrollDelta.y).toDouble() }
             event.changes.forEach { it.consume() }
             setGraphHeight(scene.viewer, scene.viewer.settings.graphHeight - (notches * DP_PER_NOTCH).toInt())
         }

@@ -47,7 +47,9 @@ private fun ViewButtons(viewer: Viewer) {
         ToolButton("Zoom out (-)", Icons.Remove, isEnabled = isZoomed) { viewer.viewport = viewer.viewport.zoomed(-1, viewer.cursor) }
         ToolButton("Zoom in (+)", Icons.Add) { viewer.viewport = viewer.viewport.zoomed(1, viewer.cursor) }
         if (viewer.open?.enabled.orEmpty().isNotEmpty()) {
-            ToolButton("Zoom to the time the robot was enabled (E)", text = "Enabled") { zoomToEnabled(viewer) }
+            ToolButton("Zoom to the time the robot was enabled (E)", text = "Enabled") {
+                viewer.viewport = viewer.viewport.showingEnabled(viewer.open?.enabled.orEmpty())
+            }
         }
     }
 }
@@ -56,10 +58,10 @@ private fun ViewButtons(viewer: Viewer) {
 private fun HeightButtons(viewer: Viewer) {
     val settings = viewer.settings
     Row(verticalAlignment = Alignment.CenterVertically) {
-        ToolButton("Lower graphs (Ctrl+wheel)", Icons.Shrink, isEnabled = settings.graphHeight > HEIGHTS.first) {
+        ToolButton("Shorter graphs (Ctrl+Shift+wheel)", Icons.Shrink, isEnabled = settings.graphHeight > HEIGHTS.first) {
             setGraphHeight(viewer, settings.graphHeight - HEIGHT_STEP)
         }
-        ToolButton("Higher graphs (Ctrl+wheel)", Icons.Grow, isEnabled = settings.graphHeight < HEIGHTS.last) {
+        ToolButton("Taller graphs (Ctrl+Shift+wheel)", Icons.Grow, isEnabled = settings.graphHeight < HEIGHTS.last) {
             setGraphHeight(viewer, settings.graphHeight + HEIGHT_STEP)
         }
         ToolButton("Share the window's height among few graphs", text = "Fit", isOn = settings.fitsGraphs) {

@@ -1,6 +1,7 @@
 package badlog.viewer.graph
 
 import badlog.analysis.Span
+import badlog.plot.gesture.DragKind
 import badlog.plot.range.Viewport
 
 /**
@@ -14,7 +15,7 @@ import badlog.plot.range.Viewport
  * @property before what was seen when it began.
  */
 internal data class PlotGesture(
-    val kind: GestureKind,
+    val kind: DragKind,
     val graph: Int?,
     val startX: Double,
     val startY: Double,
@@ -27,19 +28,4 @@ internal data class PlotGesture(
 
     /** The part of y it has gone over. */
     val ySpan: Span get() = Span(minOf(startY, y), maxOf(startY, y))
-}
-
-/** What a drag does. */
-internal enum class GestureKind {
-    /** Shows what it has gone over. */
-    ZOOM,
-
-    /** Shows what it has gone over in y, in its graph only. */
-    ZOOM_Y,
-
-    /** Marks what it has gone over. */
-    SELECT,
-
-    /** Moves the graphs along. */
-    PAN,
 }

@@ -1,13 +1,15 @@
 package badlog.viewer.graph
 
+import androidx.compose.ui.geometry.Offset
 import badlog.analysis.Span
+import badlog.plot.gesture.DragKind
+import badlog.plot.gesture.Wheel
 import badlog.viewer.app.Viewer
 import kotlin.math.abs
-import kotlin.math.exp
 
 /** What the pointer does over the graphs, in places on the axes rather than pixels. */
 internal class PlotGestures(private val viewer: Viewer) {
-    private var lastWheel = Long.MIN_VALUE / 2
+    private val wheel = Wheel()
 
     /** The pointer passes over [x]: the cursor goes along unless it is pinned, or runs by itself. */
     fun hover(x: Double) {
@@ -30,15 +32,15 @@ internal class PlotGestures(private val viewer: Viewer) {
     }
 
     /** A drag begins at [x] and [y] of graph [id]. */
-    fun begin(kind: GestureKind, id: Int?, x: Double, y: Double) {
+    fun begin(kind: DragKind, id: Int?, x: Double, y: Double) {
         viewer.gesture = PlotGesture(kind, id, x, y, viewer.viewport)
-        if (kind == GestureKind.PAN) viewer.viewport = viewer.viewport.remembered()
+        if (kind == DragKind.PAN) viewer.viewport = viewer.viewport.remembered()
     }
 
     /** It goes on to [x] and [y]. */
     fun drag(x: Double, y: Double) {
         val gesture = viewer.gesture ?: return
-        if (gesture.kind == GestureKind.PAN) {
+        if (gesture.kind == DragKind.PAN) {
             // What was touched stays below the pointer.
             viewer.viewport = viewer.viewport.shifted(gesture.startX - x)
         } else {
@@ -52,45 +54,39 @@ internal class PlotGestures(private val viewer: Viewer) {
         val gesture = viewer.gesture ?: return
         viewer.gesture = null
         when (gesture.kind) {
-            GestureKind.ZOOM -> if (gesture.xSpan.width > 0) viewer.viewport = viewer.viewport.showing(gesture.startX, gesture.x)
+            DragKind.ZOOM -> if (gesture.xSpan.width > 0) viewer.viewport = viewer.viewport.showing(gesture.startX, gesture.x)
 
-            GestureKind.ZOOM_Y -> if (gesture.graph != null && gesture.ySpan.width > 0) {
+            DragKind.ZOOM_Y -> if (gesture.graph != null && gesture.ySpan.width > 0) {
                 viewer.graphs = viewer.graphs.withYRange(gesture.graph, gesture.ySpan)
             }
 
-            GestureKind.SELECT -> viewer.selection = gesture.xSpan.takeIf { it.width > 0 }
+            DragKind.SELECT -> viewer.selection = gesture.xSpan.takeIf { it.width > 0 }
 
-            GestureKind.PAN -> Unit
+            DragKind.PAN -> Unit
         }
     }
 
-    /** The wheel turns by [notches], forwards when negative, over [x]; [millis] is the time of any clock. */
-    fun zoom(notches: Float, x: Double, millis: Long) {
-        rememberFirst(millis)
-        val factor = exp(notches.coerceIn(-MOST_NOTCHES, MOST_NOTCHES) * NOTCH)
-        viewer.viewport = viewer.viewport.scaled(factor, x)
-    }
-
-    /** The wheel, or two fingers, go sideways by [notches]. */
-    fun pan(notches: Float, millis: Long) {
-        rememberFirst(millis)
-        viewer.viewport = viewer.viewport.shifted(notches * SIDEWAYS * viewer.viewport.visible.width)
-    }
-
-    // Turns that follow one another closely are one step back.
-    private fun rememberFirst(millis: Long) {
-        if (millis - lastWheel > PAUSE_MILLIS) viewer.viewport = viewer.viewport.remembered()
-        lastWheel = millis
+    /**
+     * The wheel turns by [notches], or two fingers move over a touch pad, over [x] of a plot [width] dp wide; [millis] is the time of
+     * any clock. False where that is not for the graphs, but scrolls them.
+     */
+    fun wheel(notches: Offset, ctrl: Boolean, shift: Boolean, x: Double, width: Float, millis: Long): Boolean {
+        val (right, down) = notches * Wheel.NOTCH.toFloat()
+        val turned = wheel.turned(
+            viewer.viewport,
+            right.toDouble(),
+            down.toDouble(),
+            ctrl,
+            shift,
+            x,
+            width.toDouble(),
+            millis.toDouble(),
+        )
+        turned?.let { viewer.viewport = it }
+        return turned != null
     }
 
     private fun Double.within(span: Span) = coerceIn(span.from, span.to)
-
-    private companion object {
-        const val NOTCH = 0.2
-        const val MOST_NOTCHES = 4f
-        const val SIDEWAYS = 0.06
-        const val PAUSE_MILLIS = 500L
-    }
 }
 
 /**

@@ -10,12 +10,12 @@ import androidx.compose.ui.input.pointer.PointerType
 import androidx.compose.ui.input.pointer.isAltPressed
 import androidx.compose.ui.input.pointer.isCtrlPressed
 import androidx.compose.ui.input.pointer.isMetaPressed
-import androidx.compose.ui.input.pointer.isPrimaryPressed
 import androidx.compose.ui.input.pointer.isSecondaryPressed
 import androidx.compose.ui.input.pointer.isShiftPressed
 import androidx.compose.ui.input.pointer.isTertiaryPressed
 import androidx.compose.ui.input.pointer.pointerInput
-import kotlin.math.abs
+import badlog.plot.gesture.DoubleClick
+import badlog.plot.gesture.DragKind
 
 /**
  * Lets the pointer zoom, pan, select, and place the cursor over graph [id], or over the axis for null, where a plain drag pans.
@@ -39,10 +39,9 @@ private class PlotPointer(
 ) {
     private val gestures = scene.gestures
     private var pressedAt: Offset? = null
-    private var kind = GestureKind.ZOOM
+    private var kind = DragKind.ZOOM
     private var isDragging = false
-    private var clickedAt = Offset.Zero
-    private var clickedMillis = Long.MIN_VALUE / 2
+    private val clicks = DoubleClick()
 
     fun hear(event: PointerEvent) {
         val change = event.changes.first()
@@ -63,14 +62,13 @@ private class PlotPointer(
         change.consume()
     }
 
-    private fun kindOf(event: PointerEvent, change: PointerInputChange): GestureKind {
+    private fun kindOf(event: PointerEvent, change: PointerInputChange): DragKind {
         val keys = event.keyboardModifiers
         return when {
-            event.buttons.isTertiaryPressed || keys.isAltPressed || change.type == PointerType.Touch -> GestureKind.PAN
-            event.buttons.isSecondaryPressed || keys.isCtrlPressed || keys.isMetaPressed -> GestureKind.SELECT
-            id == null -> GestureKind.PAN
-            event.buttons.isPrimaryPressed && keys.isShiftPressed -> GestureKind.ZOOM_Y
-            else -> GestureKind.ZOOM
+            event.buttons.isTertiaryPressed || change.type == PointerType.Touch -> DragKind.PAN
+            event.buttons.isSecondaryPressed || keys.isCtrlPressed || keys.isMetaPressed -> DragKind.SELECT
+            id == null -> DragKind.PAN
+            else -> DragKind.of(keys.isShiftPressed, keys.isAltPressed)
         }
     }
 
@@ -81,7 +79,7 @@ private class PlotPointer(
             gestures.hover(xAt(at))
             return
         }
-        if (!isDragging && (at - start).getDistance() >= FEWEST * scope.density) {
+        if (!isDragging && (at - start).getDistance() >= DragKind.LEAST_DISTANCE * scope.density) {
             isDragging = true
             gestures.begin(kind, id, xAt(start), yAt(start))
         }
@@ -94,7 +92,7 @@ private class PlotPointer(
         pressedAt = null
         if (isDragging) {
             gestures.end()
-        } else if (kind != GestureKind.SELECT) {
+        } else if (kind != DragKind.SELECT) {
             click(change)
         }
         isDragging = false
@@ -103,27 +101,21 @@ private class PlotPointer(
 
     private fun click(change: PointerInputChange) {
         val at = change.position
-        val isSecond = change.uptimeMillis - clickedMillis < DOUBLE_CLICK_MILLIS &&
-            (at - clickedAt).getDistance() < DOUBLE_CLICK_REACH * scope.density
-        if (isSecond) {
-            clickedMillis = Long.MIN_VALUE / 2
+        if (clicks.isSecond((at.x / scope.density).toDouble(), change.uptimeMillis.toDouble())) {
             gestures.doubleClick(id)
         } else {
-            clickedMillis = change.uptimeMillis
-            clickedAt = at
             gestures.click(xAt(at), REACH * scope.density / scope.size.width * scene.viewer.viewport.visible.width)
         }
     }
 
     private fun scroll(event: PointerEvent, change: PointerInputChange) {
-        val delta = change.scrollDelta
         if (change.isConsumed) return
-        when {
-            abs(delta.x) > abs(delta.y) -> gestures.pan(delta.x, change.uptimeMillis)
-            event.keyboardModifiers.isShiftPressed -> gestures.pan(delta.y, change.uptimeMillis)
-            else -> gestures.zoom(delta.y, xAt(change.position), change.uptimeMillis)
+        val keys = event.keyboardModifiers
+        val width = scope.size.width / scope.density
+        val isCtrl = keys.isCtrlPressed || keys.isMetaPressed
+        if (gestures.wheel(change.scrollDelta, isCtrl, keys.isShiftPressed, xAt(change.position), width, change.uptimeMillis)) {
+            change.consume()
         }
-        change.consume()
     }
 
     private fun xAt(at: Offset): Double {
@@ -134,9 +126,6 @@ private class PlotPointer(
     private fun yAt(at: Offset): Double = yAt(at.y, scope.size.height.toFloat())
 
     private companion object {
-        const val FEWEST = 4f
         const val REACH = 5f
-        const val DOUBLE_CLICK_MILLIS = 350L
-        const val DOUBLE_CLICK_REACH = 8f
     }
 }

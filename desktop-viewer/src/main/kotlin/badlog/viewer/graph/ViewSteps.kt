@@ -2,15 +2,6 @@ package badlog.viewer.graph
 
 import badlog.viewer.app.Viewer
 
-/** Shows the time from the first moment at which the robot was enabled to the last; nothing happens where nothing tells. */
-internal fun zoomToEnabled(viewer: Viewer) {
-    val enabled = viewer.open?.enabled.orEmpty()
-    if (enabled.isEmpty()) return
-    val from = enabled.minOf { it.span.from }
-    val to = enabled.maxOf { it.span.to }
-    if (to > from) viewer.viewport = viewer.viewport.showing(from, to)
-}
-
 /** Shows what is selected. */
 internal fun zoomToSelection(viewer: Viewer) {
     val selection = viewer.selection ?: return

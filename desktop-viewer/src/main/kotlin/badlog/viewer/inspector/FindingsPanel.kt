@@ -37,15 +37,14 @@ import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import badlog.plot.gesture.Action
 import badlog.plot.text.countText
 import badlog.recording.Severity
 import badlog.rules.Finding
 import badlog.rules.SkippedRule
 import badlog.viewer.app.Viewer
 import badlog.viewer.compare.drawnRecordings
-import badlog.viewer.findings.BEFORE
 import badlog.viewer.findings.FindingList
-import badlog.viewer.findings.NEXT
 import badlog.viewer.findings.findingColor
 import badlog.viewer.findings.findingSoft
 import badlog.viewer.findings.goTo
@@ -76,8 +75,12 @@ internal fun FindingsPanel(viewer: Viewer, open: OpenRecording, modifier: Modifi
     Column(modifier) {
         Row(Modifier.fillMaxWidth().padding(start = 12.dp, end = 4.dp, top = 4.dp), verticalAlignment = Alignment.CenterVertically) {
             Text(summaryOf(list), Modifier.weight(1f), fontWeight = FontWeight.Medium)
-            ToolButton("To the finding before (${BEFORE.text})", Icons.Up, isEnabled = list.placed.isNotEmpty()) { stepFinding(viewer, -1) }
-            ToolButton("To the next finding (${NEXT.text})", Icons.Down, isEnabled = list.placed.isNotEmpty()) { stepFinding(viewer, 1) }
+            ToolButton("Previous finding (${Action.PREVIOUS_FINDING.shortcut})", Icons.Up, isEnabled = list.placed.isNotEmpty()) {
+                stepFinding(viewer, -1)
+            }
+            ToolButton("Next finding (${Action.NEXT_FINDING.shortcut})", Icons.Down, isEnabled = list.placed.isNotEmpty()) {
+                stepFinding(viewer, 1)
+            }
             ToolButton("Run the rules again", Icons.Reset) {
                 viewer.findings = findings.copy(timesAsked = findings.timesAsked + 1)
             }

@@ -13,6 +13,9 @@ import androidx.compose.ui.input.key.key
 import androidx.compose.ui.input.key.type
 import androidx.compose.ui.platform.InterceptPlatformTextInput
 import androidx.compose.ui.platform.PlatformTextInputInterceptor
+import badlog.plot.gesture.Action
+import badlog.plot.gesture.HelpLine
+import badlog.plot.gesture.KeyStroke
 
 /**
  * Knows whether a person is typing into a text field, and gives keys to commands while they are not. A field lets the presses of
@@ -78,7 +81,37 @@ internal class Keyboard {
  * @property meaning what it does, as the help sheet says it.
  * @property group under which heading.
  */
-internal class Command(val group: String, val meaning: String, val keys: List<KeyPress>, val action: () -> Unit)
+internal class Command(val group: String, val meaning: String, val keys: List<KeyPress>, val action: () -> Unit) {
+    /** What the page does alike: [run]. */
+    constructor(action: Action, run: () -> Unit) : this(action.group, action.meaning, action.keys.flatMap(::pressesOf), run)
+
+    /** As the help sheet has it. */
+    // Which of the signs need Shift depends on the keyboard.
+    val help: HelpLine
+        get() = HelpLine(group, keys.map { if (it.label in "+=<>?") it.label else it.text }.distinct().joinToString("  "), meaning)
+}
+
+/** What to press for [stroke]. */
+private fun pressesOf(stroke: KeyStroke): List<KeyPress> {
+    // Which of the keys with a plus needs Shift depends on the keyboard.
+    val shifts = if (stroke.key == "+") listOf(false, true) else listOf(stroke.shift)
+    return shifts.flatMap { shift -> KEYS.getValue(stroke.key).map { KeyPress(it, stroke.key, shift = shift) } }
+}
+
+private val KEYS = mapOf(
+    "←" to listOf(Key.DirectionLeft),
+    "→" to listOf(Key.DirectionRight),
+    "+" to listOf(Key.Plus, Key.Equals, Key.NumPadAdd),
+    "-" to listOf(Key.Minus, Key.NumPadSubtract),
+    "0" to listOf(Key.Zero),
+    "Home" to listOf(Key.MoveHome),
+    "Backspace" to listOf(Key.Backspace),
+    "[" to listOf(Key.LeftBracket),
+    "]" to listOf(Key.RightBracket),
+    "E" to listOf(Key.E),
+    "F" to listOf(Key.F),
+    "N" to listOf(Key.N),
+)
 
 /** A key with the modifiers that must be held; [ctrl] is the command key on a Mac. */
 internal data class KeyPress(val key: Key, val label: String, val ctrl: Boolean = false, val shift: Boolean = false) {

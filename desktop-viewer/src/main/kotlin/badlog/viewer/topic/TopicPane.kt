@@ -34,10 +34,10 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.text.withStyle
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
+import badlog.plot.gesture.Action
 import badlog.plot.search.Query
 import badlog.viewer.app.Viewer
 import badlog.viewer.compare.drawnRecordings
-import badlog.viewer.formula.NEW_FORMULA
 import badlog.viewer.formula.UnmadeFormulas
 import badlog.viewer.formula.writeFormula
 import badlog.viewer.recording.OpenRecording
@@ -59,7 +59,7 @@ internal fun TopicPane(viewer: Viewer, modifier: Modifier = Modifier) {
             SearchField(list.query, "Search topics", Modifier.weight(1f).padding(vertical = 8.dp)) {
                 viewer.topicList = viewer.topicList.copy(query = it)
             }
-            ToolButton("New formula… (${NEW_FORMULA.text})", Icons.Formula, isEnabled = open != null) { writeFormula(viewer) }
+            ToolButton("New formula… (${Action.NEW_FORMULA.shortcut})", Icons.Formula, isEnabled = open != null) { writeFormula(viewer) }
         }
         when {
             open == null -> Hint("Open a log to see its topics.")

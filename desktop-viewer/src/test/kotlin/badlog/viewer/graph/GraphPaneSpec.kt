@@ -10,6 +10,7 @@ import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performMouseInput
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.analysis.Span
+import badlog.viewer.app.actionCommands
 import badlog.viewer.theme.Palette
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
@@ -109,7 +110,7 @@ class GraphPaneSpec : FunSpec({
 
     test("each key has a meaning of its own") {
         val viewer = viewerOf(recordingOf(bagOf(101) { 0.0 }))
-        val commands = graphCommands(viewer)
+        val commands = actionCommands(viewer)
         commands.map { it.meaning }.distinct().size shouldBe commands.size
         val right = commands.first { it.meaning == "Cursor to the next sample" }
         viewer.cursor = 5.0

@@ -50,7 +50,7 @@ class InspectorPaneSpec : FunSpec({
             waitUntil { onAllNodesWithText("event 77777").fetchSemanticsNodes().isNotEmpty() }
             onNodeWithContentDescription("Event at 77777: event 77777").assertIsSelected()
             onNodeWithContentDescription("Search events").performTextInput("event 99999")
-            onNodeWithText("1 of 100000 events").assertExists()
+            onNodeWithText("1 of 100 000 events").assertExists()
         }
     }
 

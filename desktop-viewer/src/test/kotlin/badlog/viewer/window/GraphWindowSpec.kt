@@ -24,7 +24,7 @@ class GraphWindowSpec : FunSpec({
         open().use { window ->
             val all = window.look { it.viewport.full }
             window.point(plot, 0.5, 0.5)
-            window.wheel(-3)
+            window.wheel(-3, KeyEvent.VK_CONTROL)
             window.awaitState("a closer look") { it.viewport.visible.width < all.width * 0.7 }
             window.drag(plot, 0.25, 0.5, 0.75, 0.5)
             window.awaitState("half of that") { it.viewport.visible.width < all.width * 0.4 && it.gesture == null }
@@ -33,9 +33,9 @@ class GraphWindowSpec : FunSpec({
             window.click(plot, times = 2)
             window.awaitState("everything again") { it.viewport.visible == all }
 
-            window.drag(plot, 0.5, 0.2, 0.5, 0.6, KeyEvent.VK_SHIFT)
+            window.drag(plot, 0.5, 0.2, 0.5, 0.6, KeyEvent.VK_ALT)
             window.awaitState("a closer look at y") { viewer -> viewer.graphs.graphs.any { it.yRange != null } }
-            window.awaitText("Show all of y")
+            window.awaitText("Reset Y zoom")
             window.click(plot, times = 2)
             window.awaitState("all of y") { viewer -> viewer.graphs.graphs.all { it.yRange == null } }
 

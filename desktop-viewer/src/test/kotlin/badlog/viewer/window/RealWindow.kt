@@ -153,8 +153,10 @@ internal class RealWindow(home: Path, opened: Path, width: Int = 1400, height: I
     }
 
     /** Turns the wheel by [notches], towards the person when positive. */
-    fun wheel(notches: Int) {
+    fun wheel(notches: Int, vararg held: Int) {
+        for (key in held) robot.keyPress(key)
         robot.mouseWheel(notches)
+        for (key in held) robot.keyRelease(key)
     }
 
     /** Presses [key] of [java.awt.event.KeyEvent] while [held] are down. */

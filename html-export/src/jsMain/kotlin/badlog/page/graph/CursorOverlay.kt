@@ -4,10 +4,10 @@ import badlog.analysis.Graph
 import badlog.page.dom.add
 import badlog.page.dom.isHidden
 import badlog.page.dom.showText
-import badlog.page.view.Palette
 import badlog.page.view.Scene
 import badlog.page.view.findingText
 import badlog.page.view.word
+import badlog.plot.color.LINE_COLORS
 import badlog.plot.cursor.dotAt
 import org.w3c.dom.HTMLElement
 
@@ -21,7 +21,7 @@ internal class CursorOverlay(
     private val line = over.add("div", "cursor-line")
     private val eventLabel = over.add("div", "event-label")
     private val findingLabel = over.add("div", "finding-label")
-    private val dots = graph.series.indices.map { over.add("div", "cursor-dot line-${it % Palette.LINES}") }
+    private val dots = graph.series.indices.map { over.add("div", "cursor-dot line-${it % LINE_COLORS}") }
 
     init {
         update()

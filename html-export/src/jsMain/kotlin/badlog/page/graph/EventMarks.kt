@@ -2,6 +2,7 @@ package badlog.page.graph
 
 import badlog.analysis.Span
 import badlog.page.view.Scene
+import badlog.plot.color.Shade
 import badlog.plot.timeline.EventMarks
 import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D
@@ -34,8 +35,8 @@ internal fun drawEventMarks(context: CanvasRenderingContext2D, frame: PlotFrame,
         }
     }
     context.save()
-    context.fillStyle = scene.palette.event
-    context.strokeStyle = scene.palette.event
+    context.fillStyle = scene.palette[Shade.EVENT]
+    context.strokeStyle = scene.palette[Shade.EVENT]
     context.lineWidth = 1.0
     context.globalAlpha = LINE_OPACITY
     context.stroke(lines)

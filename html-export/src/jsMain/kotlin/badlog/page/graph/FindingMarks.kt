@@ -2,6 +2,7 @@ package badlog.page.graph
 
 import badlog.analysis.Span
 import badlog.page.view.Scene
+import badlog.plot.color.Shade
 import badlog.recording.Severity
 import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D
@@ -96,7 +97,7 @@ private class FindingPaths(private val frame: PlotFrame, private val severity: S
         context.globalAlpha = 1.0
         context.fill(feet)
         if (severity == Severity.NOTE) {
-            context.fillStyle = scene.palette.surface
+            context.fillStyle = scene.palette[Shade.SURFACE]
             context.lineWidth = RING * ratio
         }
         context.fill(heads)

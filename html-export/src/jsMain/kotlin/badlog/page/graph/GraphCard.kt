@@ -1,6 +1,7 @@
 package badlog.page.graph
 
 import badlog.analysis.Graph
+import badlog.analysis.Span
 import badlog.page.dom.Icon
 import badlog.page.dom.ResizeObserver
 import badlog.page.dom.add
@@ -8,6 +9,7 @@ import badlog.page.dom.addIconButton
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.view.Scene
+import badlog.plot.axis.YLimits
 import badlog.plot.text.unitText
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
@@ -28,6 +30,9 @@ internal class GraphCard(val graph: Graph, private val scene: Scene, origin: Str
     private var overlay: CursorOverlay? = null
     private var resizing: ResizeObserver? = null
     private var statisticsTimer = 0
+    private var shown: Figure? = null
+    private var chosenY: Span? = null
+    private lateinit var resetButton: HTMLElement
 
     /** Whether what is drawn is not what should be seen. */
     private var isStale = false
@@ -41,6 +46,7 @@ internal class GraphCard(val graph: Graph, private val scene: Scene, origin: Str
             if (origin.isNotEmpty()) add("span", "origin", origin).title = hintOf(graph)
             appendChild(legend.element)
             add("div", "graph-tools") {
+                resetButton = addIconButton("reset-y", Icon.RESET, "Reset Y zoom") { resetY() }.apply { isHidden = true }
                 if (!graph.showsStates) {
                     statisticsButton = addIconButton("statistics-toggle", Icon.SUM, "Statistics of what is visible") {
                         toggleStatistics()
@@ -70,13 +76,16 @@ internal class GraphCard(val graph: Graph, private val scene: Scene, origin: Str
         } else {
             LineFigure(graph, scene.palette, isShown, scene.range.full.to)
         }
+        figure.limits.chosen = chosenY
         host.textContent = ""
         host.style.height = "${figure.height}px"
         val drawn = Plot(scene, figure, host, host.clientWidth) { overlay?.update() }
         host.add("div", "x-title", scene.xAxis.title).title = scene.xAxis.title
-        PlotGestures(drawn.over, scene)
+        val zoomY = { from: Double, to: Double -> showY(figure) { choose(from, to) } }
+        PlotGestures(drawn.over, scene, if (figure.hasYAxis) zoomY else null) { if (chosenY != null) resetY() }
         overlay = CursorOverlay(graph, scene, figure, drawn.over)
         plot = drawn
+        shown = figure
         isStale = false
         legend.update(scene.cursor)
         if (!statistics.element.isHidden) updateStatisticsSoon()
@@ -92,8 +101,18 @@ internal class GraphCard(val graph: Graph, private val scene: Scene, origin: Str
         drawn.remove()
         host.textContent = ""
         plot = null
+        shown = null
         overlay = null
     }
+
+    private fun showY(figure: Figure, change: YLimits.() -> Unit) {
+        figure.limits.change()
+        chosenY = figure.limits.chosen
+        resetButton.isHidden = chosenY == null
+        redraw()
+    }
+
+    private fun resetY() = shown?.let { showY(it) { chosen = null } }
 
     /** Draws the graph again with the colours of now. */
     fun repaint() {

@@ -61,7 +61,6 @@ internal class GraphDeck(private val scene: Scene) {
 
     /** Draws everything again with the colours and the screen of now. */
     fun repaint() {
-        scene.palette.read()
         for (card in near) card.repaint()
     }
 

@@ -3,6 +3,7 @@ package badlog.page.graph
 import badlog.analysis.Graph
 import badlog.page.dom.saveFile
 import badlog.page.view.Scene
+import badlog.plot.color.Shade
 import badlog.plot.text.unitText
 import kotlinx.browser.document
 import kotlinx.browser.window
@@ -17,13 +18,13 @@ internal fun saveGraphImage(graph: Graph, scene: Scene, isShown: BooleanArray, p
     canvas.width = picture.width
     canvas.height = picture.height + (HEAD * ratio).toInt()
     val context = canvas.getContext("2d").unsafeCast<CanvasRenderingContext2D>()
-    context.fillStyle = scene.palette.surface
+    context.fillStyle = scene.palette[Shade.SURFACE]
     context.fillRect(0.0, 0.0, canvas.width.toDouble(), canvas.height.toDouble())
     context.save()
     context.scale(ratio, ratio)
     val unit = unitText(graph.unit)
     context.font = "600 15px system-ui, sans-serif"
-    context.fillStyle = scene.palette.strong
+    context.fillStyle = scene.palette[Shade.TEXT]
     context.fillText(graph.name + if (unit.isEmpty()) "" else " ($unit)", MARGIN, TITLE_LINE)
     context.font = "12px system-ui, sans-serif"
     var x = MARGIN
@@ -31,7 +32,7 @@ internal fun saveGraphImage(graph: Graph, scene: Scene, isShown: BooleanArray, p
         if (!isShown[index] || graph.showsStates) return@forEachIndexed
         context.fillStyle = scene.palette.line(index)
         context.fillRect(x, LEGEND_LINE - SWATCH, SWATCH, SWATCH)
-        context.fillStyle = scene.palette.text
+        context.fillStyle = scene.palette[Shade.MUTED]
         context.fillText(series.name, x + SWATCH + 4, LEGEND_LINE)
         x += SWATCH + 4 + context.measureText(series.name).width + MARGIN
     }

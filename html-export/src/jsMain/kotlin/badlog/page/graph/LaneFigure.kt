@@ -6,6 +6,7 @@ import badlog.analysis.Span
 import badlog.analysis.StateRuns
 import badlog.page.view.Palette
 import badlog.plot.axis.YLimits
+import badlog.plot.color.Shade
 import badlog.plot.lane.LaneBlocks
 import badlog.plot.lane.LaneLook
 import badlog.plot.lane.LaneTone
@@ -61,7 +62,7 @@ internal class LaneFigure(private val graph: Graph, private val palette: Palette
         // The quiet colours let through what is below them, as the longer block that a short one interrupts.
         context.clearRect(left, top, width, height)
         context.fillStyle = when (LaneTone.of(names, state, width / window.devicePixelRatio)) {
-            LaneTone.OFF -> palette.off
+            LaneTone.OFF -> palette[Shade.STATE_OFF]
             LaneTone.QUIET -> palette.state(state)
             LaneTone.STRONG -> palette.line(state)
         }
@@ -76,7 +77,7 @@ internal class LaneFigure(private val graph: Graph, private val palette: Palette
         val letters = (room / (LaneLook.LETTERS * ratio * LETTER_SHARE)).toInt()
         val fits = name.length < letters || context.measureText(name).width <= room
         if (!LaneLook.hasRoom(room / ratio, isWhole = fits)) return
-        context.fillStyle = palette.stateText
+        context.fillStyle = palette[Shade.STATE_TEXT]
         context.fillText(if (fits) name else name.take(letters - 1) + "…", left + LaneLook.MARGIN * ratio, middle)
     }
 

@@ -7,7 +7,7 @@ import badlog.page.dom.addButton
 import badlog.page.dom.element
 import badlog.page.dom.showText
 import badlog.page.view.Cursor
-import badlog.page.view.Palette
+import badlog.plot.color.LINE_COLORS
 import badlog.plot.cursor.indexAt
 import badlog.plot.cursor.textOf
 import badlog.plot.text.exactText
@@ -32,7 +32,7 @@ internal class Legend(private val graph: Graph, private val isShown: BooleanArra
             setAttribute("data-series", series.name)
             setAttribute("aria-pressed", "true")
             setAttribute("aria-label", series.name)
-            add("span", "swatch line-${index % Palette.LINES}")
+            add("span", "swatch line-${index % LINE_COLORS}")
             add("span", "legend-name", series.name)
             value = add("span", "value")
             if (series.unit != graph.unit) add("span", "unit", unitText(series.unit))

@@ -5,6 +5,7 @@ import badlog.analysis.Span
 import badlog.page.dom.json
 import badlog.page.view.Scene
 import badlog.plot.axis.Ticks
+import badlog.plot.color.Shade
 import kotlinx.browser.window
 import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLElement
@@ -112,8 +113,8 @@ internal class Plot(
             "size" to size,
             "gap" to 6,
             "font" to "11px system-ui, -apple-system, \"Segoe UI\", Roboto, sans-serif",
-            "stroke" to { scene.palette.text },
-            "grid" to json("show" to hasTicks, "stroke" to { scene.palette.grid }, "width" to 1),
+            "stroke" to { scene.palette[Shade.MUTED] },
+            "grid" to json("show" to hasTicks, "stroke" to { scene.palette[Shade.GRID] }, "width" to 1),
             "ticks" to json("show" to false),
             "splits" to { plot: UPlot -> if (hasTicks) ticksOf(plot).values.toTypedArray() else emptyArray() },
             "values" to { plot: UPlot -> if (hasTicks) ticksOf(plot).texts.toTypedArray() else emptyArray() },

@@ -5,33 +5,42 @@ import badlog.page.dom.add
 import badlog.page.dom.isHidden
 import badlog.page.dom.showText
 import badlog.page.view.Scene
+import badlog.plot.gesture.DoubleClick
+import badlog.plot.gesture.DragKind
+import badlog.plot.gesture.Wheel
+import badlog.plot.text.lengthText
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.events.Event
 import org.w3c.dom.events.WheelEvent
 import org.w3c.dom.pointerevents.PointerEvent
 import kotlin.math.abs
-import kotlin.math.exp
 
 /**
- * What a mouse or fingers do over a plot. A mouse moves the cursor, drags out what to zoom to, or, with Shift, drags
- * the graphs along. Fingers set the cursor, drag, and pinch; a vertical swipe is the browser's, and scrolls the page.
+ * What a mouse or fingers do over a plot: those of [DragKind] and [Wheel]. Fingers set the cursor, drag, and pinch; a vertical swipe is
+ * the browser's, and scrolls the page.
+ *
+ * @param onZoomY hears which part of the plot's height is to fill it, as shares from its top; null where y means nothing.
+ * @param onReset hears that everything is to be shown.
  */
-internal class PlotGestures(private val over: HTMLElement, private val scene: Scene) {
-    private enum class Drag { NONE, SELECT, PAN }
-
+internal class PlotGestures(
+    private val over: HTMLElement,
+    private val scene: Scene,
+    private val onZoomY: ((from: Double, to: Double) -> Unit)?,
+    private val onReset: () -> Unit,
+) {
     private val selection = over.add("div", "selection").apply { isHidden = true }
     private val range = scene.range
     private val pinch = Pinch(range, ::xAt)
     private val escape = EscapeKey(::giveUp)
-    private var drag = Drag.NONE
+    private val wheel = Wheel()
+    private val taps = DoubleClick()
+    private var drag: DragKind? = null
     private var startSpan = range.now
     private var startX = 0.0
+    private var startY = 0.0
     private var lastX = 0.0
     private var hasMoved = false
-    private var tappedAt = Double.NEGATIVE_INFINITY
-    private var tappedX = 0.0
-    private var wheeledAt = 0.0
 
     init {
         on("pointerdown") { press(it.unsafeCast<PointerEvent>()) }
@@ -60,9 +69,10 @@ internal class PlotGestures(private val over: HTMLElement, private val scene: Sc
             return
         }
         // A finger moves what it touches, as on a map; a mouse draws a frame around it.
-        val pans = if (event.pointerType == TOUCH) range.isZoomed else event.shiftKey
-        drag = if (pans) Drag.PAN else Drag.SELECT
+        val kind = if (event.pointerType == TOUCH) DragKind.of(range.isZoomed, alt = false) else DragKind.of(event.shiftKey, event.altKey)
+        drag = if (kind == DragKind.ZOOM_Y && onZoomY == null) DragKind.ZOOM else kind
         startX = event.clientX.toDouble()
+        startY = event.clientY.toDouble()
         startSpan = range.now
         lastX = startX
         hasMoved = false
@@ -72,14 +82,20 @@ internal class PlotGestures(private val over: HTMLElement, private val scene: Sc
     private fun move(event: PointerEvent) {
         val x = event.clientX.toDouble()
         if (pinch.move(event)) return
-        if (drag == Drag.NONE) {
+        val kind = drag
+        if (kind == null) {
             if (event.pointerType != TOUCH) scene.cursor.place(xAt(x))
             return
         }
-        if (!hasMoved && abs(x - startX) < FEWEST_PIXELS) return
-        if (!hasMoved && drag == Drag.PAN) range.change { remembered() }
+        val y = event.clientY.toDouble()
+        if (!hasMoved && abs(if (kind == DragKind.ZOOM_Y) y - startY else x - startX) < DragKind.LEAST_DISTANCE) return
+        if (!hasMoved && kind == DragKind.PAN) range.change { remembered() }
         hasMoved = true
-        if (drag == Drag.PAN) pan(x) else select(x)
+        when (kind) {
+            DragKind.PAN -> pan(x)
+            DragKind.ZOOM_Y -> selectY(y)
+            else -> select(x)
+        }
     }
 
     private fun pan(x: Double) {
@@ -93,28 +109,44 @@ internal class PlotGestures(private val over: HTMLElement, private val scene: Sc
         val from = (minOf(startX, x) - box.left).coerceIn(0.0, box.width)
         val to = (maxOf(startX, x) - box.left).coerceIn(0.0, box.width)
         selection.isHidden = false
+        selection.style.height = ""
         selection.style.transform = "translateX(${from}px)"
         selection.style.width = "${to - from}px"
-        selection.showText("Δ " + scene.xText((to - from) / box.width * range.now.width))
+        selection.showText("Δ " + lengthText((to - from) / box.width * range.now.width, scene.xAxis))
         scene.cursor.place(xWithin(x))
+    }
+
+    private fun selectY(y: Double) {
+        val height = over.clientHeight
+        val top = yWithin(minOf(startY, y))
+        selection.isHidden = false
+        selection.showText("")
+        selection.style.transform = "translateY(${top * height}px)"
+        selection.style.width = "100%"
+        selection.style.height = "${(yWithin(maxOf(startY, y)) - top) * height}px"
+    }
+
+    /** Where the pixel [clientY] is, as a share of the plot's height from its top. */
+    private fun yWithin(clientY: Double): Double {
+        val box = over.getBoundingClientRect()
+        return ((clientY - box.top) / box.height).coerceIn(0.0, 1.0)
     }
 
     private fun release(event: PointerEvent) {
         if (pinch.release(event)) return
         val x = event.clientX.toDouble()
-        if (drag == Drag.SELECT && hasMoved) range.change { showing(xWithin(startX), xWithin(x)) }
-        if (drag != Drag.NONE && !hasMoved) tap(x)
+        val y = event.clientY.toDouble()
+        if (hasMoved && drag == DragKind.ZOOM) range.change { showing(xWithin(startX), xWithin(x)) }
+        if (hasMoved && drag == DragKind.ZOOM_Y) onZoomY?.invoke(yWithin(minOf(startY, y)), yWithin(maxOf(startY, y)))
+        if (drag != null && !hasMoved) tap(x)
         stop()
     }
 
     private fun tap(x: Double) {
-        val now = window.performance.now()
-        if (now - tappedAt < DOUBLE_TAP_MILLISECONDS && abs(x - tappedX) < DOUBLE_TAP_PIXELS) {
-            tappedAt = Double.NEGATIVE_INFINITY
+        if (taps.isSecond(x, window.performance.now())) {
             range.change { reset() }
+            onReset()
         } else {
-            tappedAt = now
-            tappedX = x
             scene.cursor.place(xAt(x))
         }
     }
@@ -125,40 +157,35 @@ internal class PlotGestures(private val over: HTMLElement, private val scene: Sc
     }
 
     private fun giveUp() {
-        if (drag == Drag.PAN) range.change { moved(startSpan.from, startSpan.to) }
+        if (drag == DragKind.PAN) range.change { moved(startSpan.from, startSpan.to) }
         stop()
     }
 
     private fun stop() {
         escape.giveBack()
-        drag = Drag.NONE
+        drag = null
         selection.isHidden = true
     }
 
     private fun wheel(event: WheelEvent) {
-        val zooms = event.ctrlKey || event.asDynamic().metaKey == true
-        val pans = !zooms && range.isZoomed && abs(event.deltaX) > abs(event.deltaY)
-        if (!zooms && !pans) return
+        val ctrl = event.ctrlKey || event.asDynamic().metaKey == true
+        val pixels = if (event.deltaMode == WheelEvent.DOM_DELTA_LINE) PIXELS_OF_LINE else 1.0
+        val turned = wheel.turned(
+            range.viewport,
+            event.deltaX * pixels,
+            event.deltaY * pixels,
+            ctrl,
+            event.shiftKey,
+            xAt(event.clientX.toDouble()),
+            over.clientWidth.toDouble(),
+            window.performance.now(),
+        ) ?: return
         event.preventDefault()
-        val now = window.performance.now()
-        if (now - wheeledAt > WHEEL_PAUSE_MILLISECONDS) range.change { remembered() }
-        wheeledAt = now
-        val lines = if (event.deltaMode == WheelEvent.DOM_DELTA_LINE) PIXELS_OF_LINE else 1.0
-        if (zooms) {
-            val factor = exp((event.deltaY * lines).coerceIn(-60.0, 60.0) * WHEEL_SPEED)
-            range.change { scaled(factor, xAt(event.clientX.toDouble())) }
-        } else {
-            range.change { shifted(event.deltaX * lines / over.clientWidth * visible.width) }
-        }
+        range.change { turned }
     }
 
     private companion object {
         const val TOUCH = "touch"
-        const val FEWEST_PIXELS = 4.0
-        const val DOUBLE_TAP_MILLISECONDS = 350.0
-        const val DOUBLE_TAP_PIXELS = 24.0
-        const val WHEEL_PAUSE_MILLISECONDS = 500.0
         const val PIXELS_OF_LINE = 16.0
-        const val WHEEL_SPEED = 0.008
     }
 }

@@ -4,8 +4,8 @@ import badlog.analysis.Graph
 import badlog.analysis.statistics
 import badlog.page.dom.add
 import badlog.page.dom.element
-import badlog.page.view.Palette
 import badlog.page.view.Scene
+import badlog.plot.color.LINE_COLORS
 import badlog.plot.statistics.Statistic
 import badlog.plot.text.countText
 import org.w3c.dom.HTMLElement
@@ -30,7 +30,7 @@ internal class StatisticsTable(private val graph: Graph, private val scene: Scen
                     add("tr") {
                         add("th") {
                             setAttribute("scope", "row")
-                            add("span", "swatch line-${index % Palette.LINES}")
+                            add("span", "swatch line-${index % LINE_COLORS}")
                             add("span", "", series.name)
                         }
                         for (statistic in Statistic.entries) {

@@ -4,6 +4,8 @@ import badlog.page.dom.Icon
 import badlog.page.dom.add
 import badlog.page.dom.addIconButton
 import badlog.page.dom.element
+import badlog.plot.gesture.Action
+import badlog.plot.gesture.GRAPH_GESTURES
 import org.w3c.dom.HTMLElement
 
 /** The keys and gestures, in a dialog. */
@@ -16,15 +18,16 @@ internal class HelpOverlay {
             addIconButton("", Icon.CLOSE, "Close") { close() }
         }
         add("dl", "help-keys") {
-            for ((keys, meaning) in KEYS) {
-                add("dt") {
-                    for (key in keys.split(' ')) if (key in JOINERS) add("span", "", " $key ") else add("kbd", "", key)
-                }
-                add("dd", "", meaning)
-            }
+            for (line in GRAPH_GESTURES + Action.entries.map { it.help }) addLine(line.how, line.meaning)
+            for ((how, meaning) in OTHERS) addLine(how, meaning)
         }
         // A click on the dialog itself is one beside its content.
         addEventListener("click", { if (it.target == this) close() })
+    }
+
+    private fun HTMLElement.addLine(how: String, meaning: String) {
+        add("dt") { for (key in how.split(", ", "  ")) add("kbd", "", key) }
+        add("dd", "", meaning)
     }
 
     /** Shows it, or takes it away. */
@@ -37,22 +40,11 @@ internal class HelpOverlay {
     }
 
     private companion object {
-        val JOINERS = setOf("or", "and", "to")
-        val KEYS = listOf(
-            "drag" to "zoom to what is dragged over",
-            "Shift and drag" to "move along",
-            "Ctrl and wheel" to "zoom around the pointer; a pinch does the same",
-            "double-click" to "show everything",
-            "← →" to "move the cursor by one sample; with Shift by ten",
-            "+ −" to "zoom around the cursor",
-            "0 or Home" to "show everything",
-            "Backspace" to "back to the zoom before",
-            "N and P" to "the next finding, and the one before",
-            "F" to "add a formula",
-            "/" to "search",
-            "Escape" to "clear the search, take the cursor away, give up a drag",
-            "?" to "this help",
-            "touch" to "tap sets the cursor, sideways drag zooms or moves, double tap shows everything",
+        val OTHERS = listOf(
+            "Touch" to "Tap sets the cursor, a sideways drag zooms or moves, a double tap shows everything.",
+            "/" to "Search",
+            "Esc" to "Clear the search, take the cursor away, give up a drag",
+            "?" to "This help",
         )
     }
 }

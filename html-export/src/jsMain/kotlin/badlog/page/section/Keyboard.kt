@@ -2,6 +2,7 @@ package badlog.page.section
 
 import badlog.page.formula.FormulaDialog
 import badlog.page.view.Scene
+import badlog.plot.gesture.Action
 import kotlinx.browser.document
 import org.w3c.dom.Element
 import org.w3c.dom.events.KeyboardEvent
@@ -9,7 +10,6 @@ import org.w3c.dom.events.KeyboardEvent
 /** The keys that work wherever nothing is being typed. */
 internal class Keyboard(
     private val scene: Scene,
-    private val zoomBar: ZoomBar,
     private val search: SearchBox,
     private val findings: FindingList,
     private val formulas: FormulaDialog,
@@ -21,23 +21,33 @@ internal class Keyboard(
 
     private fun press(event: KeyboardEvent) {
         if (event.ctrlKey || event.metaKey || event.altKey || isTyping(event)) return
-        val steps = if (event.shiftKey) MANY else 1
         when (event.key) {
-            "ArrowLeft" -> step(-steps)
-            "ArrowRight" -> step(steps)
-            "+", "=" -> scene.range.change { zoomed(1, scene.cursor.x) }
-            "-", "−" -> scene.range.change { zoomed(-1, scene.cursor.x) }
-            "0", "Home" -> scene.range.change { reset() }
-            "Backspace" -> scene.range.change { if (event.shiftKey) forward() else back() }
-            "n", "N" -> findings.step(1)
-            "p", "P" -> findings.step(-1)
-            "f", "F" -> formulas.open()
             "/" -> search.focus()
             "?" -> help.toggle()
             "Escape" -> escape()
-            else -> return
+            else -> perform(Action.of(LABELS[event.key] ?: event.key.uppercaseLetter(), event.shiftKey) ?: return)
         }
         if (event.key != "Escape") event.preventDefault()
+    }
+
+    private fun String.uppercaseLetter() = if (length == 1) uppercase() else this
+
+    private fun perform(action: Action) = when (action) {
+        Action.PREVIOUS_SAMPLE -> step(-1)
+        Action.NEXT_SAMPLE -> step(1)
+        Action.TEN_SAMPLES_BACK -> step(-Action.MANY_SAMPLES)
+        Action.TEN_SAMPLES_ON -> step(Action.MANY_SAMPLES)
+        Action.ZOOM_IN -> scene.range.change { zoomed(1, scene.cursor.x) }
+        Action.ZOOM_OUT -> scene.range.change { zoomed(-1, scene.cursor.x) }
+        Action.SHOW_ALL -> scene.range.change { reset() }
+        Action.PREVIOUS_VIEW -> scene.range.change { back() }
+        Action.NEXT_VIEW -> scene.range.change { forward() }
+        Action.SHOW_ENABLED -> scene.range.change { showingEnabled(scene.enabled) }
+        Action.PAN_LEFT -> scene.range.change { panned(-Action.PAN_SHARE) }
+        Action.PAN_RIGHT -> scene.range.change { panned(Action.PAN_SHARE) }
+        Action.NEW_FORMULA -> formulas.open()
+        Action.NEXT_FINDING -> findings.step(1)
+        Action.PREVIOUS_FINDING -> findings.step(-1)
     }
 
     private fun step(count: Int) {
@@ -57,7 +67,8 @@ internal class Keyboard(
     }
 
     private companion object {
-        const val MANY = 10
+        /** What stands on keys that a browser calls otherwise. */
+        val LABELS = mapOf("ArrowLeft" to "←", "ArrowRight" to "→", "=" to "+", "−" to "-")
         val TYPING = setOf("INPUT", "SELECT", "TEXTAREA")
     }
 }

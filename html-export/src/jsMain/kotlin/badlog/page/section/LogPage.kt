@@ -32,7 +32,7 @@ internal class LogPage(
     private val additions = additions ?: PageAdditions()
     private val view = formulas.view
     private val embeddedFindings = this.additions.findings + this.additions.hooks.flatMap { it.findings }
-    private val scene = Scene(view).apply { findings = FindingTimeline(embeddedFindings) }
+    private val scene = Scene(view, theme.palette).apply { findings = FindingTimeline(embeddedFindings) }
     private val folders = FolderList(view, scene, about.fileKey, this.additions.hooks) { graph ->
         if (formulas.formulaOf(graph) == null) "" else "formula"
     }
@@ -85,7 +85,7 @@ internal class LogPage(
 
     init {
         nothingFound.isHidden = true
-        Keyboard(scene, zoomBar, search, findings, formulaDialog, help)
+        Keyboard(scene, search, findings, formulaDialog, help)
     }
 
     /** Draws the graphs, and goes to the time that the address names; to be called when [element] is on the page. */

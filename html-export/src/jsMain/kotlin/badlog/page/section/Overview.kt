@@ -1,6 +1,5 @@
 package badlog.page.section
 
-import badlog.analysis.Span
 import badlog.page.dom.EscapeKey
 import badlog.page.dom.ResizeObserver
 import badlog.page.dom.add
@@ -11,26 +10,24 @@ import badlog.page.graph.drawEventMarks
 import badlog.page.graph.drawFindingMarks
 import badlog.page.view.Scene
 import badlog.page.view.findingText
+import badlog.plot.gesture.OverviewDrag
+import badlog.plot.gesture.OverviewGrip
 import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D
 import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.pointerevents.PointerEvent
-import kotlin.math.abs
 
 /**
- * The whole recording as a strip, with its events and findings and the part that is visible; dragging moves that part, or chooses
- * one.
+ * The whole recording as a strip, with its events and findings and the part that is visible; dragging moves
+ * that part or one of its edges, or chooses one.
  */
 internal class Overview(private val scene: Scene) {
     private lateinit var marks: HTMLCanvasElement
     private lateinit var visible: HTMLElement
     private lateinit var cursor: HTMLElement
     private val full = scene.range.full
-    private var grip = Double.NaN
-    private var anchor = Double.NaN
-    private var startX = 0.0
-    private var startSpan = full
+    private var drag: OverviewDrag? = null
     private val escape = EscapeKey(::giveUp)
 
     val element: HTMLElement = element("div", "overview") {
@@ -39,7 +36,7 @@ internal class Overview(private val scene: Scene) {
         visible = add("div", "overview-visible")
         cursor = add("div", "overview-cursor")
         addEventListener("pointerdown", { press(it.unsafeCast<PointerEvent>()) })
-        addEventListener("pointermove", { drag(it.unsafeCast<PointerEvent>()) })
+        addEventListener("pointermove", { move(it.unsafeCast<PointerEvent>()) })
         addEventListener("pointerup", { release(it.unsafeCast<PointerEvent>()) })
         addEventListener("pointercancel", { stop() })
         addEventListener("dblclick", { scene.range.change { reset() } })
@@ -84,55 +81,45 @@ internal class Overview(private val scene: Scene) {
     private fun press(event: PointerEvent) {
         if (event.button.toInt() != 0) return
         element.setPointerCapture(event.pointerId)
-        val x = xAt(event)
-        val now = scene.range.now
-        startX = event.clientX.toDouble()
-        startSpan = now
         escape.take()
-        if (scene.range.isZoomed && x in now.from..now.to) grip = x - now.from else anchor = x
+        drag = OverviewDrag(scene.range.viewport, xAt(event), full.width / element.clientWidth)
     }
 
-    private fun drag(event: PointerEvent) {
-        if (grip.isNaN() && anchor.isNaN()) {
-            element.title = findingText(scene.findings.at(xAt(event), full.width * REACH))
-            return
-        }
-        if (!startX.isNaN()) {
-            if (abs(event.clientX - startX) < FEWEST_PIXELS) return
-            startX = Double.NaN
-            scene.range.change { remembered() }
-        }
+    private fun move(event: PointerEvent) {
         val x = xAt(event)
-        if (!anchor.isNaN()) scene.range.change { moved(anchor, x) } else moveTo(x - grip)
+        val going = drag
+        if (going == null) {
+            element.title = findingText(scene.findings.at(x, full.width * REACH))
+            val grip = OverviewGrip.at(x, scene.range.viewport, full.width / element.clientWidth)
+            element.style.cursor = CURSORS[grip.ordinal]
+        } else {
+            scene.range.change { going.movedTo(x) }
+        }
     }
 
     private fun release(event: PointerEvent) {
-        // A click beside the visible part brings that part here.
-        val isClick = !startX.isNaN()
-        if (isClick && !anchor.isNaN()) {
-            val now: Span = scene.range.now
-            if (scene.range.isZoomed) scene.range.change { remembered() }
-            moveTo(xAt(event) - now.width / 2)
-            scene.cursor.place(xAt(event))
+        val ended = drag ?: return
+        val x = xAt(event)
+        if (!ended.hasMoved) {
+            scene.range.change { ended.clicked(x) }
+            scene.cursor.place(x)
         }
         stop()
     }
 
-    private fun moveTo(from: Double) = scene.range.change { moved(from, from + visible.width) }
-
     private fun giveUp() {
-        scene.range.change { moved(startSpan.from, startSpan.to) }
+        drag?.let { given -> scene.range.change { given.before } }
         stop()
     }
 
     private fun stop() {
         escape.giveBack()
-        grip = Double.NaN
-        anchor = Double.NaN
+        drag = null
     }
 
     private companion object {
-        const val FEWEST_PIXELS = 3.0
+        /** The pointer over each grip. */
+        val CURSORS = listOf("ew-resize", "ew-resize", "grab", "crosshair")
 
         /** Which part of the strip may lie between the pointer and a mark that it points at. */
         const val REACH = 0.005

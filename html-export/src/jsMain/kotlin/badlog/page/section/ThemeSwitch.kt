@@ -4,7 +4,7 @@ import badlog.page.dom.Icon
 import badlog.page.dom.Remembered
 import badlog.page.dom.addIconButton
 import badlog.page.dom.element
-import kotlinx.browser.document
+import badlog.page.view.Palette
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
@@ -15,6 +15,9 @@ internal class ThemeSwitch(private val onChange: () -> Unit) {
         LIGHT(Icon.SUN, "Colours: light"),
         DARK(Icon.MOON, "Colours: dark"),
     }
+
+    /** The colours of now. */
+    val palette: Palette = Palette()
 
     private var theme = Theme.entries.firstOrNull { it.name == Remembered["theme"] } ?: Theme.AUTO
     private val systemIsDark = window.matchMedia("(prefers-color-scheme: dark)")
@@ -45,7 +48,7 @@ internal class ThemeSwitch(private val onChange: () -> Unit) {
     }
 
     private fun apply() {
-        val isDark = theme == Theme.DARK || (theme == Theme.AUTO && systemIsDark.matches)
-        document.documentElement?.setAttribute("data-theme", if (isDark) "dark" else "light")
+        palette.isDark = theme == Theme.DARK || (theme == Theme.AUTO && systemIsDark.matches)
+        palette.apply()
     }
 }

@@ -1,61 +1,43 @@
 package badlog.page.view
 
+import badlog.plot.color.LINE_COLORS
+import badlog.plot.color.Shade
+import badlog.plot.color.lineColor
+import badlog.plot.color.stateOpacity
 import badlog.recording.Severity
 import kotlinx.browser.document
-import kotlinx.browser.window
+import org.w3c.dom.HTMLElement
 
-/** The colours that the canvases draw with, as the style sheet defines them for the theme of now. */
-internal class Palette {
-    private var lines = emptyList<String>()
-    private var stateOpacity = ""
-    private var severities = emptyList<String>()
-
-    var text = ""
-        private set
-    var strong = ""
-        private set
-    var grid = ""
-        private set
-    var event = ""
-        private set
-    var surface = ""
-        private set
-    var off = ""
-        private set
-    var stateText = ""
-        private set
-
-    init {
-        read()
-    }
-
+/** The colours of the theme of now, as canvases and the style sheet write them. */
+internal class Palette(var isDark: Boolean = false) {
     /** The colour of line [index], from 0. */
-    fun line(index: Int): String = lines[index % LINES]
+    fun line(index: Int): String = hex(lineColor(index, isDark))
 
     /** The colour of a block in state [index], from 0: a line's colour, quiet enough for text upon it. */
-    fun state(index: Int): String = line(index) + stateOpacity
+    fun state(index: Int): String = line(index) + hexOpacity(stateOpacity(isDark))
 
     /** The colour of what is of [severity]. */
-    fun severity(severity: Severity): String = severities[severity.ordinal]
+    fun severity(severity: Severity): String = this[SEVERITIES[severity.ordinal]]
 
-    /** Reads the colours again, after a change of theme. */
-    fun read() {
-        val style = window.getComputedStyle(checkNotNull(document.documentElement))
-        fun colour(name: String) = style.getPropertyValue(name).trim()
-        lines = List(LINES) { colour("--line-$it") }
-        severities = listOf(colour("--muted"), colour("--warning"), colour("--error"))
-        text = colour("--muted")
-        strong = colour("--text")
-        grid = colour("--grid")
-        event = colour("--event")
-        surface = colour("--surface")
-        off = colour("--state-off")
-        stateText = colour("--state-text")
-        stateOpacity = colour("--state-opacity")
+    operator fun get(shade: Shade): String = hex(shade.of(isDark))
+
+    /** Gives the colours to the style sheet. */
+    fun apply() {
+        val root = document.documentElement.unsafeCast<HTMLElement>()
+        root.setAttribute("data-theme", if (isDark) "dark" else "light")
+        for (shade in Shade.entries) root.style.setProperty("--" + shade.name.lowercase().replace('_', '-'), this[shade])
+        for (index in 0 until LINE_COLORS) root.style.setProperty("--line-$index", line(index))
+        root.style.setProperty("--accent-veil", this[Shade.ACCENT] + hexOpacity(VEIL))
     }
 
-    companion object {
-        /** How many colours there are; further lines begin again. */
-        const val LINES = 16
+    private fun hex(color: Int) = "#" + color.toString(16).padStart(6, '0')
+
+    private fun hexOpacity(share: Double) = (share * 255).toInt().toString(16)
+
+    private companion object {
+        val SEVERITIES = listOf(Shade.MUTED, Shade.WARNING, Shade.ERROR)
+
+        /** How much of the accent lies over what is selected. */
+        const val VEIL = 0.18
     }
 }

@@ -1,16 +1,19 @@
 package badlog.page.view
 
+import badlog.analysis.EnabledSpan
 import badlog.analysis.Event
 import badlog.analysis.LogView
 import badlog.analysis.XAxis
+import badlog.analysis.enabledSpans
 import badlog.plot.range.Viewport
+import badlog.plot.text.cursorText
 import badlog.plot.text.placeText
 import badlog.plot.text.withUnit
 import badlog.plot.timeline.EventTimeline
 import badlog.rules.Finding
 
 /** What all parts of the page share: the recording, what was found in it, what of it is seen, and the cursor. */
-internal class Scene(val view: LogView) {
+internal class Scene(val view: LogView, val palette: Palette) {
     val xAxis: XAxis = view.xAxis
     val events: EventTimeline = EventTimeline.of(view.folders.flatMap { it.eventLogs })
 
@@ -18,7 +21,9 @@ internal class Scene(val view: LogView) {
     var findings: FindingTimeline = FindingTimeline(emptyList())
     val range: VisibleRange = VisibleRange(Viewport.of(xAxis.range))
     val cursor: Cursor = Cursor(xAxis.clocks)
-    val palette: Palette = Palette()
+
+    /** When the robot was enabled. */
+    val enabled: List<EnabledSpan> by lazy { view.enabledSpans() }
 
     /** The event that is pointed at when the cursor is at [x], or null. */
     fun eventAt(x: Double): Event? = events.nearest(x, range.now.width * REACH)
@@ -50,6 +55,9 @@ internal class Scene(val view: LogView) {
         range.change { around(from, to) }
         goTo(from)
     }
+
+    /** Where the cursor is, in words. */
+    val cursorText: String get() = cursorText(cursor.x, xAxis, range.now.width, enabled)
 
     /** A place on the x axis as text, as exact as the screen is, with the unit of x. */
     fun xText(x: Double): String = withUnit(xNumber(x), xAxis.unit)

@@ -4,7 +4,11 @@ import badlog.analysis.Span
 import badlog.plot.range.Viewport
 
 /** The part of the x axis that every graph of the page shows; tells its listeners of each change. */
-internal class VisibleRange(private var viewport: Viewport) {
+internal class VisibleRange(viewport: Viewport) {
+    /** What is seen, and was seen before. */
+    var viewport: Viewport = viewport
+        private set
+
     private val listeners = ArrayList<() -> Unit>()
 
     val full: Span get() = viewport.full

@@ -3,7 +3,6 @@ package badlog.viewer.graph.plot
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.Color
-import androidx.compose.ui.graphics.compositeOver
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.clipRect
 import androidx.compose.ui.text.TextMeasurer
@@ -49,7 +48,7 @@ internal fun PlotPicture.laneTop(index: Int): Float = plotHeight + index * laneH
 /** The colour of a block in [state] that has [tone]. */
 internal fun laneColour(tone: LaneTone, state: Int, palette: Palette): Color = when (tone) {
     LaneTone.OFF -> palette.stateOff
-    LaneTone.QUIET -> palette.line(state).copy(alpha = if (palette.isDark) 0.5f else 0.35f).compositeOver(palette.surface)
+    LaneTone.QUIET -> palette.state(state)
     LaneTone.STRONG -> palette.line(state)
 }
 
@@ -66,7 +65,7 @@ private fun DrawScope.drawName(
     val room = (right - left - 2 * margin).toInt()
     val visibleRoom = room.toDouble() / density
     if (!LaneLook.hasRoom(visibleRoom, isWhole = true) || height < LaneLook.LETTERS * density) return
-    val style = TextStyle(color = palette.text, fontSize = LaneLook.LETTERS.sp)
+    val style = TextStyle(color = palette.stateText, fontSize = LaneLook.LETTERS.sp)
     val text = letters.measure(
         name.take(MOST_LETTERS),
         style,

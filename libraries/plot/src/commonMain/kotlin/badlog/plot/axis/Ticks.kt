@@ -39,14 +39,11 @@ public class Ticks private constructor(public val values: DoubleArray, public va
         private fun stepFor(least: Double): Double {
             val power = 10.0.pow(floor(log10(least)))
             val enough = least * (1 - ROUNDING)
-            val factor = if (power >= enough) {
-                1
-            } else if (2 * power >= enough) {
-                2
-            } else if (5 * power >= enough) {
-                5
-            } else {
-                10
+            val factor = when {
+                power >= enough -> 1
+                2 * power >= enough -> 2
+                5 * power >= enough -> 5
+                else -> 10
             }
             return factor * power
         }

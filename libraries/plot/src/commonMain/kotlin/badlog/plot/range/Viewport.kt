@@ -1,5 +1,6 @@
 package badlog.plot.range
 
+import badlog.analysis.EnabledSpan
 import badlog.analysis.Span
 import kotlin.math.abs
 
@@ -74,6 +75,14 @@ public data class Viewport(
 
     /** Shows everything. */
     public fun reset(): Viewport = if (isZoomed) remembered().copy(visible = full) else this
+
+    /** Shows the time from the first of [enabled] to the last; nothing changes where nothing tells. */
+    public fun showingEnabled(enabled: List<EnabledSpan>): Viewport {
+        if (enabled.isEmpty()) return this
+        val from = enabled.minOf { it.span.from }
+        val to = enabled.maxOf { it.span.to }
+        return if (to > from) showing(from, to) else this
+    }
 
     /** Shows what was seen before. */
     public fun back(): Viewport {

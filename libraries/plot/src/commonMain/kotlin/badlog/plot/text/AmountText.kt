@@ -2,7 +2,7 @@ package badlog.plot.text
 
 import kotlin.math.floor
 
-/** A count with its thousands apart, by a space that does not break. */
+/** A count with its thousands apart. */
 public fun countText(count: Int): String {
     val digits = count.toString()
     if (digits.length <= GROUP + 1) return digits

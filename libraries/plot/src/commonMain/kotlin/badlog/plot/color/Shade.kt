@@ -1,0 +1,83 @@
+package badlog.plot.color
+
+/**
+ * A colour of page and window by what it is for, in the theme for bright rooms and in that for dark ones, as `0xRRGGBB`.
+ */
+public enum class Shade(private val light: Int, private val dark: Int) {
+    /** Behind everything. */
+    PAGE(0xF4F5F7, 0x12161C),
+
+    /** Of panels and graphs. */
+    SURFACE(0xFFFFFF, 0x1A2028),
+
+    /** Of what stands out from a surface: headings, fields. */
+    RAISED(0xF0F2F5, 0x232B35),
+
+    /** Between parts. */
+    BORDER(0xDFE3E8, 0x303A46),
+
+    /** Of what is read. */
+    TEXT(0x1B2330, 0xE6EAF0),
+
+    /** Of what is read second. */
+    MUTED(0x596477, 0x9EABBB),
+
+    /** Of what can be done, and what is selected. */
+    ACCENT(0x0B62C4, 0x6CB0FF),
+
+    /** Behind what is selected. */
+    ACCENT_SOFT(0xE3EEFB, 0x1D3350),
+
+    /** Of the lines behind graphs. */
+    GRID(0xE9ECF0, 0x28313C),
+
+    /** Of the cursor. */
+    CURSOR(0x1B2330, 0xE6EAF0),
+
+    /** Of the marks of events. */
+    EVENT(0xA84300, 0xFFA25E),
+
+    /** Of what is lost or did not work. */
+    ERROR(0xB3261E, 0xFF8F85),
+
+    /** Behind it. */
+    ERROR_SOFT(0xFDECEA, 0x3B1F1F),
+
+    /** Of what is doubtful. */
+    WARNING(0x8A5300, 0xF3BD62),
+
+    /** Behind it. */
+    WARNING_SOFT(0xFFF3DC, 0x362A14),
+
+    /** Behind notes. */
+    NOTE_SOFT(0xEAF1F8, 0x1D2936),
+
+    /** Of a lane that is off. */
+    STATE_OFF(0xE4E8ED, 0x2A333E),
+
+    /** Of what is read on a lane. */
+    STATE_TEXT(0x1B2330, 0xF2F5F9),
+    ;
+
+    /** The colour in the theme for dark rooms, or in that for bright ones. */
+    public fun of(isDark: Boolean): Int = if (isDark) dark else light
+}
+
+/** How many colours lines have; further lines begin again. */
+public const val LINE_COLORS: Int = 16
+
+/** The colour of line [index], from 0, as `0xRRGGBB`. */
+public fun lineColor(index: Int, isDark: Boolean): Int = (if (isDark) DARK_LINES else LIGHT_LINES)[index.mod(LINE_COLORS)]
+
+/** How much of a line's colour a lane has, so that text can be read on it. */
+public fun stateOpacity(isDark: Boolean): Double = if (isDark) 0.45 else 0.35
+
+private val LIGHT_LINES = intArrayOf(
+    0x0B62C4, 0xD4501A, 0x0A8062, 0x9B3FA0, 0xB07A00, 0x1591B5, 0xC2255C, 0x5B6B14,
+    0x5F46C9, 0x8A4B20, 0x39424F, 0x13AA8B, 0xE36AA5, 0x123F8C, 0xE08E00, 0x7C8797,
+)
+
+private val DARK_LINES = intArrayOf(
+    0x5AA9FF, 0xFF8A57, 0x3FCFA4, 0xD58BE0, 0xE8C04A, 0x5FD3EE, 0xFF7AA2, 0xB3CC4F,
+    0xA99BFF, 0xD19A6F, 0xCDD6E1, 0x1FA88C, 0xF7B1D4, 0x3F78D8, 0xC97B16, 0x8794A5,
+)

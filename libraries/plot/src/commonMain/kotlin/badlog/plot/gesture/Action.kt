@@ -1,0 +1,110 @@
+package badlog.plot.gesture
+
+/**
+ * What a key does, on the page as in the window.
+ *
+ * @property group under which heading the help sheet has it.
+ * @property meaning what it does, as the help sheet says it.
+ * @property keys what to press; each does the same.
+ */
+public enum class Action(public val group: String, public val meaning: String, public vararg val keys: KeyStroke) {
+    /** The cursor goes to the sample before. */
+    PREVIOUS_SAMPLE("Graphs", "Cursor to the previous sample", KeyStroke("←")),
+
+    /** The cursor goes to the next sample. */
+    NEXT_SAMPLE("Graphs", "Cursor to the next sample", KeyStroke("→")),
+
+    /** The cursor goes back by ten samples. */
+    TEN_SAMPLES_BACK("Graphs", "Cursor ten samples back", KeyStroke("←", shift = true)),
+
+    /** The cursor goes on by ten samples. */
+    TEN_SAMPLES_ON("Graphs", "Cursor ten samples on", KeyStroke("→", shift = true)),
+
+    /** Less of x is shown, around the cursor where it is in sight. */
+    ZOOM_IN("Graphs", "Zoom in", KeyStroke("+")),
+
+    /** More of x is shown. */
+    ZOOM_OUT("Graphs", "Zoom out", KeyStroke("-")),
+
+    /** All of x is shown. */
+    SHOW_ALL("Graphs", "Show everything", KeyStroke("0"), KeyStroke("Home")),
+
+    /** What was shown before is shown. */
+    PREVIOUS_VIEW("Graphs", "Previous view", KeyStroke("Backspace")),
+
+    /** What [PREVIOUS_VIEW] led away from is shown. */
+    NEXT_VIEW("Graphs", "Next view", KeyStroke("Backspace", shift = true)),
+
+    /** The time is shown during which the robot was enabled. */
+    SHOW_ENABLED("Graphs", "Zoom to the time enabled", KeyStroke("E")),
+
+    /** Earlier x is shown. */
+    PAN_LEFT("Graphs", "Move to the left", KeyStroke("[")),
+
+    /** Later x is shown. */
+    PAN_RIGHT("Graphs", "Move to the right", KeyStroke("]")),
+
+    /** A person may write a formula. */
+    NEW_FORMULA("Formulas", "New formula", KeyStroke("F")),
+
+    /** The cursor goes to the next finding. */
+    NEXT_FINDING("Findings", "Next finding", KeyStroke("N")),
+
+    /** The cursor goes to the finding before. */
+    PREVIOUS_FINDING("Findings", "Previous finding", KeyStroke("N", shift = true)),
+    ;
+
+    /** The first of [keys], for the tip of a button: `Shift+N`. */
+    public val shortcut: String get() = keys[0].text
+
+    /** As the help sheet has it. */
+    public val help: HelpLine get() = HelpLine(group, keys.joinToString("  ") { it.text }, meaning)
+
+    public companion object {
+        /** How many samples the cursor goes with Shift. */
+        public const val MANY_SAMPLES: Int = 10
+
+        /** Which part of what is seen [PAN_LEFT] and [PAN_RIGHT] move by. */
+        public const val PAN_SHARE: Double = 0.25
+
+        /** What [key], which is written as in [keys], does without Ctrl; null for nothing. */
+        public fun of(key: String, shift: Boolean): Action? = entries.firstOrNull { action ->
+            action.keys.any { it.key == key && (it.shift == shift || it.isSign) }
+        }
+    }
+}
+
+/**
+ * A key with the modifiers that must be held.
+ *
+ * @property key what stands on it.
+ */
+public data class KeyStroke(public val key: String, public val shift: Boolean = false) {
+    /** Whether it is a sign, for which some keyboards need Shift and others do not. */
+    public val isSign: Boolean get() = key.length == 1 && key[0] < 'A'
+
+    /** As the help sheet writes it: `Shift+N`. */
+    public val text: String get() = if (shift) "Shift+$key" else key
+}
+
+/**
+ * Something that can be done, as the help sheet has it.
+ *
+ * @property group under which heading.
+ * @property how what to press, or what to do with the pointer.
+ * @property meaning what comes of it.
+ */
+public data class HelpLine(public val group: String, public val how: String, public val meaning: String)
+
+/** What the pointer does over graphs, on the page as in the window. */
+public val GRAPH_GESTURES: List<HelpLine> = listOf(
+    HelpLine("On the graphs", "Wheel", "Scrolls."),
+    HelpLine("On the graphs", "Ctrl+wheel, pinch", "Zooms around the pointer."),
+    HelpLine("On the graphs", "Shift+wheel", "Moves along, as the wheel sideways does."),
+    HelpLine("On the graphs", "Drag", "Zooms to what it covers."),
+    HelpLine("On the graphs", "Shift+drag", "Moves along."),
+    HelpLine("On the graphs", "Alt+drag", "Zooms y of this graph."),
+    HelpLine("On the graphs", "Double click", "Shows everything again."),
+    HelpLine("On the overview", "Drag", "Moves what is visible, or an edge of it; beside it, chooses a new part."),
+    HelpLine("On the overview", "Click", "Brings what is visible there."),
+)

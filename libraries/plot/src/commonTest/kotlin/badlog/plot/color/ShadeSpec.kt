@@ -1,0 +1,52 @@
+package badlog.plot.color
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeUnique
+import io.kotest.matchers.doubles.shouldBeGreaterThan
+import kotlin.math.pow
+
+/** How far apart two colours are in brightness, from 1 to 21, as the guidelines for accessible pages count it. */
+private fun contrast(one: Int, other: Int): Double {
+    val brightness = listOf(one, other).map { color ->
+        val (red, green, blue) = listOf(16, 8, 0).map { shift ->
+            val share = ((color shr shift) and 0xFF) / 255.0
+            if (share <= 0.04045) share / 12.92 else ((share + 0.055) / 1.055).pow(2.4)
+        }
+        0.2126 * red + 0.7152 * green + 0.0722 * blue
+    }
+    return (brightness.max() + 0.05) / (brightness.min() + 0.05)
+}
+
+class ShadeSpec : FunSpec({
+    for (isDark in listOf(false, true)) {
+        val theme = if (isDark) "dark" else "light"
+
+        test("text can be read on all that it stands on, in the $theme theme") {
+            val behind = listOf(Shade.SURFACE, Shade.PAGE, Shade.RAISED)
+            val soft = mapOf(Shade.ERROR to Shade.ERROR_SOFT, Shade.WARNING to Shade.WARNING_SOFT, Shade.ACCENT to Shade.ACCENT_SOFT)
+            for (text in listOf(Shade.TEXT, Shade.MUTED, Shade.ACCENT, Shade.EVENT, Shade.ERROR, Shade.WARNING)) {
+                for (ground in behind + listOfNotNull(soft[text])) contrast(text.of(isDark), ground.of(isDark)) shouldBeGreaterThan 4.5
+            }
+            contrast(Shade.STATE_TEXT.of(isDark), Shade.STATE_OFF.of(isDark)) shouldBeGreaterThan 7.0
+        }
+
+        test("the state of a lane can be read in every colour, in the $theme theme") {
+            for (index in 0 until LINE_COLORS) {
+                val ground = Shade.SURFACE.of(isDark)
+                val share = stateOpacity(isDark)
+                var mixed = 0
+                for (shift in listOf(16, 8, 0)) {
+                    val part = ((lineColor(index, isDark) shr shift) and 0xFF) * share + ((ground shr shift) and 0xFF) * (1 - share)
+                    mixed = mixed or (part.toInt() shl shift)
+                }
+                contrast(Shade.STATE_TEXT.of(isDark), mixed) shouldBeGreaterThan 4.5
+            }
+        }
+
+        test("no two of the lines' colours are the same, and all are seen on a graph, in the $theme theme") {
+            val colors = List(LINE_COLORS) { lineColor(it, isDark) }
+            colors.shouldBeUnique()
+            for (color in colors) contrast(color, Shade.SURFACE.of(isDark)) shouldBeGreaterThan 2.5
+        }
+    }
+})

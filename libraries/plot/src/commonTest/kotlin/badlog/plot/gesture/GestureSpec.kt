@@ -1,0 +1,103 @@
+package badlog.plot.gesture
+
+import badlog.analysis.Span
+import badlog.plot.range.Viewport
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeUnique
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.nulls.shouldBeNull
+import io.kotest.matchers.nulls.shouldNotBeNull
+import io.kotest.matchers.shouldBe
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.double
+import io.kotest.property.arbitrary.filter
+import io.kotest.property.checkAll
+
+class GestureSpec : FunSpec({
+    val whole = Viewport(Span(0.0, 100.0))
+    val zoomed = whole.showing(40.0, 60.0)
+
+    test("each key does one thing, whether or not a keyboard needs Shift for a sign") {
+        Action.entries.flatMap { it.keys.toList() }.shouldBeUnique()
+        Action.of("N", shift = false) shouldBe Action.NEXT_FINDING
+        Action.of("N", shift = true) shouldBe Action.PREVIOUS_FINDING
+        Action.of("+", shift = true) shouldBe Action.ZOOM_IN
+        Action.of("+", shift = false) shouldBe Action.ZOOM_IN
+        Action.of("E", shift = true).shouldBeNull()
+        Action.of("P", shift = false).shouldBeNull()
+    }
+
+    test("the help has every key, with Shift where it is needed") {
+        Action.NEXT_VIEW.help shouldBe HelpLine("Graphs", "Shift+Backspace", "Next view")
+        Action.SHOW_ALL.help.how shouldBe "0  Home"
+        Action.entries.map { it.meaning }.shouldBeUnique()
+    }
+
+    test("a drag zooms, with Shift moves along, with Alt zooms y") {
+        DragKind.of(shift = false, alt = false) shouldBe DragKind.ZOOM
+        DragKind.of(shift = true, alt = false) shouldBe DragKind.PAN
+        DragKind.of(shift = false, alt = true) shouldBe DragKind.ZOOM_Y
+    }
+
+    test("the wheel alone scrolls, and sideways only where there is something beside") {
+        Wheel().turned(zoomed, 0.0, 40.0, ctrl = false, shift = false, 50.0, 800.0, 0.0).shouldBeNull()
+        Wheel().turned(whole, 40.0, 0.0, ctrl = false, shift = false, 50.0, 800.0, 0.0).shouldBeNull()
+        Wheel().turned(zoomed, 80.0, 0.0, ctrl = false, shift = false, 50.0, 800.0, 0.0)?.visible shouldBe Span(42.0, 62.0)
+        Wheel().turned(zoomed, 0.0, 80.0, ctrl = false, shift = true, 50.0, 800.0, 0.0)?.visible shouldBe Span(42.0, 62.0)
+    }
+
+    test("with Ctrl it zooms, and leaves what is below the pointer where it stands") {
+        checkAll(Arb.double(-200.0, 200.0).filter { it.isFinite() }, Arb.double(41.0, 59.0).filter { it.isFinite() }) { turn, x ->
+            val after = Wheel().turned(zoomed, 0.0, turn, ctrl = true, shift = false, x, 800.0, 0.0).shouldNotBeNull().visible
+            if (turn < 0) (after.width <= 20.0) shouldBe true
+            if (after.from > 0 && after.to < 100) (x - after.from) / after.width shouldBe ((x - 40) / 20 plusOrMinus 1e-9)
+        }
+    }
+
+    test("turns that follow one another closely are one step back") {
+        val wheel = Wheel()
+        var seen = whole
+        for (turn in 0..3) seen = wheel.turned(seen, 0.0, -40.0, ctrl = true, shift = false, 50.0, 800.0, turn * 100.0).shouldNotBeNull()
+        seen.back().visible shouldBe whole.visible
+        seen = wheel.turned(seen, 0.0, -40.0, ctrl = true, shift = false, 50.0, 800.0, 5000.0).shouldNotBeNull()
+        seen.back().isZoomed shouldBe true
+    }
+
+    test("two quick clicks at one place are a double click, and the third is a new one") {
+        val clicks = DoubleClick()
+        clicks.isSecond(10.0, 0.0) shouldBe false
+        clicks.isSecond(12.0, 200.0) shouldBe true
+        clicks.isSecond(12.0, 300.0) shouldBe false
+        clicks.isSecond(100.0, 400.0) shouldBe false
+        clicks.isSecond(100.0, 4000.0) shouldBe false
+    }
+
+    test("of the overview the edges of what is visible can be taken, its middle, and what is beside it") {
+        OverviewGrip.at(40.5, zoomed, 0.2) shouldBe OverviewGrip.LEFT
+        OverviewGrip.at(60.5, zoomed, 0.2) shouldBe OverviewGrip.RIGHT
+        OverviewGrip.at(50.0, zoomed, 0.2) shouldBe OverviewGrip.WINDOW
+        OverviewGrip.at(80.0, zoomed, 0.2) shouldBe OverviewGrip.NEW
+        OverviewGrip.at(50.0, whole, 0.2) shouldBe OverviewGrip.NEW
+        OverviewGrip.at(50.0, whole.showing(49.9, 50.1), 1.0) shouldBe OverviewGrip.WINDOW
+    }
+
+    test("an edge moves alone, and stops at the other") {
+        OverviewDrag(zoomed, 40.0, 0.1).movedTo(30.0).visible shouldBe Span(30.0, 60.0)
+        OverviewDrag(zoomed, 60.0, 0.1).movedTo(10.0).visible.from shouldBe (40.0 plusOrMinus 1e-3)
+    }
+
+    test("what is visible moves as a whole, and a drag beside it chooses anew; one step back undoes either") {
+        val drag = OverviewDrag(zoomed, 50.0, 0.1)
+        drag.movedTo(50.1) shouldBe zoomed
+        drag.hasMoved shouldBe false
+        drag.movedTo(60.0)
+        drag.movedTo(70.0).visible shouldBe Span(60.0, 80.0)
+        drag.movedTo(70.0).back().visible shouldBe zoomed.visible
+        OverviewDrag(whole, 20.0, 0.1).movedTo(50.0).visible shouldBe Span(20.0, 50.0)
+    }
+
+    test("a click beside what is visible brings it there, one on it does nothing") {
+        OverviewDrag(zoomed, 80.0, 0.1).clicked(80.0).visible shouldBe Span(70.0, 90.0)
+        OverviewDrag(zoomed, 50.0, 0.1).clicked(50.0) shouldBe zoomed
+    }
+})
