@@ -27,11 +27,12 @@ public class TopicPlan internal constructor(public val topic: Topic, private val
     internal val joins = LinkedHashSet<String>()
 
     /** Whether the topic's samples are numbers, so that it can be calculated with. */
-    public val isNumeric: Boolean get() = topic.samples.isNotEmpty() && topic.kind != TopicKind.EVENT
+    public val isNumeric: Boolean
+        get() = topic.counts.run { numbers + notFinite + truthValues } > 0 && topic.kind != TopicKind.EVENT
 
     /** Whether some of the topic's samples are missing or are not finite. */
     public val hasGaps: Boolean
-        get() = isNumeric && !topic.isSparse && topic.samples.any { !it.isFinite() }
+        get() = isNumeric && !topic.isSparse && topic.counts.run { notFinite + texts + empty } > 0
 
     /** The topic's own graph is not shown; what derives from it is. */
     public fun hide() {

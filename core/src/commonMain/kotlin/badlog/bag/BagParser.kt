@@ -2,6 +2,7 @@ package badlog.bag
 
 import badlog.recording.LogParser
 import badlog.recording.Loss
+import badlog.recording.NumberSinks
 import badlog.recording.ProblemKind
 import badlog.recording.ProblemList
 import badlog.recording.Recording
@@ -22,16 +23,23 @@ import badlog.text.TextDecoder
  * @param keepSamples false to find only topics, counts and problems, in memory that does not grow with the file.
  */
 public class BagParser(private val expectedBytes: Long = 0, private val keepSamples: Boolean = true) : LogParser {
+    private var sinks = NumberSinks.RECORDING
     private var forAll: (count: Int, work: (Int) -> Unit) -> Unit = { count, work -> repeat(count, work) }
 
     /**
      * A parser that leaves to [forAll] what takes long in each column.
      *
+     * @param sinks where the numbers of topics go that the recording is not to have; texts and counts are in it all the same.
      * @param forAll calls its function for each number from 0 until the first argument, in any order, on several threads where
      *   there are some, and returns when all calls have.
      */
-    public constructor(expectedBytes: Long, keepSamples: Boolean, forAll: (count: Int, work: (Int) -> Unit) -> Unit) :
-        this(expectedBytes, keepSamples) {
+    public constructor(
+        expectedBytes: Long,
+        keepSamples: Boolean,
+        sinks: NumberSinks,
+        forAll: (count: Int, work: (Int) -> Unit) -> Unit = { count, work -> repeat(count, work) },
+    ) : this(expectedBytes, keepSamples) {
+        this.sinks = sinks
         this.forAll = forAll
     }
 
@@ -113,6 +121,7 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
         decoder,
         problems,
         keepSamples,
+        sinks,
         endsInNewline = header.line != null,
         expectedBytes,
         forAll,

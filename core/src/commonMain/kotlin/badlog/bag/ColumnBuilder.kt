@@ -1,6 +1,7 @@
 package badlog.bag
 
 import badlog.recording.CellCounts
+import badlog.recording.NumberSink
 import badlog.recording.TextColumn
 import badlog.recording.Topic
 import badlog.text.LF
@@ -13,13 +14,16 @@ import badlog.text.TextPool
  * @property name the name of its topic.
  * @property readsDecimalComma false for a topic of texts, in which `1,5` may be meant as it stands.
  * @param keepsSamples false to count only, in memory that does not grow.
+ * @param sink where the numbers go instead of into this column, or null.
  */
 internal class ColumnBuilder(
     val name: String,
     val readsDecimalComma: Boolean,
     private val keepsSamples: Boolean,
     private val decoder: TextDecoder,
+    private val sink: NumberSink? = null,
 ) {
+    private val keepsNumbers = keepsSamples && sink == null
     private var numbers = DoubleArray(0)
     private var texts: TextPool? = null
     private var textRows = IntArray(0)
@@ -49,7 +53,10 @@ internal class ColumnBuilder(
         private set
 
     fun addNumber(row: Int, number: Double) {
-        if (!keepsSamples) return
+        if (!keepsNumbers) {
+            sink?.add(row, number)
+            return
+        }
         if (row >= numbers.size) grow(row)
         numbers[row] = number
     }
@@ -180,9 +187,11 @@ internal class ColumnBuilder(
      * @param linesBefore how many lines stand before its first.
      */
     fun append(row: Int, rows: Int, more: DoubleArray, details: BatchReader, linesBefore: Int) {
-        if (keepsSamples) {
+        if (keepsNumbers) {
             if (row + rows > numbers.size) grow(row + rows)
             more.copyInto(numbers, row, 0, rows)
+        } else if (sink != null) {
+            for (i in 0 until rows) sink.add(row + i, more[i])
         }
         notFiniteCount += details.int()
         truthCount += details.int()
@@ -238,14 +247,14 @@ internal class ColumnBuilder(
 
     /** Makes room for [rows] rows, where that many are expected. */
     fun expect(rows: Int) {
-        if (keepsSamples && rows > numbers.size) numbers = numbers.copyOf(rows)
+        if (keepsNumbers && rows > numbers.size) numbers = numbers.copyOf(rows)
     }
 
     /** The topic that the first [rows] rows make. The builder is of no use afterwards. */
     fun build(rows: Int, unit: String, attributes: List<String>): Topic {
         val numeric = rows - textCount - emptyCount
         val samples = when {
-            !keepsSamples || numeric == 0 -> DoubleArray(0)
+            !keepsNumbers || numeric == 0 -> DoubleArray(0)
             numbers.size == rows -> numbers
             else -> numbers.copyOfRange(0, rows)
         }

@@ -1,5 +1,6 @@
 package badlog.bag
 
+import badlog.recording.NumberSinks
 import badlog.recording.ProblemKind
 import badlog.recording.ProblemList
 import badlog.recording.Topic
@@ -12,13 +13,15 @@ internal class RowReader(
     private val decoder: TextDecoder,
     private val problems: ProblemList,
     keepSamples: Boolean,
+    sinks: NumberSinks,
     endsInNewline: Boolean,
     private val expectedBytes: Long,
     private val forAll: (count: Int, work: (Int) -> Unit) -> Unit,
 ) {
     private val columns = Array(layout.columnNames.size) { index ->
-        val isLog = layout.topics[index]?.attributes?.contains("log") == true
-        ColumnBuilder(layout.columnNames[index], !isLog, keepSamples, decoder)
+        val name = layout.columnNames[index]
+        val attributes = layout.topics[index]?.attributes.orEmpty()
+        ColumnBuilder(name, "log" !in attributes, keepSamples, decoder, sinks.of(name, attributes))
     }
     private val cells = RowCells(columns.size)
     private val cellReader = CellReader()

@@ -5,6 +5,7 @@ import badlog.bag.RecordingParser
 import badlog.bag.RowBatch
 import badlog.bag.RowBatchParser
 import badlog.recording.LogFormat
+import badlog.recording.NumberSinks
 import badlog.recording.Recording
 import java.util.concurrent.Callable
 import java.util.concurrent.ExecutionException
@@ -23,6 +24,7 @@ internal class ParsingThreads(
     expectedBytes: Long,
     private val keepSamples: Boolean,
     private val pieceSize: Int = PIECE_SIZE,
+    sinks: NumberSinks = NumberSinks.RECORDING,
 ) : AutoCloseable {
     private class Piece(size: Int) {
         val bytes = ByteArray(size)
@@ -32,7 +34,7 @@ internal class ParsingThreads(
     }
 
     private var bag: BagParser? = null
-    private val parser = RecordingParser(formats, keepSamples) { BagParser(expectedBytes, keepSamples, ::forAll).also { bag = it } }
+    private val parser = RecordingParser(formats, keepSamples) { BagParser(expectedBytes, keepSamples, sinks, ::forAll).also { bag = it } }
     private val batching = pool("badlog-rows", CORES)
     private val putting = pool("badlog-parse", 1)
     private val inFlight = ArrayDeque<Piece>()

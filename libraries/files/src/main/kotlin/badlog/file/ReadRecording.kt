@@ -1,7 +1,9 @@
 package badlog.file
 
+import badlog.bag.BagParser
 import badlog.bag.RecordingParser
 import badlog.recording.LogFormat
+import badlog.recording.NumberSinks
 import badlog.recording.ProblemKind
 import badlog.recording.Recording
 import java.nio.channels.FileChannel
@@ -17,6 +19,8 @@ import java.nio.file.Path
  * @param untilLastLineEnd true to leave out what stands after the file's last line end, or all where there is none: the
  *   half of a row in a file that is still being written, and no problem. So is the half of a record at the end of a log of records.
  *   Without effect on a compressed file.
+ * @param sinks where the numbers of a bag's or CSV file's topics go that the recording is not to have; texts and counts are in it
+ *   all the same.
  * @param progress hears, on the calling thread and about once a megabyte, how many bytes of the file are read and how many
  *   it had at the beginning. What it throws stops the reading and is passed on.
  * @throws UnreadableFileException when the file is missing, is no regular file, or cannot be read.
@@ -27,12 +31,13 @@ public fun readRecording(
     formats: List<LogFormat>,
     keepSamples: Boolean = true,
     untilLastLineEnd: Boolean = false,
+    sinks: NumberSinks = NumberSinks.RECORDING,
     progress: (doneBytes: Long, totalBytes: Long) -> Unit = { _, _ -> },
 ): Recording {
     requireRegularFile(file)
     return reading(file) { FileChannel.open(file) }.use { channel ->
         val pieces = FilePieces(file, channel, progress)
-        fun threads(expectedBytes: Long) = ParsingThreads(formats, expectedBytes, keepSamples)
+        fun threads(expectedBytes: Long) = ParsingThreads(formats, expectedBytes, keepSamples, sinks = sinks)
         val isOfRecords = formats.any { pieces.beginning(it.signatureSize, it::matches) }
         val end = if (untilLastLineEnd && !isOfRecords) pieces.lastLineEnd() else pieces.total
         val until = if (untilLastLineEnd && !isOfRecords) end else Long.MAX_VALUE
@@ -40,7 +45,9 @@ public fun readRecording(
             pieces.beginning(GzipReader.SIGNATURE_SIZE, GzipReader::isGzip) -> readGzip(pieces, threads(pieces.inflatedSize()))
 
             isOfRecords || end < MIN_PARALLEL -> {
-                val recording = readPlain(pieces, until, RecordingParser(formats, end, keepSamples))
+                val parser =
+                    RecordingParser(formats, keepSamples) { BagParser(end, keepSamples, sinks) }
+                val recording = readPlain(pieces, until, parser)
                 if (untilLastLineEnd) recording.without(ProblemKind.RECORD_CUT) else recording
             }
 
