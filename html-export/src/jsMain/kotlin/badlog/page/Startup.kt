@@ -14,11 +14,11 @@ import badlog.page.section.failureScreen
 import badlog.page.section.setPageState
 import badlog.recording.ProblemKind
 import badlog.recording.Recording
-import kotlin.js.Promise
 import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.dom.Element
 import org.w3c.dom.HTMLElement
+import kotlin.js.Promise
 
 /** Brings the page up: reads the recording, shows it, or says why it cannot be shown. Never leaves an empty page. */
 internal class Startup {

@@ -2,12 +2,18 @@ package badlog.html
 
 import java.io.ByteArrayOutputStream
 import java.util.Base64
+import java.util.zip.Deflater
 import java.util.zip.GZIPOutputStream
 
 /** [program] as a page carries it: the base64 of a gzip stream, half its size. [UNPACKING] makes a script of it again. */
 internal fun packed(program: ByteArray): ByteArray {
     val gzip = ByteArrayOutputStream()
-    GZIPOutputStream(gzip).use { it.write(program) }
+    val tight = object : GZIPOutputStream(gzip) {
+        init {
+            def.setLevel(Deflater.BEST_COMPRESSION)
+        }
+    }
+    tight.use { it.write(program) }
     return Base64.getEncoder().encode(gzip.toByteArray())
 }
 

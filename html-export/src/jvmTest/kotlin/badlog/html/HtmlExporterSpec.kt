@@ -10,16 +10,16 @@ import io.kotest.matchers.nulls.shouldBeNull
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
+import kotlinx.serialization.json.jsonPrimitive
 import java.io.IOException
 import java.nio.channels.ClosedByInterruptException
 import java.nio.file.Path
-import kotlin.io.path.div
 import kotlin.io.path.createDirectory
+import kotlin.io.path.div
 import kotlin.io.path.name
 import kotlin.io.path.readText
 import kotlin.io.path.writeBytes
 import kotlin.io.path.writeText
-import kotlinx.serialization.json.jsonPrimitive
 
 class HtmlExporterSpec : FunSpec({
     val parts = PageParts("draw()", "main{}")

@@ -11,12 +11,12 @@ import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.doubles.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
-import java.time.Duration
 import org.openqa.selenium.interactions.PointerInput
 import org.openqa.selenium.interactions.PointerInput.Kind
 import org.openqa.selenium.interactions.PointerInput.MouseButton
 import org.openqa.selenium.interactions.PointerInput.Origin
 import org.openqa.selenium.interactions.Sequence
+import java.time.Duration
 
 internal class PhoneSpec : PageSpec({
     val page by lazy { TestPages.of(stepBag(graphs = 12)) }

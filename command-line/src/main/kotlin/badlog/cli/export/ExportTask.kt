@@ -30,9 +30,9 @@ import badlog.rules.FolderRules
 import badlog.rules.SkippedRule
 import badlog.rules.skippedFor
 import badlog.terminal.Progress
-import java.nio.file.Path
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonPrimitive
+import java.nio.file.Path
 
 /**
  * Makes a page of each log, one after the other: each takes all cores by itself.

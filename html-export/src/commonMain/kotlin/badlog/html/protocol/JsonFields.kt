@@ -49,6 +49,8 @@ internal fun <T> array(items: List<T>, json: (T) -> String): String = items.join
 internal fun inScript(json: String): String {
     if (json.none { it == '<' || it.isSurrogate() }) return json
     return buildString(json.length) {
-        for (char in json) if (char == '<' || char.isSurrogate()) append("\\u").append(char.code.toString(16).padStart(4, '0')) else append(char)
+        for (char in json) {
+            if (char == '<' || char.isSurrogate()) append("\\u").append(char.code.toString(16).padStart(4, '0')) else append(char)
+        }
     }
 }

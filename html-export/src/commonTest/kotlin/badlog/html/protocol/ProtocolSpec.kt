@@ -81,10 +81,8 @@ class ProtocolSpec : FunSpec({
     fun bitsOf(series: PageSeries) = listOf(series.data.x, series.data.y).map { numbers -> numbers.map { it.toBits() } }
 
     fun partsOf(hook: HookPart) = hook.run {
-        listOf(
-            name, error, values, findings.map(::partsOf), series.map { listOf(it.name, it.unit, bitsOf(it)) },
-            figures.map { listOf(it.title, it.mediaType, it.base64) },
-        )
+        val lines = series.map { listOf(it.name, it.unit, bitsOf(it)) }
+        listOf(name, error, values, findings.map(::partsOf), lines, figures.map { listOf(it.title, it.mediaType, it.base64) })
     }
 
     test("whatever the exporter puts into a page comes back as it was, and can neither end nor open an element") {

@@ -19,8 +19,8 @@ import java.io.ByteArrayOutputStream
 import java.io.PrintStream
 import java.nio.file.Path
 import java.nio.file.attribute.FileTime
-import kotlin.io.path.div
 import kotlin.io.path.createDirectory
+import kotlin.io.path.div
 import kotlin.io.path.name
 import kotlin.io.path.readText
 import kotlin.io.path.setLastModifiedTime

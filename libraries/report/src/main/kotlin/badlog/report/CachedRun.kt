@@ -9,7 +9,12 @@ internal class CachedResult<out R>(val result: R, val isLasting: Boolean)
  * Does [work] on those of [files] that [cache] does not know, and gives all results in the order of the files to [each] on this thread.
  * What lasts is in the cache's file afterwards, also when [each] throws, the thread is interrupted, or the program is told to end.
  */
-internal fun <R : Any> runCached(files: List<LogFile>, cache: ResultCache<R>?, work: (LogFile) -> CachedResult<R>, each: (LogFile, R) -> Unit) {
+internal fun <R : Any> runCached(
+    files: List<LogFile>,
+    cache: ResultCache<R>?,
+    work: (LogFile) -> CachedResult<R>,
+    each: (LogFile, R) -> Unit,
+) {
     val remembering = { file: LogFile ->
         cache?.get(file) ?: work(file).let {
             if (it.isLasting) cache?.set(file, it.result)

@@ -63,8 +63,11 @@ public class Find(
         return results
     }
 
-    private fun ask(file: LogFile): CachedResult<Stored> =
-        if (mistake != null) CachedResult(Stored(null, mistake), isLasting = false) else LogContent.examined(file, virtualTopics, xTopic, ::ask)
+    private fun ask(file: LogFile): CachedResult<Stored> = if (mistake != null) {
+        CachedResult(Stored(null, mistake), isLasting = false)
+    } else {
+        LogContent.examined(file, virtualTopics, xTopic, ::ask)
+    }
 
     private fun ask(content: LogContent): CachedResult<Stored> = when (content) {
         is LogContent.None -> CachedResult(Stored(null, Reply.Unreadable(content.message, content.isNoLog)), content.isNoLog)

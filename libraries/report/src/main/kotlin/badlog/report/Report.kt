@@ -11,9 +11,9 @@ import badlog.rules.RuleProgram
 import badlog.rules.RuleSet
 import badlog.rules.SkippedRule
 import badlog.rules.toJson
-import java.nio.file.Path
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.Transient
+import java.nio.file.Path
 
 /**
  * Runs rules, and programs of the user's, over many logs.
