@@ -28,7 +28,7 @@ private fun aliasOf(value: JsonValue): Alias {
 private fun ruleJson(rule: Rule): String {
     val each = rule.each?.let { ",\"each\":${choiceJson(it)}" }.orEmpty()
     return "{\"name\":${quotedJson(rule.name)},\"severity\":\"${rule.severity.name.lowercase()}\",\"when\":${quotedJson(rule.condition)}," +
-        "\"text\":${quotedJson(rule.text.source)},\"only\":${array(rule.only, ::quotedJson)}$each,\"place\":${placeJson(rule.place)}}"
+        "\"text\":${quotedJson(rule.text.source)},\"only\":${array(rule.only, ::quotedJson)}$each,\"place\":${placeJson(rule.place, rule.condition)}}"
 }
 
 private fun ruleOf(value: JsonValue): Rule {
@@ -54,13 +54,18 @@ private fun choiceOf(value: JsonValue): TopicChoice {
     return TopicChoice(json.patterns("names"), json.patterns("except"), json.optional("unit"))
 }
 
-private fun placeJson(place: RulePlace): String =
-    "{\"number\":${place.lineNumber},\"line\":${quotedJson(place.line)},\"column\":${place.column},\"isLiteral\":${place.literal != null}}"
+// Most conditions stand alone on their lines, which need not be written twice.
+private fun placeJson(place: RulePlace, condition: String): String {
+    val line = optional("line", place.line.takeIf { it != usualLine(condition) })
+    return "{\"number\":${place.lineNumber}$line,\"column\":${place.column},\"isLiteral\":${place.literal != null}}"
+}
+
+private fun usualLine(condition: String) = "when = ${quotedJson(condition)}"
 
 private fun placeOf(value: JsonValue?, condition: String): RulePlace {
     val json = Fields(value?.members)
     val isLiteral = json.find("isLiteral")?.json == "true"
-    return RulePlace(json.number("number"), json.string("line"), json.number("column"), condition.takeIf { isLiteral })
+    return RulePlace(json.number("number"), json.optional("line") ?: usualLine(condition), json.number("column"), condition.takeIf { isLiteral })
 }
 
 private fun patternsJson(patterns: List<NamePattern>) = array(patterns) { quotedJson(it.text) }

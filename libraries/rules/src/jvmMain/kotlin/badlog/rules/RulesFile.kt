@@ -26,10 +26,7 @@ public class RulesFile internal constructor(public val rules: RuleSet, public va
         public val NONE: RulesFile = RulesFile(RuleSet.NONE, emptyList(), "")
 
         /** The built-in rules. */
-        public val BUILT_IN: RulesFile by lazy {
-            val stream = checkNotNull(RulesFile::class.java.getResourceAsStream("/badlog/rules/$NAME"))
-            parse(stream.use { it.readBytes().decodeToString() })
-        }
+        public val BUILT_IN: RulesFile by lazy { RulesFile(RuleSet.BUILT_IN, emptyList(), resource(NAME)) }
 
         /** What some editors of Windows begin a file with. */
         private const val BYTE_ORDER_MARK = "\uFEFF"
@@ -37,7 +34,13 @@ public class RulesFile internal constructor(public val rules: RuleSet, public va
 }
 
 /** The built-in rules. */
-public val RuleSet.Companion.BUILT_IN: RuleSet get() = RulesFile.BUILT_IN.rules
+public val RuleSet.Companion.BUILT_IN: RuleSet get() = BUILT_IN_RULES
+
+// Reading TOML takes longer than exporting a small page, so that these are also there as JSON.
+private val BUILT_IN_RULES by lazy { checkNotNull(RuleSet.fromJson(resource("badlog-rules.json"))) }
+
+private fun resource(name: String): String =
+    checkNotNull(RulesFile::class.java.getResourceAsStream("/badlog/rules/$name")).use { it.readBytes().decodeToString() }
 
 /**
  * A program that a file of rules names, to be run for each log.

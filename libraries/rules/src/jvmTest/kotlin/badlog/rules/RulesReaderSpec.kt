@@ -9,6 +9,7 @@ import io.kotest.property.Arb
 import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.string
 import io.kotest.property.checkAll
+import java.io.File
 import kotlin.time.Duration.Companion.milliseconds
 
 private const val RULE = "[[rule]]\nname = \"A\"\nseverity = \"note\"\nwhen = \"x > 1\"\ntext = \"t\"\n"
@@ -18,6 +19,13 @@ private fun messageOf(rules: String): String = shouldThrow<RulesException> { Rul
 class RulesReaderSpec : FunSpec({
     test("the rules that are built in can be read") {
         RuleSet.BUILT_IN.rules.map { it.name }.take(2) shouldBe listOf("Browned out", "Low battery")
+    }
+
+    test("the built-in rules as JSON are those of their file; BADLOG_WRITE_GUIDE writes them anew") {
+        val json = RulesFile.parse(RulesFile.BUILT_IN.source).rules.toJson()
+        val file = File("src/jvmMain/resources/badlog/rules/badlog-rules.json")
+        if (System.getenv("BADLOG_WRITE_GUIDE") != null) file.writeText("$json\n")
+        RuleSet.BUILT_IN.toJson() shouldBe json
     }
 
     test("no rules are fine") {
