@@ -28,7 +28,8 @@ private fun aliasOf(value: JsonValue): Alias {
 private fun ruleJson(rule: Rule): String {
     val each = rule.each?.let { ",\"each\":${choiceJson(it)}" }.orEmpty()
     return "{\"name\":${quotedJson(rule.name)},\"severity\":\"${rule.severity.name.lowercase()}\",\"when\":${quotedJson(rule.condition)}," +
-        "\"text\":${quotedJson(rule.text.source)},\"only\":${array(rule.only, ::quotedJson)}$each,\"place\":${placeJson(rule.place, rule.condition)}}"
+        "\"text\":${quotedJson(rule.text.source)},\"only\":${array(rule.only, ::quotedJson)}$each," +
+        "\"place\":${placeJson(rule.place, rule.condition)}}"
 }
 
 private fun ruleOf(value: JsonValue): Rule {
@@ -65,7 +66,8 @@ private fun usualLine(condition: String) = "when = ${quotedJson(condition)}"
 private fun placeOf(value: JsonValue?, condition: String): RulePlace {
     val json = Fields(value?.members)
     val isLiteral = json.find("isLiteral")?.json == "true"
-    return RulePlace(json.number("number"), json.optional("line") ?: usualLine(condition), json.number("column"), condition.takeIf { isLiteral })
+    val line = json.optional("line") ?: usualLine(condition)
+    return RulePlace(json.number("number"), line, json.number("column"), condition.takeIf { isLiteral })
 }
 
 private fun patternsJson(patterns: List<NamePattern>) = array(patterns) { quotedJson(it.text) }
