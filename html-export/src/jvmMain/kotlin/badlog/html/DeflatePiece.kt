@@ -7,13 +7,17 @@ import java.util.zip.Deflater
 /**
  * One piece of a file on its way into a gzip stream. It is deflated without its neighbours, so several are at a time,
  * but knows the bytes before it as a dictionary and ends on a byte, so the pieces one after another are one deflate
- * stream.
+ * stream. A piece that knows none begins a part of the stream that can be inflated by itself.
  *
  * Made once and filled again and again: its buffers are what an export costs in memory.
  */
 internal class DeflatePiece {
     private val deflater = Deflater(LEVEL, true)
     private var dictionarySize = 0
+
+    /** Whether it can be inflated without the pieces before it. */
+    var beginsPart = true
+        private set
 
     /** The dictionary, then the piece's own bytes, which stand in [[from], [until]). */
     val bytes = ByteArray(DICTIONARY + SIZE)
@@ -31,8 +35,9 @@ internal class DeflatePiece {
     /** The work on this piece that other threads do. */
     var work: List<Future<*>> = emptyList()
 
-    /** Takes the next bytes of [source], which follow those of [before]. */
+    /** Takes the next bytes of [source], which follow those of [before]; null begins a new part. */
     fun fill(source: InputStream, before: DeflatePiece?) {
+        beginsPart = before == null
         dictionarySize = 0
         if (before != null) {
             dictionarySize = minOf(DICTIONARY, before.until)

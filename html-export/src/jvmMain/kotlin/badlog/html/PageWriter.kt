@@ -53,9 +53,10 @@ internal class PageWriter(private val out: OutputStream, private val parts: Page
     /** Everything after the additions, about the recording that came from the file [name]. */
     fun end(name: String, file: EmbeddedFile, isGzip: Boolean) {
         val cut = if (file.isCut) ",\"cut\":true" else ""
+        val listed = if (file.parts.size > MIN_PARTS) ",\"parts\":${file.parts.joinToString(",", "[", "]")}" else ""
         text(
             "<script type=\"application/json\" id=\"about\">{\"name\":${inScript(quotedJson(name))}," +
-                "\"original\":\"${if (isGzip) "gzip" else "raw"}\",\"inflatedBytes\":${file.inflatedBytes}$cut," +
+                "\"original\":\"${if (isGzip) "gzip" else "raw"}\",\"inflatedBytes\":${file.inflatedBytes}$cut$listed," +
                 "\"version\":${quotedJson(BADLOG_VERSION)}}</script>\n" +
                 "<script type=\"application/octet-stream\" id=\"packed\">",
         )
@@ -75,6 +76,9 @@ internal class PageWriter(private val out: OutputStream, private val parts: Page
     private fun text(text: String) = out.write(text.encodeToByteArray())
 
     private companion object {
+        /** Fewer parts are read faster in one go. */
+        const val MIN_PARTS = 3
+
         // The program stands last: a page that was cut never runs it, and a large one only after a while.
         const val WAITING = "Loading… If this stays, the file is incomplete: copy it again, whole."
         const val NO_SCRIPT = "This page needs JavaScript to draw. The recording is inside it all the same: allow " +

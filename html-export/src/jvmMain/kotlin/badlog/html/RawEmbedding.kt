@@ -17,17 +17,21 @@ internal class RawEmbedding(
     private val pieces = ArrayList<DeflatePiece>()
     private val inFlight = ArrayDeque<DeflatePiece>()
     private val check = CRC32()
+    private val parts = ArrayList<Long>()
+    private var written = 0L
     private var read = 0L
     private var done = 0L
 
     /** Embeds [source] to its end; [progress] hears how many bytes are done. */
     fun embed(source: InputStream, progress: (Long) -> Unit = {}): EmbeddedFile {
-        out.write(HEADER)
+        write(HEADER, HEADER.size)
         try {
             var last: DeflatePiece? = null
+            var count = 0
             do {
                 val piece = if (pieces.size < ExportThreads.CORES + SPARE) newPiece() else next(progress)
-                piece.fill(source, last)
+                piece.fill(source, last.takeUnless { count % PIECES_OF_PART == 1 })
+                count++
                 submit(piece)
                 last = piece
             } while (!piece.isLast)
@@ -35,8 +39,9 @@ internal class RawEmbedding(
         } finally {
             pieces.forEach { it.close() }
         }
-        out.write(trailer())
-        return EmbeddedFile(read, read, isCut = false)
+        parts += written
+        write(trailer(), TRAILER_SIZE)
+        return EmbeddedFile(read, read, isCut = false, parts)
     }
 
     private fun newPiece() = DeflatePiece().also { pieces += it }
@@ -54,18 +59,29 @@ internal class RawEmbedding(
     private fun next(progress: (Long) -> Unit): DeflatePiece {
         val piece = inFlight.removeFirst()
         piece.work.forEach(ExportThreads::await)
-        out.write(piece.deflated, 0, piece.deflatedSize)
+        if (piece.beginsPart) parts += written
+        write(piece.deflated, piece.deflatedSize)
         done += piece.until - piece.from
         progress(done)
         return piece
     }
 
-    private fun trailer() = ByteBuffer.allocate(8).order(ByteOrder.LITTLE_ENDIAN)
+    private fun write(bytes: ByteArray, size: Int) {
+        out.write(bytes, 0, size)
+        written += size
+    }
+
+    private fun trailer() = ByteBuffer.allocate(TRAILER_SIZE).order(ByteOrder.LITTLE_ENDIAN)
         .putInt(check.value.toInt())
         .putInt(read.toInt())
         .array()
 
     private companion object {
+        const val TRAILER_SIZE = 8
+
+        /** The first piece is a part of its own, since all others wait for the header in it. */
+        const val PIECES_OF_PART = 4
+
         /** Deflate, no name, no time, unknown system. */
         val HEADER = byteArrayOf(0x1F, 0x8B.toByte(), 8, 0, 0, 0, 0, 0, 0, -1)
 

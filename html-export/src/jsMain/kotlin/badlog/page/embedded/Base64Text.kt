@@ -12,12 +12,12 @@ internal class Base64Text(element: Element) {
     private var node: Node? = element.firstChild
     private var offset = 0
 
-    /** The next piece, a whole number of groups of four characters; null at the end. */
-    fun next(): String? {
+    /** The next [characters], a multiple of four so that a piece ends where a group does; fewer and then null at the end. */
+    fun next(characters: Int = PIECE): String? {
         var piece = ""
-        while (piece.length < PIECE) {
+        while (piece.length < characters) {
             val text = node?.unsafeCast<Text>() ?: break
-            val taken = minOf(PIECE - piece.length, text.length - offset)
+            val taken = minOf(characters - piece.length, text.length - offset)
             piece += text.substringData(offset, taken)
             offset += taken
             if (offset == text.length) {
@@ -29,7 +29,6 @@ internal class Base64Text(element: Element) {
     }
 
     private companion object {
-        /** A multiple of four, so that a piece ends where a group does. */
         const val PIECE = 1 shl 20
     }
 }

@@ -18,7 +18,12 @@ import kotlin.js.Promise
  */
 internal class Reading(private val about: About, private val element: Element, private val onProgress: (Double) -> Unit) {
     /** Starts, and promises the recording. */
-    fun start(): Promise<Recording> = Promise { resolve, reject ->
+    fun start(): Promise<Recording> = PartsReading.start(about, element, onProgress)
+        // Whatever was wrong with the parts: the whole stream tells it.
+        ?.then({ it }, { readWhole() }).unsafeCast<Promise<Recording>?>()
+        ?: readWhole()
+
+    private fun readWhole(): Promise<Recording> = Promise { resolve, reject ->
         val worker = ReadingWorker.start()
         val finish = { recording: Recording -> resolve(withCut(recording)) }
         if (worker == null) readHere(finish, reject) else readIn(worker, finish, reject)

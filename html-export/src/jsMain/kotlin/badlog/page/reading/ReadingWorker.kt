@@ -14,7 +14,7 @@ import org.w3c.files.BlobPropertyBag
  *
  * The page sends an object with `expectedBytes` and `isWhole`, then strings of base64, one for each `"more"` it
  * receives, then null. The worker answers with `"more"`, numbers (the share that is done), an object with `failure`, or
- * the recording.
+ * the recording. To parts of a recording it answers as [PartMessage] says.
  */
 internal object ReadingWorker {
     /** Whether this script runs in the worker. */
@@ -44,6 +44,7 @@ internal object ReadingWorker {
             val message: dynamic = event.data
             val current = reader
             when {
+                PartMessage.isPart(message) -> PartMessage.answer(page, message)
                 current == null -> reader = open(page, message)
                 message == null -> current.end()
                 else -> current.accept(message as String).then({ page.postMessage(MORE) }, { answerFailure(page, it) })

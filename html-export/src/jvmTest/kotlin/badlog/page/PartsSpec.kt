@@ -1,0 +1,77 @@
+package badlog.page
+
+import io.kotest.matchers.shouldBe
+import java.nio.file.Files
+
+private const val ROWS = 120_000
+
+/** Some megabytes, so that the page carries several parts; rows end anywhere in them, and texts hold commas, quotes and newlines. */
+private val HEADER = """
+    {"topics":[{"name":"Time","unit":"s","attrs":["xaxis","hide"]},{"name":"Angle","unit":"deg","attrs":["differentiate"]},
+    {"name":"Current","unit":"A"},{"name":"State"},{"name":"Enabled"},{"name":"Log","attrs":["log"]}]}
+""".trimIndent().replace("\n", "") + "\nTime,Angle,Current,State,Enabled,Log\n"
+
+private fun row(row: Int): String {
+    val said = when {
+        row % 7000 == 11 -> "\"armed, ready at $row\""
+        row % 9000 == 12 -> "\"said \"\"go\"\"\ntwice at $row\""
+        else -> ""
+    }
+    val current = if (row % 500 < 20) "" else "${row % 331 * 0.125}"
+    return "${row * 0.02},${row % 977 * 1.0625},$current,${if (row % 800 < 300) "LOW" else "HIGH"},${row > 3000},$said\n"
+}
+
+private val CLEAN = HEADER + (0 until ROWS).joinToString("", transform = ::row)
+
+private val DAMAGED = HEADER + (0 until ROWS).joinToString("") {
+    when (it) {
+        20_000 -> "400.0,1,2,\"LOW,true,\n"
+        30_000 -> "600.0,1,2\n"
+        40_000 -> "\u0000\u0000\u0000\u0000${row(it)}"
+        else -> row(it)
+    }
+}.dropLast(7)
+
+/** Pages of logs that several workers read at a time. */
+internal class PartsSpec : PageSpec({
+    fun cores(count: Int) = "Object.defineProperty(navigator, 'hardwareConcurrency', { get: () => $count })"
+
+    fun OpenPage.readInParts() = number("return performance.getEntriesByName('badlog-parts-read').length").toInt()
+
+    fun OpenPage.shown() = listOf(
+        script("return document.body.textContent"),
+        script("return [...document.querySelectorAll('section.graph canvas')].map(c => c.toDataURL()).join()"),
+    )
+
+    for ((name, log) in mapOf("whole" to CLEAN, "damaged" to DAMAGED)) {
+        browserTest("a $name log that several workers read shows what it shows when one reads it") {
+            val page = TestPages.of(log)
+            var expected = emptyList<Any?>()
+            onPage(page, script = cores(1)) {
+                readInParts() shouldBe 0
+                expected = shown()
+            }
+            for (count in listOf(2, 3)) {
+                onPage(page, script = cores(count)) {
+                    readInParts() shouldBe 1
+                    shown() shouldBe expected
+                }
+            }
+        }
+    }
+
+    browserTest("a page with a damaged part is read in one go, as far as that goes") {
+        val text = Files.readString(TestPages.of(CLEAN))
+        val from = text.indexOf("id=\"recording\">")
+        val middle = from + (text.indexOf("</script>", from) - from) / 2
+        val file = Files.createTempFile("badlog-parts", ".html")
+        file.toFile().deleteOnExit()
+        Files.writeString(file, text.replaceRange(middle, middle + 400, "A".repeat(400)))
+        var expected = emptyList<Any?>()
+        onPage(file, script = cores(1)) { expected = shown() }
+        onPage(file, script = cores(2)) {
+            readInParts() shouldBe 0
+            shown() shouldBe expected
+        }
+    }
+})
