@@ -18,12 +18,12 @@ public data class EnabledSpan(public val span: Span, public val isAutonomous: Bo
  * topic tells, and when x goes backwards.
  */
 public fun LogView.enabledSpans(): List<EnabledSpan> {
-    val named = findFlag("enabled", "robot enabled", "isenabled")
-    val control = findFlag("fmscontroldata")
+    val named = findFlag(ENABLED_NAMES)
+    val control = findFlag(CONTROL_NAMES)
     if (control != null && (named == null || !isOfDriverStation(named))) {
         return spansOf(control, control) { bit -> { word -> (word.toInt() shr bit) and 1 == 1 } }
     }
-    return spansOf(named ?: return emptyList(), findFlag("autonomous", "auto", "isautonomous")) { { it != 0.0 } }
+    return spansOf(named ?: return emptyList(), findFlag(AUTONOMOUS_NAMES)) { { it != 0.0 } }
 }
 
 /** The topics that [enabledSpans] looks at. */
@@ -38,11 +38,14 @@ private fun LogView.spansOf(enabled: Topic, autonomous: Topic?, isSet: (bit: Int
     return runsWhere(enabled, isSet(ENABLED_BIT)).flatMap { split(it, alone) }
 }
 
-private fun LogView.findFlag(vararg names: String): Topic? {
-    val found = recording.topics.filter { topic ->
-        topic.samples.isNotEmpty() &&
-            PathName.baseNameOf(topic.name).replace('_', ' ').lowercase().substringAfterLast(':') in names
-    }
+/** Whether a topic called [name], in any folder, says by 1 and 0 when the robot was enabled. */
+public fun isNameOfEnabled(name: String): Boolean = flagOf(name) in ENABLED_NAMES
+
+/** [topicName] as the driver station's flags are told apart, however it is written. */
+private fun flagOf(topicName: String) = PathName.baseNameOf(topicName).replace('_', ' ').lowercase().substringAfterLast(':')
+
+private fun LogView.findFlag(names: Set<String>): Topic? {
+    val found = recording.topics.filter { it.samples.isNotEmpty() && flagOf(it.name) in names }
     return found.firstOrNull(::isOfDriverStation) ?: found.firstOrNull()
 }
 
@@ -76,6 +79,10 @@ private fun split(enabled: Span, autonomous: List<Span>): List<EnabledSpan> {
     if (enabled.to > at || pieces.isEmpty()) pieces += EnabledSpan(Span(at, enabled.to), false)
     return pieces
 }
+
+private val ENABLED_NAMES = setOf("enabled", "robot enabled", "isenabled")
+private val AUTONOMOUS_NAMES = setOf("autonomous", "auto", "isautonomous")
+private val CONTROL_NAMES = setOf("fmscontroldata")
 
 // Of the driver station's control word.
 private const val ENABLED_BIT = 0

@@ -7,6 +7,7 @@ import badlog.recording.Recording
 import badlog.recording.Topic
 import badlog.recording.TopicKind
 import badlog.recording.Value
+import badlog.text.freeName
 
 /** Makes a [LogView]: applies the attributes, finds the x axis, then lays out graphs and event logs by folder. */
 internal class LogViewBuilder(private val recording: Recording, private val registry: AttributeRegistry) {
@@ -150,7 +151,8 @@ internal class LogViewBuilder(private val recording: Recording, private val regi
                 continue
             }
             val unit = derivation.unit(topic.unit, xAxis.unit)
-            val name = freeName(derivation.name)
+            // A topic, or another derived graph, may bear the name that a derived one would get; both are shown.
+            val name = freeName(derivation.name) { it !in topicNames && it !in graphOfName }
             addGraph(GraphDraft(name, unit, isVirtual = true)).series +=
                 GraphSeries(PathName.baseNameOf(name), unit, topic, null, isDerived = true) {
                     derivation.series(samplesOf(topic, xAxis))
@@ -162,14 +164,6 @@ internal class LogViewBuilder(private val recording: Recording, private val regi
         graphs += draft
         graphOfName[draft.name] = draft
         return draft
-    }
-
-    /** A topic, or another derived graph, may bear the name that a derived one would get; both are shown. */
-    private fun freeName(wanted: String): String {
-        var name = wanted
-        var copy = 2
-        while (name in topicNames || name in graphOfName) name = "$wanted (${copy++})"
-        return name
     }
 
     private fun join(plan: TopicPlan, name: String, xAxis: XAxis) {

@@ -6,6 +6,7 @@ import badlog.recording.RecordingFormat
 import badlog.recording.TextColumn
 import badlog.recording.Topic
 import badlog.recording.TopicKind
+import badlog.text.freeName
 import kotlin.math.abs
 import kotlin.math.ceil
 
@@ -29,19 +30,17 @@ public fun resampled(recording: Recording, times: DoubleArray): Recording {
         val held = held(topic, xAxis, times)
         if (topic === formerX) xAxisAgain(held, times) else held
     }
-    return Recording(
-        RecordingFormat.BAG,
-        null,
-        recording.values,
-        if (formerX == null) listOf(newXAxis(recording, xAxis.unit, times)) + topics else topics,
-        times.size,
-        recording.problems,
+    return recording.copy(
+        format = RecordingFormat.BAG,
+        headerLine = null,
+        topics = if (formerX == null) listOf(newXAxis(recording, xAxis.unit, times)) + topics else topics,
+        rowCount = times.size,
     )
 }
 
 private fun newXAxis(recording: Recording, unit: String, times: DoubleArray): Topic {
     val names = recording.topics.mapTo(HashSet()) { it.name }
-    val name = generateSequence(1) { it + 1 }.map { if (it == 1) "Time" else "Time ($it)" }.first { it !in names }
+    val name = freeName("Time") { it !in names }
     return Topic(name, unit, listOf("xaxis", "hide"), times, TextColumn.EMPTY, xCounts(times))
 }
 
@@ -67,7 +66,7 @@ public fun periodicTimes(recording: Recording, period: Double): DoubleArray {
     require(period > 0) { "A period must be above 0, but is $period." }
     val range = LogView.of(recording).xAxis.range ?: return DoubleArray(0)
     val steps = ceil((range.endInclusive - range.start) / period - ROUNDING)
-    require(steps < MOST_ROWS) { "A period of $period gives $steps rows, which are too many." }
+    require(steps < MAX_ROWS) { "A period of $period gives $steps rows, which are too many." }
     return DoubleArray(steps.toInt() + 1) { range.start + it * period }
 }
 
@@ -87,25 +86,25 @@ private fun held(topic: Topic, xAxis: XAxis, times: DoubleArray): Topic {
     val order = if (isOrdered) {
         null
     } else {
-        positions.indices.filter { positions[it].isFinite() }.sortedBy { positions[it] }.toIntArray()
+        stableOrder(positions, positions.indices.filter { positions[it].isFinite() }.toIntArray())
     }
-    val holder = Holder(topic, times.size)
+    val sampler = LastValueSampler(topic, times.size)
     var next = 0
     val count = order?.size ?: topic.size
     for (row in times.indices) {
         while (next < count) {
             val index = order?.get(next) ?: next
             if (positions[index] > times[row]) break
-            holder.meet(index)
+            sampler.meet(index)
             next++
         }
-        holder.hold(row)
+        sampler.hold(row)
     }
-    return holder.build()
+    return sampler.build()
 }
 
 /** Takes the samples of a topic one after another, and puts the last one into each row. */
-private class Holder(private val topic: Topic, rows: Int) {
+private class LastValueSampler(private val topic: Topic, rows: Int) {
     private val isEvent = topic.kind == TopicKind.EVENT || "log" in topic.attributes
     private val samples = if (topic.samples.isEmpty()) DoubleArray(0) else DoubleArray(rows) { Double.NaN }
     private val textOf = IntArray(topic.size) { -1 }
@@ -179,4 +178,4 @@ private class Holder(private val topic: Topic, rows: Int) {
 // Of the last step of a period that divides the range.
 private const val ROUNDING = 1e-9
 private const val MICROSECOND = 1e-6
-private const val MOST_ROWS = 1e8
+private const val MAX_ROWS = 1e8

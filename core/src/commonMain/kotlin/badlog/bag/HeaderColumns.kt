@@ -2,6 +2,7 @@ package badlog.bag
 
 import badlog.recording.ProblemKind
 import badlog.recording.ProblemList
+import badlog.text.UniqueNames
 
 /**
  * How the topics of line 1 and the columns of line 2 belong together.
@@ -36,14 +37,10 @@ internal class HeaderColumns private constructor(val columnNames: List<String>, 
         }
 
         private fun uniqueNames(titles: List<String>, line: Int, problems: ProblemList): List<String> {
-            val taken = HashSet<String>()
-            val copies = HashMap<String, Int>()
+            val given = UniqueNames()
             return titles.mapIndexed { index, title ->
                 val wanted = title.ifEmpty { "Column ${index + 1}" }
-                var name = wanted
-                var copy = copies[wanted] ?: 2
-                while (!taken.add(name)) name = "$wanted (${copy++})"
-                copies[wanted] = copy
+                val name = given.give(wanted)
                 if (name != wanted) {
                     problems.add(
                         ProblemKind.DUPLICATE_TOPIC,

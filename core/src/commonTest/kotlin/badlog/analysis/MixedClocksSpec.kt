@@ -2,7 +2,6 @@ package badlog.analysis
 
 import badlog.bag.BagParser
 import badlog.recording.CellCounts
-import badlog.recording.Recording
 import badlog.recording.TextColumn
 import badlog.recording.Topic
 import io.kotest.core.spec.style.FunSpec
@@ -13,7 +12,7 @@ private fun withOwnTimes(text: String, times: DoubleArray): LogView {
     val recording = BagParser().apply { accept(text.encodeToByteArray()) }.finish()
     val counts = CellCounts(times.size, 0, 0, 0, 0, 0)
     val calculated = Topic("calculated", "V", emptyList(), DoubleArray(times.size) { it + 0.5 }, TextColumn.EMPTY, counts, times)
-    return recording.run { LogView.of(Recording(format, headerLine, values, topics + calculated, rowCount, problems)) }
+    return LogView.of(recording.copy(topics = recording.topics + calculated))
 }
 
 private fun LogView.points(name: String) = seriesOf(recording.topics.single { it.name == name }).data.run { x.toList().zip(y.toList()) }
@@ -41,7 +40,7 @@ class MixedClocksSpec : FunSpec({
         val one = view.recording.topics.last()
         val other = Topic("other", "V", emptyList(), one.samples, one.texts, one.counts, doubleArrayOf(0.25, 7.5))
         val again = Topic("again", "V", emptyList(), one.samples, one.texts, one.counts, one.times)
-        val both = view.recording.run { LogView.of(Recording(format, headerLine, values, topics + other + again, rowCount, problems)) }
+        val both = view.recording.run { LogView.of(copy(topics = topics + other + again)) }
         both.xAxis.clocks.size shouldBe 3
     }
 

@@ -1,13 +1,11 @@
 package badlog.html
 
 import badlog.file.UnreadableFileException
+import badlog.file.UnwritableFileException
 import badlog.file.requireRegularFile
 import java.io.FilterInputStream
 import java.io.IOException
 import java.io.InputStream
-import java.nio.channels.ClosedByInterruptException
-import java.nio.file.AccessDeniedException
-import java.nio.file.FileAlreadyExistsException
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -23,24 +21,17 @@ private fun <T> refusing(work: () -> T): T = try {
     work()
 } catch (e: UnreadableFileException) {
     throw ExportException.Unreadable(e.file, e.message, e.cause)
+} catch (e: UnwritableFileException) {
+    throw ExportException.Unwritable(e.file, e.message, e.cause)
 }
 
 /** Runs [work], which writes [page]; its failures become [ExportException.Unwritable]. */
-public fun <T> writing(page: Path, work: () -> T): T = try {
+internal fun <T> writing(page: Path, work: () -> T): T = try {
     work()
 } catch (e: ExportException) {
     throw e
-} catch (_: ClosedByInterruptException) {
-    Thread.interrupted()
-    throw InterruptedException()
 } catch (e: IOException) {
-    val message = when {
-        e is AccessDeniedException -> "$page cannot be written: you have no permission to; choose another folder."
-        e is FileAlreadyExistsException -> "$page cannot be written: ${e.file} is a file, not a folder; choose another."
-        e is DiskFullException -> "$page cannot be written: the disk is full; make room, or choose another disk."
-        else -> "$page cannot be written (${e.message}); choose another place."
-    }
-    throw ExportException.Unwritable(page, message, e)
+    refusing { badlog.file.writing(page) { throw e } }
 }
 
 /** Looks before any work whether [file] is there and is a file. */

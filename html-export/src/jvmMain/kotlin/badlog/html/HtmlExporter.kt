@@ -1,6 +1,7 @@
 package badlog.html
 
 import badlog.bag.RecordingParser
+import badlog.file.AtomicFile
 import badlog.file.withGzipCut
 import badlog.formats.LOG_FORMATS
 import badlog.html.protocol.PageAdditions
@@ -63,7 +64,7 @@ public class HtmlExporter(private val attachments: List<Path> = emptyList(), pri
         val total = Files.size(input)
         val parser = RecordingParser(LOG_FORMATS, keepSamples = false)
         Files.createDirectories(page.parent)
-        return NewFile(page).use { file ->
+        return AtomicFile(page).use { file ->
             val writer = PageWriter(file.out, parts)
             writer.begin(head.title ?: name)
             val embedded = ExportThreads().use { threads ->

@@ -6,6 +6,7 @@ import badlog.cli.input.LogInput
 import badlog.cli.input.LogSearch
 import badlog.cli.input.NotALog
 import badlog.file.UnreadableFileException
+import badlog.file.UnwritableFileException
 import badlog.html.ExportException
 import badlog.report.TopicException
 import badlog.terminal.Progress
@@ -52,6 +53,8 @@ internal class LogLoop(command: String, private val console: Console, isJson: Bo
             is TopicException -> failure.message
 
             is UnreadableFileException -> failure.message
+
+            is UnwritableFileException -> failure.message
 
             is ExportException -> failure.message.orEmpty()
 

@@ -114,7 +114,7 @@ internal class ConvertTask(
     private fun withRowsOnly(read: Recording): Recording {
         val columns = read.topics.filter { it.times == null && it.size == read.rowCount }
         if (columns.size == read.topics.size) return read
-        return Recording(read.format, read.headerLine, read.values, columns, read.rowCount, read.problems)
+        return read.copy(topics = columns)
     }
 
     private companion object {

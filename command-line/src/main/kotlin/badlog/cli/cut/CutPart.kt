@@ -64,7 +64,7 @@ internal fun samplePart(view: LogView, spans: List<Span>): CutPart {
         val clock = (if (isEvent(topic) || topic.name == CLOCK_PAIR) happening else holding).of(times)
         topic.part(clock.indices, clock.times).let { if (isEvent(topic) && !isEvent(it)) it.with(it.attributes + EVENT_LOG) else it }
     }
-    val part = Recording(whole.format, whole.headerLine, whole.values, topics, 0, whole.problems)
+    val part = whole.copy(topics = topics, rowCount = 0)
     if (part.sampleCount == 0L) throw nothingThere(view, "sample")
     return CutPart(part, listOf(0 until 0), inside)
 }

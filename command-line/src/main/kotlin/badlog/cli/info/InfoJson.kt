@@ -1,7 +1,7 @@
 package badlog.cli.info
 
+import badlog.analysis.Units
 import badlog.cli.text.json
-import badlog.recording.Topic
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonObject
@@ -63,4 +63,4 @@ private fun topicJson(summary: TopicSummary): JsonElement {
     )
 }
 
-private fun unitOf(unit: String): String? = unit.takeUnless { it.isEmpty() || it == Topic.UNITLESS }
+private fun unitOf(unit: String): String? = unit.takeUnless(Units::isNone)

@@ -1,5 +1,6 @@
 package badlog.cli.info
 
+import badlog.analysis.Units
 import badlog.cli.text.XTime
 import badlog.cli.text.counted
 import badlog.cli.text.grouped
@@ -9,7 +10,6 @@ import badlog.cli.text.sizeText
 import badlog.cli.text.wrapped
 import badlog.recording.RecordingFormat
 import badlog.recording.Severity
-import badlog.recording.Topic
 import badlog.recording.TopicKind
 import badlog.terminal.TextTable
 import badlog.terminal.TextTable.Column
@@ -92,7 +92,7 @@ internal class InfoText(private val summary: LogSummary, private val parts: Set<
         val topic = summary.topic
         return listOf(
             topic.name,
-            if (topic.unit == Topic.UNITLESS) "" else topic.unit,
+            if (Units.isNone(topic.unit)) "" else topic.unit,
             topic.kind.name.lowercase(),
             grouped(summary.count.toLong()),
             summary.rate?.let(::rateText).orEmpty(),

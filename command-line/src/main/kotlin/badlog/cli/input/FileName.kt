@@ -1,6 +1,8 @@
 package badlog.cli.input
 
+import badlog.file.LogName
 import badlog.report.startOfBytes
+import badlog.text.freeName
 import java.nio.file.Path
 
 /**
@@ -14,8 +16,8 @@ internal class FileName private constructor(val stem: String, val ending: String
     /** The same name with [mark] before its ending. */
     fun marked(mark: String): String = "$stem.$mark$ending${if (isGzip) GZIP else ""}"
 
-    /** The same name with ` (2)` or another [number] before its ending. */
-    fun numbered(number: Int): String = "$stem ($number)$ending${if (isGzip) GZIP else ""}"
+    /** The same name, or where that is not free, one with the first number before its ending that is. */
+    fun free(isFree: (String) -> Boolean): String = freeName(stem, ending + if (isGzip) GZIP else "", isFree)
 
     /** The same name with another ending. */
     fun with(ending: String, isGzip: Boolean = this.isGzip): String = "$stem$ending${if (isGzip) GZIP else ""}"
@@ -37,15 +39,8 @@ internal class FileName private constructor(val stem: String, val ending: String
         private const val MOST_BYTES = 220
         private const val LONGEST_ENDING = 6
         private const val GZIP = ".gz"
-        private val ENDINGS = listOf(".bag", ".badbag", ".csv", ".wpilog")
 
         /** The name of [path]. */
-        fun of(path: Path): FileName {
-            val name = path.fileName.toString()
-            val isGzip = name.endsWith(GZIP, ignoreCase = true) && name.length > GZIP.length
-            val inner = if (isGzip) name.dropLast(GZIP.length) else name
-            val ending = ENDINGS.find { inner.endsWith(it, ignoreCase = true) && inner.length > it.length }.orEmpty()
-            return FileName(inner.dropLast(ending.length), inner.takeLast(ending.length), isGzip)
-        }
+        fun of(path: Path): FileName = LogName.of(path.fileName.toString()).run { FileName(stem, ending, isGzip) }
     }
 }

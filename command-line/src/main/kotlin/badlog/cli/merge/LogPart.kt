@@ -3,6 +3,7 @@ package badlog.cli.merge
 import badlog.analysis.LogView
 import badlog.analysis.Units
 import badlog.analysis.XAxis
+import badlog.analysis.stableOrder
 import badlog.cli.input.Failure
 import badlog.cli.input.FileName
 import badlog.cli.topic.part
@@ -50,12 +51,11 @@ internal class LogPart(val file: Path, val recording: Recording) {
 internal fun LogPart.withOwnTimes(): LogPart {
     if (!hasRows) return this
     val x = xTopic ?: throw Failure("$file has no x axis, so nothing tells where its rows belong; name the topic by --x.")
-    val isNone = x.unit.isEmpty() || x.unit == Topic.UNITLESS
-    val seconds = Units.secondsIn(x.unit) ?: 1.0.takeIf { isNone }
+    val seconds = Units.secondsIn(x.unit) ?: 1.0.takeIf { Units.isNone(x.unit) }
         ?: throw Failure("$file counts x in ${x.unit}, but a WPILOG in s; these are not one clock.")
     var last = Double.NaN
     val at = DoubleArray(x.size) { row -> this.x[row].let { if (it.isFinite()) it * seconds else last }.also { last = it } }
-    val rows = at.indices.filter { !at[it].isNaN() }.sortedBy { at[it] }.toIntArray()
+    val rows = stableOrder(at, at.indices.filter { !at[it].isNaN() }.toIntArray())
     val times = DoubleArray(rows.size) { at[rows[it]] }
     val topics = recording.topics.filter { it !== x }.map { topicAt(it, rows, times) }
     return LogPart(file, Recording(RecordingFormat.WPILOG, null, recording.values, topics, 0, recording.problems))

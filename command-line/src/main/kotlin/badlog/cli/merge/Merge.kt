@@ -1,5 +1,6 @@
 package badlog.cli.merge
 
+import badlog.analysis.Units
 import badlog.cli.input.Failure
 import badlog.cli.topic.CellSource
 import badlog.cli.topic.TopicBuilder
@@ -52,7 +53,7 @@ internal class Merge(parts: List<LogPart>, mode: MergeMode) {
         return namesOf(group).mapNotNull { name ->
             when {
                 x == null || name != x.name -> topic(groupIndex, group, name)
-                groupIndex == 0 -> xTopic(x).also { names.freeName(name, group.parts.first()) }
+                groupIndex == 0 -> xTopic(x).also { names.take(name, group.parts.first()) }
                 else -> null
             }
         }
@@ -73,7 +74,7 @@ internal class Merge(parts: List<LogPart>, mode: MergeMode) {
 
     private fun topic(groupIndex: Int, group: AppendedRows, name: String): Topic {
         val part = group.parts.first { it.topic(name) != null }
-        val merged = TopicBuilder(names.freeName(name, part), checkNotNull(part.topic(name)), joined.size)
+        val merged = TopicBuilder(names.take(name, part), checkNotNull(part.topic(name)), joined.size)
         val sources = group.parts.map { CellSource(it.topic(name)) }
         for (row in 0 until joined.size) {
             val index = joined.rowOf(groupIndex, row)
@@ -93,9 +94,7 @@ internal class Merge(parts: List<LogPart>, mode: MergeMode) {
         throw Failure("${withoutX[0].file} has no x axis, so nothing tells where its rows belong; name the topic by --x.")
     }
 
-    private fun isOther(unit: String, than: String) = unit != than && !isNone(unit) && !isNone(than)
-
-    private fun isNone(unit: String) = unit.isEmpty() || unit == Topic.UNITLESS
+    private fun isOther(unit: String, than: String) = unit != than && !Units.isNone(unit) && !Units.isNone(than)
 }
 
 /** How logs become one. */

@@ -1,6 +1,7 @@
 package badlog.cli.merge
 
 import badlog.recording.Value
+import badlog.text.freeName
 
 /** Gives each topic, or each value, of a merge a name of its own. */
 internal class MergedNames {
@@ -10,10 +11,10 @@ internal class MergedNames {
     val renamed = ArrayList<Renaming>()
 
     /** [name], or where that is taken, [name] in a folder that is called like the file of [part]. */
-    fun freeName(name: String, part: LogPart): String {
+    fun take(name: String, part: LogPart): String {
         if (taken.add(name)) return name
         val inFolder = "${part.folder}/$name"
-        val free = generateSequence(1) { it + 1 }.map { if (it == 1) inFolder else "$inFolder ($it)" }.first(taken::add)
+        val free = freeName(inFolder, isFree = taken::add)
         renamed += Renaming(part, name, free)
         return free
     }
@@ -23,7 +24,7 @@ internal class MergedNames {
         val values = ArrayList<Value>()
         for (part in parts) {
             for (value in part.recording.values) {
-                if (value !in values) values += value.copy(name = freeName(value.name, part))
+                if (value !in values) values += value.copy(name = take(value.name, part))
             }
         }
         return values

@@ -30,7 +30,7 @@ internal class SampleMerge(parts: List<LogPart>, mode: MergeMode) {
             for (lane in lanesOf(group)) {
                 val appended = AppendedSamples(lane.pieces)
                 repeated += appended.repeated
-                topics += appended.topic.called(names.freeName(lane.name, lane.part))
+                topics += appended.topic.called(names.take(lane.name, lane.part))
             }
             Merged.Group(group, repeated)
         }

@@ -80,10 +80,9 @@ internal class OutputPlan(private val out: Output?, private val paths: List<Path
 
     /** Of two logs that would have one result, the second gets a number. */
     private fun free(wanted: Path): Path {
-        val name = FileName.of(wanted).fitting()
-        return generateSequence(1) { it + 1 }
-            .map { if (it == 1) wanted.resolveSibling(name.toString()) else wanted.resolveSibling(name.numbered(it)) }
-            .first { taken.add(it.toAbsolutePath().normalize().toString().lowercase()) }
+        val folder = wanted.toAbsolutePath().normalize().parent
+        val name = FileName.of(wanted).fitting().free { taken.add(folder.resolve(it).toString().lowercase()) }
+        return wanted.resolveSibling(name)
     }
 }
 

@@ -3,8 +3,7 @@ package badlog.cli.output
 import badlog.cli.input.FileName
 import badlog.file.GzipReader
 import badlog.file.reading
-import badlog.html.NewFile
-import badlog.html.writing
+import badlog.file.writeAtomically
 import badlog.recording.Recording
 import badlog.terminal.Progress
 import java.io.OutputStream
@@ -18,7 +17,7 @@ import java.util.zip.GZIPOutputStream
  *
  * @param changesOnly whether samples are left out that are the same as those before them.
  * @return what [format] has no place for.
- * @throws badlog.html.ExportException when it cannot be written.
+ * @throws badlog.file.UnwritableFileException when it cannot be written.
  * @throws badlog.cli.input.Failure when the format needs rows, and there are none.
  */
 internal fun writeLog(
@@ -38,27 +37,20 @@ internal fun writeLog(
 /**
  * Makes [target] of what [write] writes: there whole or as it was before, gzipped when its name ends so.
  *
- * @throws badlog.html.ExportException when it cannot be written.
+ * @throws badlog.file.UnwritableFileException when it cannot be written.
  */
-internal fun <T> newLog(target: Path, write: (OutputStream) -> T): T {
-    val file = target.toAbsolutePath().normalize()
-    return writing(target) {
-        Files.createDirectories(file.parent)
-        NewFile(file).use { draft ->
-            val gzip = if (FileName.of(file).isGzip) GZIPOutputStream(draft.out, 1 shl 16) else null
-            val written = write(gzip ?: draft.out)
-            gzip?.finish()
-            draft.commit()
-            written
-        }
-    }
+internal fun <T> newLog(target: Path, write: (OutputStream) -> T): T = writeAtomically(target) { out ->
+    val gzip = if (FileName.of(target).isGzip) GZIPOutputStream(out, 1 shl 16) else null
+    val written = write(gzip ?: out)
+    gzip?.finish()
+    written
 }
 
 /**
  * Makes [target] a copy of [log], inflated and perhaps compressed again, without its last [lostBytes], to the byte.
  *
  * @param progress hears how many bytes are copied, and how many there are.
- * @throws badlog.html.ExportException when it cannot be written.
+ * @throws badlog.file.UnwritableFileException when it cannot be written.
  * @throws badlog.file.UnreadableFileException when the log cannot be read.
  */
 internal fun copyBeginning(log: Path, lostBytes: Long, target: Path, progress: Progress) {

@@ -1,9 +1,9 @@
 package badlog.cli.output
 
+import badlog.analysis.Units
 import badlog.bag.RecordingWriter
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
-import badlog.recording.Topic
 
 /** Writes the header of [recording] and the rows [runs], as a bag or CSV; returns what that has no place for. */
 internal fun writeRows(
@@ -39,7 +39,7 @@ private fun leftOutOfCsv(recording: Recording): LeftOut {
     val topics = recording.topics
     return LeftOut(
         listOfNotNull(
-            LeftOut.thing(topics.count { it.unit.isNotEmpty() && it.unit != Topic.UNITLESS }, "unit"),
+            LeftOut.thing(topics.count { !Units.isNone(it.unit) }, "unit"),
             LeftOut.thing(topics.sumOf { it.attributes.size }, "attribute"),
             LeftOut.thing(recording.values.size, "value"),
         ),

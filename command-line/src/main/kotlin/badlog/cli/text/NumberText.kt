@@ -1,6 +1,6 @@
 package badlog.cli.text
 
-import badlog.recording.Topic
+import badlog.analysis.Units
 import java.math.BigDecimal
 import java.math.MathContext
 import kotlin.math.abs
@@ -41,8 +41,7 @@ private const val PLAIN_TO = 1e9
 /** Positions and lengths on an x axis, as a person reads them. */
 internal object XTime {
     /** [position] in [unit], as a person reads it. */
-    fun text(position: Double, unit: String): String =
-        shortNumber(position) + if (unit.isEmpty() || unit == Topic.UNITLESS) "" else " $unit"
+    fun text(position: Double, unit: String): String = shortNumber(position) + if (Units.isNone(unit)) "" else " $unit"
 
     /** [seconds] as minutes and seconds, `1:32.5`, or from an hour on as `1:20:05`. */
     fun clock(seconds: Double): String {

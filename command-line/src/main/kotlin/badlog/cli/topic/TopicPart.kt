@@ -15,13 +15,11 @@ internal fun Topic.part(indices: IntArray, times: DoubleArray? = null): Topic {
 internal fun Recording.part(runs: List<IntRange>): Recording {
     if (runs == listOf(0 until rowCount)) return this
     val rows = runs.flatMap { it }.toIntArray()
-    return Recording(format, headerLine, values, topics.map { it.part(rows) }, rows.size, problems)
+    return copy(topics = topics.map { it.part(rows) }, rowCount = rows.size)
 }
 
 /** This topic under another name. */
-internal fun Topic.called(name: String): Topic =
-    if (name == this.name) this else Topic(name, unit, attributes, samples, texts, counts, times, type, metadata)
+internal fun Topic.called(name: String): Topic = if (name == this.name) this else copy(name = name)
 
 /** This topic with other [attributes]. */
-internal fun Topic.with(attributes: List<String>): Topic =
-    if (attributes == this.attributes) this else Topic(name, unit, attributes, samples, texts, counts, times, type, metadata)
+internal fun Topic.with(attributes: List<String>): Topic = if (attributes == this.attributes) this else copy(attributes = attributes)

@@ -1,5 +1,6 @@
 package badlog.viewer.files
 
+import badlog.file.LogName
 import java.nio.file.Path
 
 /** [text] as a part of a file's name on any system: without what they forbid, and not too long. */
@@ -10,12 +11,7 @@ internal fun fileNameOf(text: String): String = text.map { if (it.isISOControl()
     .ifEmpty { "badlog" }
 
 /** The name of [file] without what tells its format. */
-internal fun stemOf(file: Path): String {
-    var name = file.fileName.toString()
-    for (ending in ENDINGS) if (name.endsWith(ending, ignoreCase = true)) name = name.dropLast(ending.length)
-    return fileNameOf(name)
-}
+internal fun stemOf(file: Path): String = fileNameOf(LogName.of(file.fileName.toString()).stem)
 
 private const val FORBIDDEN = "\\/:*?\"<>|"
 private const val LONGEST = 120
-private val ENDINGS = listOf(".gz", ".bag", ".badbag", ".csv", ".wpilog")

@@ -1,6 +1,6 @@
 package badlog.viewer.layout
 
-import badlog.viewer.files.writeWhole
+import badlog.file.writeAtomically
 import badlog.viewer.settings.keyOf
 import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
@@ -41,7 +41,7 @@ internal fun readLayout(file: Path): Layout {
  */
 internal fun writeLayout(file: Path, layout: Layout) {
     val text = JSON.encodeToString(Layout.serializer(), layout)
-    writeWhole(file) { it.write(text.encodeToByteArray()) }
+    writeAtomically(file) { it.write(text.encodeToByteArray()) }
 }
 
 private const val LARGEST = 16L shl 20

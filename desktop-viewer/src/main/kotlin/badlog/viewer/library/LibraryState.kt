@@ -1,10 +1,10 @@
 package badlog.viewer.library
 
+import badlog.file.LogName
 import badlog.file.NaturalOrder
 import badlog.plot.search.Query
 import badlog.viewer.library.index.Content
 import badlog.viewer.library.index.LogEntry
-import badlog.viewer.library.index.isNamedAsLog
 import java.nio.file.Path
 
 /**
@@ -42,7 +42,7 @@ internal data class LibraryState(
     val newest: LogEntry?
         get() {
             val readable = entries.filter { it.isReadable }
-            val logs = readable.filter { isNamedAsLog(it.fileName) }.ifEmpty { readable }
+            val logs = readable.filter { LogName.of(it.fileName).isOnlyOfLogs }.ifEmpty { readable }
             return logs.filter { !it.isGrey }.maxWithOrNull(AGE) ?: logs.maxWithOrNull(AGE)
         }
 

@@ -41,12 +41,12 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import badlog.file.writeAtomically
 import badlog.plot.search.Query
 import badlog.plot.statistics.Statistic
 import badlog.viewer.app.Viewer
 import badlog.viewer.compare.drawnRecordings
 import badlog.viewer.files.askToWrite
-import badlog.viewer.files.writeWhole
 import badlog.viewer.panels.MainView
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
@@ -206,7 +206,7 @@ private fun TopicChoice(topic: String, isChosen: Boolean, onClick: () -> Unit) {
 
 /** Saves [grid] as CSV into [file]. */
 internal fun saveCsv(viewer: Viewer, grid: StatisticsGrid, file: Path) {
-    viewer.tasks.run("Saving ${file.fileName}", { writeWhole(file) { it.write(grid.toCsv().encodeToByteArray()) } }) {
+    viewer.tasks.run("Saving ${file.fileName}", { writeAtomically(file) { it.write(grid.toCsv().encodeToByteArray()) } }) {
         viewer.notices.say("The table is saved in $file.")
     }
 }

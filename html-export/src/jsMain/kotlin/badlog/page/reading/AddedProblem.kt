@@ -4,5 +4,4 @@ import badlog.recording.Problem
 import badlog.recording.Recording
 
 /** This recording with one more problem, which its bytes alone do not tell. */
-internal operator fun Recording.plus(problem: Problem): Recording =
-    Recording(format, headerLine, values, topics, rowCount, problems + problem)
+internal operator fun Recording.plus(problem: Problem): Recording = copy(problems = problems + problem)

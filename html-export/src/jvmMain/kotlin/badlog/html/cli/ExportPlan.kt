@@ -1,7 +1,9 @@
 package badlog.html.cli
 
+import badlog.file.LogName
 import badlog.html.PAGE_START
 import badlog.html.reading
+import badlog.text.freeName
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
@@ -26,13 +28,15 @@ internal class ExportPlan(private val arguments: Arguments) {
         return inputs.map { ExportJob(it.file, freePage(it.file, taken), it.isFound) }
     }
 
+    // A missing file that is named like a log is one whose name was mistyped.
     // What exists without such a name is an output only as the page of an earlier run, so that a second one does the same.
-    private fun isOutput(path: Path) =
-        isPage(path) || (!path.endsIn(LOGS) && (Files.notExists(path) || (Files.isRegularFile(path) && beginsAsPage(path))))
+    private fun isOutput(path: Path) = isPage(path) ||
+        (
+            !LogName.of(path.fileName?.toString().orEmpty()).mayBeLog &&
+                (Files.notExists(path) || (Files.isRegularFile(path) && beginsAsPage(path)))
+            )
 
-    private fun isPage(path: Path) = path.endsIn(PAGES)
-
-    private fun Path.endsIn(endings: List<String>) = endings.any { toString().endsWith(it, ignoreCase = true) }
+    private fun isPage(path: Path) = PAGES.any { path.toString().endsWith(it, ignoreCase = true) }
 
     private fun beginsAsPage(path: Path) = try {
         Files.newInputStream(path).use { it.readNBytes(PAGE_START.length) }.decodeToString() == PAGE_START
@@ -49,9 +53,7 @@ internal class ExportPlan(private val arguments: Arguments) {
     private fun freePage(input: Path, taken: MutableSet<String>): Path {
         val name = input.fileName.toString()
         val folder = arguments.outFolder ?: input.toAbsolutePath().parent
-        return generateSequence(1) { it + 1 }
-            .map { folder.resolve(if (it == 1) "$name.html" else "$name ($it).html") }
-            .first { taken.add(keyOf(it)) }
+        return folder.resolve(freeName(name, ".html") { taken.add(keyOf(folder.resolve(it))) })
     }
 
     // Most disks of laptops do not tell upper from lower case.
@@ -59,8 +61,5 @@ internal class ExportPlan(private val arguments: Arguments) {
 
     private companion object {
         val PAGES = listOf(".html", ".htm")
-
-        /** A missing file with such a name is a log whose name was mistyped. */
-        val LOGS = listOf(".bag", ".badbag", ".csv", ".gz", ".wpilog")
     }
 }

@@ -9,7 +9,6 @@ import badlog.expression.samples.Stretches
 import badlog.expression.signals.Signals
 import badlog.expression.signals.Vocabulary
 import badlog.recording.CellCounts
-import badlog.recording.Recording
 import badlog.recording.TextColumn
 import badlog.recording.Topic
 
@@ -38,7 +37,7 @@ public fun LogView.withVirtualTopics(definitions: List<String>): ViewWithVirtual
     if (defined.topics.isEmpty()) return ViewWithVirtualTopics(this, emptyList(), defined.errors)
     val extended = recording.run {
         val added = defined.topics.map { calculatedTopic(it, defined.signals.series(it.name), xAxis, defined.signals.stretches) }
-        Recording(format, headerLine, values, topics + added, rowCount, problems)
+        copy(topics = topics + added)
     }
     return ViewWithVirtualTopics(LogView.of(extended), defined.topics, defined.errors)
 }

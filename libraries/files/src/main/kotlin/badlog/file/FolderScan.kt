@@ -65,13 +65,9 @@ public class FolderScan private constructor(public val files: List<LogFile>, pub
     }
 }
 
-private val ENDINGS = listOf(".bag", ".badbag", ".csv", ".gz", ".wpilog")
-
 /** Whether [name] may be that of a log; what is in the file decides later. */
-private fun isNamedLikeLog(name: String): Boolean {
-    val lower = name.lowercase()
-    return !lower.startsWith(".") && ENDINGS.any { lower.endsWith(it) } && !lower.endsWith(".tar.gz")
-}
+private fun isNamedLikeLog(name: String): Boolean =
+    !name.startsWith(".") && LogName.of(name).mayBeLog && !name.endsWith(".tar.gz", ignoreCase = true)
 
 private fun isPassedOver(folder: Path): Boolean {
     val name = folder.fileName.toString()

@@ -1,5 +1,7 @@
 package badlog.wpilog
 
+import badlog.analysis.stableOrder
+
 /** The growing times of one or several columns, in s. */
 internal class Clock(private val keepsSamples: Boolean) {
     private val growing = GrowingDoubles()
@@ -58,37 +60,8 @@ internal class Clock(private val keepsSamples: Boolean) {
         var next = 0
         for (i in 0 until size) if (all[i] < 0 || all[i] in span) indices[next++] = i
         for (i in 1 until kept) if (all[indices[i]] < all[indices[i - 1]]) disorder++
-        val sorted = if (disorder == 0) indices else sortedStably(indices, all)
+        val sorted = if (disorder == 0) indices else stableOrder(all, indices)
         order = sorted
         times = DoubleArray(kept) { i -> all[sorted[i]].let { if (it < 0) span.start else it } }
-    }
-}
-
-/** [indices] in the order of their [keys], equal ones as they stand: a merge sort from the bottom up, without objects. */
-private fun sortedStably(indices: IntArray, keys: DoubleArray): IntArray {
-    var from = indices
-    var to = IntArray(indices.size)
-    var width = 1
-    while (width < from.size) {
-        var start = 0
-        while (start < from.size) {
-            merge(from, to, keys, start, minOf(start.toLong() + width, from.size.toLong()).toInt(), width)
-            start = minOf(start.toLong() + 2L * width, from.size.toLong()).toInt()
-        }
-        val sorted = to
-        to = from
-        from = sorted
-        width = minOf(width * 2L, from.size.toLong()).toInt()
-    }
-    return from
-}
-
-private fun merge(from: IntArray, to: IntArray, keys: DoubleArray, start: Int, middle: Int, width: Int) {
-    val end = minOf(middle.toLong() + width, from.size.toLong()).toInt()
-    var left = start
-    var right = middle
-    for (i in start until end) {
-        val takesLeft = right == end || (left < middle && keys[from[left]] <= keys[from[right]])
-        to[i] = if (takesLeft) from[left++] else from[right++]
     }
 }

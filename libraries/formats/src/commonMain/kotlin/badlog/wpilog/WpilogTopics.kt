@@ -5,10 +5,11 @@ import badlog.recording.ProblemKind
 import badlog.recording.ProblemList
 import badlog.recording.TextColumn
 import badlog.recording.Topic
+import badlog.text.UniqueNames
 
 /** Makes the topics of the entries, each with a name of its own. Keeps what lies in [span], in s. */
 internal class WpilogTopics(private val span: ClosedFloatingPointRange<Double>, private val problems: ProblemList) {
-    private val names = HashSet<String>()
+    private val names = UniqueNames()
     private val topics = ArrayList<Topic>()
 
     fun of(entries: Collection<Entry>): List<Topic> {
@@ -32,11 +33,11 @@ internal class WpilogTopics(private val span: ClosedFloatingPointRange<Double>, 
             entry.wasXAxis,
         )
         // An entry without records, or with nothing but empty arrays, is there all the same.
-        if (decoder.blocks.none { it.columns.isNotEmpty() }) topics += withoutSamples.copy(name = freeName(entry.name))
+        if (decoder.blocks.none { it.columns.isNotEmpty() }) topics += withoutSamples.copy(name = uniqueName(entry.name))
         for (block in decoder.blocks) {
             block.clock.finish(span)
             for (column in block.columns) {
-                val name = freeName(entry.name + column.path)
+                val name = uniqueName(entry.name + column.path)
                 val topic = column.build(name, withoutSamples, block.clock)
                 reportTopic(topic, column, block.clock, problems)
                 topics += topic
@@ -44,10 +45,8 @@ internal class WpilogTopics(private val span: ClosedFloatingPointRange<Double>, 
         }
     }
 
-    private fun freeName(wanted: String): String {
-        var name = wanted
-        var copy = 2
-        while (!names.add(name)) name = "$wanted (${copy++})"
+    private fun uniqueName(wanted: String): String {
+        val name = names.give(wanted)
         if (name != wanted) {
             problems.add(
                 ProblemKind.DUPLICATE_TOPIC,

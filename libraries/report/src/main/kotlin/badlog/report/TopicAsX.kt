@@ -18,7 +18,7 @@ public fun Recording.withX(name: String, file: Path): Recording {
         throw TopicException("$file is a WPILOG, whose x axis is always the time; leave out --x, or convert it to a bag first.")
     }
     val chosen = topicCalled(name, file) { "to be the x axis" }
-    return Recording(format, headerLine, values, topics.map { it.asX(it === chosen) }, rowCount, problems)
+    return copy(topics = topics.map { it.asX(it === chosen) })
 }
 
 /**
@@ -33,8 +33,7 @@ public fun Recording.topicCalled(name: String, file: Path, purpose: () -> String
 
 private fun Topic.asX(isX: Boolean): Topic {
     if (isX == X_AXIS in attributes) return this
-    val changed = if (isX) attributes + X_AXIS else attributes - X_AXIS
-    return Topic(name, unit, changed, samples, texts, counts, times, type, metadata)
+    return copy(attributes = if (isX) attributes + X_AXIS else attributes - X_AXIS)
 }
 
 private fun listed(names: List<String>) =

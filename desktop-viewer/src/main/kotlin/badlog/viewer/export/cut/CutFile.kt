@@ -2,11 +2,11 @@ package badlog.viewer.export.cut
 
 import badlog.analysis.Span
 import badlog.bag.RecordingWriter
+import badlog.file.writeAtomically
 import badlog.recording.RecordingFormat
 import badlog.viewer.app.Viewer
 import badlog.viewer.files.askToWrite
 import badlog.viewer.files.stemOf
-import badlog.viewer.files.writeWhole
 import badlog.viewer.recording.OpenRecording
 import java.io.IOException
 import java.nio.file.Files
@@ -25,7 +25,7 @@ internal fun cutFile(recording: OpenRecording, span: Span, format: RecordingForm
     if (Files.exists(target) && Files.exists(recording.file) && Files.isSameFile(target, recording.file)) {
         throw IOException("${target.fileName} is the open log itself, which its part must not replace; choose another name.")
     }
-    writeWhole(target) { out ->
+    writeAtomically(target) { out ->
         val heard = { done: Int, total: Int ->
             if (Thread.interrupted()) throw InterruptedException()
             progress(done.toFloat() / total)

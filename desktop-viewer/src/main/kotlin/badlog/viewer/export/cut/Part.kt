@@ -47,8 +47,13 @@ private fun rowsOf(recording: OpenRecording, whole: Recording, span: Span): Part
         recording.signal(topic.name)?.definition == null || (topic.times == null && topic.samples.size == whole.rowCount)
     }
     if (others.isEmpty()) return Part(whole, rows)
-    val part = Recording(whole.format, whole.headerLine, whole.values, columns, whole.rowCount, whole.problems)
-    return Part(part, rows, ", without ${others.joinToString { "“${it.name}”" }}, which has no value in each of them")
+    return Part(
+        whole.copy(topics = columns),
+        rows,
+        ", without ${others.joinToString {
+            "“${it.name}”"
+        }}, which has no value in each of them",
+    )
 }
 
 private fun countWithin(topic: Topic, from: Double, to: Double) = topic.times?.count { it in from..to } ?: 0

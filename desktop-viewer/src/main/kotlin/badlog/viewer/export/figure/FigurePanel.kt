@@ -26,12 +26,12 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import badlog.file.writeAtomically
 import badlog.viewer.app.Viewer
 import badlog.viewer.compare.drawnRecordings
 import badlog.viewer.export.openAction
 import badlog.viewer.files.askToWrite
 import badlog.viewer.files.fileNameOf
-import badlog.viewer.files.writeWhole
 import badlog.viewer.graph.GraphSpec
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
@@ -125,11 +125,11 @@ internal fun writeFigure(figure: Figure, options: FigureOptions, file: Path) {
     val svg = svgOf(figure, options)
     if (Thread.interrupted()) throw InterruptedException()
     when (options.format) {
-        FigureFormat.SVG -> writeWhole(file) { it.write(svg.encodeToByteArray()) }
+        FigureFormat.SVG -> writeAtomically(file) { it.write(svg.encodeToByteArray()) }
 
         FigureFormat.PNG -> {
             val image = imageOf(svg, options.width, PICTURE_SCALE)
-            writeWhole(file) { ImageIO.write(image, "png", it) }
+            writeAtomically(file) { ImageIO.write(image, "png", it) }
         }
     }
 }

@@ -7,7 +7,10 @@ import badlog.formats.LOG_FORMATS
 import badlog.html.ExportException
 import badlog.html.HtmlExporter
 import badlog.html.protocol.PageAdditions
+import badlog.report.page.pageAdditions
 import badlog.rules.FolderRules
+import badlog.text.freeName
+import badlog.viewer.findings.findingsOf
 import badlog.viewer.recording.OpenRecording
 import java.io.IOException
 import java.nio.file.Path
@@ -33,10 +36,8 @@ internal fun pageJobs(logs: List<Path>, folder: Path): List<PageJob> {
     val taken = HashSet<String>()
     return logs.distinct().map { log ->
         val name = log.fileName.toString()
-        val page = generateSequence(1) { it + 1 }
-            .map { if (it == 1) "$name.html" else "$name ($it).html" }
-            // Most disks of laptops do not tell upper from lower case.
-            .first { taken.add(it.lowercase()) }
+        // Most disks of laptops do not tell upper from lower case.
+        val page = freeName(name, ".html") { taken.add(it.lowercase()) }
         PageJob(log, folder.resolve(page))
     }
 }

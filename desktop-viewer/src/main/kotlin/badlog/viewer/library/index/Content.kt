@@ -1,6 +1,6 @@
 package badlog.viewer.library.index
 
-import badlog.recording.PathName
+import badlog.analysis.isNameOfEnabled
 import badlog.recording.Recording
 import badlog.recording.Topic
 
@@ -56,7 +56,4 @@ private fun tells(topic: Topic): Boolean {
 }
 
 private fun isNeverEnabled(topic: TopicSummary): Boolean =
-    PathName.baseNameOf(topic.name).replace('_', ' ').lowercase().substringAfterLast(':') in ENABLED &&
-        topic.statistics.count > 0 && topic.statistics.max == 0.0
-
-private val ENABLED = setOf("enabled", "robot enabled", "isenabled")
+    isNameOfEnabled(topic.name) && topic.statistics.count > 0 && topic.statistics.max == 0.0

@@ -1,6 +1,6 @@
 package badlog.viewer.library.index
 
-import badlog.viewer.files.writeWhole
+import badlog.file.writeAtomically
 import badlog.viewer.settings.keyOf
 import java.io.IOException
 import java.nio.file.Files
@@ -29,6 +29,6 @@ internal class IndexCache(cache: Path, folder: Path) {
      */
     fun save(entries: Collection<LogEntry>) {
         val bytes = IndexFormat.encode(entries)
-        writeWhole(file) { it.write(bytes) }
+        writeAtomically(file) { it.write(bytes) }
     }
 }

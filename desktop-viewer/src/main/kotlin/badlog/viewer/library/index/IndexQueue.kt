@@ -1,6 +1,7 @@
 package badlog.viewer.library.index
 
 import badlog.file.LogFile
+import badlog.file.LogName
 import java.nio.file.Path
 import java.util.TreeSet
 import kotlin.time.Duration
@@ -98,7 +99,7 @@ internal class IndexQueue(cached: Collection<LogEntry> = emptyList()) {
      */
     @Synchronized
     fun newestKnown(): List<LogEntry> {
-        val files = present.values.filter { isNamedAsLog(it.name) }.ifEmpty { present.values }
+        val files = present.values.filter { LogName.of(it.name).isOnlyOfLogs }.ifEmpty { present.values }
         return files.sortedWith(NEWEST_FIRST).takeWhile { it.path in known }.mapNotNull { known[it.path] }
     }
 

@@ -5,6 +5,7 @@ import badlog.analysis.Units
 import badlog.analysis.matchTitle
 import badlog.analysis.statistics
 import badlog.file.LogFile
+import badlog.file.LogName
 import badlog.file.readRecording
 import badlog.formats.LOG_FORMATS
 import badlog.recording.PathName
@@ -75,7 +76,7 @@ private fun summaryOf(file: LogFile, view: LogView): LogEntry {
                 contentOf(recording, topics, time, seconds, isMatch = matchTitle(recording.values) != null)
             }
 
-            isNamedAsLog(file.name) -> Content.UNREADABLE
+            LogName.of(file.name).isOnlyOfLogs -> Content.UNREADABLE
 
             else -> Content.NO_LOG
         },
@@ -117,6 +118,6 @@ private fun lowestVoltage(topics: List<Topic>, name: String): Double? {
 /** How many seconds [duration] in [unit] is; null when the unit is none of time. */
 internal fun secondsOf(duration: Double, unit: String): Double? {
     // A log without units is a plain CSV file, whose time nearly always is in seconds.
-    val seconds = if (unit.isBlank() || Units.isNone(unit)) 1.0 else Units.secondsIn(unit)
+    val seconds = if (Units.isNone(unit)) 1.0 else Units.secondsIn(unit)
     return seconds?.let { duration * it }
 }

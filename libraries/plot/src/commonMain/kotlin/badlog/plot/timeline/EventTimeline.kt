@@ -3,6 +3,7 @@ package badlog.plot.timeline
 import badlog.analysis.Event
 import badlog.analysis.EventLog
 import badlog.analysis.Series
+import badlog.analysis.stableOrder
 import badlog.plot.search.Query
 import kotlin.math.abs
 
@@ -100,7 +101,7 @@ public class EventTimeline private constructor(
                     cells[next++] = cell
                 }
             }
-            val order = orderOf(x)
+            val order = stableOrder(x)
             return EventTimeline(
                 DoubleArray(count) { x[order[it]] },
                 logs,
@@ -116,32 +117,6 @@ private fun isSerious(text: String): Boolean {
     var start = 0
     while (start < text.length && !text[start].isLetterOrDigit() && text[start] != '_') start++
     return SERIOUS.any { text.startsWith(it, start, ignoreCase = true) }
-}
-
-/** The indexes of [x] from the smallest to the largest, equal ones as they stand, NaN last: a merge sort of plain numbers. */
-internal fun orderOf(x: DoubleArray): IntArray {
-    var from = IntArray(x.size) { it }
-    var isOrdered = true
-    // As most logs are.
-    for (i in 1 until x.size) if (x[i].compareTo(x[i - 1]) < 0) isOrdered = false
-    if (isOrdered) return from
-    var into = IntArray(x.size)
-    var width = 1
-    while (width < x.size) {
-        for (start in 0 until x.size step width * 2) {
-            var left = start
-            val middle = minOf(start + width, x.size)
-            var right = middle
-            val end = minOf(start + width * 2, x.size)
-            for (i in start until end) {
-                val takesLeft = left < middle && (right >= end || x[from[left]].compareTo(x[from[right]]) <= 0)
-                into[i] = if (takesLeft) from[left++] else from[right++]
-            }
-        }
-        from = into.also { into = from }
-        width *= 2
-    }
-    return from
 }
 
 private val SERIOUS = listOf("error", "warn", "fatal", "severe", "critical")

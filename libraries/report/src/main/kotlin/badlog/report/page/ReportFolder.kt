@@ -1,16 +1,18 @@
 package badlog.report.page
 
 import badlog.file.LogFile
+import badlog.file.LogName
+import badlog.file.UnwritableFileException
+import badlog.file.writeAtomically
 import badlog.html.ExportException
 import badlog.html.HtmlExporter
-import badlog.html.NewFile
 import badlog.html.protocol.PageAdditions
-import badlog.html.writing
 import badlog.report.LogReport
 import badlog.report.ReportResult
 import badlog.report.hook.HookOutcome
 import badlog.report.startOfBytes
 import badlog.rules.RuleSet
+import badlog.text.freeName
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
@@ -54,7 +56,7 @@ public class ReportFolder(
      */
     public fun add(log: LogReport, hooks: List<HookOutcome> = emptyList()): Path? {
         if (log.unreadable != null) return null
-        val name = freeName(log)
+        val name = pageName(log)
         val page = folder.resolve(name)
         check(page)
         val defined = virtualTopics - log.undefined.mapTo(HashSet()) { it.definition }
@@ -71,12 +73,10 @@ public class ReportFolder(
      */
     public fun writeIndex(result: ReportResult, title: String = "Report"): Path {
         check(index)
-        writing(index) {
-            Files.createDirectories(folder)
-            NewFile(index.toAbsolutePath().normalize()).use { draft ->
-                draft.out.write(reportPage(result, title) { pages[it] }.encodeToByteArray())
-                draft.commit()
-            }
+        try {
+            writeAtomically(index) { it.write(reportPage(result, title) { log -> pages[log] }.encodeToByteArray()) }
+        } catch (e: UnwritableFileException) {
+            throw ExportException.Unwritable(index, e.message, e)
         }
         return index
     }
@@ -91,11 +91,9 @@ public class ReportFolder(
         throw ExportException.Unwritable(page, reason)
     }
 
-    private fun freeName(log: LogReport): String {
-        val base = startOfBytes(log.file.name.replace(ENDINGS, ""), MOST_BYTES)
-        return generateSequence(1) { it + 1 }
-            .map { if (it == 1) "$base.html" else "$base ($it).html" }
-            .first { taken.add(it.lowercase()) }
+    private fun pageName(log: LogReport): String {
+        val base = startOfBytes(LogName.of(log.file.name).stem, MOST_BYTES)
+        return freeName(base, ".html") { taken.add(it.lowercase()) }
     }
 
     private companion object {
@@ -104,7 +102,6 @@ public class ReportFolder(
 
         /** File systems allow 255, and a page has a longer name while it is written. */
         const val MOST_BYTES = 180
-        val ENDINGS = Regex("(\\.(bag|badbag|csv|wpilog))?(\\.gz)?$", RegexOption.IGNORE_CASE)
 
         fun realPath(file: Path): Path = try {
             file.toRealPath()

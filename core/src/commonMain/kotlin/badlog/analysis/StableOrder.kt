@@ -1,0 +1,31 @@
+package badlog.analysis
+
+/**
+ * The [indices] in the ascending order of their [keys], equal ones as they stand and NaN last: a merge sort from the bottom up,
+ * without an object for each.
+ */
+public fun stableOrder(keys: DoubleArray, indices: IntArray = IntArray(keys.size) { it }): IntArray {
+    var from = indices
+    var to = IntArray(indices.size)
+    val size = from.size.toLong()
+    var width = 1L
+    while (width < size) {
+        for (start in 0 until size step 2 * width) {
+            merge(from, to, keys, start.toInt(), minOf(start + width, size).toInt(), minOf(start + 2 * width, size).toInt())
+        }
+        to = from.also { from = to }
+        width *= 2
+    }
+    return from
+}
+
+private fun merge(from: IntArray, to: IntArray, keys: DoubleArray, start: Int, middle: Int, end: Int) {
+    var left = start
+    var right = middle
+    for (i in start until end) {
+        val takesLeft = right == end || (left < middle && isInOrder(keys[from[left]], keys[from[right]]))
+        to[i] = if (takesLeft) from[left++] else from[right++]
+    }
+}
+
+private fun isInOrder(one: Double, other: Double) = one <= other || other.isNaN()

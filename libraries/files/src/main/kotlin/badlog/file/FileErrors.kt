@@ -1,0 +1,89 @@
+package badlog.file
+
+import java.io.IOException
+import java.io.InterruptedIOException
+import java.nio.channels.ClosedByInterruptException
+import java.nio.file.AccessDeniedException
+import java.nio.file.FileAlreadyExistsException
+import java.nio.file.FileSystemException
+import java.nio.file.Files
+import java.nio.file.NoSuchFileException
+import java.nio.file.Path
+
+/**
+ * A file or a folder cannot be read. The message is one sentence for the person who asked: what, where, and what to do.
+ *
+ * @property file what was to be read.
+ */
+public class UnreadableFileException(public val file: Path, override val message: String, cause: Throwable? = null) :
+    IOException(message, cause)
+
+/**
+ * A file cannot be written. The message is one sentence for the person who asked: what, where, and what to do.
+ *
+ * @property file what was to be written.
+ */
+public class UnwritableFileException(public val file: Path, override val message: String, cause: Throwable? = null) :
+    IOException(message, cause)
+
+/**
+ * Runs [work], which reads [file], a file or a folder.
+ *
+ * @throws UnreadableFileException for an [IOException] of [work].
+ * @throws InterruptedException when the thread was interrupted while it read.
+ */
+public fun <T> reading(file: Path, work: () -> T): T = try {
+    work()
+} catch (_: ClosedByInterruptException) {
+    Thread.interrupted()
+    throw InterruptedException()
+} catch (e: IOException) {
+    val message = when (e) {
+        is NoSuchFileException -> "There is no file $file; look for a typing error in its name."
+        is AccessDeniedException -> "$file cannot be read: you have no permission to; copy it, or ask its owner."
+        else -> "$file cannot be read (${e.message}); try to copy it to this computer's disk first."
+    }
+    throw UnreadableFileException(file, message, e)
+}
+
+/**
+ * Looks whether [file] is there and is a regular file, which can be opened without waiting for another program.
+ *
+ * @throws UnreadableFileException when it is not.
+ */
+public fun requireRegularFile(file: Path) {
+    if (Files.isDirectory(file)) throw UnreadableFileException(file, "$file is a folder, where a file is expected.")
+    reading(file) { file.toRealPath() }
+    if (!Files.isRegularFile(file)) {
+        throw UnreadableFileException(file, "$file is no ordinary file; copy what it holds into a file first.")
+    }
+}
+
+/**
+ * Runs [work], which writes [file].
+ *
+ * @throws UnwritableFileException for an [IOException] of [work].
+ * @throws InterruptedException when the thread was interrupted while it wrote.
+ */
+public fun <T> writing(file: Path, work: () -> T): T = try {
+    work()
+} catch (_: ClosedByInterruptException) {
+    Thread.interrupted()
+    throw InterruptedException()
+} catch (_: InterruptedIOException) {
+    throw InterruptedException()
+} catch (e: UnreadableFileException) {
+    throw e
+} catch (e: UnwritableFileException) {
+    throw e
+} catch (e: IOException) {
+    val message = when (e) {
+        is AccessDeniedException -> "$file cannot be written: you have no permission to; choose another folder."
+        is FileAlreadyExistsException -> "$file cannot be written: ${e.file} is a file, not a folder; choose another."
+        is NoSuchFileException -> "$file cannot be written: its folder is not there; choose another one."
+        is DiskFullException -> "$file cannot be written: the disk is full; make room, or choose another disk."
+        is FileSystemException -> "$file cannot be written (${e.reason ?: e.message}); choose another place."
+        else -> "$file cannot be written (${e.message}); choose another place."
+    }
+    throw UnwritableFileException(file, message, e)
+}
