@@ -23,9 +23,7 @@ private fun merge(from: IntArray, to: IntArray, keys: DoubleArray, start: Int, m
     var left = start
     var right = middle
     for (i in start until end) {
-        val takesLeft = right == end || (left < middle && isInOrder(keys[from[left]], keys[from[right]]))
+        val takesLeft = right == end || (left < middle && keys[from[left]].compareTo(keys[from[right]]) <= 0)
         to[i] = if (takesLeft) from[left++] else from[right++]
     }
 }
-
-private fun isInOrder(one: Double, other: Double) = one <= other || other.isNaN()

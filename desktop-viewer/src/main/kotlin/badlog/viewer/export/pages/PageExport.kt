@@ -7,10 +7,8 @@ import badlog.formats.LOG_FORMATS
 import badlog.html.ExportException
 import badlog.html.HtmlExporter
 import badlog.html.protocol.PageAdditions
-import badlog.report.page.pageAdditions
 import badlog.rules.FolderRules
 import badlog.text.freeName
-import badlog.viewer.findings.findingsOf
 import badlog.viewer.recording.OpenRecording
 import java.io.IOException
 import java.nio.file.Path

@@ -1,6 +1,7 @@
 package badlog.plot.timeline
 
 import badlog.analysis.Span
+import badlog.analysis.stableOrder
 import badlog.plot.bagView
 import badlog.plot.search.Query
 import io.kotest.core.spec.style.FunSpec
@@ -54,7 +55,7 @@ class EventTimelineSpec : FunSpec({
 
     test("places are put in order without losing which was first") {
         checkAll(Arb.list(Arb.double(), 0..40)) { places ->
-            orderOf(places.toDoubleArray()).toList() shouldBe places.indices.sortedBy { places[it] }
+            stableOrder(places.toDoubleArray()).toList() shouldBe places.indices.sortedBy { places[it] }
         }
     }
 
