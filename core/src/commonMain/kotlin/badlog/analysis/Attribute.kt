@@ -1,5 +1,7 @@
 package badlog.analysis
 
+import badlog.recording.ProblemKind
+
 /**
  * What a topic's attribute does when a recording is shown. A program adds its own by putting an object of this kind into
  * an [AttributeRegistry].
@@ -14,4 +16,67 @@ public interface Attribute {
      * @param argument what follows the `:`, or null when there is none.
      */
     public fun apply(topic: TopicPlan, argument: String?)
+}
+
+/**
+ * The attributes that mean something.
+ *
+ * @property attributes them; of two with one name the later counts.
+ */
+public class AttributeRegistry(public val attributes: List<Attribute>) {
+    private val byName = attributes.associateBy { it.name }
+
+    /** This registry and one attribute more. */
+    public operator fun plus(attribute: Attribute): AttributeRegistry = AttributeRegistry(attributes + attribute)
+
+    internal fun find(text: String): Attribute? = byName[text.substringBefore(':')]
+
+    public companion object {
+        /** The attributes of `docs/bag-format.md`. */
+        public val STANDARD: AttributeRegistry = AttributeRegistry(STANDARD_ATTRIBUTES)
+    }
+}
+
+/** The attributes of `docs/bag-format.md`, in the order of its table. */
+internal val STANDARD_ATTRIBUTES: List<Attribute> = listOf(
+    attribute("hide") { topic -> topic.hide() },
+    attribute("log") { topic -> topic.showAsEventLog() },
+    attribute("area") { topic -> topic.fill() },
+    attribute("zero") { topic -> topic.includeZero() },
+    attribute("xaxis") { topic -> topic.useAsX() },
+    attribute("delta") { topic ->
+        topic.derive("Delta", unit = { unit, _ -> unit }, series = { it.delta() })
+    },
+    attribute("differentiate") { topic ->
+        topic.derive("Derivative", unit = Units::ofDerivative, series = { it.derivative() })
+    },
+    attribute("integrate") { topic ->
+        topic.derive("Integral", unit = Units::ofIntegral, series = { it.integral() })
+        if (topic.hasGaps) {
+            topic.report(
+                ProblemKind.INTEGRAL_OVER_GAPS,
+                "“${topic.topic.name}” has gaps; its integral carries on over them without the area they hide.",
+            )
+        }
+    },
+    attributeWithArgument("join") { topic, argument ->
+        if (argument.isNullOrBlank()) {
+            topic.report(ProblemKind.UNFIT_ATTRIBUTE, "“join” needs the name of a graph, as in join:Power/Currents.")
+        } else {
+            topic.join(argument)
+        }
+    },
+)
+
+private fun attribute(name: String, effect: (TopicPlan) -> Unit): Attribute = attributeWithArgument(name) { topic, argument ->
+    if (argument != null) {
+        topic.report(ProblemKind.UNFIT_ATTRIBUTE, "“$name” takes nothing after a colon; “:$argument” was ignored.")
+    }
+    effect(topic)
+}
+
+private fun attributeWithArgument(name: String, effect: (TopicPlan, String?) -> Unit): Attribute = object : Attribute {
+    override val name: String get() = name
+
+    override fun apply(topic: TopicPlan, argument: String?) = effect(topic, argument)
 }

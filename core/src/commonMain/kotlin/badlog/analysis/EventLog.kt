@@ -4,6 +4,14 @@ import badlog.recording.PathName
 import badlog.recording.Topic
 
 /**
+ * A text with a time.
+ *
+ * @property x where it stands on the x axis; NaN where the x axis has a gap.
+ * @property row the row it was logged in, from 0; of a topic with times of its own, the sample.
+ */
+public class Event(public val x: Double, public val row: Int, public val text: String)
+
+/**
  * What happened, in the order of the file.
  *
  * @property topic the topic it comes from.

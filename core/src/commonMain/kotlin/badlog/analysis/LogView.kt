@@ -4,6 +4,7 @@ import badlog.recording.Problem
 import badlog.recording.Recording
 import badlog.recording.Severity
 import badlog.recording.Topic
+import badlog.recording.Value
 
 /**
  * A recording after its attributes were applied: what a front end shows, in the order in which it shows it.
@@ -36,3 +37,15 @@ public class LogView internal constructor(
             LogViewBuilder(recording, registry).build()
     }
 }
+
+/**
+ * What belongs together: all whose names begin with the same path. Members keep the order of the file.
+ *
+ * @property name the path, without slashes at its ends; empty for the root folder.
+ */
+public class Folder(
+    public val name: String,
+    public val values: List<Value>,
+    public val eventLogs: List<EventLog>,
+    public val graphs: List<Graph>,
+)

@@ -14,7 +14,7 @@ import kotlin.math.sqrt
 public fun select(values: DoubleArray, place: Int, from: Int = 0, until: Int = values.size) {
     var low = from
     var high = until - 1
-    var rounds = MOST_ROUNDS
+    var rounds = MAX_ROUNDS
     while (high > low) {
         if (high - low < FEW || rounds-- == 0) {
             values.sort(low, high + 1)
@@ -61,4 +61,4 @@ private const val FEW = 32
 
 // A sample pays from here on.
 private const val MANY = 600
-private const val MOST_ROUNDS = 8
+private const val MAX_ROUNDS = 8

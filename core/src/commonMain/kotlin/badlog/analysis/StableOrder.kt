@@ -5,7 +5,7 @@ package badlog.analysis
  * without an object for each.
  */
 public fun stableOrder(keys: DoubleArray, indices: IntArray = IntArray(keys.size) { it }): IntArray {
-    var from = indices
+    var from = indices.copyOf()
     var to = IntArray(indices.size)
     val size = from.size.toLong()
     var width = 1L

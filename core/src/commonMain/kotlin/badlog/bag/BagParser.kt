@@ -63,7 +63,7 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
         while (at < until && !ignoresTheRest) {
             val end = minOf(at + PendingBytes.PIECE, until)
             pending.append(bytes, at, end)
-            if (!waitsForLineEnd || lineEndIn(bytes, at, end) < end || pending.size > LONGEST_WAIT) advance(false)
+            if (!waitsForLineEnd || lineEndIn(bytes, at, end) < end || pending.size > MAX_WAIT) advance(false)
             at = end
         }
     }
@@ -177,6 +177,6 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
 
     private companion object {
         /** A line without an end is looked at again only when it is longer than any line may be. */
-        const val LONGEST_WAIT = 1 shl 24
+        const val MAX_WAIT = 1 shl 24
     }
 }

@@ -48,7 +48,7 @@ internal class CellReader {
     }
 
     private fun readWord(bytes: ByteArray, from: Int, until: Int): Int {
-        if (until - from > LONGEST_WORD) return CellKind.TEXT
+        if (until - from > MAX_WORD_LENGTH) return CellKind.TEXT
         if (isWord(bytes, from, until, "null")) return CellKind.EMPTY
         if (isWord(bytes, from, until, "true")) return truth(1.0)
         if (isWord(bytes, from, until, "false")) return truth(0.0)
@@ -79,6 +79,6 @@ internal class CellReader {
 
     private companion object {
         const val LOWER_CASE = 32
-        const val LONGEST_WORD = "-infinity".length
+        const val MAX_WORD_LENGTH = "-infinity".length
     }
 }

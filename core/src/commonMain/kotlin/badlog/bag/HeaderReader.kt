@@ -66,7 +66,7 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
         // In a bag that its first line has told, a stray control character is no reason to lose everything.
         val mayBeBinary = header == null && (lineEnd == pending.start || bytes[pending.start].toInt() != BRACE)
         if (mayBeBinary && isBinary(pending.start, lineEnd)) return refuse(BINARY)
-        if (lineEnd - pending.start > LONGEST_LINE) return refuse(BINARY)
+        if (lineEnd - pending.start > MAX_LINE_BYTES) return refuse(BINARY)
         if (lineEnd == pending.end && !isEnd) return RowScanner.INCOMPLETE
         val next = afterLineEnd(bytes, lineEnd, pending.end, isEnd)
         if (next == RowScanner.INCOMPLETE) return next
@@ -158,8 +158,33 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
         private const val BINARY = "$NO_LOG: it holds bytes that no text has."
 
         /** No header line is longer; a file without a newline before is not a bag. */
-        private const val LONGEST_LINE = 1 shl 24
+        private const val MAX_LINE_BYTES = 1 shl 24
         private val BYTE_ORDER_MARK = byteArrayOf(0xEF.toByte(), 0xBB.toByte(), 0xBF.toByte())
         private val CONTROLS = 1.toByte()..31.toByte()
+    }
+}
+
+/** What the first bytes of a file say about it; what is no bag is refused by its name. */
+internal enum class FileSignature {
+    /** A gzip stream, which has to be inflated. */
+    GZIP,
+
+    /** A WPILOG of WPILib's DataLog. */
+    WPILOG,
+
+    /** Anything else: a bag, a CSV file, or nothing that can be read. */
+    OTHER,
+    ;
+
+    companion object {
+        /** How many bytes [of] wants to see; fewer are a shorter file. */
+        const val BYTES: Int = 6
+
+        /** The signature of a file that begins with the first [count] of [bytes]. */
+        fun of(bytes: ByteArray, count: Int = bytes.size): FileSignature = when {
+            count >= 2 && bytes[0] == 0x1f.toByte() && bytes[1] == 0x8b.toByte() -> GZIP
+            count >= 6 && bytes.decodeToString(0, 6) == "WPILOG" -> WPILOG
+            else -> OTHER
+        }
     }
 }

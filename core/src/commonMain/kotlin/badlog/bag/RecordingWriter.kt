@@ -2,6 +2,8 @@ package badlog.bag
 
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
+import badlog.recording.Topic
+import badlog.recording.TopicKind
 
 /**
  * Writes a recording, or some of its rows, as a file that reads as the same topics, values and samples again: every number
@@ -93,5 +95,68 @@ public class RecordingWriter(private val recording: Recording, private val forma
 
         /** The beginnings of files that are something else: JSON, a WPILOG, a byte order mark. */
         val MISLEADING = listOf("{", "WPILOG", "\uFEFF")
+    }
+}
+
+/**
+ * Line 1 of the bag that [recording] makes: its own, where that describes just these topics and values; else one that does,
+ * with the unknown keys of the recording's own.
+ */
+internal fun headerLineOf(recording: Recording): String {
+    val line = recording.headerLine
+    val own = line?.let(::readHeader) ?: BagHeader()
+    val topics = recording.topics.map { topic ->
+        val title = RowWriter.titleOf(topic.name)
+        BagTopic(title, topic.unit, topic.attributes, own.topics.find { it.name == topic.name }?.unknown.orEmpty())
+    }
+    val values = recording.values.map { value -> own.values.find { it.value == value } ?: BagValue(value) }
+    val header = BagHeader(topics, values, own.unknown)
+    val isTrue = header == own && topics.all { isText(it.name) }
+    return if (line != null && isTrue && isOneLine(line)) line else headerText(header)
+}
+
+private fun isOneLine(line: String) = line.startsWith('{') && line.none { isLineEnd(it.code) }
+
+/** False for a lone half of a surrogate pair, which JSON can name but no line of titles can hold. */
+private fun isText(name: String) = name.encodeToByteArray().decodeToString() == name
+
+/** Writes the cells of one topic, row by row, in ascending order. */
+internal class TopicCells(private val topic: Topic) {
+    private var nextText = 0
+    private val isBoolean = topic.kind == TopicKind.BOOLEAN
+    private val gapsAreNaN = gapsAreNaN(topic)
+
+    /** Writes the cell of [row], which is behind those of the calls before. */
+    fun write(row: Int, out: RowWriter) {
+        val texts = topic.texts
+        while (nextText < texts.size && texts.rows[nextText] < row) nextText++
+        if (nextText < texts.size && texts.rows[nextText] == row) {
+            out.text(texts[nextText])
+        } else {
+            number(if (topic.samples.isEmpty()) Double.NaN else topic.samples[row], out)
+        }
+    }
+
+    private fun number(number: Double, out: RowWriter) {
+        when {
+            number.isNaN() && !gapsAreNaN -> out.empty()
+            isBoolean && (number == 0.0 || number == 1.0) -> out.truth(number == 1.0)
+            else -> out.exact(number)
+        }
+    }
+
+    private companion object {
+        /**
+         * The samples do not tell an empty cell from one with `NaN`, but the counts do where there was but one of the two.
+         * Where there were both, empty ones are the better guess, unless the topic's kind would be another without `NaN`.
+         */
+        fun gapsAreNaN(topic: Topic): Boolean {
+            val counts = topic.counts
+            if (counts.notFinite == 0) return false
+            val written = counts.notFinite - topic.samples.count { it.isInfinite() }
+            if (written <= 0) return false
+            val emptied = counts.copy(notFinite = counts.notFinite - written, empty = counts.empty + written)
+            return counts.empty == 0 || Topic.kindOf(emptied) != topic.kind
+        }
     }
 }

@@ -49,9 +49,9 @@ internal class RowReader(
             pending.line++
             return scanned
         }
-        if (scanned == RowScanner.INCOMPLETE && !isEnd && pending.size < LONGEST_SCAN) return scanned
+        if (scanned == RowScanner.INCOMPLETE && !isEnd && pending.size < MAX_SCAN_BYTES) return scanned
         val next = repair.repair(isEnd, rowCount)
-        if (next == RowScanner.INCOMPLETE) return if (pending.size < LONGEST_ROW) next else giveUp()
+        if (next == RowScanner.INCOMPLETE) return if (pending.size < MAX_ROW_BYTES) next else giveUp()
         if (repair.hasRow) addRow(repair.text)
         pending.line += repair.linesPassed
         return next
@@ -84,7 +84,7 @@ internal class RowReader(
         val passed = pending.passed - passedBefore
         if (passed >= expectedBytes) return
         val likely = (rows * (expectedBytes.toDouble() / passed) * SPARE).toLong() + 1
-        roomyRows = minOf(likely, rows * MOST_GROWTH, Int.MAX_VALUE.toLong()).toInt()
+        roomyRows = minOf(likely, rows * MAX_GROWTH, Int.MAX_VALUE.toLong()).toInt()
         forAll(columns.size) { columns[it].expect(roomyRows) }
     }
 
@@ -92,7 +92,7 @@ internal class RowReader(
         gaveUp = true
         problems.add(
             ProblemKind.ROW_CUT,
-            "A line of more than $LONGEST_ROW bytes is no row of samples; what follows was not read.",
+            "A line of more than $MAX_ROW_BYTES bytes is no row of samples; what follows was not read.",
             pending.line,
         )
         return pending.end
@@ -109,12 +109,12 @@ internal class RowReader(
     }
 
     private companion object {
-        const val LONGEST_SCAN = 1 shl 20
-        const val LONGEST_ROW = 1 shl 24
+        const val MAX_SCAN_BYTES = 1 shl 20
+        const val MAX_ROW_BYTES = 1 shl 24
 
         /** So many rows are looked at for the first guess of how many there will be. */
         const val SAMPLE_ROWS = 64
-        const val MOST_GROWTH = 16L
+        const val MAX_GROWTH = 16L
 
         /** The rows to come may be a little shorter than those before. */
         const val SPARE = 1 + 1.0 / 64

@@ -89,9 +89,9 @@ internal class RowRepair(
     private fun quotedLines(bytes: ByteArray, from: Int, secondLine: Int, until: Int, isEnd: Boolean): Int {
         var start = secondLine
         var holdsRows = false
-        for (lines in 2..MOST_LINES) {
+        for (lines in 2..MAX_LINES) {
             val end = lineEndIn(bytes, start, until)
-            if (end - from > MOST_BYTES) return NOT_SO
+            if (end - from > MAX_BYTES) return NOT_SO
             if (end == until && !isEnd) return RowScanner.INCOMPLETE
             // With one topic every line is a row.
             if (start < end && (cells.columns == 1 || isCompleteRow(bytes, start, end))) {
@@ -149,9 +149,9 @@ internal class RowRepair(
         // Without quotes the commas tell the number of cells, and nothing has to be split again and again.
         var commas = bytes.count(COMMA, from, end)
         var quotes = bytes.count(QUOTE, from, end)
-        for (lines in 2..MOST_LINES) {
+        for (lines in 2..MAX_LINES) {
             val pieceEnd = lineEndIn(bytes, start, until)
-            if (pieceEnd - from > MOST_BYTES) return NOT_SO
+            if (pieceEnd - from > MAX_BYTES) return NOT_SO
             if (pieceEnd == until && !isEnd) return RowScanner.INCOMPLETE
             if (start == until || (pieceEnd < until && bytes[pieceEnd].toInt() == NUL)) return NOT_SO
             if (isCompleteRow(bytes, start, pieceEnd)) return NOT_SO
@@ -184,7 +184,7 @@ internal class RowRepair(
         val isPiece = cells.columns > 1 && columns[0].firstText == null &&
             (from until end).none { bytes[it].toInt() == COMMA } &&
             reader.read(bytes, from, end) == CellKind.TEXT &&
-            columns.last().extendText(row, bytes, from, end, MOST_BYTES)
+            columns.last().extendText(row, bytes, from, end, MAX_BYTES)
         if (isPiece) {
             problems.add(ProblemKind.LINES_JOINED, "A line of text was joined to the text in the row above it.", line)
         }
@@ -344,8 +344,8 @@ internal class RowRepair(
         const val NOT_SO = -3
 
         // A damaged row may make the parser look ahead, but never hold more than this.
-        const val MOST_LINES = 100
-        const val MOST_BYTES = 1 shl 16
+        const val MAX_LINES = 100
+        const val MAX_BYTES = 1 shl 16
         const val QUOTED_BYTES = 200
     }
 }

@@ -50,7 +50,7 @@ internal class RowScanner(private val cells: RowCells, private val reader: CellR
                 }
                 digits += scale
             }
-            if (digits in 1..LONGEST_MANTISSA && (byte == COMMA || byte == LF || byte == CR)) {
+            if (digits in 1..MAX_MANTISSA_DIGITS && (byte == COMMA || byte == LF || byte == CR)) {
                 val magnitude = if (scale == 0) mantissa.toDouble() else mantissa / EXACT_POWERS_OF_TEN[scale]
                 cells.kinds[cell] = CellKind.NUMBER
                 cells.numbers[cell] = if (negative) -magnitude else magnitude
@@ -80,6 +80,39 @@ internal class RowScanner(private val cells: RowCells, private val reader: CellR
         const val IRREGULAR = -2
 
         /** Nine decimal digits fit an Int. */
-        private const val LONGEST_MANTISSA = 9
+        private const val MAX_MANTISSA_DIGITS = 9
+    }
+}
+
+/**
+ * The cells of one row between their bytes and their columns. A row is put into the columns only when all of it was read,
+ * so a row that turns out to be cut or odd leaves no trace.
+ *
+ * @property columns how many cells a row has.
+ */
+internal class RowCells(val columns: Int) {
+    /** For each cell its [CellKind]. */
+    val kinds = IntArray(columns)
+
+    /** For each cell its number, where it has one. */
+    val numbers = DoubleArray(columns)
+
+    /** For each text cell, where its bytes begin, and where they end. */
+    val starts = IntArray(columns)
+    val ends = IntArray(columns)
+
+    /** Puts the row into the columns as row number [row]; [line] is the line it stands on. */
+    fun commit(builders: Array<ColumnBuilder>, row: Int, bytes: ByteArray, line: Int) {
+        for (i in builders.indices) {
+            val column = builders[i]
+            when (kinds[i]) {
+                CellKind.NUMBER -> column.addNumber(row, numbers[i])
+                CellKind.EMPTY -> column.addEmpty(row)
+                CellKind.NOT_FINITE -> column.addNotFinite(row, numbers[i])
+                CellKind.TRUTH_VALUE -> column.addTruthValue(row, numbers[i])
+                CellKind.DECIMAL_COMMA -> column.addDecimalComma(row, numbers[i], line)
+                else -> column.addText(row, bytes, starts[i], ends[i], line)
+            }
+        }
     }
 }

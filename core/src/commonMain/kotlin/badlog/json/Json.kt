@@ -1,5 +1,7 @@
 package badlog.json
 
+import badlog.number.DecimalReader
+
 /**
  * A value of a JSON text.
  *
@@ -21,3 +23,162 @@ public class JsonValue internal constructor(
  * @property key its name, which another member may have too.
  */
 public class JsonMember internal constructor(public val key: String, public val value: JsonValue)
+
+/**
+ * Reads JSON as RFC 8259 has it, with one indulgence: control characters may stand in strings as they are.
+ *
+ * A reader of its own, because every platform's own one differs from the others, in what it accepts and in what it does to
+ * numbers, and a page must show what the viewer shows; the JSON library alone would also be most of a page's script.
+ */
+public class JsonReader private constructor(private val text: String) {
+    private var at = 0
+
+    private class Malformed : Exception()
+
+    private fun document(): JsonValue {
+        val value = value(0)
+        skipBlanks()
+        if (at < text.length) throw Malformed()
+        return value
+    }
+
+    private fun value(depth: Int): JsonValue {
+        if (depth > MAX_DEPTH) throw Malformed()
+        skipBlanks()
+        val start = at
+        return when (peek()) {
+            '{' -> members(depth).let { JsonValue(text.substring(start, at), members = it) }
+            '[' -> items(depth).let { JsonValue(text.substring(start, at), items = it) }
+            '"' -> string().let { JsonValue(text.substring(start, at), text = it) }
+            else -> word().let { JsonValue(it) }
+        }
+    }
+
+    private fun members(depth: Int): List<JsonMember> = list('}') {
+        skipBlanks()
+        if (peek() != '"') throw Malformed()
+        val key = string()
+        skipBlanks()
+        expect(':')
+        JsonMember(key, value(depth + 1))
+    }
+
+    private fun items(depth: Int): List<JsonValue> = list(']') { value(depth + 1) }
+
+    private inline fun <T> list(end: Char, item: () -> T): List<T> {
+        val list = ArrayList<T>()
+        at++
+        skipBlanks()
+        if (peek() == end) {
+            at++
+            return list
+        }
+        while (true) {
+            list += item()
+            skipBlanks()
+            if (peek() == end) break
+            expect(',')
+        }
+        at++
+        return list
+    }
+
+    private fun string(): String {
+        val start = ++at
+        while (peek() != '"' && peek() != '\\') at++
+        if (peek() == '"') return text.substring(start, at++)
+        val string = StringBuilder().append(text, start, at)
+        while (true) {
+            val char = peek()
+            at++
+            when (char) {
+                '"' -> return string.toString()
+                '\\' -> string.append(escaped())
+                else -> string.append(char)
+            }
+        }
+    }
+
+    private fun escaped(): Char {
+        val char = peek()
+        at++
+        return when (char) {
+            '"', '\\', '/' -> char
+            'b' -> '\b'
+            'f' -> '\u000C'
+            'n' -> '\n'
+            'r' -> '\r'
+            't' -> '\t'
+            'u' -> hexadecimal()
+            else -> throw Malformed()
+        }
+    }
+
+    private fun hexadecimal(): Char {
+        if (at + 4 > text.length) throw Malformed()
+        var code = 0
+        repeat(4) {
+            val digit = text[at++].digitToIntOrNull(16) ?: throw Malformed()
+            code = code * 16 + digit
+        }
+        return code.toChar()
+    }
+
+    /** `true`, `false`, `null` or a number. */
+    private fun word(): String {
+        val start = at
+        while (at < text.length && (text[at].isLetterOrDigit() || text[at] in "+-.")) at++
+        val word = text.substring(start, at)
+        if (word != "true" && word != "false" && word != "null" && !isNumber(word)) throw Malformed()
+        return word
+    }
+
+    private fun isNumber(word: String): Boolean {
+        val digits = word.removePrefix("-")
+        val hasLeadingZero = digits.length > 1 && digits[0] == '0' && digits[1] in '0'..'9'
+        if (digits.isEmpty() || digits[0] !in '0'..'9' || hasLeadingZero) return false
+        val point = digits.indexOf('.')
+        if (point >= 0 && digits.getOrNull(point + 1) !in '0'..'9') return false
+        val bytes = digits.encodeToByteArray()
+        return DecimalReader().read(bytes, 0, bytes.size)
+    }
+
+    private fun skipBlanks() {
+        while (at < text.length && text[at] in " \t\n\r") at++
+    }
+
+    private fun peek(): Char = if (at < text.length) text[at] else throw Malformed()
+
+    private fun expect(char: Char) {
+        if (peek() != char) throw Malformed()
+        at++
+    }
+
+    public companion object {
+        // Far deeper than any header, and far from what a stack holds.
+        private const val MAX_DEPTH = 100
+
+        /** The members of the JSON object that [text] is, or null when it is not exactly one. */
+        public fun readObject(text: String): List<JsonMember>? = try {
+            JsonReader(text).document().members
+        } catch (_: Malformed) {
+            null
+        }
+    }
+}
+
+/** [text] as a string of JSON, with its quotes. Stays on one line, and what is not ASCII stands as it is. */
+public fun quotedJson(text: String): String = StringBuilder(text.length + 2).appendQuotedJson(text).toString()
+
+/** Appends [text] as [quotedJson] has it. */
+internal fun StringBuilder.appendQuotedJson(text: String): StringBuilder {
+    append('"')
+    for (char in text) {
+        when {
+            char == '"' || char == '\\' -> append('\\').append(char)
+            char < ' ' || char == '\u2028' || char == '\u2029' -> append("\\u").append(char.code.toString(16).padStart(4, '0'))
+            else -> append(char)
+        }
+    }
+    return append('"')
+}

@@ -16,10 +16,10 @@ internal object ExactFormat {
 
     // Up to here every whole number is a double.
     private const val WHOLE_LIMIT = 9007199254740992.0
-    private const val MOST_DECIMALS = 9
+    private const val MAX_DECIMALS = 9
 
     // What is smaller reads better with an exponent.
-    private const val LEAST_PLAIN = 1e-4
+    private const val MIN_PLAIN = 1e-4
     private val PLAIN_EXPONENTS = -4..15
 
     /** Writes [value] into [into] from index [at] on; returns the index after it. */
@@ -36,8 +36,8 @@ internal object ExactFormat {
 
     /** Writes [magnitude] with as many decimals as it needs; returns -1 where these are not few. */
     private fun writeFewDecimals(magnitude: Double, into: ByteArray, at: Int): Int {
-        if (magnitude < LEAST_PLAIN && magnitude != 0.0) return -1
-        for (decimals in 0..MOST_DECIMALS) {
+        if (magnitude < MIN_PLAIN && magnitude != 0.0) return -1
+        for (decimals in 0..MAX_DECIMALS) {
             val power = EXACT_POWERS_OF_TEN[decimals]
             val scaled = magnitude * power
             if (scaled >= WHOLE_LIMIT) return -1

@@ -38,3 +38,23 @@ public class Recording(
     /** True when something of the file is lost: one of [problems] is an [error][Severity.ERROR]. */
     public val isSalvaged: Boolean get() = problems.any { it.severity == Severity.ERROR }
 }
+
+/** The format that a [Recording] was read from. */
+public enum class RecordingFormat {
+    /** A JSON line, then CSV. */
+    BAG,
+
+    /** CSV alone: a bag without units, attributes and values. */
+    CSV,
+
+    /** The log of WPILib's DataLog, in which each topic has times of its own. */
+    WPILOG,
+}
+
+/**
+ * A name and a text that were known when the recording began, such as the match number.
+ *
+ * @property name the full name; `/` makes folders, see [PathName].
+ * @property text the value; may be empty.
+ */
+public data class Value(public val name: String, public val text: String)

@@ -92,3 +92,44 @@ public class Topic(
         }
     }
 }
+
+/** What the cells of a [Topic] turned out to be. */
+public enum class TopicKind {
+    /** No cell holds anything. */
+    EMPTY,
+
+    /** Numbers. */
+    NUMERIC,
+
+    /** Only `true` and `false`, kept as 1 and 0. */
+    BOOLEAN,
+
+    /** Mostly texts, in at least half of the rows: what state something is in. */
+    STATE,
+
+    /** Mostly texts, in fewer than half of the rows: what happened. */
+    EVENT,
+}
+
+/**
+ * How many cells of a topic held what. The first five add up to the topic's [size][Topic.size], so every cell is accounted
+ * for. Where topics have times of their own, a sample is a cell and a neighbouring sample a neighbouring row.
+ *
+ * @property numbers finite numbers.
+ * @property notFinite `NaN` and infinities that were written as such.
+ * @property truthValues `true` and `false`.
+ * @property texts any other text.
+ * @property empty nothing, `null`, or a cell that its row lacks.
+ * @property gaps into how many runs of neighbouring rows the cells without a number fall.
+ */
+public data class CellCounts(
+    public val numbers: Int,
+    public val notFinite: Int,
+    public val truthValues: Int,
+    public val texts: Int,
+    public val empty: Int,
+    public val gaps: Int,
+) {
+    /** The number of cells. */
+    public val total: Int get() = numbers + notFinite + truthValues + texts + empty
+}

@@ -1,6 +1,10 @@
 package badlog.lib
 
+import java.io.File
 import java.io.IOException
+import java.io.RandomAccessFile
+import java.util.zip.CRC32
+import java.util.zip.Deflater
 
 /** Where the bytes of a bag go. */
 internal interface BagOutput {
@@ -17,4 +21,148 @@ internal interface BagOutput {
     fun sync()
 
     fun close()
+}
+
+/** A bag as it is. */
+internal class PlainOutput(private val file: AppendFile) : BagOutput {
+    override val length: Long get() = file.length
+
+    override fun append(bytes: ByteArray, size: Int) = file.append(bytes, size)
+
+    override fun finish() = Unit
+
+    override fun sync() = file.sync()
+
+    override fun close() = file.close()
+}
+
+/**
+ * A gzipped bag. Each [append] ends on a byte's boundary (zlib's sync flush), so that everything appended can be
+ * inflated from a file that has been cut anywhere behind it.
+ */
+internal class GzipOutput(private val file: AppendFile) : BagOutput {
+    private val deflater = Deflater(Deflater.DEFAULT_COMPRESSION, true)
+    private val checksum = CRC32()
+    private var packed = ByteArray(4096)
+    private var packedSize = 0
+    private var unpackedLength = 0L
+
+    override val length: Long get() = file.length
+
+    override fun append(bytes: ByteArray, size: Int) {
+        packedSize = 0
+        if (file.length == 0L) putHeader()
+        deflater.setInput(bytes, 0, size)
+        deflate(Deflater.SYNC_FLUSH)
+        write()
+        checksum.update(bytes, 0, size)
+        unpackedLength += size
+    }
+
+    override fun finish() {
+        packedSize = 0
+        if (file.length == 0L) putHeader()
+        deflater.finish()
+        deflate(Deflater.NO_FLUSH)
+        putLittleEndian(checksum.value.toInt())
+        putLittleEndian(unpackedLength.toInt())
+        write()
+    }
+
+    override fun sync() = file.sync()
+
+    override fun close() {
+        deflater.end()
+        file.close()
+    }
+
+    private fun write() {
+        try {
+            file.append(packed, packedSize)
+        } catch (failure: IOException) {
+            // What follows must not refer back to what is not in the file. The stream goes on where it was.
+            deflater.reset()
+            throw failure
+        }
+    }
+
+    private fun deflate(flush: Int) {
+        while (true) {
+            if (packedSize == packed.size) packed = packed.copyOf(packed.size * 2)
+            packedSize += deflater.deflate(packed, packedSize, packed.size - packedSize, flush)
+            if (packedSize < packed.size) return
+        }
+    }
+
+    private fun putHeader() {
+        // Magic number, method "deflate", no flags, no time, no hints, unknown system.
+        HEADER.copyInto(packed)
+        packedSize = HEADER.size
+    }
+
+    private fun putLittleEndian(value: Int) {
+        if (packedSize + Int.SIZE_BYTES > packed.size) packed = packed.copyOf(packed.size * 2)
+        for (shift in 0 until Int.SIZE_BITS step Byte.SIZE_BITS) packed[packedSize++] = (value ushr shift).toByte()
+    }
+
+    private companion object {
+        val HEADER = byteArrayOf(0x1f, 0x8b.toByte(), 8, 0, 0, 0, 0, 0, 0, 0xff.toByte())
+    }
+}
+
+/**
+ * A file that only grows, by one `write` for each [append]. A failed [append] leaves nothing behind.
+ *
+ * A [RandomAccessFile] because a thread that is interrupted does not close it, as it does a channel; and because up to
+ * 8 kB go through the stack, without a buffer being made.
+ *
+ * @param file created or emptied; its folders are created.
+ * @throws IOException if that fails.
+ */
+internal class AppendFile(file: File) {
+    private val access: RandomAccessFile
+    private var isTorn = false
+
+    /** How many bytes were appended. */
+    var length: Long = 0
+        private set
+
+    init {
+        file.absoluteFile.parentFile?.mkdirs()
+        access = RandomAccessFile(file, "rw")
+        try {
+            access.setLength(0)
+        } catch (failure: IOException) {
+            // Not a regular file, such as a pipe: it has no length to set.
+            if (file.isFile) throw failure
+        }
+    }
+
+    /** @throws IOException if not all bytes could be written; then none are, and the next call may try again. */
+    fun append(bytes: ByteArray, size: Int) {
+        if (isTorn) cutTornEnd()
+        try {
+            access.write(bytes, 0, size)
+        } catch (failure: IOException) {
+            isTorn = true
+            try {
+                cutTornEnd()
+            } catch (_: IOException) {
+                // Tried again before the next row; a file that has vanished cannot be cut.
+            }
+            throw failure
+        }
+        length += size
+    }
+
+    /** Waits until everything is on the disk. To be called by no thread that has anything else to do. */
+    fun sync() = access.fd.sync()
+
+    fun close() = access.close()
+
+    private fun cutTornEnd() {
+        access.setLength(length)
+        access.seek(length)
+        isTorn = false
+    }
 }

@@ -16,7 +16,7 @@ internal class Faults(val counters: Counters) {
 
     /** The column that takes events, if there is one. */
     @Volatile
-    var room: EventRoom? = null
+    var room: EventSink? = null
 
     /** The cell of [topic] stays empty in this row. */
     fun cellMissed(topic: Topic, cause: Throwable) = cellMissed(topic) { "threw ${describe(cause)}" }
@@ -61,12 +61,12 @@ internal class Faults(val counters: Counters) {
 
     private fun isCountedNew(before: MutableSet<String>, about: String): Boolean {
         counters.callsIgnored.incrementAndGet()
-        return before.size < MOST_MESSAGES && before.add(about)
+        return before.size < MAX_MESSAGES && before.add(about)
     }
 
     private companion object {
         // A program that makes up names must not fill the memory with them.
-        const val MOST_MESSAGES = 100
+        const val MAX_MESSAGES = 100
     }
 }
 

@@ -2,6 +2,10 @@ package badlog.lib
 
 import java.io.File
 import java.io.IOException
+import java.time.Instant
+import java.time.ZoneOffset
+import java.time.format.DateTimeFormatter
+import kotlin.random.Random
 
 /** The file of a log. */
 internal class LogFile(path: File, val output: BagOutput) {
@@ -52,6 +56,69 @@ internal class LogFile(path: File, val output: BagOutput) {
                     "exists and can be written to, such as /home/lvuser/logs."
             }
             return null
+        }
+    }
+}
+
+/** The names of a robot's logs, as WPILib names its own: `FRC_20260307_140212_OHCL_Q42.bag`, times in UTC. */
+internal object LogName {
+    private const val PROVISIONAL = "FRC_TBD_"
+    private val LOG = Regex("FRC_.*\\.bag(\\.gz)?")
+    private val TIME = DateTimeFormatter.ofPattern("yyyyMMdd_HHmmss").withZone(ZoneOffset.UTC)
+
+    /** A name for a log whose time is unknown. */
+    fun provisional(): String = PROVISIONAL + Random.nextLong().toULong().toString(16).padStart(16, '0')
+
+    /** The name of a log that began at [time]; [event] and [match] may be empty. */
+    fun of(time: Instant, event: String, match: String): String =
+        listOf("FRC", TIME.format(time), safe(event), safe(match)).filter { it.isNotEmpty() }.joinToString("_")
+
+    fun isLog(name: String): Boolean = LOG.matches(name)
+
+    fun isProvisional(name: String): Boolean = name.startsWith(PROVISIONAL)
+
+    /** A file of that [name] in [folder] that does not exist. */
+    fun free(folder: File, name: String, ending: String): File = generateSequence(1) { it + 1 }
+        .map { File(folder, if (it == 1) name + ending else "${name}_$it$ending") }
+        .first { !it.exists() }
+
+    // The field's system names events; that it will not contain a slash is no reason to believe it.
+    private fun safe(text: String) = text.filter { it.isLetterOrDigit() || it == '-' }
+}
+
+/** The folder in which a robot's logs lie: which one, and what is deleted there when space is short. */
+internal class LogFolder(val path: File, private val freeBytes: (File) -> Long) {
+    /** Whether there is too little space to log at all. */
+    // What is not there, such as a stick that was pulled out, has no space either, but is not full.
+    val isFull: Boolean get() = path.isDirectory && freeBytes(path) < STOP_BYTES
+
+    /** Deletes the oldest logs until there is space enough, but keeps ten. Returns what it deleted. */
+    fun makeSpace(): List<File> {
+        val logs = path.listFiles { file -> LogName.isLog(file.name) }.orEmpty()
+            // Those that never got a name first: nobody was there when they were written.
+            .sortedWith(compareByDescending<File> { LogName.isProvisional(it.name) }.thenBy { it.lastModified() })
+        val deleted = ArrayList<File>()
+        for (log in logs.dropLast(KEPT_LOGS)) {
+            if (freeBytes(path) >= ENOUGH_BYTES) break
+            if (log.delete()) deleted += log
+        }
+        return deleted
+    }
+
+    companion object {
+        private const val STOP_BYTES = 5L * 1024 * 1024
+        private const val ENOUGH_BYTES = 50_000_000L
+        private const val KEPT_LOGS = 10
+
+        // A USB stick, the roboRIO's and Systemcore's own, and where a simulation runs.
+        private val STICK = File("/u")
+        private val HOMES = listOf("/home/lvuser", "/home/systemcore").map(::File)
+
+        /** The folder that was [wanted], or the best there is. */
+        fun choose(wanted: File?, stick: File = STICK, homes: List<File> = HOMES): File {
+            if (wanted != null) return wanted
+            val places = (listOf(stick) + homes).filter { it.isDirectory && it.canWrite() }
+            return File(places.firstOrNull() ?: File("").absoluteFile, "logs")
         }
     }
 }

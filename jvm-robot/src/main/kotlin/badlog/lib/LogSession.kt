@@ -86,7 +86,7 @@ internal class LogSession(private val flushesEachRow: Boolean) {
             subscribers = topics.filterIsInstance<SubscribedTopic>().associateBy { it.name }
             faults.room = topics.firstOrNull { it is EventTopic } as EventTopic?
                 ?: topics.firstOrNull { it is SubscribedTopic && it.isEventLog } as SubscribedTopic?
-            val events = topics.filterIsInstance<EventRoom>().map { it.texts }.toTypedArray()
+            val events = topics.filterIsInstance<EventSink>().map { it.texts }.toTypedArray()
             sink?.begin(namespace.headerLines(), events)
             phase = LogState.LOGGING
             startSyncing()
@@ -204,6 +204,23 @@ internal class LogSession(private val flushesEachRow: Boolean) {
     private fun flushWaiting() {
         synchronized(lock) {
             if (phase == LogState.LOGGING) sink?.flushWaiting()
+        }
+    }
+}
+
+/** Closes a log when its program ends in an orderly way, so that rows that wait are written. */
+internal class CloseOnExit(private val session: LogSession) : Thread("badlog close") {
+    override fun run() = session.close()
+
+    fun register() = unlessExiting { Runtime.getRuntime().addShutdownHook(this) }
+
+    fun unregister() = unlessExiting { Runtime.getRuntime().removeShutdownHook(this) }
+
+    private fun unlessExiting(action: () -> Unit) {
+        try {
+            action()
+        } catch (_: IllegalStateException) {
+            // The program is ending already.
         }
     }
 }

@@ -46,7 +46,7 @@ internal class RowSink(private val file: LogFile, private val flushesEachRow: Bo
     fun endRow(began: Long) {
         row.endRow()
         rowsWaiting++
-        val isDue = flushesEachRow || row.size >= BATCH_BYTES || began - lastWrite >= LONGEST_WAIT_NANOS
+        val isDue = flushesEachRow || row.size >= BATCH_BYTES || began - lastWrite >= MAX_WAIT_NANOS
         if (isDue && !isWaitingToRetry(began)) write(began)
         counters.rowTook(System.nanoTime() - began)
     }
@@ -141,7 +141,7 @@ internal class RowSink(private val file: LogFile, private val flushesEachRow: Bo
     private companion object {
         // What RandomAccessFile.write takes without making a buffer, less a long row.
         const val BATCH_BYTES = 6 * 1024
-        const val LONGEST_WAIT_NANOS = 250_000_000L
+        const val MAX_WAIT_NANOS = 250_000_000L
         const val RETRY_NANOS = 250_000_000L
     }
 }

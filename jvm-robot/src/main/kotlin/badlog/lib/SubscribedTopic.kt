@@ -15,7 +15,7 @@ internal class SubscribedTopic(
     private val numberText: NumberText,
     override val texts: EventTexts,
 ) : Topic(description),
-    EventRoom {
+    EventSink {
     /** Whether it can take the log's own events. */
     val isEventLog: Boolean = "log" in description.attributes
 

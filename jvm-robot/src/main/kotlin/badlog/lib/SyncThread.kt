@@ -1,6 +1,9 @@
 package badlog.lib
 
+import java.io.File
 import java.io.IOException
+import java.nio.channels.FileChannel
+import java.nio.file.StandardOpenOption
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 
@@ -79,5 +82,14 @@ internal class SyncThread(
 
     private companion object {
         const val INTERVAL_MILLIS = 250L
+    }
+}
+
+/** Brings the names of [folder]'s files to the disk: without this, a cut of power could take a new file's very name. */
+internal fun syncFolder(folder: File) {
+    try {
+        FileChannel.open(folder.toPath(), StandardOpenOption.READ).use { it.force(true) }
+    } catch (_: IOException) {
+        // Not every system lets one open a folder; those that do not keep names safe by themselves.
     }
 }

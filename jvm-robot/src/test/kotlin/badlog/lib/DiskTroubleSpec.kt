@@ -13,7 +13,7 @@ import java.io.File
 import java.io.IOException
 import kotlin.time.Duration.Companion.seconds
 
-private const val MOST_NANOS = 20_000_000L
+private const val MAX_NANOS = 20_000_000L
 
 class DiskTroubleSpec : FunSpec({
     for (compress in listOf(false, true)) {
@@ -29,7 +29,7 @@ class DiskTroubleSpec : FunSpec({
                             log.finishInitialization()
                             repeat(50) { log.row() }
                             fill(filler)
-                            slowestOf(List(2000) { log.timedRow() }) shouldBeLessThan MOST_NANOS
+                            slowestOf(List(2000) { log.timedRow() }) shouldBeLessThan MAX_NANOS
                             log.state shouldBe LogState.FAILING
                             filler.delete()
                             rows += 2050 + log.rowsUntil(LogState.LOGGING).size
@@ -138,7 +138,7 @@ class DiskTroubleSpec : FunSpec({
             BadLog.init("/dev/full").use { log ->
                 createTopics()
                 log.finishInitialization()
-                slowestOf(List(100) { log.timedRow() }) shouldBeLessThan MOST_NANOS
+                slowestOf(List(100) { log.timedRow() }) shouldBeLessThan MAX_NANOS
                 log.state shouldBe LogState.FAILING
                 log.counters().rowsMissed shouldBe 100
             }
@@ -160,7 +160,7 @@ class DiskTroubleSpec : FunSpec({
                         repeat(10) { log.row() }
                         happen(usb)
                         val nanos = log.rowsUntil(LogState.FAILING) + log.timedRow()
-                        slowestOf(nanos) shouldBeLessThan MOST_NANOS
+                        slowestOf(nanos) shouldBeLessThan MAX_NANOS
                         val counters = log.counters()
                         counters.rowsMissed shouldBeGreaterThan 0
                         counters.rowsWritten + counters.rowsMissed shouldBe 10 + nanos.size
@@ -178,7 +178,7 @@ class DiskTroubleSpec : FunSpec({
                     log.finishInitialization()
                     log.row()
                     run(listOf("umount", "-l", disk.path)).first shouldBe 0
-                    slowestOf(log.rowsUntil(LogState.FAILING)) shouldBeLessThan MOST_NANOS
+                    slowestOf(log.rowsUntil(LogState.FAILING)) shouldBeLessThan MAX_NANOS
                 }
             } shouldContain "pulled out"
         }

@@ -26,7 +26,7 @@ internal class FilePieces(
     fun inflatedSize(): Long {
         if (readAt(maxOf(0, total - Int.SIZE_BYTES), Int.SIZE_BYTES) < Int.SIZE_BYTES) return 0
         val size = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN).getInt().toUInt().toLong()
-        return if (size in total..total * MOST_INFLATION) size else 0
+        return if (size in total..total * MAX_INFLATION) size else 0
     }
 
     /** Where the line after the last line end begins; 0 without any. */
@@ -74,7 +74,7 @@ internal class FilePieces(
         const val STEP = 1L shl 20
 
         /** A log that is smaller by more than this has lost its trailer. */
-        const val MOST_INFLATION = 40
+        const val MAX_INFLATION = 40
         const val LINE_FEED = '\n'.code.toByte()
         const val CARRIAGE_RETURN = '\r'.code.toByte()
     }

@@ -18,7 +18,7 @@ import java.util.EnumSet
 public class FolderScan private constructor(public val files: List<LogFile>, public val unreadable: List<Path>) {
     public companion object {
         /** No robot's logs are nested deeper. */
-        private const val DEEPEST = 16
+        private const val MAX_DEPTH = 16
 
         /**
          * Looks at [folder] and all folders in it, without reading a file. Follows links, but into no folder twice. Passes over
@@ -29,7 +29,7 @@ public class FolderScan private constructor(public val files: List<LogFile>, pub
          */
         public fun of(folder: Path, checkpoint: () -> Unit = {}): FolderScan {
             val look = Look(folder, checkpoint)
-            Files.walkFileTree(folder, EnumSet.of(FileVisitOption.FOLLOW_LINKS), DEEPEST, look)
+            Files.walkFileTree(folder, EnumSet.of(FileVisitOption.FOLLOW_LINKS), MAX_DEPTH, look)
             return FolderScan(look.files, look.unreadable)
         }
     }

@@ -27,25 +27,25 @@ internal fun reportEntry(entry: Entry, problems: ProblemList) {
             loss = Loss(cells = decoder.droppedValues),
         )
     }
-    if (decoder.isUndecoded && decoder.clock.size > 0) {
+    if (decoder.isUndecoded && decoder.timestamps.size > 0) {
         problems.add(
             ProblemKind.NOT_DECODED,
             "“$name” is of type ${entry.type}, which is not decoded; shown is how many bytes each of its " +
-                "${decoder.clock.size} records has.",
+                "${decoder.timestamps.size} records has.",
             topic = name,
         )
     }
 }
 
-/** Reports what was odd about [topic], which came of [column] with the times of [clock]. */
-internal fun reportTopic(topic: Topic, column: SampleColumn, clock: Clock, problems: ProblemList) {
+/** Reports what was odd about [topic], which came of [column] with the times of [timestamps]. */
+internal fun reportTopic(topic: Topic, column: SampleColumn, timestamps: Timestamps, problems: ProblemList) {
     val name = topic.name
-    if (clock.disorder > 0) {
+    if (timestamps.disorder > 0) {
         problems.add(
             ProblemKind.TIMES_SORTED,
-            "“$name” goes back in time ${clock.disorder} times; its samples were sorted.",
+            "“$name” goes back in time ${timestamps.disorder} times; its samples were sorted.",
             topic = name,
-            count = clock.disorder,
+            count = timestamps.disorder,
         )
     }
     if (column.sawOtherText) {

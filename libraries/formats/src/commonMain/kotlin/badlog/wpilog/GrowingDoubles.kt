@@ -21,7 +21,7 @@ internal class GrowingDoubles {
             pieces += last
             fullSize += lastSize
         }
-        last = DoubleArray(fullSize.coerceIn(SMALLEST, LARGEST))
+        last = DoubleArray(fullSize.coerceIn(MIN_SIZE, MAX_SIZE))
         lastSize = 0
     }
 
@@ -55,7 +55,7 @@ internal class GrowingDoubles {
 
     private companion object {
         val NONE = DoubleArray(0)
-        const val SMALLEST = 4
-        const val LARGEST = 1 shl 14
+        const val MIN_SIZE = 4
+        const val MAX_SIZE = 1 shl 14
     }
 }

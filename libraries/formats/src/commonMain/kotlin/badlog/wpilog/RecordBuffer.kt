@@ -59,7 +59,7 @@ internal class RecordBuffer {
 
     // Each length in as few bytes as it fits in, as WPILib's own writer has it.
     private fun head(id: Int, micros: Double, payload: Int) {
-        reserve(MOST_HEAD + payload)
+        reserve(MAX_HEAD_BYTES + payload)
         val time = micros.toLong()
         val idSize = sizeOf(id.toLong(), Int.SIZE_BYTES)
         val sizeSize = sizeOf(payload.toLong(), Int.SIZE_BYTES)
@@ -106,6 +106,6 @@ internal class RecordBuffer {
     }
 
     private companion object {
-        const val MOST_HEAD = 17
+        const val MAX_HEAD_BYTES = 17
     }
 }

@@ -88,7 +88,7 @@ internal class RecordSplitter(private val sink: RecordSink) {
 
     private fun hold(bytes: ByteArray, from: Int, until: Int) {
         val size = heldSize + until - from
-        if (size > held.size) held = held.copyOf(maxOf(64, size, minOf(size * 2L, LONGEST * 2L).toInt()))
+        if (size > held.size) held = held.copyOf(maxOf(64, size, minOf(size * 2L, MAX_RECORD_BYTES * 2L).toInt()))
         bytes.copyInto(held, heldSize, from, until)
         heldSize = size
     }
@@ -113,7 +113,7 @@ internal class RecordSplitter(private val sink: RecordSink) {
             if (available < headSize) return headSize
             size = intAt(bytes, at + HEADER - 4)
         }
-        return if (size in 0..LONGEST) headSize + size else NONE
+        return if (size in 0..MAX_RECORD_BYTES) headSize + size else NONE
     }
 
     private fun deliver(bytes: ByteArray, from: Int, until: Int): Boolean {
@@ -157,7 +157,7 @@ internal class RecordSplitter(private val sink: RecordSink) {
         const val HEADER = 12
 
         /** No logger writes a larger payload at once; what says it has is damage. */
-        const val LONGEST = 1 shl 24
+        const val MAX_RECORD_BYTES = 1 shl 24
         private const val NONE = -1
     }
 }

@@ -26,7 +26,7 @@ internal class RecordTimes(private val xAxis: XAxis) {
     /** The time, in µs, of what stands at [x]; NaN where that is nowhere, or later than a record can be. */
     fun micros(x: Double): Double {
         val exact = (x + shift) * scale
-        if (!(exact >= 0 && exact < LARGEST)) return Double.NaN
+        if (!(exact >= 0 && exact < MAX_MICROS)) return Double.NaN
         val whole = round(exact)
         if (abs(exact - whole) > TOLERANCE + exact * 1e-15) rounded++
         return whole
@@ -43,6 +43,6 @@ internal class RecordTimes(private val xAxis: XAxis) {
         const val TOLERANCE = 1e-3
 
         /** 2^53. */
-        const val LARGEST = 9007199254740992.0
+        const val MAX_MICROS = 9007199254740992.0
     }
 }

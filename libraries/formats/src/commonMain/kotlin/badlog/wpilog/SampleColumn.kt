@@ -37,12 +37,12 @@ internal class SampleColumn(val path: String, private val keepsSamples: Boolean,
     }
 
     fun addLong(number: Long) {
-        if (number > LARGEST_EXACT || number < -LARGEST_EXACT) roundedCount++
+        if (number > MAX_EXACT || number < -MAX_EXACT) roundedCount++
         add(number.toDouble())
     }
 
     fun addUnsigned(bits: Long) {
-        if (bits > LARGEST_EXACT || bits < 0) roundedCount++
+        if (bits > MAX_EXACT || bits < 0) roundedCount++
         add(bits.toULong().toDouble())
     }
 
@@ -81,9 +81,9 @@ internal class SampleColumn(val path: String, private val keepsSamples: Boolean,
         size++
     }
 
-    /** The topic that is [like] its entry, but has these samples at the times of [clock], which is finished. Of no use afterwards. */
-    fun build(name: String, like: Topic, clock: Clock): Topic {
-        val order = clock.order
+    /** The topic that is [like] its entry, but has these samples at the times of [timestamps], which is finished. Of no use afterwards. */
+    fun build(name: String, like: Topic, timestamps: Timestamps): Topic {
+        val order = timestamps.order
         val isNumeric = size - textCount - gapCount > 0
         val samples = when {
             !keepsSamples || !isNumeric -> DoubleArray(0)
@@ -96,7 +96,7 @@ internal class SampleColumn(val path: String, private val keepsSamples: Boolean,
             else -> TextColumn(textRows.copyOf(textCount), textIds.copyOf(textCount), texts?.dictionary.orEmpty())
         }
         val counts = counts(if (order == null) size else order.size, samples, column)
-        return like.copy(name = name, samples = samples, texts = column, counts = counts, times = clock.times)
+        return like.copy(name = name, samples = samples, texts = column, counts = counts, times = timestamps.times)
     }
 
     private fun reordered(order: IntArray): TextColumn {
@@ -129,6 +129,49 @@ internal class SampleColumn(val path: String, private val keepsSamples: Boolean,
     }
 
     private companion object {
-        const val LARGEST_EXACT = 1L shl 53
+        const val MAX_EXACT = 1L shl 53
+    }
+}
+
+/** The columns that one record, or one element of an array, fills, all at the same times. */
+internal class SampleBlock(val columns: List<SampleColumn>, timestamps: Timestamps) {
+    /** The times of the columns. */
+    var timestamps: Timestamps = timestamps
+        private set
+    private var isInGap = false
+
+    /** Says that a sample comes at [time]; to be told whether the block goes with [shared], which is moved on by its owner. */
+    fun meet(time: Double, shared: Timestamps) {
+        isInGap = false
+        if (timestamps !== shared) timestamps.add(time)
+    }
+
+    /** Says that the array has lost this element at [time]: a gap, from which on the block has timestamps of its own. */
+    fun miss(time: Double, shared: Timestamps) {
+        if (isInGap) return
+        isInGap = true
+        if (timestamps === shared) timestamps = shared.copy()
+        timestamps.add(time)
+        for (column in columns) column.addGap()
+    }
+}
+
+/** Makes the columns of a file, as many as there may be. */
+internal class ColumnSource(val keepsSamples: Boolean) {
+    private val decoder = TextDecoder()
+    private var made = 0
+
+    /** Whether there may be [count] more. */
+    fun hasRoomFor(count: Int): Boolean = made + count <= MAX_COLUMNS
+
+    /** A column for each of [paths]. */
+    fun columns(paths: List<String>): List<SampleColumn> {
+        made += paths.size
+        return paths.map { SampleColumn(it, keepsSamples, decoder) }
+    }
+
+    private companion object {
+        /** No program shows more topics, and damage could make millions. */
+        const val MAX_COLUMNS = 1 shl 16
     }
 }

@@ -17,7 +17,7 @@ internal class StructDecoder(
     private var decoder: PayloadDecoder? = null
 
     override val isUndecoded: Boolean get() = decoder?.isUndecoded == true
-    override val clock: Clock get() = known().clock
+    override val timestamps: Timestamps get() = known().timestamps
     override val blocks: List<SampleBlock> get() = known().blocks
 
     override fun accept(time: Double, bytes: ByteArray, from: Int, until: Int) {
@@ -30,7 +30,7 @@ internal class StructDecoder(
         }
         held += Held(time, bytes.copyOfRange(from, until))
         heldBytes += until - from + OVERHEAD
-        if (heldBytes > MOST_HELD) decodeBy(SizeDecoder(source))
+        if (heldBytes > MAX_HELD) decodeBy(SizeDecoder(source))
     }
 
     override fun finish() {
@@ -60,7 +60,7 @@ internal class StructDecoder(
     }
 
     private companion object {
-        const val MOST_HELD = 1 shl 20
+        const val MAX_HELD = 1 shl 20
 
         /** What holding a payload costs beside its bytes. */
         const val OVERHEAD = 64

@@ -24,14 +24,14 @@ internal class StructPacking {
 
     fun add(field: StructField, nested: ValueLayout): Boolean {
         endBits()
-        if (nested.leaves.size.toLong() * (field.count ?: 1) + leaves.size > MOST_LEAVES) return false
+        if (nested.leaves.size.toLong() * (field.count ?: 1) + leaves.size > MAX_LEAVES) return false
         return addEach(field, nested.width) { path, at -> nested.leaves.mapTo(leaves) { it.inside(path, at) } }
     }
 
     fun addBits(field: StructField, type: ValueType): Boolean {
         val isBool = type == ValueType.BOOL
         if (!(type.isInteger || (isBool && field.bits == 1)) || field.bits > type.width * BITS) return false
-        if (field.count != null || leaves.size == MOST_LEAVES) return false
+        if (field.count != null || leaves.size == MAX_LEAVES) return false
         val joinsAny = isBool && openWidth > 0 && usedBits < openWidth * BITS
         if (!joinsAny && (openWidth != type.width || usedBits + field.bits > openWidth * BITS)) {
             endBits()
@@ -44,7 +44,7 @@ internal class StructPacking {
 
     private fun addText(field: StructField): Boolean {
         val count = field.count ?: 1
-        if (count > WIDEST - offset || leaves.size == MOST_LEAVES) return false
+        if (count > WIDEST - offset || leaves.size == MAX_LEAVES) return false
         leaves += Leaf("/" + field.name, offset, ValueType.CHAR, count)
         offset += count
         return true
@@ -52,7 +52,7 @@ internal class StructPacking {
 
     private inline fun addEach(field: StructField, width: Int, addAt: (path: String, offset: Int) -> Unit): Boolean {
         val count = field.count ?: 1
-        if (width.toLong() * count > WIDEST - offset || (count > MOST_LEAVES - leaves.size && width > 0)) return false
+        if (width.toLong() * count > WIDEST - offset || (count > MAX_LEAVES - leaves.size && width > 0)) return false
         if (width == 0) return true
         for (i in 0 until count) {
             addAt("/" + field.name + if (field.count == null) "" else "[$i]", offset)
@@ -71,7 +71,7 @@ internal class StructPacking {
         const val BITS = 8
 
         /** Each is a topic, and a graph. */
-        const val MOST_LEAVES = 1024
+        const val MAX_LEAVES = 1024
         const val WIDEST = 1 shl 16
     }
 }

@@ -1,6 +1,40 @@
 package badlog.wpilog
 
 /**
+ * How one value stands in bytes.
+ *
+ * @property width in bytes; 1 for each of the characters of a text.
+ * @property isSigned whether a bit-field of it has a sign.
+ */
+internal enum class ValueType(val width: Int, val isSigned: Boolean = false) {
+    BOOL(1),
+    CHAR(1),
+    INT8(1, true),
+    INT16(2, true),
+    INT32(4, true),
+    INT64(8, true),
+    UINT8(1),
+    UINT16(2),
+    UINT32(4),
+    UINT64(8),
+    FLOAT(4),
+    DOUBLE(8),
+    ;
+
+    /** Whether it may be a bit-field or an enumeration. */
+    val isInteger: Boolean get() = this in INT8..UINT64
+
+    companion object {
+        /** The type that a struct's schema calls [name], or null. */
+        fun ofSchema(name: String): ValueType? = when (name) {
+            "float32" -> FLOAT
+            "float64" -> DOUBLE
+            else -> entries.firstOrNull { it.name.lowercase() == name }
+        }
+    }
+}
+
+/**
  * What a record of one fixed size holds.
  *
  * @property width in bytes.

@@ -1,5 +1,6 @@
 package badlog.wpilog
 
+import badlog.recording.LogFormat
 import badlog.recording.LogParser
 import badlog.recording.Loss
 import badlog.recording.ProblemKind
@@ -7,6 +8,16 @@ import badlog.recording.ProblemList
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
 import badlog.recording.Value
+
+/** The WPILOG, the log of WPILib's DataLog. */
+public object WpilogFormat : LogFormat {
+    override val signatureSize: Int get() = RecordSplitter.MAGIC.length
+
+    override fun matches(bytes: ByteArray, size: Int): Boolean =
+        size >= signatureSize && RecordSplitter.MAGIC.indices.all { bytes[it].toInt() == RecordSplitter.MAGIC[it].code }
+
+    override fun parser(keepSamples: Boolean): LogParser = WpilogParser(keepSamples)
+}
 
 /**
  * Reads a WPILOG, the log of WPILib's DataLog, that is pushed to it in pieces of any size. Nothing in the bytes makes it
@@ -19,11 +30,11 @@ import badlog.recording.Value
  */
 public class WpilogParser(private val keepSamples: Boolean = true) : LogParser {
     private val problems = ProblemList()
-    private val book = EntryBook(ColumnSource(keepSamples), problems)
-    private val splitter = RecordSplitter(book)
+    private val entries = WpilogEntries(ColumnSource(keepSamples), problems)
+    private val splitter = RecordSplitter(entries)
 
     /** How many records have been read so far, of whatever kind. */
-    override val rowCount: Int get() = book.recordCount
+    override val rowCount: Int get() = entries.recordCount
 
     override fun accept(bytes: ByteArray, from: Int, until: Int) {
         splitter.accept(bytes, from, until)
@@ -31,32 +42,37 @@ public class WpilogParser(private val keepSamples: Boolean = true) : LogParser {
 
     override fun finish(): Recording {
         val isOther = !splitter.isPastHeader && !splitter.isInHeader
-        val refusal = book.refusal ?: if (isOther) "This is no WPILOG file." else null
+        val refusal = entries.refusal ?: if (isOther) "This is no WPILOG file." else null
         if (refusal != null) {
             problems.add(ProblemKind.NOT_A_RECORDING, refusal)
             return Recording(RecordingFormat.WPILOG, null, emptyList(), emptyList(), 0, problems.toList())
         }
         reportEnd()
-        book.finish(splitter.recordsInNonsense)
-        val bulk = book.spread.bulk()
-        reportLostRecords(bulk)
-        val span = (bulk?.from ?: 0.0) / EntryBook.MICROS..((bulk?.until ?: 1.0) - 1) / EntryBook.MICROS
-        val topics = WpilogTopics(span, problems).of(book.entries)
+        entries.finish(splitter.recordsInNonsense)
+        val cluster = entries.histogram.largestCluster()
+        reportLostRecords(cluster)
+        val span = (cluster?.from ?: 0.0) / WpilogEntries.MICROS..((cluster?.until ?: 1.0) - 1) / WpilogEntries.MICROS
+        val topics = WpilogTopics(span, problems).of(entries.all)
         if (topics.all { it.size == 0 }) {
             problems.add(ProblemKind.NO_ROWS, "There is not one sample; the robot may have been switched off too early.")
         }
         return Recording(
             format = RecordingFormat.WPILOG,
             headerLine = null,
-            values = book.facts.values(bulk?.from ?: 0.0) + extraHeader(),
+            values = entries.match.values(cluster?.from ?: 0.0) + extraHeader(),
             topics = topics,
             rowCount = 0,
             problems = problems.toList(),
         )
     }
 
-    private fun extraHeader() =
-        if (book.extraHeader.isBlank() || book.extraHeader == OWN_HEADER) emptyList() else listOf(Value("Extra Header", book.extraHeader))
+    private fun extraHeader() = if (entries.extraHeader.isBlank() ||
+        entries.extraHeader == OWN_HEADER
+    ) {
+        emptyList()
+    } else {
+        listOf(Value("Extra Header", entries.extraHeader))
+    }
 
     private fun reportEnd() {
         val end = splitter.readableEnd
@@ -75,33 +91,33 @@ public class WpilogParser(private val keepSamples: Boolean = true) : LogParser {
         }
     }
 
-    private fun reportLostRecords(bulk: TimeSpread.Bulk?) {
-        if (book.unknownCount > 0) {
+    private fun reportLostRecords(cluster: TimeHistogram.Cluster?) {
+        if (entries.unknownCount > 0) {
             problems.add(
                 ProblemKind.UNKNOWN_ENTRY,
-                "${book.unknownCount} records belong to entries that were never begun, the first to number " +
-                    "${book.firstUnknown.toUInt()}; they were dropped.",
-                count = book.unknownCount,
-                loss = Loss(cells = book.unknownCount),
+                "${entries.unknownCount} records belong to entries that were never begun, the first to number " +
+                    "${entries.firstUnknown.toUInt()}; they were dropped.",
+                count = entries.unknownCount,
+                loss = Loss(cells = entries.unknownCount),
             )
         }
-        if (book.earlyCount > 0) {
+        if (entries.earlyCount > 0) {
             problems.add(
                 ProblemKind.EARLY_TIMES,
-                "${book.earlyCount} records, such as one of “${book.firstEarly?.name}”, are from before the robot's clock began; " +
+                "${entries.earlyCount} records, such as one of “${entries.firstEarly?.name}”, are from before the robot's clock began; " +
                     "they stand where the recording begins.",
-                count = book.earlyCount,
+                count = entries.earlyCount,
             )
         }
-        val far = if (bulk == null) 0 else (book.spread.total() - bulk.records).toInt()
-        if (book.wildCount + far > 0) {
-            val example = book.firstWild?.let { ", such as one of “${it.name}”" }.orEmpty()
+        val far = if (cluster == null) 0 else (entries.histogram.total() - cluster.records).toInt()
+        if (entries.wildCount + far > 0) {
+            val example = entries.firstWild?.let { ", such as one of “${it.name}”" }.orEmpty()
             problems.add(
                 ProblemKind.WILD_TIMES,
-                "${book.wildCount + far} records$example have times that cannot be, or are days away from all others; " +
+                "${entries.wildCount + far} records$example have times that cannot be, or are days away from all others; " +
                     "they were dropped.",
-                count = book.wildCount + far,
-                loss = Loss(cells = book.wildCount + far),
+                count = entries.wildCount + far,
+                loss = Loss(cells = entries.wildCount + far),
             )
         }
     }

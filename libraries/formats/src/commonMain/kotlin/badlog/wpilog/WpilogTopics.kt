@@ -19,15 +19,15 @@ internal class WpilogTopics(private val span: ClosedFloatingPointRange<Double>, 
 
     private fun add(entry: Entry) {
         val decoder = entry.decoder
-        decoder.clock.finish(span)
+        decoder.timestamps.finish(span)
         val withoutSamples = Topic(
             entry.name,
             entry.unit,
             entry.attributes,
             DoubleArray(0),
             TextColumn.EMPTY,
-            decoder.clock.run { order?.size ?: size }.let { CellCounts(0, 0, 0, 0, it, if (it > 0) 1 else 0) },
-            decoder.clock.times,
+            decoder.timestamps.run { order?.size ?: size }.let { CellCounts(0, 0, 0, 0, it, if (it > 0) 1 else 0) },
+            decoder.timestamps.times,
             entry.type,
             entry.metadata,
             entry.wasXAxis,
@@ -35,11 +35,11 @@ internal class WpilogTopics(private val span: ClosedFloatingPointRange<Double>, 
         // An entry without records, or with nothing but empty arrays, is there all the same.
         if (decoder.blocks.none { it.columns.isNotEmpty() }) topics += withoutSamples.copy(name = uniqueName(entry.name))
         for (block in decoder.blocks) {
-            block.clock.finish(span)
+            block.timestamps.finish(span)
             for (column in block.columns) {
                 val name = uniqueName(entry.name + column.path)
-                val topic = column.build(name, withoutSamples, block.clock)
-                reportTopic(topic, column, block.clock, problems)
+                val topic = column.build(name, withoutSamples, block.timestamps)
+                reportTopic(topic, column, block.timestamps, problems)
                 topics += topic
             }
         }

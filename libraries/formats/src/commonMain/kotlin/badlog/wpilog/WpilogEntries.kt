@@ -5,7 +5,7 @@ import badlog.recording.ProblemList
 import badlog.text.TextDecoder
 
 /** The entries of a file: which were begun, and what their records were turned into. */
-internal class EntryBook(private val source: ColumnSource, private val problems: ProblemList) : RecordSink {
+internal class WpilogEntries(private val source: ColumnSource, private val problems: ProblemList) : RecordSink {
     private val decoder = TextDecoder()
     private val schemas = StructSchemas()
     private val byName = LinkedHashMap<Triple<String, String, Boolean>, Entry>()
@@ -13,13 +13,13 @@ internal class EntryBook(private val source: ColumnSource, private val problems:
     private var byId = arrayOfNulls<Entry>(64)
 
     /** Where most of the records are. */
-    val spread = TimeSpread()
+    val histogram = TimeHistogram()
 
     /** What some of them tell about the whole run. */
-    val facts = RunFacts()
+    val match = MatchMetadata()
 
     /** The entries, in the order in which they were first begun. */
-    val entries: Collection<Entry> get() = byName.values
+    val all: Collection<Entry> get() = byName.values
 
     /** The text of the file's header. */
     var extraHeader = ""
@@ -78,9 +78,9 @@ internal class EntryBook(private val source: ColumnSource, private val problems:
             if (unknownCount++ == 0) firstUnknown = id
             return RecordFate.UNKNOWN
         }
-        if (micros < 0 && micros > -TimeSpread.NEVER) {
+        if (micros < 0 && micros > -TimeHistogram.NEVER) {
             if (earlyCount++ == 0) firstEarly = entry
-        } else if (micros < 0 || !spread.add(micros)) {
+        } else if (micros < 0 || !histogram.add(micros)) {
             if (wildCount++ == 0) firstWild = entry
             return RecordFate.READ
         }
@@ -131,7 +131,7 @@ internal class EntryBook(private val source: ColumnSource, private val problems:
         val isValue = metadata == VALUE_METADATA && type == "string"
         val entry = byName.getOrPut(Triple(name, type, isValue)) {
             Entry(name, type, isValue, decoderFor(name, type)).also { entry ->
-                facts.watch(entry)
+                match.watch(entry)
                 if (type == SCHEMA && STRUCT_SCHEMA in name) entry.listener = schemaListener(name)
             }
         }
@@ -158,7 +158,7 @@ internal class EntryBook(private val source: ColumnSource, private val problems:
     }
 
     private fun put(id: Int, entry: Entry?) {
-        if (id !in 0..LARGEST_LISTED) {
+        if (id !in 0..MAX_LISTED_ID) {
             if (entry != null) byLargeId[id] = entry else byLargeId.remove(id)
             return
         }
@@ -173,7 +173,7 @@ internal class EntryBook(private val source: ColumnSource, private val problems:
     fun finish(unreal: Int) {
         recordCount -= unreal
         unknownCount -= unreal
-        for (entry in entries) {
+        for (entry in all) {
             entry.decoder.finish()
             reportEntry(entry, problems)
         }
@@ -187,7 +187,7 @@ internal class EntryBook(private val source: ColumnSource, private val problems:
         private const val CONTROL_HEAD = 5
 
         /** Numbers up to here are found in an array; loggers count from 1. */
-        private const val LARGEST_LISTED = 1 shl 16
+        private const val MAX_LISTED_ID = 1 shl 16
         private const val STRUCT = "struct:"
         private const val SCHEMA = "structschema"
         private const val STRUCT_SCHEMA = ".schema/struct:"

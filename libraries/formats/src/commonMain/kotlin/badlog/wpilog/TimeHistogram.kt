@@ -4,10 +4,10 @@ package badlog.wpilog
  * Finds the times from 0 on that most records of a file are near, in memory that does not grow: counts records in buckets of 19 hours.
  * What is a whole bucket away from the others does not belong to the same run of a robot.
  */
-internal class TimeSpread {
-    private val starts = DoubleArray(MOST_BUCKETS)
-    private val counts = DoubleArray(MOST_BUCKETS)
-    private val first = DoubleArray(MOST_BUCKETS)
+internal class TimeHistogram {
+    private val starts = DoubleArray(MAX_BUCKETS)
+    private val counts = DoubleArray(MAX_BUCKETS)
+    private val first = DoubleArray(MAX_BUCKETS)
     private var size = 0
     private var current = -1
     private var currentFrom = 0.0
@@ -26,7 +26,7 @@ internal class TimeSpread {
         val start = kotlin.math.floor(micros / WIDTH) * WIDTH
         var bucket = 0
         while (bucket < size && starts[bucket] != start) bucket++
-        if (bucket == MOST_BUCKETS) return false
+        if (bucket == MAX_BUCKETS) return false
         if (bucket == size) {
             starts[bucket] = start
             first[bucket] = micros
@@ -38,9 +38,9 @@ internal class TimeSpread {
     }
 
     /** Where most records are; the last moment is not part of it any more. Null without any. */
-    fun bulk(): Bulk? {
+    fun largestCluster(): Cluster? {
         val order = (0 until size).sortedBy { starts[it] }
-        var best: Bulk? = null
+        var best: Cluster? = null
         var records = 0.0
         var from = 0
         for (i in order.indices) {
@@ -48,7 +48,7 @@ internal class TimeSpread {
             val isLast = i == order.lastIndex || starts[order[i + 1]] > starts[order[i]] + WIDTH
             if (!isLast) continue
             if (best == null || records > best.records) {
-                best = Bulk(first[order[from]], starts[order[i]] + WIDTH, records)
+                best = Cluster(first[order[from]], starts[order[i]] + WIDTH, records)
             }
             from = i + 1
             records = 0.0
@@ -60,10 +60,10 @@ internal class TimeSpread {
     fun total(): Double = counts.sum()
 
     /** The times from [from] on and before [until], in µs, at which [records] stand. */
-    class Bulk(val from: Double, val until: Double, val records: Double)
+    class Cluster(val from: Double, val until: Double, val records: Double)
 
     companion object {
-        private const val MOST_BUCKETS = 64
+        private const val MAX_BUCKETS = 64
 
         /** 2^36 µs, 19 hours. */
         private const val WIDTH = 68719476736.0

@@ -3,7 +3,7 @@ package badlog.wpilog
 import badlog.analysis.stableOrder
 
 /** The growing times of one or several columns, in s. */
-internal class Clock(private val keepsSamples: Boolean) {
+internal class Timestamps(private val keepsSamples: Boolean) {
     private val growing = GrowingDoubles()
     private var isOrdered = true
     private var last = Double.NEGATIVE_INFINITY
@@ -32,9 +32,9 @@ internal class Clock(private val keepsSamples: Boolean) {
         size++
     }
 
-    /** A clock that has had the same times so far, and goes its own way from now on. */
-    fun copy(): Clock {
-        val copy = Clock(keepsSamples)
+    /** Timestamps that have had the same times so far, and go their own way from now on. */
+    fun copy(): Timestamps {
+        val copy = Timestamps(keepsSamples)
         copy.growing.addAll(growing)
         copy.isOrdered = isOrdered
         copy.last = last

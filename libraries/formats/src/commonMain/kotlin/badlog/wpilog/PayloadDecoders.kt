@@ -1,0 +1,190 @@
+package badlog.wpilog
+
+/** Turns the payloads of one entry into samples. */
+internal abstract class PayloadDecoder {
+    /** How many payloads did not have the bytes that the type asks for. */
+    var badCount = 0
+
+    /** How many values there was no topic left for. */
+    var droppedValues = 0
+
+    /** Whether the payloads are shown by their sizes only. */
+    open val isUndecoded: Boolean get() = false
+
+    /** The times of all good records. */
+    abstract val timestamps: Timestamps
+
+    /** What was made of them; may be empty. */
+    abstract val blocks: List<SampleBlock>
+
+    /** Takes the payload from [from] until [until] of a record at [time]. */
+    abstract fun accept(time: Double, bytes: ByteArray, from: Int, until: Int)
+
+    /** Says that no more payloads come. */
+    open fun finish() = Unit
+}
+
+/** Payloads with one value: the [columns] get it. */
+internal abstract class SingleDecoder(source: ColumnSource, paths: List<String>) : PayloadDecoder() {
+    protected val columns = source.columns(paths)
+    override val timestamps = Timestamps(source.keepsSamples)
+    override val blocks = listOf(SampleBlock(columns, timestamps))
+}
+
+/** Payloads of a fixed [layout]: a number, or a struct. */
+internal class LayoutDecoder(source: ColumnSource, private val layout: ValueLayout) :
+    SingleDecoder(source, layout.leaves.map { it.path }) {
+    private val leaves = layout.leaves.toTypedArray()
+
+    override fun accept(time: Double, bytes: ByteArray, from: Int, until: Int) {
+        if (until - from != layout.width) {
+            badCount++
+            return
+        }
+        for (i in leaves.indices) leaves[i].read(bytes, from, columns[i])
+        timestamps.add(time)
+    }
+}
+
+/** Payloads that are a text. */
+internal class TextPayloadDecoder(source: ColumnSource) : SingleDecoder(source, listOf("")) {
+    override fun accept(time: Double, bytes: ByteArray, from: Int, until: Int) {
+        columns[0].addText(bytes, from, until)
+        timestamps.add(time)
+    }
+}
+
+/** Payloads that nothing here understands: how many bytes each has. */
+internal class SizeDecoder(source: ColumnSource) : SingleDecoder(source, listOf("")) {
+    override val isUndecoded: Boolean get() = true
+
+    override fun accept(time: Double, bytes: ByteArray, from: Int, until: Int) {
+        columns[0].addNumber((until - from).toDouble())
+        timestamps.add(time)
+    }
+}
+
+/** Payloads for which there is no column left: they are only counted. */
+internal class NoDecoder : PayloadDecoder() {
+    override val timestamps = Timestamps(false)
+    override val blocks get() = emptyList<SampleBlock>()
+
+    override fun accept(time: Double, bytes: ByteArray, from: Int, until: Int) {
+        droppedValues++
+    }
+}
+
+/** Payloads with any number of values, each of which gets a block of its own; those far behind are dropped. */
+internal abstract class ArrayDecoder(private val source: ColumnSource, private val leafPaths: List<String>) : PayloadDecoder() {
+    protected val elements = ElementBlocks(source.keepsSamples, ::newBlock)
+    override val timestamps: Timestamps get() = elements.timestamps
+    override val blocks: List<SampleBlock> get() = elements.blocks
+
+    private fun newBlock(index: Int, timestamps: Timestamps): SampleBlock? {
+        if (index >= MAX_ELEMENTS || !source.hasRoomFor(leafPaths.size)) return null
+        return SampleBlock(source.columns(leafPaths.map { "[$index]$it" }), timestamps)
+    }
+
+    private companion object {
+        /** Each is a topic, and a graph: more tell nobody anything. */
+        const val MAX_ELEMENTS = 256
+    }
+}
+
+/** Arrays of values of a fixed [layout]. */
+internal class LayoutArrayDecoder(source: ColumnSource, private val layout: ValueLayout) :
+    ArrayDecoder(source, layout.leaves.map { it.path }) {
+    private val leaves = layout.leaves.toTypedArray()
+
+    override fun accept(time: Double, bytes: ByteArray, from: Int, until: Int) {
+        val size = until - from
+        if (layout.width == 0 || size % layout.width != 0) {
+            badCount++
+            return
+        }
+        val count = size / layout.width
+        for (index in 0 until count) {
+            val block = elements.next(index, time)
+            if (block == null) {
+                droppedValues += count - index
+                break
+            }
+            val columns = block.columns
+            for (i in leaves.indices) leaves[i].read(bytes, from + index * layout.width, columns[i])
+        }
+        elements.end(count, time)
+    }
+}
+
+/** Arrays of texts: their number, then each with its length before it. */
+internal class TextArrayDecoder(source: ColumnSource) : ArrayDecoder(source, listOf("")) {
+    override fun accept(time: Double, bytes: ByteArray, from: Int, until: Int) {
+        val count = countOf(bytes, from, until)
+        if (count < 0) {
+            badCount++
+            return
+        }
+        var at = from + Int.SIZE_BYTES
+        for (index in 0 until count) {
+            val block = elements.next(index, time)
+            if (block == null) {
+                droppedValues += count - index
+                break
+            }
+            val size = intAt(bytes, at)
+            block.columns[0].addText(bytes, at + Int.SIZE_BYTES, at + Int.SIZE_BYTES + size)
+            at += Int.SIZE_BYTES + size
+        }
+        elements.end(count, time)
+    }
+
+    /** How many texts there are; -1 unless they fill the payload. */
+    private fun countOf(bytes: ByteArray, from: Int, until: Int): Int {
+        if (until - from < Int.SIZE_BYTES) return -1
+        val count = intAt(bytes, from)
+        if (count !in 0..(until - from) / Int.SIZE_BYTES - 1) return -1
+        var at = from + Int.SIZE_BYTES
+        repeat(count) {
+            if (until - at < Int.SIZE_BYTES) return -1
+            val size = intAt(bytes, at)
+            if (size !in 0..until - at - Int.SIZE_BYTES) return -1
+            at += Int.SIZE_BYTES + size
+        }
+        return if (at == until) count else -1
+    }
+}
+
+/**
+ * The blocks of an array's elements. Those that every record has share their timestamps; an element that comes later or goes
+ * missing has its own, so that an array which was long once costs nothing afterwards.
+ *
+ * @param newBlock makes the block of the element with this index, or null when there are too many.
+ */
+internal class ElementBlocks(
+    private val keepsSamples: Boolean,
+    private val newBlock: (index: Int, timestamps: Timestamps) -> SampleBlock?,
+) {
+    private val list = ArrayList<SampleBlock>()
+    private var present = 0
+
+    /** The times of all records. */
+    val timestamps = Timestamps(keepsSamples)
+
+    /** Those there are, in the order of the elements. */
+    val blocks: List<SampleBlock> get() = list
+
+    /** The block for element [index] of the record at [time], to which it then has to be added; null beyond what is kept. */
+    fun next(index: Int, time: Double): SampleBlock? {
+        if (index == list.size) {
+            list += newBlock(index, if (timestamps.size == 0) timestamps else Timestamps(keepsSamples)) ?: return null
+        }
+        return list.getOrNull(index)?.also { it.meet(time, timestamps) }
+    }
+
+    /** Says that the record at [time] has had [count] elements. */
+    fun end(count: Int, time: Double) {
+        for (i in count until present) list[i].miss(time, timestamps)
+        present = minOf(count, list.size)
+        timestamps.add(time)
+    }
+}
