@@ -1,6 +1,5 @@
 package badlog.wpilog
 
-import badlog.recording.ProblemKind
 import badlog.recording.ProblemList
 import badlog.text.TextDecoder
 
