@@ -27,7 +27,8 @@ public fun LogView.enabledSpans(): List<EnabledSpan> {
 }
 
 /** The topics that [enabledSpans] looks at. */
-public fun LogView.enabledTopics(): List<Topic> = listOfNotNull(findFlag(ENABLED_NAMES), findFlag(CONTROL_NAMES), findFlag(AUTONOMOUS_NAMES))
+public fun LogView.enabledTopics(): List<Topic> =
+    listOfNotNull(findFlag(ENABLED_NAMES), findFlag(CONTROL_NAMES), findFlag(AUTONOMOUS_NAMES))
 
 private fun LogView.spansOf(enabled: Topic, autonomous: Topic?, isSet: (bit: Int) -> (Double) -> Boolean): List<EnabledSpan> {
     val alone = autonomous?.let { runsWhere(it, isSet(AUTONOMOUS_BIT)) }.orEmpty()
