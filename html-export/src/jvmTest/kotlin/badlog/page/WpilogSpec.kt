@@ -87,7 +87,7 @@ internal class WpilogSpec : PageSpec({
             graph("/Arm/Angle").scrollTo().hover(0.5)
             val places = List(2) {
                 press(Keys.ARROW_RIGHT)
-                texts(".cursor-readout")[0].substringBefore(' ').toDouble()
+                texts(".cursor-readout")[0].removeSuffix(" s").toDouble()
             }
             places[1] - places[0] shouldBe (0.02 plusOrMinus 0.0001)
         }

@@ -6,6 +6,7 @@ import badlog.page.dom.addIconButton
 import badlog.page.dom.element
 import badlog.plot.gesture.Action
 import badlog.plot.gesture.GRAPH_GESTURES
+import badlog.plot.gesture.HelpLine
 import org.w3c.dom.HTMLElement
 
 /** The keys and gestures, in a dialog. */
@@ -17,17 +18,18 @@ internal class HelpOverlay {
             add("h2", "", "Keys and gestures")
             addIconButton("", Icon.CLOSE, "Close") { close() }
         }
-        add("dl", "help-keys") {
-            for (line in GRAPH_GESTURES + Action.entries.map { it.help }) addLine(line.how, line.meaning)
-            for ((how, meaning) in OTHERS) addLine(how, meaning)
+        val lines = GRAPH_GESTURES + Action.entries.map { it.help } + OTHERS
+        for ((group, ofGroup) in lines.groupBy { it.group }) {
+            add("h3", "", group)
+            add("dl", "help-keys") { for (line in ofGroup) addLine(line) }
         }
         // A click on the dialog itself is one beside its content.
         addEventListener("click", { if (it.target == this) close() })
     }
 
-    private fun HTMLElement.addLine(how: String, meaning: String) {
-        add("dt") { for (key in how.split(", ", "  ")) add("kbd", "", key) }
-        add("dd", "", meaning)
+    private fun HTMLElement.addLine(line: HelpLine) {
+        add("dt") { for (key in line.how.split(", ", "  ")) add("kbd", "", key) }
+        add("dd", "", line.meaning)
     }
 
     /** Shows it, or takes it away. */
@@ -41,10 +43,10 @@ internal class HelpOverlay {
 
     private companion object {
         val OTHERS = listOf(
-            "Touch" to "Tap sets the cursor, a sideways drag zooms or moves, a double tap shows everything.",
-            "/" to "Search",
-            "Esc" to "Clear the search, take the cursor away, give up a drag",
-            "?" to "This help",
+            HelpLine("On the graphs", "Touch", "Tap sets the cursor, a sideways drag zooms or moves, a double tap shows everything."),
+            HelpLine("Page", "/", "Search"),
+            HelpLine("Page", "Esc", "Clear the search, take the cursor away, give up a drag"),
+            HelpLine("Page", "?", "This help"),
         )
     }
 }

@@ -12,7 +12,6 @@ import badlog.page.view.Frame
 import badlog.page.view.Scene
 import badlog.page.view.shortFindingText
 import badlog.page.view.word
-import badlog.plot.text.lengthText
 import org.w3c.dom.HTMLElement
 
 /**
@@ -71,14 +70,14 @@ internal class ZoomBar(private val scene: Scene, ways: List<HTMLElement>) {
         val now = scene.range.now
         val hasSamples = scene.xAxis.range != null
         range.showText(if (hasSamples) "${scene.xNumber(now.from)} – ${scene.xText(now.to)}" else "No samples")
-        width.showText(if (hasSamples) "Δ ${lengthText(now.width, scene.xAxis)}" else "")
+        width.showText(if (hasSamples) "Δ ${scene.xText(now.width)}" else "")
         back.isDisabled = !scene.range.canGoBack
         reset.isDisabled = !scene.range.isZoomed
         val x = scene.cursor.x
         cursor.isHidden = !scene.cursor.isPlaced
         event.isHidden = true
         if (!scene.cursor.isPlaced) return
-        cursor.showText(scene.cursorText)
+        cursor.showText(scene.xText(x))
         cursor.setAttribute("href", TimeLink.to(x))
         val findings = scene.newsAt(x)
         event.className = "event-readout" + if (findings.isEmpty()) "" else " is-${findings[0].word}"

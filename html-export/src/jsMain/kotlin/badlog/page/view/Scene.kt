@@ -6,7 +6,6 @@ import badlog.analysis.LogView
 import badlog.analysis.XAxis
 import badlog.analysis.enabledSpans
 import badlog.plot.range.Viewport
-import badlog.plot.text.cursorText
 import badlog.plot.text.placeText
 import badlog.plot.text.withUnit
 import badlog.plot.timeline.EventTimeline
@@ -55,9 +54,6 @@ internal class Scene(val view: LogView, val palette: Palette) {
         range.change { around(from, to) }
         goTo(from)
     }
-
-    /** Where the cursor is, in words. */
-    val cursorText: String get() = cursorText(cursor.x, xAxis, range.now.width, enabled)
 
     /** A place on the x axis as text, as exact as the screen is, with the unit of x. */
     fun xText(x: Double): String = withUnit(xNumber(x), xAxis.unit)
