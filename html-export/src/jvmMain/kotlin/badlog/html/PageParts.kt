@@ -7,29 +7,32 @@ import java.util.Base64
  * What is the same in all pages: the program that reads and draws the recording, and its styles.
  *
  * @param program the text of one classic script.
- * @param style the text of one style sheet.
- * @throws IllegalArgumentException when the style cannot stand inside its element as it is.
+ * @param style the text of the program's style sheet; it comes with the program.
+ * @param waitingStyle the text of the style sheet for what a page shows before its program runs, or instead.
+ * @throws IllegalArgumentException when one of them cannot stand in a page as it is.
  */
-public class PageParts(program: String, style: String) {
-    internal val program: ByteArray = lines(program).encodeToByteArray()
-    internal val style: ByteArray = lines(style).encodeToByteArray()
-
-    /** The program as it stands in a page. */
-    internal val packedProgram: ByteArray = packed(this.program)
+public class PageParts(program: String, style: String, waitingStyle: String = "") {
+    private val program = lines(program)
+    private val style = lines(style)
+    internal val waitingStyle: String = lines(waitingStyle)
 
     init {
-        require(!style.contains("</style", ignoreCase = true)) { "\"</style\" stands in the page's style." }
+        require(!waitingStyle.contains("</style", ignoreCase = true)) { "\"</style\" stands in the page's style." }
+        require(SEPARATOR !in style) { "The page's style has a character U+0000." }
     }
+
+    /** The program and its style as they stand in a page. */
+    internal val packedProgram: ByteArray = packed(this.style + SEPARATOR + this.program)
 
     /** The Content-Security-Policy of a page with these parts: nothing from the network, no other script or style. */
     internal val policy: String
-        get() = "default-src 'none'; script-src '${hash(UNPACKING.encodeToByteArray())}' '${hash(program)}'; worker-src blob:; " +
-            "style-src '${hash(style)}'; " +
+        get() = "default-src 'none'; script-src '${hash(UNPACKING)}' '${hash(program)}'; worker-src blob:; " +
+            "style-src '${hash(waitingStyle)}' '${hash(style)}'; " +
             "img-src data: blob:; base-uri 'none'; form-action 'none'"
 
     public companion object {
         /** The page that this version of badlog brings along. */
-        public fun bundled(): PageParts = PageParts(resource("page.js"), resource("page.css"))
+        public fun bundled(): PageParts = PageParts(resource("page.js"), resource("page.css"), resource("waiting.css"))
 
         private fun resource(name: String): String {
             val stream = PageParts::class.java.getResourceAsStream("/badlog/page/$name")
@@ -40,8 +43,8 @@ public class PageParts(program: String, style: String) {
         // A browser reads every end of line as LF, and takes its hash of that.
         private fun lines(text: String) = text.replace("\r\n", "\n").replace('\r', '\n')
 
-        private fun hash(bytes: ByteArray): String {
-            val digest = MessageDigest.getInstance("SHA-256").digest(bytes)
+        private fun hash(text: String): String {
+            val digest = MessageDigest.getInstance("SHA-256").digest(text.encodeToByteArray())
             return "sha256-" + Base64.getEncoder().encodeToString(digest)
         }
     }

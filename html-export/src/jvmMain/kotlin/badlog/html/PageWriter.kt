@@ -20,9 +20,8 @@ internal class PageWriter(private val out: OutputStream, private val parts: Page
             <meta name="viewport" content="width=device-width, initial-scale=1">
             <meta name="generator" content="badlog ${escapeHtml(BADLOG_VERSION)}">
             <title>
-            """.trimIndent() + escapeHtml(title) + "</title>\n<style>",
+            """.trimIndent() + escapeHtml(title) + "</title>\n<style>${parts.waitingStyle}",
         )
-        out.write(parts.style)
         text(
             """
             </style>

@@ -22,7 +22,7 @@ import kotlin.io.path.writeBytes
 import kotlin.io.path.writeText
 
 class HtmlExporterSpec : FunSpec({
-    val parts = PageParts("draw()", "main{}")
+    val parts = PageParts("draw()", "main{}", "p{}")
     val exporter = HtmlExporter(parts = parts)
 
     fun pageOf(bytes: ByteArray, name: String = "match.bag", check: (ReadPage, ExportReport) -> Unit) = inFolder { folder ->
@@ -44,6 +44,7 @@ class HtmlExporterSpec : FunSpec({
             page.about["cut"].shouldBeNull()
             page.program shouldBe "draw()"
             page.style shouldBe "main{}"
+            page.waitingStyle shouldBe "p{}"
             page.policy shouldBe parts.policy
             report.recording.rowCount shouldBe 2
             report.recording.isSalvaged shouldBe false

@@ -14,20 +14,22 @@ class PagePartsSpec : FunSpec({
         return "'sha256-${Base64.getEncoder().encodeToString(digest)}'"
     }
 
-    test("the policy has the hashes of the program and of the style, as a browser reads their lines") {
-        val parts = PageParts("let a\r\nlet ü\r", "b{}\n")
+    test("the policy has the hashes of the program and of both styles, as a browser reads their lines") {
+        val parts = PageParts("let a\r\nlet ü\r", "b{}\r\n", "p{}\n")
         parts.policy shouldContain "script-src ${hash(UNPACKING)} ${hash("let a\nlet ü\n")};"
-        parts.policy shouldContain "style-src ${hash("b{}\n")};"
+        parts.policy shouldContain "style-src ${hash("p{}\n")} ${hash("b{}\n")};"
         parts.policy.substringBefore(';') shouldBe "default-src 'none'"
     }
 
-    test("a style that would end its element is refused, a program stands in the page packed") {
-        PageParts("a='</script><!--'", "").packedProgram.decodeToString() shouldNotContain "<"
-        shouldThrow<IllegalArgumentException> { PageParts("", "a::after{content:'</Style>'}") }
+    test("a style that would end its element is refused, a program and its style stand in the page packed") {
+        val style = "a::after{content:'</Style>'}"
+        PageParts("a='</script><!--'", style).packedProgram.decodeToString() shouldNotContain "<"
+        shouldThrow<IllegalArgumentException> { PageParts("", "", style) }
     }
 
-    test("the page of this build is fit to be embedded, and small") {
-        val parts = PageParts.bundled()
-        check(parts.packedProgram.size + parts.style.size < 350_000 - 4_000)
+    test("a style that would end where the program begins is refused") {
+        shouldThrow<IllegalArgumentException> { PageParts("", "a{}\u0000b{}") }
     }
+
+    test("the page of this build is fit to be embedded") { PageParts.bundled().waitingStyle shouldContain ".waiting{" }
 })

@@ -14,7 +14,7 @@ internal class ReadPage(file: Path) {
     val html: String = Files.readString(file)
     val title: String = between("<title>", "</title>")
     val policy: String = between("Content-Security-Policy\" content=\"", "\"")
-    val style: String = between("<style>", "</style>")
+    val waitingStyle: String = between("<style>", "</style>")
     private val packed: String = between("id=\"packed\">", "</script>")
     val unpacking: String = between("<script id=\"unpacking\">", "</script>")
     val about: JsonObject =
@@ -27,12 +27,14 @@ internal class ReadPage(file: Path) {
     val attachments: Map<String, ByteArray> = Regex("class=\"attachment\" data-name=\"([^\"]*)\">([^<]*)</script>")
         .findAll(html).associate { (it.groupValues[1]) to inflate(decode(it.groupValues[2])) }
 
-    val program: String = inflate(decode(packed)).decodeToString()
+    private val parts = inflate(decode(packed)).decodeToString()
+    val style: String = parts.substringBefore(SEPARATOR)
+    val program: String = parts.substringAfter(SEPARATOR)
 
     fun inflated(): ByteArray = inflate(recording)
 
     /** How many start tags of [name] a browser meets outside of scripts and styles. */
-    fun count(name: String): Int = Regex("<$name[ >]").findAll(html.replace(unpacking, "").replace(style, "")).count()
+    fun count(name: String): Int = Regex("<$name[ >]").findAll(html.replace(unpacking, "").replace(waitingStyle, "")).count()
 
     private fun between(start: String, end: String): String {
         val from = html.indexOf(start) + start.length

@@ -84,11 +84,13 @@ internal class HostileTextSpec : PageSpec({
 
     browserTest("hostile events and states stay text, in the list, on the graphs and in the bar") {
         val topics = listOf(TIME, BagTopic("State"), BagTopic("A"), BagTopic("Log", attributes = listOf("log")))
-        val bag = bagOf(topics, HOSTILE.size) { row, column -> if (column == 1 || column == 3) HOSTILE[row] else row }
+        val isText = setOf(1, 3)
+        val bag = bagOf(topics, HOSTILE.size + 1) { row, column -> if (column in isText) HOSTILE.getOrElse(row) { "End" } else row }
         onPage(TestPages.of(bag), script = alarm) {
             texts(".event-text") shouldContainAll HOSTILE
             for (row in HOSTILE.indices) {
-                graph("State").scrollTo().hover(row * 0.9995 / (HOSTILE.size - 1))
+                // A state and an event are read from the last sample at or before the cursor.
+                graph("State").scrollTo().hover((row + 0.1) / HOSTILE.size)
                 graph("State").value("State") shouldBe HOSTILE[row]
                 texts(".event-readout").single() shouldContain HOSTILE[row]
             }
