@@ -14,8 +14,8 @@ fun main(args: Array<String>) {
         ViewerWindow(
             folders = UserFolders.ofSystem(),
             start = { viewer ->
-                opensClickedFiles(viewer)
-                StartPlace.of(args.firstOrNull(), viewer.settings, samples)
+                opensClickedFiles(viewer.loader)
+                StartPlace.of(args.firstOrNull(), viewer.settings.state, samples)
             },
         )
     }

@@ -1,13 +1,11 @@
 package badlog.viewer.benchmark
 
 import badlog.analysis.LogView
-import badlog.plot.range.Viewport
 import badlog.recording.CellCounts
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
 import badlog.recording.TextColumn
 import badlog.recording.Topic
-import badlog.viewer.compare.drawnRecordings
 import badlog.viewer.graph.GraphPane
 import badlog.viewer.graph.standardGraphs
 import badlog.viewer.recording.OpenRecording
@@ -19,32 +17,32 @@ import kotlin.random.Random
 
 /** How long frames take while a person zooms, pans, and moves the cursor over ten graphs of a million samples each. */
 internal fun measureFrames(pictures: Path): List<FrameTimes> {
-    OffScreenWindow { viewer -> ViewerTheme(Theme.LIGHT) { GraphPane(viewer) } }.use { window ->
+    OffScreenWindow { viewer -> ViewerTheme(Theme.LIGHT) { GraphPane(viewer.graphs) } }.use { window ->
         val viewer = window.viewer
-        val isReady = { viewer.plots.areReady(viewer.drawnRecordings(), viewer.viewport.visible) }
+        val isReady = { viewer.graphs.plots.areReady(viewer.compared.drawn, viewer.view.viewport.visible) }
         window.measure({
             val recording = OpenRecording(Path.of("ten-graphs.bag").toAbsolutePath(), tenMillionSamples())
-            viewer.open = recording
-            viewer.graphs = standardGraphs(recording.view)
-            viewer.viewport = Viewport(recording.span)
+            viewer.current.replace(recording)
+            viewer.board.replace(standardGraphs(recording.view))
+            viewer.view.show(recording.span)
         }, isReady)
         window.save(pictures.resolve("ten-graphs.png"))
-        val full = viewer.viewport.full
+        val full = viewer.view.viewport.full
         val random = Random(1)
 
         // From everything to a fiftieth of it: the more samples a pixel column has, the longer its strokes are.
         fun zoom(): Double = window.measure({
-            val visible = viewer.viewport.visible
-            val isIn = if (visible.width < full.width / 50) false else !viewer.viewport.isZoomed || random.nextBoolean()
-            viewer.viewport = viewer.viewport.scaled(if (isIn) 1 / 1.22 else 1.22, visible.from + visible.width * random.nextDouble())
+            val visible = viewer.view.viewport.visible
+            val isIn = if (visible.width < full.width / 50) false else !viewer.view.viewport.isZoomed || random.nextBoolean()
+            viewer.view.change { scaled(if (isIn) 1 / 1.22 else 1.22, visible.from + visible.width * random.nextDouble()) }
         }, isReady)
         fun pan(): Double = window.measure({
-            val step = viewer.viewport.visible.width / 50
-            val isAtEnd = viewer.viewport.visible.to > full.to - step
-            viewer.viewport = viewer.viewport.shifted(if (isAtEnd) -full.width else step)
+            val step = viewer.view.viewport.visible.width / 50
+            val isAtEnd = viewer.view.viewport.visible.to > full.to - step
+            viewer.view.change { shifted(if (isAtEnd) -full.width else step) }
         }, isReady)
         fun cursor(): Double = window.measure({
-            viewer.cursor = viewer.viewport.visible.let { it.from + it.width * random.nextDouble() }
+            viewer.view.placeCursor(viewer.view.viewport.visible.let { it.from + it.width * random.nextDouble() })
         }, isReady)
         repeat(WARM_UP) {
             zoom()
@@ -53,7 +51,7 @@ internal fun measureFrames(pictures: Path): List<FrameTimes> {
         }
         return listOf(
             FrameTimes("zoom", List(FRAMES) { zoom() }),
-            FrameTimes("pan", viewer.run { viewport = viewport.showing(0.0, full.width / 20) }.let { List(FRAMES) { pan() } }),
+            FrameTimes("pan", viewer.view.change { showing(0.0, full.width / 20) }.let { List(FRAMES) { pan() } }),
             FrameTimes("cursor", List(FRAMES) { cursor() }),
         ).also { window.save(pictures.resolve("ten-graphs-zoomed.png")) }
     }

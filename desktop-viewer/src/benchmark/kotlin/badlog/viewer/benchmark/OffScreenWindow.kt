@@ -16,7 +16,10 @@ import java.nio.file.Path
 internal class OffScreenWindow(content: @Composable (Viewer) -> Unit) : AutoCloseable {
     private val thread = WindowThread()
     private val home = Files.createTempDirectory("badlog-benchmark")
-    val viewer = Viewer(CoroutineScope(SupervisorJob() + thread), UserFolders(home, home))
+
+    /** Where the user's own files are. */
+    val folders = UserFolders(home, home)
+    val viewer = Viewer(CoroutineScope(SupervisorJob() + thread), folders)
     private val scene = ImageComposeScene(WIDTH, HEIGHT, Density(1f), thread) { content(viewer) }
 
     /**

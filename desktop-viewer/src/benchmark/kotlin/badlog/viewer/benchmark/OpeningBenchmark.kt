@@ -1,9 +1,7 @@
 package badlog.viewer.benchmark
 
 import badlog.viewer.app.ViewerScreen
-import badlog.viewer.compare.drawnRecordings
-import badlog.viewer.graph.warmUpGraphs
-import badlog.viewer.recording.RecordingLoading
+import badlog.viewer.app.warmUpGraphs
 import kotlinx.coroutines.launch
 import java.nio.file.Files
 import java.nio.file.Path
@@ -22,10 +20,10 @@ internal fun main(args: Array<String>) {
     OffScreenWindow { viewer -> ViewerScreen(viewer) }.use { window ->
         window.measure { true }
         // As the window itself does once it is there.
-        val warmUp = window.viewer.scope.launch { warmUpGraphs(window.viewer.folders) }
+        val warmUp = window.viewer.scope.launch { warmUpGraphs(window.folders) }
         window.measure { warmUp.isCompleted }
-        val millis = window.measure({ RecordingLoading(window.viewer).open(file) }) {
-            window.viewer.open != null && window.viewer.plots.areReady(window.viewer.drawnRecordings(), window.viewer.viewport.visible)
+        val millis = window.measure({ window.viewer.loader.open(file) }) {
+            window.viewer.current.recording != null && window.viewer.graphs.plots.areReady(window.viewer.compared.drawn, window.viewer.view.viewport.visible)
         }
         val peak = peakMegabytes()
         if (args.size > 1) window.save(Path.of(args[1]))

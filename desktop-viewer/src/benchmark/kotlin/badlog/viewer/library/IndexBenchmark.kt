@@ -42,7 +42,7 @@ fun main(args: Array<String>) {
 private fun sameProcess(): List<String> {
     val java = ManagementFactory.getRuntimeMXBean()
     return listOf(Path.of(System.getProperty("java.home"), "bin", "java").toString()) + java.inputArguments +
-        listOf("-cp", java.classPath, "badlog.viewer.library.IndexBenchmarkKt")
+        listOf("-cp", java.classPath, "badlog.viewer.library.state.IndexBenchmarkKt")
 }
 
 private fun measureLooks(folder: Path) {

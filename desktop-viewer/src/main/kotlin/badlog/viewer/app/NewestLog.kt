@@ -1,7 +1,16 @@
 package badlog.viewer.app
 
+import androidx.compose.runtime.snapshotFlow
+import badlog.viewer.library.Library
 import badlog.viewer.library.index.IndexQueue
-import badlog.viewer.panels.MainView
+import badlog.viewer.recording.CurrentRecording
+import badlog.viewer.recording.RecordingLoader
+import badlog.viewer.task.Notices
+import kotlinx.coroutines.delay
+import kotlinx.coroutines.flow.collectLatest
+import kotlinx.coroutines.flow.combine
+import kotlinx.coroutines.flow.filterNotNull
+import kotlinx.coroutines.flow.flow
 import java.nio.file.Path
 import kotlin.time.Duration.Companion.seconds
 import kotlin.time.TimeSource
@@ -9,36 +18,53 @@ import kotlin.time.TimeSource
 /**
  * Shows the newest log before anybody asks: when nothing is open, and instead of one that it has shown itself as long as nobody
  * has done anything with that. To be used on the window's thread only.
+ *
+ * @param isInUse whether somebody looks closer at what is shown.
  */
-internal class NewestShowing(private val viewer: Viewer) {
+internal class NewestLog(
+    private val library: Library,
+    private val current: CurrentRecording,
+    private val loader: RecordingLoader,
+    private val opener: LogOpener,
+    private val notices: Notices,
+    private val isInUse: () -> Boolean,
+) {
     private var since = TimeSource.Monotonic.markNow()
     private var shown: Path? = null
 
-    /** Another folder is looked at from now on. */
-    fun begin() {
+    /** Shows it whenever there is another one, until cancelled. */
+    suspend fun run() = snapshotFlow { library.state.folder }.collectLatest {
         since = TimeSource.Monotonic.markNow()
+        val patience = flow {
+            emit(Unit)
+            delay(PATIENCE)
+            emit(Unit)
+        }
+        val hindrances = snapshotFlow { Triple(loader.isReading, current.recording?.file, isInUse()) }
+        combine(library.progress.filterNotNull(), patience, hindrances) { progress, _, _ -> progress }
+            .collect { update(it.queue, it.isComplete) }
     }
 
     /** Shows it, if it is known; [isComplete] says whether all logs of [queue] are. */
     fun update(queue: IndexQueue, isComplete: Boolean) {
-        if (viewer.loading.isReading) return
+        if (loader.isReading) return
         val newest = when {
-            isComplete -> viewer.library.newest
-            since.elapsedNow() > PATIENCE && viewer.open == null -> queue.newestKnown().firstOrNull { !it.isGrey }
+            isComplete -> library.state.newest
+            since.elapsedNow() > PATIENCE && current.recording == null -> queue.newestKnown().firstOrNull { !it.isGrey }
             else -> null
         } ?: return
         if (newest.file == shown || !mayChange()) return
-        if (viewer.open != null) {
+        if (current.recording != null) {
             if (newest.isGrey) return
-            viewer.notices.say("${newest.title} has just appeared, and is shown now.")
+            notices.say("${newest.title} is new, and is shown now.")
         }
         shown = newest.file
-        viewer.openLog(newest)
+        opener.open(newest)
     }
 
     private fun mayChange(): Boolean {
-        val open = viewer.open ?: return true
-        return open.file == shown && viewer.layouts.isUntouched && !viewer.playback.isPlaying && viewer.panels.main == MainView.GRAPHS
+        val open = current.recording ?: return true
+        return open.file == shown && !isInUse()
     }
 
     private companion object {

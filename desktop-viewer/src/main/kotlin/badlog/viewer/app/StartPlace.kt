@@ -1,6 +1,9 @@
 package badlog.viewer.app
 
+import badlog.viewer.library.Library
+import badlog.viewer.recording.RecordingLoader
 import badlog.viewer.settings.Settings
+import badlog.viewer.task.Notices
 import java.awt.Desktop
 import java.nio.file.Files
 import java.nio.file.InvalidPathException
@@ -25,10 +28,10 @@ internal data class StartPlace(val folder: Path?, val file: Path?, val complaint
             if (argument == null) return StartPlace(folder, null, null)
             val named = pathNamed(argument)?.toAbsolutePath()?.normalize()
             return when {
-                named == null -> StartPlace(folder, null, "“$argument” cannot be the name of a file; look for a typing error in it.")
+                named == null -> StartPlace(folder, null, "“$argument” cannot be the name of a file; check the spelling.")
                 Files.isDirectory(named) -> StartPlace(named, null, null)
                 Files.exists(named) -> StartPlace(named.parent, named, null)
-                else -> StartPlace(folder, null, "There is no file or folder $named; look for a typing error in its name.")
+                else -> StartPlace(folder, null, "There is no file or folder $named; check the spelling.")
             }
         }
     }
@@ -42,16 +45,16 @@ private fun pathNamed(name: String): Path? = try {
 }
 
 /** Opens what [start] names, when the window begins. */
-internal fun openFirst(viewer: Viewer, start: StartPlace) {
-    start.complaint?.let { viewer.notices.complain(it) }
-    start.folder?.let { viewer.libraryFolder.open(it, showsNewest = start.file == null) }
-    start.file?.let { viewer.loading.open(it) }
+internal fun openFirst(start: StartPlace, library: Library, loader: RecordingLoader, notices: Notices) {
+    start.complaint?.let { notices.complain(it) }
+    start.folder?.let { library.open(it, showsNewest = start.file == null) }
+    start.file?.let { loader.open(it) }
 }
 
 /** On a Mac, a file that is double-clicked comes as a message to the program that runs already. */
-internal fun opensClickedFiles(viewer: Viewer) {
+internal fun opensClickedFiles(loader: RecordingLoader) {
     if (!Desktop.isDesktopSupported()) return
     val desktop = Desktop.getDesktop()
     if (!desktop.isSupported(Desktop.Action.APP_OPEN_FILE)) return
-    desktop.setOpenFileHandler { event -> event.files.firstOrNull()?.let { viewer.loading.open(it.toPath()) } }
+    desktop.setOpenFileHandler { event -> event.files.firstOrNull()?.let { loader.open(it.toPath()) } }
 }

@@ -12,65 +12,72 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
-import badlog.viewer.export.TakeAwayMenu
+import badlog.viewer.findings.LogFindings
 import badlog.viewer.inspector.InspectorTabs
-import badlog.viewer.layout.LayoutMenu
 import badlog.viewer.panels.FrontPart
 import badlog.viewer.panels.InspectorTab
 import badlog.viewer.panels.MainView
+import badlog.viewer.panels.WindowPanels
+import badlog.viewer.recording.CurrentRecording
+import badlog.viewer.settings.SettingsStore
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Theme
 import badlog.viewer.theme.ToolButton
 
-/** What stands along the window's top: which parts are open, what is shown, and what can be done with it. */
+/** What stands along the window's top: which parts are open, what is shown, and what can be done with it by the [menus]. */
 @Composable
-internal fun TopBar(viewer: Viewer, isNarrow: Boolean = false) {
-    val panels = viewer.panels
+internal fun TopBar(
+    panels: WindowPanels,
+    current: CurrentRecording,
+    findings: LogFindings,
+    settings: SettingsStore,
+    isNarrow: Boolean,
+    menus: @Composable () -> Unit,
+) {
+    val open = panels.state
     Row(
         Modifier.fillMaxWidth().background(LocalPalette.current.surface).padding(horizontal = 8.dp, vertical = 4.dp),
         horizontalArrangement = Arrangement.spacedBy(4.dp),
         verticalAlignment = Alignment.CenterVertically,
     ) {
-        if (!isNarrow) PanelButtons(viewer)
+        if (!isNarrow) PanelButtons(panels)
         Text(
-            viewer.open?.label ?: "badlog",
+            current.recording?.label ?: "badlog",
             Modifier.weight(1f).padding(horizontal = 8.dp),
             fontWeight = FontWeight.SemiBold,
             maxLines = 1,
             overflow = TextOverflow.Ellipsis,
         )
-        if (!isNarrow) InspectorTabs(viewer)
-        ToolButton("Statistics across logs", Icons.Compare, isOn = panels.main == MainView.STATISTICS) {
-            viewer.panels = panels.toggled(MainView.STATISTICS)
+        if (!isNarrow) InspectorTabs(current, findings, panels)
+        ToolButton("Statistics across logs", Icons.Compare, isOn = open.main == MainView.STATISTICS) {
+            panels.change { toggled(MainView.STATISTICS) }
         }
-        LayoutMenu(viewer)
-        TakeAwayMenu(viewer)
-        ToolButton("Theme: ${viewer.settings.theme.name.lowercase()}", Icons.Sun) {
+        menus()
+        ToolButton("Theme: ${settings.state.theme.name.lowercase()}", Icons.Sun) {
             val themes = Theme.entries
-            val next = themes[(viewer.settings.theme.ordinal + 1) % themes.size]
-            viewer.settings = viewer.settings.copy(theme = next)
+            val next = themes[(settings.state.theme.ordinal + 1) % themes.size]
+            settings.change { copy(theme = next) }
         }
-        ToolButton("Keys and gestures", Icons.Help, isOn = panels.help) {
-            viewer.panels = panels.copy(help = !panels.help)
+        ToolButton("Keys and gestures", Icons.Help, isOn = open.help) {
+            panels.change { copy(help = !help) }
         }
     }
 }
 
 @Composable
-private fun PanelButtons(viewer: Viewer) {
-    val panels = viewer.panels
-    ToolButton("Logs: the list at the left", Icons.List, isOn = panels.library) {
-        viewer.panels = panels.copy(library = !panels.library)
+private fun PanelButtons(panels: WindowPanels) {
+    ToolButton("Logs: the list at the left", Icons.List, isOn = panels.state.library) {
+        panels.change { copy(library = !library) }
     }
-    ToolButton("Topics", Icons.Tree, isOn = panels.topics) {
-        viewer.panels = panels.copy(topics = !panels.topics)
+    ToolButton("Topics", Icons.Tree, isOn = panels.state.topics) {
+        panels.change { copy(topics = !topics) }
     }
 }
 
 /** What stands along the foot of a narrow window: which of its parts is seen. */
 @Composable
-internal fun FrontTabs(viewer: Viewer) {
+internal fun FrontTabs(panels: WindowPanels) {
     Row(
         Modifier.fillMaxWidth().background(LocalPalette.current.surface).padding(4.dp),
         horizontalArrangement = Arrangement.SpaceEvenly,
@@ -87,10 +94,10 @@ internal fun FrontTabs(viewer: Viewer) {
                 "Show the ${part.name.lowercase()}",
                 icon,
                 text = name,
-                isOn = viewer.panels.front == part && viewer.panels.main == MainView.GRAPHS,
+                isOn = panels.state.front == part && panels.state.main == MainView.GRAPHS,
             ) {
-                val inspector = viewer.panels.inspector ?: InspectorTab.EVENTS.takeIf { part == FrontPart.DETAILS }
-                viewer.panels = viewer.panels.copy(front = part, main = MainView.GRAPHS, inspector = inspector)
+                val inspector = panels.state.inspector ?: InspectorTab.EVENTS.takeIf { part == FrontPart.DETAILS }
+                panels.change { copy(front = part, main = MainView.GRAPHS, inspector = inspector) }
             }
         }
     }

@@ -1,141 +1,141 @@
 package badlog.viewer.app
 
-import androidx.compose.runtime.derivedStateOf
 import androidx.compose.runtime.getValue
-import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
-import badlog.analysis.Span
-import badlog.plot.range.Viewport
-import badlog.plot.timeline.EventTimeline
-import badlog.viewer.compare.Comparison
-import badlog.viewer.compare.ComparisonLoading
+import androidx.compose.runtime.snapshots.Snapshot
+import badlog.viewer.board.GraphBoard
+import badlog.viewer.compare.ComparedRecordings
+import badlog.viewer.export.cut.CutSaver
+import badlog.viewer.export.figure.FigureSaver
+import badlog.viewer.export.pages.PageSaver
 import badlog.viewer.files.FileChoice
 import badlog.viewer.files.SystemFileChoice
-import badlog.viewer.findings.Findings
-import badlog.viewer.findings.RuleRunning
-import badlog.viewer.formula.FormulaKeeping
-import badlog.viewer.formula.FormulaSheet
-import badlog.viewer.graph.GraphList
-import badlog.viewer.graph.PlotGesture
-import badlog.viewer.graph.plot.Plots
+import badlog.viewer.findings.LogFindings
+import badlog.viewer.formula.FormulaStore
+import badlog.viewer.graph.GraphScene
+import badlog.viewer.graph.graphCommands
 import badlog.viewer.keyboard.Command
 import badlog.viewer.keyboard.Keyboard
-import badlog.viewer.layout.LayoutKeeping
-import badlog.viewer.library.LibraryFolder
-import badlog.viewer.library.LibraryState
-import badlog.viewer.panels.Panels
-import badlog.viewer.playback.Playback
-import badlog.viewer.recording.EventFilter
+import badlog.viewer.layout.LayoutFiles
+import badlog.viewer.layout.LayoutStore
+import badlog.viewer.library.Library
+import badlog.viewer.library.LibraryActions
+import badlog.viewer.library.index.LogEntry
+import badlog.viewer.panels.FrontPart
+import badlog.viewer.panels.MainView
+import badlog.viewer.panels.WindowPanels
+import badlog.viewer.playback.Player
+import badlog.viewer.recording.CurrentRecording
+import badlog.viewer.recording.FilteredEvents
 import badlog.viewer.recording.OpenRecording
-import badlog.viewer.recording.RecordingLoading
+import badlog.viewer.recording.RecordingLoader
+import badlog.viewer.recording.RecordingWatcher
 import badlog.viewer.settings.Settings
+import badlog.viewer.settings.SettingsFile
+import badlog.viewer.settings.SettingsStore
 import badlog.viewer.settings.UserFolders
-import badlog.viewer.statistics.StatisticsChoice
+import badlog.viewer.statistics.SelectedStatistics
+import badlog.viewer.statistics.TableSaver
 import badlog.viewer.task.LongTasks
 import badlog.viewer.task.Notices
-import badlog.viewer.topic.TopicList
+import badlog.viewer.topic.TopicListing
+import badlog.viewer.view.AxisView
 import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.launch
 
 /**
- * All that a window shows, in parts that change apart from each other. Each part is plain data: a change replaces it by what
- * one of its transitions gives. To be used on the window's thread only; work is launched in [scope], off that thread.
+ * Builds the parts of a window and joins them: each is given the parts it needs, and nobody is given all. To be used on the window's
+ * thread only; work is launched in [scope], off that thread.
  *
  * @param scope lives as long as the window, on its thread.
- * @property folders where the user's own files are.
- * @property files asks for files and folders.
- * @property notices what the window has to say.
+ * @param kept the settings of last time.
  */
 internal class Viewer(
     val scope: CoroutineScope,
-    val folders: UserFolders,
-    settings: Settings = Settings(),
+    folders: UserFolders,
+    kept: Settings = Settings(),
     val files: FileChoice = SystemFileChoice,
     val notices: Notices = Notices(),
 ) {
-    /** What the person has chosen. */
-    var settings by mutableStateOf(settings)
-
-    /** The folder of logs. */
-    var library by mutableStateOf(LibraryState())
-
-    /** The recording that is shown, or null. */
-    var open by mutableStateOf<OpenRecording?>(null)
-
-    /** What is drawn of it. */
-    var graphs by mutableStateOf(GraphList())
-
-    /** Which part of x is seen. */
-    var viewport by mutableStateOf(Viewport(Span(0.0, 1.0)))
-
-    /** Where on x the cursor stands, the same in all graphs; null for nowhere. */
-    var cursor by mutableStateOf<Double?>(null)
-
-    /** Whether the cursor stays where it is rather than going with the pointer. */
-    var isCursorPinned by mutableStateOf(false)
-
-    /** What is being dragged over a graph now, or null. */
-    var gesture by mutableStateOf<PlotGesture?>(null)
-
-    /** The part of x that a person has marked, or null. */
-    var selection by mutableStateOf<Span?>(null)
-
-    /** How the cursor runs by itself. */
-    var playback by mutableStateOf(Playback())
-
-    /** What is laid over the open recording. */
-    var comparison by mutableStateOf(Comparison())
-
-    /** Which topics and statistics the table across recordings has. */
-    var statisticsChoice by mutableStateOf(StatisticsChoice())
-
-    /** How the list of topics is searched and folded, and which are chosen there. */
-    var topicList by mutableStateOf(TopicList())
-
-    /** Which events are listed and marked. */
-    var eventFilter by mutableStateOf(EventFilter())
-
-    /** The events of the open recording that [eventFilter] lets through. */
-    val matchingEvents: EventTimeline by derivedStateOf { open?.let { eventFilter.over(it.events, it.eventLogs) } ?: EventTimeline.NONE }
-
-    /** The definitions of topics that are calculated from others, in the order in which they may use each other. */
-    var formulas by mutableStateOf<List<String>>(emptyList())
-
-    /** The formula that a person is writing, or null. */
-    var formulaSheet by mutableStateOf<FormulaSheet?>(null)
-
-    /** What rules found in the open recording. */
-    var findings by mutableStateOf(Findings())
-
-    /** Which parts of the window are open. */
-    var panels by mutableStateOf(Panels())
-
-    /** The pictures of the graphs. */
-    val plots = Plots()
-
-    /** What a person is waiting for. */
     val tasks = LongTasks(scope, notices)
-
-    /** Reads what is compared. */
-    val comparisonLoading = ComparisonLoading(this)
-
-    /** Runs the rules over the open recording. */
-    val ruleRunning = RuleRunning(this)
-
-    /** Calculates the formulas. */
-    val formulaKeeping = FormulaKeeping(this)
-
-    /** Remembers how the window is arranged. */
-    val layouts = LayoutKeeping(this)
-
-    /** Opens recordings. */
-    val loading = RecordingLoading(this)
-
-    /** Keeps [library] as its folder is. */
-    val libraryFolder = LibraryFolder(this)
-
-    /** Who hears the keys. */
+    val settings = SettingsStore(SettingsFile(folders.settings.resolve(SettingsFile.NAME)), notices, kept)
+    val panels = WindowPanels()
+    val library = Library(scope, folders.cache, settings)
+    val current = CurrentRecording()
+    val view = AxisView()
+    val board = GraphBoard()
+    val compared = ComparedRecordings(current, tasks, definitions = { formulas.definitions })
+    val formulas: FormulaStore = FormulaStore(current, compared, board, notices)
+    val events = FilteredEvents(current)
+    val topics = TopicListing()
+    val statistics = SelectedStatistics()
+    val player = Player(current, view)
+    val findings = LogFindings(current, view, folder = { library.state.folder }, ::awaitDrawn)
+    val layouts = LayoutStore(folders, library, current, board, view, compared, formulas, panels, notices)
+    val layoutFiles = LayoutFiles(layouts, library, current, files, tasks, notices)
+    val pages = PageSaver(scope, current, compared, formulas, library, files, tasks, notices)
+    val figures = FigureSaver(scope, current, compared, view, files, tasks, notices)
+    val cuts = CutSaver(current, view, files, tasks, notices)
+    val tables = TableSaver(files, tasks, notices)
+    val graphs = GraphScene(current, board, view, compared, events, findings, player, settings, figures::copy)
+    private val watcher = RecordingWatcher(
+        notices,
+        read = { shown, isGrowing -> OpenRecording.read(shown.file, { formulas.definitions }, isGrowing) },
+        update = ::showGrown,
+    )
+    val loader = RecordingLoader(scope, tasks, watcher, definitions = { formulas.definitions }, ::show)
+    val opener = LogOpener(library, loader, files, notices)
+    val newest = NewestLog(library, current, loader, opener, notices, isInUse = ::isInUse)
+    val logActions = LibraryActions(
+        open = opener::open,
+        openInGraphs = ::openInGraphs,
+        check = compared::toggle,
+        askForFolder = opener::askForFolder,
+        askForLog = opener::askForLog,
+        toggleTable = { panels.change { toggled(MainView.LOGS) } },
+    )
     val keyboard = Keyboard()
 
-    /** What they do. */
-    val commands: List<Command> = allCommands(this)
+    /** All that the keyboard does, in the order of the help sheet. */
+    val commands: List<Command> = libraryCommands(library, panels, opener) + actionCommands(current, view, formulas, findings) +
+        graphCommands(view) + playbackCommands(player) + exportCommands(pages, figures, board) + layoutCommands(layoutFiles) +
+        windowCommands(panels, formulas, view)
+
+    /** Starts what goes on by itself as long as the window is there. */
+    fun start() {
+        scope.launch { layouts.autosave() }
+        scope.launch { formulas.recalculate() }
+        scope.launch { findings.run() }
+        scope.launch { settings.autosave() }
+        scope.launch { newest.run() }
+    }
+
+    /** Shows [opened], which was just read, in one step for all who look. */
+    fun show(opened: OpenRecording) = Snapshot.withMutableSnapshot {
+        // The folder's formulas may have come while the file was read.
+        val recording = if (opened.definitions == formulas.definitions) opened else opened.withFormulas(formulas.definitions)
+        current.replace(recording)
+        compared.share(recording)
+        board.replace(layouts.graphsOf(recording))
+        view.show(recording.span)
+        panels.change { copy(front = FrontPart.GRAPHS) }
+        library.select(recording.file)
+    }
+
+    private fun showGrown(recording: OpenRecording) = Snapshot.withMutableSnapshot {
+        current.replace(recording)
+        compared.share(recording)
+        view.change { grown(recording.span) }
+    }
+
+    private fun openInGraphs(entry: LogEntry) {
+        opener.open(entry)
+        if (entry.isReadable) panels.change { copy(main = MainView.GRAPHS) }
+    }
+
+    private suspend fun awaitDrawn() {
+        if (panels.state.main == MainView.GRAPHS) graphs.awaitDrawn()
+    }
+
+    private fun isInUse() = !layouts.isUntouched || player.state.isPlaying || panels.state.main != MainView.GRAPHS
 }

@@ -15,93 +15,132 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import badlog.viewer.compare.CompareBar
+import badlog.viewer.export.ExportMenu
 import badlog.viewer.formula.FormulaDialog
 import badlog.viewer.graph.GraphPane
 import badlog.viewer.inspector.InspectorPane
+import badlog.viewer.layout.LayoutMenu
 import badlog.viewer.library.LibraryPane
 import badlog.viewer.library.LogTable
+import badlog.viewer.library.ShownLogs
 import badlog.viewer.panels.FrontPart
 import badlog.viewer.panels.MainView
+import badlog.viewer.panels.Panels
 import badlog.viewer.statistics.StatisticsTable
-import badlog.viewer.task.StatusBar
+import badlog.viewer.task.StatusLines
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ViewerTheme
 import badlog.viewer.topic.TopicPane
 
-/** All of the window's content. */
+/** All of the window's content, of the parts that [viewer] has built. */
 @Composable
-internal fun ViewerScreen(viewer: Viewer) {
-    ViewerTheme(viewer.settings.theme) {
-        viewer.keyboard.Watch {
-            BoxWithConstraints(Modifier.fillMaxSize().acceptsFiles { viewer.openNamed(it) }) {
+internal fun ViewerScreen(viewer: Viewer) = with(viewer) {
+    ViewerTheme(settings.state.theme) {
+        keyboard.Watch {
+            BoxWithConstraints(Modifier.fillMaxSize().acceptsFiles(opener::openNamed)) {
                 val isNarrow = maxWidth < NARROW
                 Column(Modifier.fillMaxSize().background(LocalPalette.current.page)) {
-                    TopBar(viewer, isNarrow)
+                    TopBar(panels, current, findings, settings, isNarrow) {
+                        LayoutMenu(current, layouts, layoutFiles)
+                        ExportMenu(current, library, compared, board, view, pages, figures, cuts)
+                    }
                     Box(Modifier.weight(1f).fillMaxWidth()) {
-                        if (isNarrow) NarrowBody(viewer) else WideBody(viewer)
-                        viewer.formulaSheet?.let { FormulaDialog(viewer, it, Modifier.align(Alignment.TopCenter)) }
-                        if (viewer.panels.help) {
-                            HelpSheet(viewer.commands.map { it.help } + GESTURES, Modifier.align(Alignment.TopCenter)) {
-                                viewer.panels = viewer.panels.copy(help = false)
+                        Body(panels.state, isNarrow, panesOf(viewer))
+                        val open = current.recording
+                        val sheet = formulas.sheet
+                        if (open != null && sheet != null) FormulaDialog(formulas, sheet, open, Modifier.align(Alignment.TopCenter))
+                        if (panels.state.help) {
+                            HelpSheet(commands.map { it.help } + GESTURES, Modifier.align(Alignment.TopCenter)) {
+                                panels.change { copy(help = false) }
                             }
                         }
                     }
-                    StatusBar(viewer)
-                    if (isNarrow) FrontTabs(viewer)
+                    StatusLines(notices, tasks)
+                    if (isNarrow) FrontTabs(panels)
                 }
             }
         }
     }
 }
 
+/** What may stand between the window's top and foot. */
+private class Panes(
+    val logs: @Composable (Modifier) -> Unit,
+    val topics: @Composable (Modifier) -> Unit,
+    val main: @Composable (Modifier) -> Unit,
+    val details: @Composable (Modifier) -> Unit,
+)
+
+private fun panesOf(viewer: Viewer) = with(viewer) {
+    Panes(
+        logs = { LibraryPane(library, settings, shownLogs(), logActions, it) },
+        topics = { TopicPane(current, compared, board, view, events, formulas, topics, panels, it) },
+        main = { MainPane(viewer, it) },
+        details = { InspectorPane(current, compared, board, view, events, findings, panels, it) },
+    )
+}
+
 @Composable
-private fun WideBody(viewer: Viewer) {
-    val panels = viewer.panels
+private fun Body(panels: Panels, isNarrow: Boolean, panes: Panes) {
+    val all = Modifier.fillMaxSize()
+    when {
+        !isNarrow -> WideBody(panels, panes)
+        panels.main != MainView.GRAPHS -> panes.main(all)
+        // One part at a time, where there is no room for more.
+        else -> when (panels.front) {
+            FrontPart.LOGS -> panes.logs(all)
+            FrontPart.TOPICS -> panes.topics(all)
+            FrontPart.GRAPHS -> panes.main(all)
+            FrontPart.DETAILS -> panes.details(all)
+        }
+    }
+}
+
+@Composable
+private fun WideBody(panels: Panels, panes: Panes) {
     Row(Modifier.fillMaxSize()) {
         if (panels.library && panels.main != MainView.LOGS) {
-            LibraryPane(viewer, Modifier.width(280.dp).fillMaxHeight())
+            panes.logs(Modifier.width(280.dp).fillMaxHeight())
             VerticalDivider()
         }
         if (panels.topics && panels.main == MainView.GRAPHS) {
-            TopicPane(viewer, Modifier.width(240.dp).fillMaxHeight())
+            panes.topics(Modifier.width(240.dp).fillMaxHeight())
             VerticalDivider()
         }
-        MainPart(viewer, Modifier.weight(1f).fillMaxHeight())
+        panes.main(Modifier.weight(1f).fillMaxHeight())
         if (panels.inspector != null && panels.main == MainView.GRAPHS) {
             VerticalDivider()
-            InspectorPane(viewer, Modifier.width(320.dp).fillMaxHeight())
+            panes.details(Modifier.width(320.dp).fillMaxHeight())
         }
     }
 }
 
-/** One part at a time, where there is no room for more. */
 @Composable
-private fun NarrowBody(viewer: Viewer) {
-    val panels = viewer.panels
-    val all = Modifier.fillMaxSize()
-    if (panels.main != MainView.GRAPHS) return MainPart(viewer, all)
-    when (panels.front) {
-        FrontPart.LOGS -> LibraryPane(viewer, all)
-        FrontPart.TOPICS -> TopicPane(viewer, all)
-        FrontPart.GRAPHS -> MainPart(viewer, all)
-        FrontPart.DETAILS -> InspectorPane(viewer, all)
-    }
-}
-
-@Composable
-private fun MainPart(viewer: Viewer, modifier: Modifier) {
+private fun MainPane(viewer: Viewer, modifier: Modifier) = with(viewer) {
+    val showGraphs = { panels.change { copy(main = MainView.GRAPHS) } }
     Box(modifier) {
-        when (viewer.panels.main) {
+        when (panels.state.main) {
             MainView.GRAPHS -> Column(Modifier.fillMaxSize()) {
-                CompareBar(viewer)
-                GraphPane(viewer, Modifier.weight(1f).fillMaxWidth())
+                CompareBar(current, compared)
+                GraphPane(graphs, Modifier.weight(1f).fillMaxWidth())
             }
-
-            MainView.LOGS -> LogTable(viewer, Modifier.fillMaxSize())
-
-            MainView.STATISTICS -> StatisticsTable(viewer, Modifier.fillMaxSize())
+            MainView.LOGS -> LogTable(library, settings, shownLogs(), logActions, Modifier.fillMaxSize())
+            MainView.STATISTICS -> StatisticsTable(
+                statistics,
+                library.state.entries,
+                compared.drawn.map { it.recording },
+                onOpen = { file ->
+                    if (file != current.recording?.file) loader.open(file)
+                    showGraphs()
+                },
+                onSave = { tables.save(it, library.state.folder) },
+                onClose = showGraphs,
+                Modifier.fillMaxSize(),
+            )
         }
     }
 }
+
+private fun Viewer.shownLogs() = ShownLogs(current.recording?.file, compared.state.checked)
 
 private val NARROW = 720.dp

@@ -11,19 +11,18 @@ import androidx.compose.ui.window.ApplicationScope
 import androidx.compose.ui.window.FrameWindowScope
 import androidx.compose.ui.window.Window
 import androidx.compose.ui.window.WindowState
+import badlog.viewer.failure.FailureBoundary
 import badlog.viewer.failure.FailureLog
 import badlog.viewer.failure.Failures
-import badlog.viewer.failure.FailuresHeard
 import badlog.viewer.failure.FailuresSeen
 import badlog.viewer.failure.endWhenStuck
-import badlog.viewer.graph.warmUpGraphs
+import badlog.viewer.layout.LayoutStore
 import badlog.viewer.settings.SettingsFile
+import badlog.viewer.settings.SettingsStore
 import badlog.viewer.settings.UserFolders
-import badlog.viewer.settings.keepSettings
 import badlog.viewer.task.Notices
 import kotlinx.coroutines.launch
 import org.jetbrains.skia.Image
-import java.io.IOException
 
 /**
  * The window, from its opening on [start] to its closing, which ends the application.
@@ -40,25 +39,22 @@ internal fun ApplicationScope.ViewerWindow(
     val scope = rememberCoroutineScope()
     val notices = remember { Notices() }
     val failures = remember { Failures(FailureLog(folders.cache), notices) }
-    val settingsFile = remember { SettingsFile(folders.settings.resolve("settings.json")) }
-    val kept = remember { settingsFile.read() }
+    val kept = remember { SettingsFile(folders.settings.resolve(SettingsFile.NAME)).read() }
     val viewer = remember { Viewer(failures.guarded(scope), folders, kept, notices = notices) }
     val place = remember { windowStateOf(kept.window) }
     val icon = remember { windowIcon() }
-    FailuresHeard(failures) {
-        OpenWindow(viewer, place, icon, { keepAll(viewer, place, settingsFile) }) {
+    val saveAll = { saveAll(viewer.layouts, viewer.settings, place) }
+    FailureBoundary(failures) {
+        OpenWindow(viewer, folders, place, icon, saveAll) {
             FailuresSeen(failures)
             content(it)
         }
     }
     LaunchedEffect(viewer) {
-        viewer.scope.launch { viewer.layouts.keep() }
-        viewer.scope.launch { viewer.formulaKeeping.keep() }
-        viewer.scope.launch { viewer.ruleRunning.keep() }
-        viewer.scope.launch { keepSettings(viewer, settingsFile, kept) }
-        viewer.scope.launch { openFirst(viewer, start(viewer)) }
+        viewer.start()
+        viewer.scope.launch { openFirst(start(viewer), viewer.library, viewer.loader, viewer.notices) }
         endWhenStuck(failures, isInSight = { !place.isMinimized }) {
-            keepAll(viewer, place, settingsFile)
+            saveAll()
             exitApplication()
         }
     }
@@ -67,6 +63,7 @@ internal fun ApplicationScope.ViewerWindow(
 @Composable
 private fun ApplicationScope.OpenWindow(
     viewer: Viewer,
+    folders: UserFolders,
     place: WindowState,
     icon: BitmapPainter,
     beforeClosing: () -> Unit,
@@ -78,7 +75,7 @@ private fun ApplicationScope.OpenWindow(
             exitApplication()
         },
         state = place,
-        title = viewer.open?.label?.let { "$it – badlog" } ?: "badlog",
+        title = viewer.current.recording?.label?.let { "$it – badlog" } ?: "badlog",
         icon = icon,
         onPreviewKeyEvent = { viewer.keyboard.dispatchFirst(it, viewer.commands) },
         onKeyEvent = { viewer.keyboard.dispatch(it, viewer.commands) },
@@ -87,20 +84,16 @@ private fun ApplicationScope.OpenWindow(
         content(viewer)
         LaunchedEffect(viewer) {
             withFrameNanos { }
-            viewer.scope.launch { warmUpGraphs(viewer.folders) }
+            viewer.scope.launch { warmUpGraphs(folders) }
         }
     }
 }
 
 /** Writes at once what else would be written in a moment. */
-private fun keepAll(viewer: Viewer, place: WindowState, file: SettingsFile) {
-    viewer.layouts.keepNow()
-    viewer.settings = viewer.settings.copy(window = placeOf(place, viewer.settings.window))
-    try {
-        file.write(viewer.settings)
-    } catch (_: IOException) {
-        // The window is about to go; that the settings cannot be kept was said when they changed.
-    }
+private fun saveAll(layouts: LayoutStore, settings: SettingsStore, place: WindowState) {
+    layouts.saveNow()
+    settings.change { copy(window = placeOf(place, window)) }
+    settings.saveNow()
 }
 
 private fun windowIcon(): BitmapPainter {

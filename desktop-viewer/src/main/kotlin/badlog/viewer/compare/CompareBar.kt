@@ -39,7 +39,7 @@ import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import badlog.plot.text.exactText
-import badlog.viewer.app.Viewer
+import badlog.viewer.recording.CurrentRecording
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
@@ -51,10 +51,10 @@ import androidx.compose.ui.Alignment as Place
 
 /** What is compared with the open recording, and how it is aligned; nothing while nothing is. */
 @Composable
-internal fun CompareBar(viewer: Viewer) {
-    val open = viewer.open ?: return
-    val comparison = viewer.comparison
-    if (comparison.ticked.all { it == open.file }) return
+internal fun CompareBar(current: CurrentRecording, compared: ComparedRecordings) {
+    val open = current.recording ?: return
+    val comparison = compared.state
+    if (comparison.checked.all { it == open.file }) return
     val palette = LocalPalette.current
     Column(Modifier.fillMaxWidth().background(palette.surface)) {
         FlowRow(
@@ -64,10 +64,10 @@ internal fun CompareBar(viewer: Viewer) {
             Text("Align at", Modifier.padding(end = 6.dp), color = palette.muted)
             for (alignment in Alignment.entries) {
                 ToolButton(alignment.hint, text = alignment.title, isOn = alignment == comparison.alignment) {
-                    viewer.comparison = viewer.comparison.alignedBy(alignment, open)
+                    compared.change { alignedBy(alignment, open) }
                 }
             }
-            ToolButton("Compare with none", Icons.Close, text = "Clear") { viewer.comparisonLoading.clear() }
+            ToolButton("Compare with none", Icons.Close, text = "Clear") { compared.clear() }
         }
         FlowRow(
             Modifier
@@ -78,8 +78,8 @@ internal fun CompareBar(viewer: Viewer) {
             Arrangement.spacedBy(6.dp),
             Arrangement.spacedBy(4.dp),
         ) {
-            viewer.drawnRecordings().forEachIndexed { index, drawn -> ComparedChip(viewer, open, drawn, palette.colorOf(index)) }
-            for (file in comparison.ticked) {
+            compared.drawn.forEachIndexed { index, drawn -> ComparedChip(compared, open, drawn, palette.colorOf(index)) }
+            for (file in comparison.checked) {
                 if (file != open.file && file !in comparison.loaded) {
                     Row(Modifier.padding(horizontal = 8.dp, vertical = 6.dp)) {
                         Text("Reading ${file.fileName} …".take(60), color = palette.muted, maxLines = 1)
@@ -93,7 +93,7 @@ internal fun CompareBar(viewer: Viewer) {
 
 /** One of the recordings that are compared: its colour and name, and where it stands against the open one. */
 @Composable
-internal fun ComparedChip(viewer: Viewer, open: OpenRecording, drawn: DrawnRecording, color: Color) {
+internal fun ComparedChip(compared: ComparedRecordings, open: OpenRecording, drawn: DrawnRecording, color: Color) {
     val palette = LocalPalette.current
     val recording = drawn.recording
     val isOpen = recording.file == open.file
@@ -114,11 +114,11 @@ internal fun ComparedChip(viewer: Viewer, open: OpenRecording, drawn: DrawnRecor
         if (isOpen) {
             Text("open", Modifier.padding(end = 8.dp), color = palette.muted)
         } else {
-            val moveTo = { offset: Double -> viewer.comparison = viewer.comparison.movedTo(recording.file, offset, open) }
+            val moveTo = { offset: Double -> compared.change { movedTo(recording.file, offset, open) } }
             for (step in STEPS.reversed()) Nudge(drawn.name, "-", step) { moveTo(rounded(drawn.offset - step)) }
             OffsetField(drawn.name, drawn.offset, moveTo)
             for (step in STEPS) Nudge(drawn.name, "+", step) { moveTo(rounded(drawn.offset + step)) }
-            ToolButton("Compare no longer with ${drawn.name}", Icons.Close) { viewer.comparisonLoading.remove(recording.file) }
+            ToolButton("Compare no longer with ${drawn.name}", Icons.Close) { compared.remove(recording.file) }
         }
     }
 }

@@ -1,53 +1,78 @@
 package badlog.viewer.compare
 
-import badlog.viewer.app.Viewer
+import androidx.compose.runtime.derivedStateOf
+import androidx.compose.runtime.getValue
+import badlog.viewer.part.Part
+import badlog.viewer.recording.CurrentRecording
 import badlog.viewer.recording.OpenRecording
+import badlog.viewer.task.LongTasks
 import kotlinx.coroutines.Job
 import java.nio.file.Path
 
-/** Reads the recordings that are compared, and lets go of those that no longer are. To be used on the window's thread only. */
-internal class ComparisonLoading(private val viewer: Viewer) {
+/**
+ * The recordings that are laid over the current one: reads them, and lets go of those that no longer are.
+ *
+ * @param definitions gives the formulas to calculate in each.
+ */
+internal class ComparedRecordings(
+    private val current: CurrentRecording,
+    private val tasks: LongTasks,
+    private val definitions: () -> List<String>,
+) : Part<Comparison>(Comparison()) {
     private val jobs = HashMap<Path, Job>()
 
-    /** Ticks [file] and reads it; one that is open already is not read again. One that cannot be read is said and unticked. */
-    fun add(file: Path) {
-        viewer.comparison = viewer.comparison.with(file)
-        val open = viewer.open
-        if (open?.file == file) viewer.comparison = viewer.comparison.withLoaded(open) else load(file)
+    /**
+     * The recordings that every graph draws: the open one, then those checked that were read, in the order of their checks. One that
+     * is both is there once. The place in this list is the place of a recording's color, see [colorOf].
+     */
+    val drawn: List<DrawnRecording> by derivedStateOf {
+        val open = current.recording ?: return@derivedStateOf emptyList()
+        val others = state.checked.filter { it != open.file }.mapNotNull { state.loaded[it] }
+        if (others.isEmpty()) return@derivedStateOf listOf(DrawnRecording(open))
+        val names = namesOf(listOf(open) + others)
+        listOf(DrawnRecording(open, name = names[0])) +
+            others.mapIndexed { i, other -> DrawnRecording(other, state.offsetOf(other, open), names[i + 1]) }
     }
 
-    /** Takes the tick of [file] away, and what was read of it. */
+    /** Checks [file], or no longer. */
+    fun toggle(file: Path) {
+        val known = file.toAbsolutePath().normalize()
+        if (known in state.checked) remove(known) else add(known)
+    }
+
+    /** Checks [file] and reads it; one that is open already is not read again. One that cannot be read is reported and unchecked. */
+    fun add(file: Path) {
+        change { with(file) }
+        val open = current.recording
+        if (open?.file == file) change { withLoaded(open) } else load(file)
+    }
+
+    /** Unchecks [file], and lets go of what was read of it. */
     fun remove(file: Path) {
-        viewer.comparison = viewer.comparison.without(file)
+        change { without(file) }
         jobs.remove(file)?.cancel()
     }
 
-    /** Takes all ticks away. */
+    /** Unchecks all. */
     fun clear() {
-        viewer.comparison.ticked.forEach(::remove)
-        viewer.comparison = viewer.comparison.cleared()
+        state.checked.forEach(::remove)
+        change { cleared() }
     }
 
-    /** Keeps [open] as the one copy of its file, where that is ticked. */
+    /** Keeps [open] as the one copy of its file, where that is checked. */
     fun share(open: OpenRecording) {
-        if (viewer.comparison.loaded[open.file] !== open) viewer.comparison = viewer.comparison.withLoaded(open)
+        if (state.loaded[open.file] !== open) change { withLoaded(open) }
     }
 
     private fun load(file: Path) {
-        val read = { progress: (Float) -> Unit -> OpenRecording.read(file, { viewer.formulas }, progress = progress) }
-        val job = viewer.tasks.run("Reading ${file.fileName} to compare", read) { viewer.comparison = viewer.comparison.withLoaded(it) }
+        val read = { progress: (Float) -> Unit -> OpenRecording.read(file, definitions, progress = progress) }
+        val job = tasks.run("Reading ${file.fileName} to compare", read) { change { withLoaded(it) } }
         jobs[file] = job
         job.invokeOnCompletion {
-            // A later tick of the same file has a job of its own.
+            // A later check of the same file has a job of its own.
             if (jobs[file] !== job) return@invokeOnCompletion
             jobs.remove(file)
-            if (file !in viewer.comparison.loaded) viewer.comparison = viewer.comparison.without(file)
+            if (file !in state.loaded) change { without(file) }
         }
     }
-}
-
-/** Ticks the recording in [file], or takes its tick away. */
-internal fun toggleCompared(viewer: Viewer, file: Path) {
-    val known = file.toAbsolutePath().normalize()
-    if (known in viewer.comparison.ticked) viewer.comparisonLoading.remove(known) else viewer.comparisonLoading.add(known)
 }

@@ -7,32 +7,32 @@ import java.nio.file.Path
  * Which recordings are laid over the open one, and how. Never changes; each transition gives a new one. Files are absolute and
  * normalized.
  *
- * @property ticked the files of those, in the order in which they were ticked.
- * @property loaded those of [ticked] that were read.
+ * @property checked the files of those, in the order in which they were checked.
+ * @property loaded those of [checked] that were read.
  * @property alignment which moment of each stands at one place.
  * @property handOffsets by how much a person has moved each, in units of x; it is moved against the others, so only differences
  *   count, and a file that is not in it has 0.
  */
 internal data class Comparison(
-    val ticked: List<Path> = emptyList(),
+    val checked: List<Path> = emptyList(),
     val loaded: Map<Path, OpenRecording> = emptyMap(),
     val alignment: Alignment = Alignment.START,
     val handOffsets: Map<Path, Double> = emptyMap(),
 ) {
     /** Adds [file] at the end, where it is not there yet. */
-    fun with(file: Path): Comparison = if (file in ticked) this else copy(ticked = ticked.plusElement(file))
+    fun with(file: Path): Comparison = if (file in checked) this else copy(checked = checked.plusElement(file))
 
     /** Takes [file] out, and lets go of what was read of it. */
     fun without(file: Path): Comparison = copy(
         // Not by minus: a path is also the collection of its parts.
-        ticked = ticked.filter { it != file },
+        checked = checked.filter { it != file },
         loaded = loaded.filterKeys { it != file },
         handOffsets = handOffsets.filterKeys { it != file },
     )
 
-    /** Keeps [recording], where its file is still ticked. */
+    /** Keeps [recording], where its file is still checked. */
     fun withLoaded(recording: OpenRecording): Comparison =
-        if (recording.file in ticked) copy(loaded = loaded + (recording.file to recording)) else this
+        if (recording.file in checked) copy(loaded = loaded + (recording.file to recording)) else this
 
     /** Takes all out; the alignment stays for the next. */
     fun cleared(): Comparison = Comparison(alignment = alignment)
@@ -41,15 +41,15 @@ internal data class Comparison(
     fun offsetOf(recording: OpenRecording, open: OpenRecording): Double {
         if (recording.file == open.file) return 0.0
         val offset = when (alignment) {
-            Alignment.BY_HAND -> handOffset(recording.file) - handOffset(open.file)
+            Alignment.MANUAL -> handOffset(recording.file) - handOffset(open.file)
             else -> alignment.momentIn(open) - alignment.momentIn(recording)
         }
         return if (offset.isFinite()) offset else 0.0
     }
 
-    /** Aligns by [chosen]; by hand, each stays where it stands now. */
+    /** Aligns by [alignment]; by hand, each stays where it stands now. */
     fun alignedBy(chosen: Alignment, open: OpenRecording?): Comparison {
-        if (chosen != Alignment.BY_HAND || alignment == Alignment.BY_HAND || open == null) return copy(alignment = chosen)
+        if (chosen != Alignment.MANUAL || alignment == Alignment.MANUAL || open == null) return copy(alignment = chosen)
         val offsets = loaded.values.associate { it.file to offsetOf(it, open) } + (open.file to 0.0)
         return copy(alignment = chosen, handOffsets = offsets)
     }
@@ -57,7 +57,7 @@ internal data class Comparison(
     /** Moves [file] to [offset] against [open], from now on by hand. An offset that is no number changes nothing. */
     fun movedTo(file: Path, offset: Double, open: OpenRecording): Comparison {
         if (!offset.isFinite() || file == open.file) return this
-        val byHand = alignedBy(Alignment.BY_HAND, open)
+        val byHand = alignedBy(Alignment.MANUAL, open)
         return byHand.copy(handOffsets = byHand.handOffsets + (file to byHand.handOffset(open.file) + offset))
     }
 
@@ -69,24 +69,25 @@ internal data class Comparison(
  *
  * @property title what the window calls it.
  * @property hint what it does, in a sentence.
+ * @property layoutName what layout files call it; never to be changed.
  */
-internal enum class Alignment(val title: String, val hint: String) {
+internal enum class Alignment(val title: String, val hint: String, val layoutName: String) {
     /** The first x. */
-    START("Start", "Every recording begins where the open one begins."),
+    START("Start", "Every log begins where the open one begins.", "START"),
 
     /** The first moment at which the robot was enabled; the first x where nothing tells. */
-    ENABLED("Enabled", "The robot is first enabled at the same place in all; a recording that does not tell begins with the open one."),
+    ENABLED("Enabled", "The robot is first enabled at the same place in all; a log that does not tell begins with the open one.", "ENABLED"),
 
     /** The x that was logged. */
-    AS_LOGGED("As logged", "Every recording stands at the x it was logged with."),
+    NONE("No alignment", "Every log stands at the x it was logged with.", "AS_LOGGED"),
 
     /** What a person has moved it to. */
-    BY_HAND("By hand", "Every recording stands where you move it."),
+    MANUAL("Manual", "Every log stands where you move it.", "BY_HAND"),
 }
 
 /** The x in [recording] that this alignment puts at one place with that of the others. */
 internal fun Alignment.momentIn(recording: OpenRecording): Double = when (this) {
     Alignment.START -> recording.firstX
     Alignment.ENABLED -> recording.enabled.firstOrNull()?.span?.from ?: recording.firstX
-    Alignment.AS_LOGGED, Alignment.BY_HAND -> 0.0
+    Alignment.NONE, Alignment.MANUAL -> 0.0
 }

@@ -14,10 +14,10 @@ import kotlinx.coroutines.flow.collectLatest
 import javax.swing.JOptionPane
 import kotlin.time.Duration.Companion.seconds
 
-/** The windows of [content] tell [failures] what fails in them, rather than to close. */
+/** The windows of [content] report to [failures] what fails in them, rather than close. */
 @OptIn(ExperimentalComposeUiApi::class)
 @Composable
-internal fun FailuresHeard(failures: Failures, content: @Composable () -> Unit) {
+internal fun FailureBoundary(failures: Failures, content: @Composable () -> Unit) {
     val factory = remember(failures) { WindowExceptionHandlerFactory { WindowExceptionHandler(failures::hear) } }
     CompositionLocalProvider(LocalWindowExceptionHandlerFactory provides factory, content = content)
 }

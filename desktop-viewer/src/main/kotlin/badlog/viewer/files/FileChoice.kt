@@ -1,6 +1,6 @@
 package badlog.viewer.files
 
-import badlog.viewer.app.Viewer
+import badlog.viewer.task.Notices
 import java.awt.FileDialog
 import java.awt.Frame
 import java.io.FilenameFilter
@@ -48,7 +48,7 @@ internal object SystemFileChoice : FileChoice {
         val chooser = JFileChooser(folder?.toFile())
         chooser.dialogTitle = title
         chooser.fileSelectionMode = JFileChooser.DIRECTORIES_ONLY
-        val answer = chooser.showDialog(owner(), "Choose")
+        val answer = chooser.showDialog(owner(), "Select")
         return if (answer == JFileChooser.APPROVE_OPTION) chooser.selectedFile?.toPath() else null
     }
 
@@ -72,14 +72,14 @@ internal object SystemFileChoice : FileChoice {
  * Asks for a file to write whose name ends in [ending], [name] if the person likes; null when nothing is to be written. What is
  * there already is replaced only when the person has named it in full, and so has agreed to that in the dialog.
  */
-internal fun askToWrite(viewer: Viewer, title: String, folder: Path?, name: String, ending: String): Path? {
-    val chosen = viewer.files.toWrite(title, folder, name + ending) ?: return null
+internal fun askToWrite(files: FileChoice, notices: Notices, title: String, folder: Path?, name: String, ending: String): Path? {
+    val chosen = files.toWrite(title, folder, name + ending) ?: return null
     if (chosen.fileName.toString().endsWith(ending, ignoreCase = true)) return chosen
     val file = chosen.resolveSibling("${chosen.fileName}$ending")
     if (!Files.exists(file)) return file
-    viewer.notices.complain("${file.fileName} is there already; choose it with its full name to replace it.")
+    notices.complain("${file.fileName} is there already; select it by its full name to replace it.")
     return null
 }
 
 /** Says that there is no log yet of which something could be taken. */
-internal fun sayNoLog(viewer: Viewer) = viewer.notices.complain("Open a log first.")
+internal fun sayNoLog(notices: Notices) = notices.complain("Open a log first.")

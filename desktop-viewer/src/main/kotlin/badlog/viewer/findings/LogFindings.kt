@@ -5,9 +5,9 @@ import badlog.analysis.LogView
 import badlog.rules.Finding
 import badlog.rules.FolderRules
 import badlog.rules.over
-import badlog.viewer.app.Viewer
-import badlog.viewer.compare.drawnRecordings
-import badlog.viewer.panels.MainView
+import badlog.viewer.part.Part
+import badlog.viewer.recording.CurrentRecording
+import badlog.viewer.view.AxisView
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.flow.collectLatest
@@ -17,45 +17,60 @@ import kotlinx.coroutines.runInterruptible
 import kotlinx.coroutines.withTimeoutOrNull
 import java.nio.file.Path
 import kotlin.time.Duration
-import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 import kotlin.time.TimeSource
 
 /**
- * Runs the rules over the open recording in the background, once its graphs are there, and again when it has grown. Opening
- * another recording gives up what runs.
+ * What rules find in the current recording. They run in the background, once its graphs are there, and again when it has grown;
+ * another recording cancels what runs. To be used on the window's thread only.
  *
+ * @param folder gives the folder of logs, whose rules count.
+ * @param awaitDrawn returns when a person sees what they opened.
  * @param find finds out what there is in a recording.
  */
-internal class RuleRunning(
-    private val viewer: Viewer,
+internal class LogFindings(
+    private val current: CurrentRecording,
+    private val view: AxisView,
+    private val folder: () -> Path?,
+    private val awaitDrawn: suspend () -> Unit,
     private val find: (view: LogView, file: Path, library: Path?) -> FindingList = ::findingsOf,
-) {
-    /** Follows the window until cancelled. */
-    suspend fun keep() = snapshotFlow { Wanted(viewer.open?.file, viewer.library.folder, viewer.findings.timesAsked) }
+) : Part<Findings>(Findings()) {
+    /** Runs the rules over whatever is opened, until cancelled. */
+    suspend fun run() = snapshotFlow { Wanted(current.recording?.file, folder(), state.timesAsked) }
         .collectLatest { wanted ->
-            viewer.findings = viewer.findings.unknown()
+            change { unknown() }
             if (wanted.file == null) return@collectLatest
-            awaitGraphs()
-            snapshotFlow { viewer.open?.takeIf { it.file == wanted.file }?.logged }.filterNotNull().conflate().collect { view ->
+            withTimeoutOrNull(PATIENCE) { awaitDrawn() }
+            snapshotFlow { current.recording?.takeIf { it.file == wanted.file }?.logged }.filterNotNull().conflate().collect { view ->
                 val began = TimeSource.Monotonic.markNow()
                 val list = runInterruptible(Dispatchers.IO) { find(view, wanted.file, wanted.library) }
-                viewer.findings = viewer.findings.knowing(list)
+                change { knowing(list) }
                 delay(restAfter(began.elapsedNow()))
             }
         }
 
-    private data class Wanted(val file: Path?, val library: Path?, val timesAsked: Int)
+    /** Runs the rules once more. */
+    fun runAgain() = change { copy(timesAsked = timesAsked + 1) }
 
-    /** Whoever opens a log wants to see it first. */
-    private suspend fun awaitGraphs() = withTimeoutOrNull(PATIENCE) {
-        while (viewer.panels.main == MainView.GRAPHS && viewer.graphs.graphs.isNotEmpty() && !areDrawn()) delay(POLL)
+    /** The pointer is on [finding], or on none. */
+    fun point(finding: Finding?) = change { copy(pointed = finding) }
+
+    /** Takes the cursor and the view to [finding], and shades its time; one of the whole log is only selected. */
+    fun goTo(finding: Finding) {
+        change { copy(selected = finding) }
+        if (finding.time.isFinite()) view.goTo(finding.time)
     }
 
-    private fun areDrawn() = viewer.plots.areReady(viewer.drawnRecordings(), viewer.viewport.visible)
+    /** Goes to the finding that is [steps] further on than the one of before, or else than the cursor. */
+    fun step(steps: Int) {
+        // Who has moved the cursor meanwhile goes on from there.
+        val from = state.selected?.takeIf { it.time == view.cursor }
+        state.list?.stepped(steps, from, view.cursor)?.let(::goTo)
+    }
+
+    private data class Wanted(val file: Path?, val library: Path?, val timesAsked: Int)
 
     private companion object {
-        val POLL = 50.milliseconds
         val PATIENCE = 3.seconds
 
         /** Running them over a log that grows must leave the machine to what writes it. */
@@ -76,20 +91,4 @@ internal fun findingsOf(view: LogView, file: Path, library: Path?): FindingList 
     } catch (_: OutOfMemoryError) {
         FindingList(trouble = "There is not enough memory to run the rules over this log; close other logs and run them again.")
     }
-}
-
-/** Takes the cursor and the view to [finding], and shades its time; one of the whole log is only chosen. */
-internal fun goTo(viewer: Viewer, finding: Finding) {
-    viewer.findings = viewer.findings.copy(chosen = finding)
-    if (!finding.time.isFinite()) return
-    viewer.cursor = finding.time
-    viewer.isCursorPinned = true
-    viewer.viewport = viewer.viewport.revealing(finding.time)
-}
-
-/** Goes to the finding that is [steps] further on than the one of before, or else than the cursor. */
-internal fun stepFinding(viewer: Viewer, steps: Int) {
-    // Who has moved the cursor meanwhile goes on from there.
-    val from = viewer.findings.chosen?.takeIf { it.time == viewer.cursor }
-    viewer.findings.list?.stepped(steps, from, viewer.cursor)?.let { goTo(viewer, it) }
 }

@@ -45,7 +45,7 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.expression.ExpressionError
-import badlog.viewer.app.Viewer
+import badlog.viewer.recording.OpenRecording
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Palette
@@ -54,13 +54,12 @@ import badlog.viewer.theme.sheet
 
 /** Lets a person write the formula of [sheet] over the open recording; lies above the window. */
 @Composable
-internal fun FormulaDialog(viewer: Viewer, sheet: FormulaSheet, modifier: Modifier) {
-    val open = viewer.open ?: return
+internal fun FormulaDialog(formulas: FormulaStore, sheet: FormulaSheet, open: OpenRecording, modifier: Modifier) {
     val palette = LocalPalette.current
     // A log that grows keeps its topics.
     val writer = remember(sheet, open.file) { FormulaWriter(sheet.start, vocabularyFor(open, sheet.before)) }
-    val close = { viewer.formulaSheet = null }
-    val keep = { keepFormula(viewer, sheet, writer) }
+    val close = formulas::closeSheet
+    val keep = { keepFormula(formulas, sheet, writer) }
     Column(
         modifier
             .sheet("Formula sheet", widest = 640.dp)
@@ -86,7 +85,7 @@ internal fun FormulaDialog(viewer: Viewer, sheet: FormulaSheet, modifier: Modifi
         Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp, Alignment.End)) {
             sheet.before?.let { before ->
                 ToolButton("Remove this formula", text = "Remove", color = palette.error) {
-                    removeFormula(viewer, before)
+                    formulas.remove(before)
                     close()
                 }
             }
@@ -97,11 +96,11 @@ internal fun FormulaDialog(viewer: Viewer, sheet: FormulaSheet, modifier: Modifi
 }
 
 /** Keeps what is written, where it is a formula, and closes the sheet. */
-private fun keepFormula(viewer: Viewer, sheet: FormulaSheet, writer: FormulaWriter) {
+private fun keepFormula(formulas: FormulaStore, sheet: FormulaSheet, writer: FormulaWriter) {
     val topic = writer.topic ?: return
     val definition = writer.field.text.trim()
-    if (sheet.before == null) addFormula(viewer, definition, topic.name) else changeFormula(viewer, sheet.before, definition, topic.name)
-    viewer.formulaSheet = null
+    if (sheet.before == null) formulas.add(definition, topic.name) else formulas.replace(sheet.before, definition, topic.name)
+    formulas.closeSheet()
 }
 
 private fun hears(event: KeyEvent, writer: FormulaWriter, keep: () -> Unit, close: () -> Unit): Boolean {
@@ -156,7 +155,7 @@ internal fun underlined(text: AnnotatedString, error: ExpressionError?, palette:
     }
 }
 
-/** The names that may be meant; the arrow keys and Tab choose as a click does. */
+/** The names that may be meant; the arrow keys and Tab select as a click does. */
 @Composable
 internal fun SuggestedNames(writer: FormulaWriter) {
     val palette = LocalPalette.current
@@ -192,7 +191,7 @@ internal fun FormulaHelp() {
     }
 }
 
-private const val REST = "Names with odd signs stand in \"quotes\". All of the language is in docs/expressions.md."
+private const val REST = "Quote names with special characters: \"…\". All of the language is in docs/expressions.md."
 
 private val ESSENTIALS = listOf(
     "Power [W] = Battery Voltage * Total Current",

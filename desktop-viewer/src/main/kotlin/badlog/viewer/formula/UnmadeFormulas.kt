@@ -23,19 +23,18 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.plot.formula.Formula
-import badlog.viewer.app.Viewer
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 
 /** The formulas that make no topic of [open], and why; a click changes one. Nothing where all do. */
 @Composable
-internal fun UnmadeFormulas(viewer: Viewer, open: OpenRecording) {
+internal fun UnmadeFormulas(formulas: FormulaStore, open: OpenRecording) {
     val unmade = open.formulas.mapNotNull { formula -> reasonFor(formula, open)?.let { formula to it } }
     if (unmade.isEmpty()) return
     HorizontalDivider()
     Column(Modifier.fillMaxWidth().heightIn(max = 160.dp).verticalScroll(rememberScrollState())) {
-        for ((formula, reason) in unmade) UnmadeLine(viewer, formula.definition, reason)
+        for ((formula, reason) in unmade) UnmadeLine(formulas, formula.definition, reason)
     }
 }
 
@@ -44,13 +43,13 @@ internal fun reasonFor(formula: Formula, open: OpenRecording): String? =
     formula.error?.message ?: "It has no samples here.".takeIf { formula.name?.let(open::signal) == null }
 
 @Composable
-private fun UnmadeLine(viewer: Viewer, definition: String, reason: String) {
+private fun UnmadeLine(formulas: FormulaStore, definition: String, reason: String) {
     val palette = LocalPalette.current
-    ContextMenuArea({ formulaMenu(viewer, definition) }) {
+    ContextMenuArea({ formulaMenu(formulas, definition) }) {
         Row(
             Modifier
                 .fillMaxWidth()
-                .clickable { viewer.formulaSheet = FormulaSheet(definition) }
+                .clickable { formulas.edit(definition) }
                 .semantics { contentDescription = "Formula without a topic: $definition" }
                 .padding(start = 8.dp, end = 12.dp, top = 4.dp, bottom = 4.dp),
             Arrangement.spacedBy(6.dp),
@@ -65,7 +64,7 @@ private fun UnmadeLine(viewer: Viewer, definition: String, reason: String) {
 }
 
 /** What a right click on the formula [definition] offers. */
-internal fun formulaMenu(viewer: Viewer, definition: String): List<ContextMenuItem> = listOf(
-    ContextMenuItem("Change the formula…") { viewer.formulaSheet = FormulaSheet(definition) },
-    ContextMenuItem("Remove the formula") { removeFormula(viewer, definition) },
+internal fun formulaMenu(formulas: FormulaStore, definition: String): List<ContextMenuItem> = listOf(
+    ContextMenuItem("Change the formula…") { formulas.edit(definition) },
+    ContextMenuItem("Remove the formula") { formulas.remove(definition) },
 )

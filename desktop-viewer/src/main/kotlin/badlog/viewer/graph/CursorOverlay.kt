@@ -14,24 +14,23 @@ import badlog.analysis.Span
 import badlog.plot.cursor.dotAt
 import badlog.plot.cursor.indexAt
 import badlog.plot.gesture.DragKind
-import badlog.viewer.findings.drawShownFinding
 import badlog.viewer.graph.plot.PlotPicture
 import badlog.viewer.graph.plot.PlotState
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Palette
+import badlog.viewer.view.PlotGesture
 
 /** What moves with the pointer: the cursor with the samples it reads, the selection, a finding, and what is being dragged. */
 @Composable
 internal fun CursorOverlay(scene: GraphScene, id: Int, state: PlotState) {
     val palette = LocalPalette.current
-    val viewer = scene.viewer
     Spacer(
         Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind {
-            val visible = viewer.viewport.visible
-            viewer.findings.shown?.let { drawShownFinding(it, visible, palette) }
-            viewer.selection?.let { drawSelection(it, visible, palette) }
-            viewer.gesture?.let { drawGesture(it, id, visible, scene.pictureOf(state), palette) }
-            val cursor = viewer.cursor ?: return@drawBehind
+            val visible = scene.view.viewport.visible
+            scene.findings.state.shown?.let { drawShownFinding(it, visible, palette) }
+            scene.view.selection?.let { drawSelection(it, visible, palette) }
+            scene.view.gesture?.let { drawGesture(it, id, visible, scene.pictureOf(state), palette) }
+            val cursor = scene.view.cursor ?: return@drawBehind
             if (cursor !in visible) return@drawBehind
             drawCursorLine(cursor, visible, palette)
             scene.pictureOf(state)?.let { drawSamples(it, cursor, visible, palette) }

@@ -12,7 +12,6 @@ import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
-import badlog.viewer.app.Viewer
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
@@ -21,7 +20,7 @@ import badlog.viewer.theme.ToolButton
 /** What stands here before a recording is open. */
 @Composable
 internal fun NothingOpen(modifier: Modifier) {
-    Sentence("No log is open", "Choose a log at the left, or drop a file here.", modifier.fillMaxSize())
+    Sentence("No log is open", "Select a log at the left, or drop a file here.", modifier.fillMaxSize())
 }
 
 /** What stands here when a recording has nothing to draw. */
@@ -32,11 +31,9 @@ internal fun NothingRecorded(open: OpenRecording, modifier: Modifier) {
 
 /** What stands here when a person has taken every graph away. */
 @Composable
-internal fun NothingChosen(viewer: Viewer, modifier: Modifier) {
+internal fun NoGraphs(onShowDefault: () -> Unit, modifier: Modifier) {
     Sentence("No graphs", "Drag topics here, or begin with the graphs that the log asks for.", modifier) {
-        ToolButton("Show the standard graphs", Icons.Graph, text = "Show the standard graphs", isOn = true) {
-            viewer.open?.let { viewer.graphs = standardGraphs(it.logged) }
-        }
+        ToolButton("Show the default graphs", Icons.Graph, text = "Show the default graphs", isOn = true) { onShowDefault() }
     }
 }
 

@@ -21,11 +21,10 @@ import badlog.viewer.theme.LocalPalette
 /** The text of the event that the cursor is near to, at its place along the top. */
 @Composable
 internal fun EventLabel(scene: GraphScene) {
-    val viewer = scene.viewer
     val event by remember(scene) {
         derivedStateOf {
-            val cursor = viewer.cursor
-            if (cursor == null) null else scene.events.nearest(cursor, viewer.viewport.visible.width * REACH)
+            val cursor = scene.view.cursor
+            if (cursor == null) null else scene.events.matching.nearest(cursor, scene.view.viewport.visible.width * REACH)
         }
     }
     val shown = event ?: return
@@ -37,7 +36,7 @@ internal fun EventLabel(scene: GraphScene) {
                 .layout { measurable, constraints ->
                     val label = measurable.measure(constraints.copy(minWidth = 0, maxWidth = constraints.maxWidth / 2))
                     layout(constraints.maxWidth, label.height) {
-                        val x = pixelOf(shown.x, viewer.viewport.visible, constraints.maxWidth.toFloat())
+                        val x = pixelOf(shown.x, scene.view.viewport.visible, constraints.maxWidth.toFloat())
                         val beside = SIDE.dp.roundToPx()
                         // At the other side where there is no room.
                         val left = if (x + beside + label.width <= constraints.maxWidth) x + beside else x - beside - label.width

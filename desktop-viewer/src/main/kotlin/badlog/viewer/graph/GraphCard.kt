@@ -20,7 +20,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import badlog.viewer.export.copyGraphs
+import badlog.viewer.board.GraphSpec
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
@@ -44,13 +44,13 @@ internal fun GraphCard(scene: GraphScene, spec: GraphSpec, height: Int) {
                 scene,
                 spec,
                 maxLines = if (height < ROOMY) 1 else MOST_HEADER_LINES,
-                Modifier.receivesSignals(scene) { names -> scene.viewer.graphs = scene.viewer.graphs.withGraph(names, before = spec.id) },
+                Modifier.receivesSignals(scene) { names -> scene.board.change { withGraph(names, before = spec.id) } },
             )
             GraphPlot(
                 scene,
                 spec,
                 Modifier.weight(1f).fillMaxWidth().receivesSignals(scene) { names ->
-                    scene.viewer.graphs = names.fold(scene.viewer.graphs) { graphs, name -> graphs.withLine(spec.id, name) }
+                    scene.board.change { names.fold(this) { graphs, name -> graphs.withLine(spec.id, name) } }
                 },
             )
             HorizontalDivider()
@@ -61,17 +61,16 @@ internal fun GraphCard(scene: GraphScene, spec: GraphSpec, height: Int) {
 
 @Composable
 private fun GraphButtons(scene: GraphScene, spec: GraphSpec, isHovered: Boolean, modifier: Modifier) {
-    val viewer = scene.viewer
     val palette = LocalPalette.current
     Row(modifier.padding(end = 12.dp).background(palette.surface.copy(alpha = 0.9f), RoundedCornerShape(5.dp))) {
         if (spec.yRange != null) {
-            ToolButton("Reset Y zoom", Icons.Reset, isOn = true) { viewer.graphs = viewer.graphs.withYRange(spec.id, null) }
+            ToolButton("Reset Y zoom", Icons.Reset, isOn = true) { scene.board.change { withYRange(spec.id, null) } }
         }
         if (isHovered) {
-            ToolButton("Copy a picture of this graph", Icons.Copy) { copyGraphs(viewer, listOf(spec)) }
-            ToolButton("Move up", Icons.Up) { viewer.graphs = viewer.graphs.moved(spec.id, -1) }
-            ToolButton("Move down", Icons.Down) { viewer.graphs = viewer.graphs.moved(spec.id, 1) }
-            ToolButton("Remove the graph", Icons.Close) { viewer.graphs = viewer.graphs.without(spec.id) }
+            ToolButton("Copy a picture of this graph", Icons.Copy) { scene.copy(listOf(spec)) }
+            ToolButton("Move up", Icons.Up) { scene.board.change { moved(spec.id, -1) } }
+            ToolButton("Move down", Icons.Down) { scene.board.change { moved(spec.id, 1) } }
+            ToolButton("Remove the graph", Icons.Close) { scene.board.change { without(spec.id) } }
         }
     }
 }

@@ -26,22 +26,22 @@ import androidx.compose.ui.input.pointer.isShiftPressed
 import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
-import badlog.viewer.findings.FindingLabel
+import badlog.viewer.board.GraphSpec
+import badlog.viewer.graph.plot.OVERVIEW
 import badlog.viewer.graph.plot.drawnLines
 import badlog.viewer.theme.LocalPalette
 
 /** The graphs from top to bottom. */
 @Composable
 internal fun GraphColumn(scene: GraphScene) {
-    val viewer = scene.viewer
-    val graphs = viewer.graphs.graphs
+    val graphs = scene.board.state.graphs
     val recordings = scene.recordings
     SideEffect { scene.plots.keep(graphs.mapTo(HashSet()) { it.id } + OVERVIEW, recordings) }
     BoxWithConstraints(Modifier.fillMaxSize().changesHeights(scene)) {
         val scroll = rememberLazyListState()
         ShowNewGraph(graphs, scroll)
         val lanes = remember(graphs, scene.recordings) { graphs.map { lanesOf(it, scene) } }
-        val settings = viewer.settings
+        val settings = scene.settings.state
         val heights = graphHeights(lanes, maxHeight.value.toInt(), settings.graphHeight, settings.fitsGraphs)
         LazyColumn(Modifier.fillMaxSize(), scroll) {
             itemsIndexed(graphs, key = { _, graph -> graph.id }) { index, graph ->
@@ -96,7 +96,7 @@ private fun Modifier.changesHeights(scene: GraphScene) = pointerInput(scene) {
             // Some systems turn the wheel sideways while Shift is held.
             val notches = event.changes.sumOf { (it.scrollDelta.x + it.scrollDelta.y).toDouble() }
             event.changes.forEach { it.consume() }
-            setGraphHeight(scene.viewer, scene.viewer.settings.graphHeight - (notches * DP_PER_NOTCH).toInt())
+            setGraphHeight(scene.settings, scene.settings.state.graphHeight - (notches * DP_PER_NOTCH).toInt())
         }
     }
 }

@@ -19,6 +19,7 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.text.withStyle
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import badlog.viewer.board.GraphSpec
 import badlog.viewer.graph.plot.drawnLines
 import badlog.viewer.theme.LocalPalette
 

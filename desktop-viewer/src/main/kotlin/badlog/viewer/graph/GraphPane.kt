@@ -6,39 +6,35 @@ import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.runtime.Composable
-import androidx.compose.runtime.remember
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.composed
 import androidx.compose.ui.input.pointer.PointerEventPass
 import androidx.compose.ui.input.pointer.PointerEventType
 import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.platform.LocalFocusManager
-import badlog.viewer.app.Viewer
-import badlog.viewer.findings.FindingStrip
-import badlog.viewer.playback.PlaybackRunning
+import badlog.viewer.playback.PlayerFrames
 import badlog.viewer.theme.LocalPalette
 
 /** The graphs of the open recording, with overview and playback. */
 @Composable
-internal fun GraphPane(viewer: Viewer, modifier: Modifier = Modifier) {
-    PlaybackRunning(viewer)
-    val open = viewer.open
+internal fun GraphPane(scene: GraphScene, modifier: Modifier = Modifier) {
+    PlayerFrames(scene.player)
+    val open = scene.current.recording
     if (open == null) {
         NothingOpen(modifier)
         return
     }
-    val scene = remember(viewer) { GraphScene(viewer) }
     Column(modifier.background(LocalPalette.current.surface).takesKeyboard()) {
         GraphToolbar(scene)
         Overview(scene)
         Box(
             Modifier.weight(1f).fillMaxWidth().receivesSignals(scene) { names ->
-                viewer.graphs = viewer.graphs.withGraph(names)
+                scene.board.change { withGraph(names) }
             },
         ) {
             when {
                 open.signals.isEmpty() -> NothingRecorded(open, Modifier.fillMaxSize())
-                viewer.graphs.graphs.isEmpty() -> NothingChosen(viewer, Modifier.fillMaxSize())
+                scene.board.state.graphs.isEmpty() -> NoGraphs({ scene.board.replace(standardGraphs(open.logged)) }, Modifier.fillMaxSize())
                 else -> GraphColumn(scene)
             }
         }

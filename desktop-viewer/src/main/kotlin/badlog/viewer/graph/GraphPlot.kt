@@ -19,6 +19,7 @@ import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.rememberTextMeasurer
+import badlog.viewer.board.GraphSpec
 import badlog.viewer.graph.plot.PlotPicture
 import badlog.viewer.graph.plot.PlotRequest
 import badlog.viewer.graph.plot.PlotState
@@ -42,7 +43,7 @@ internal fun GraphPlot(scene: GraphScene, spec: GraphSpec, modifier: Modifier) {
         if (size.width <= 0 || size.height <= 0) {
             null
         } else {
-            PlotRequest(latest, scene.recordings, scene.viewer.viewport.visible, size.width, size.height, palette, density)
+            PlotRequest(latest, scene.recordings, scene.view.viewport.visible, size.width, size.height, palette, density)
         }
     }
     Box(modifier) {
@@ -69,13 +70,13 @@ private fun Figure(scene: GraphScene, state: PlotState) {
     val letters = rememberTextMeasurer(cacheSize = TEXTS)
     Spacer(
         Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind {
-            val visible = scene.viewer.viewport.visible
-            drawEnabled(scene.viewer.open?.enabled.orEmpty(), visible, palette)
+            val visible = scene.view.viewport.visible
+            drawEnabled(scene.current.recording?.enabled.orEmpty(), visible, palette)
             val picture = scene.pictureOf(state) ?: return@drawBehind
             drawGrid(picture, visible, palette)
             drawLines(picture, visible)
             drawLanes(picture, visible, palette, letters)
-            drawEventMarks(scene.events, visible, palette)
+            drawEventMarks(scene.events.matching, visible, palette)
         },
     )
 }

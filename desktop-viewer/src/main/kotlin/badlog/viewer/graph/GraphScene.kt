@@ -4,40 +4,65 @@ import androidx.compose.runtime.derivedStateOf
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
+import androidx.compose.runtime.snapshotFlow
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import badlog.analysis.Units
-import badlog.plot.timeline.EventTimeline
-import badlog.viewer.app.Viewer
+import badlog.viewer.board.GraphBoard
+import badlog.viewer.board.GraphSpec
+import badlog.viewer.compare.ComparedRecordings
 import badlog.viewer.compare.DrawnRecording
-import badlog.viewer.compare.drawnRecordings
+import badlog.viewer.findings.LogFindings
 import badlog.viewer.graph.plot.PlotPicture
 import badlog.viewer.graph.plot.PlotState
 import badlog.viewer.graph.plot.Plots
 import badlog.viewer.graph.plot.drawnLines
+import badlog.viewer.playback.Player
+import badlog.viewer.recording.CurrentRecording
+import badlog.viewer.recording.FilteredEvents
+import badlog.viewer.settings.SettingsStore
+import badlog.viewer.view.AxisView
+import kotlinx.coroutines.flow.first
 
-/** What all graphs of a window share. */
-internal class GraphScene(val viewer: Viewer) {
-    val plots: Plots get() = viewer.plots
-    val gestures = PlotGestures(viewer)
+/**
+ * What all graphs of a window share.
+ *
+ * @property copy puts the picture of graphs onto the clipboard.
+ */
+internal class GraphScene(
+    val current: CurrentRecording,
+    val board: GraphBoard,
+    val view: AxisView,
+    val compared: ComparedRecordings,
+    val events: FilteredEvents,
+    val findings: LogFindings,
+    val player: Player,
+    val settings: SettingsStore,
+    val copy: (List<GraphSpec>) -> Unit,
+) {
+    /** The pictures of the graphs. */
+    val plots = Plots()
+    val gestures = PlotGestures(view, board, player)
 
     /** What is drawn. */
-    val recordings: List<DrawnRecording> by derivedStateOf { viewer.drawnRecordings() }
-
-    /** The events that are marked. */
-    val events: EventTimeline get() = viewer.matchingEvents
+    val recordings: List<DrawnRecording> get() = compared.drawn
 
     /** Whether signals are being dragged over the window. */
     var isReceiving: Boolean by mutableStateOf(false)
 
-    private val hasRightAxis by derivedStateOf { viewer.graphs.graphs.any { unitsOf(it) > 1 } }
+    private val hasRightAxis by derivedStateOf { board.state.graphs.any { unitsOf(it) > 1 } }
 
     /** The room at the right of all graphs: for the second axis, where any has one, and the scroll bar. */
     val rightGutter: Dp get() = if (hasRightAxis) 60.dp else 12.dp
 
+    /** Waits until every graph in sight is drawn; returns at once while there is none. */
+    suspend fun awaitDrawn() {
+        snapshotFlow { board.state.graphs.isEmpty() || plots.areReady(recordings, view.viewport.visible) }.first { it }
+    }
+
     /** What [state] has to draw; a picture of another file is as none. */
     fun pictureOf(state: PlotState): PlotPicture? =
-        state.picture?.takeIf { it.request.recordings.firstOrNull()?.recording?.file == viewer.open?.file }
+        state.picture?.takeIf { it.request.recordings.firstOrNull()?.recording?.file == current.recording?.file }
 
     private fun unitsOf(spec: GraphSpec) = drawnLines(spec, recordings)
         .filter { it.signal.states == null }

@@ -31,6 +31,7 @@ import androidx.compose.ui.unit.Constraints
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.plot.text.unitText
+import badlog.viewer.board.GraphSpec
 import badlog.viewer.compare.shortLabel
 import badlog.viewer.graph.plot.DrawnLine
 import badlog.viewer.theme.Icons
@@ -65,7 +66,7 @@ internal fun LegendEntry(scene: GraphScene, spec: GraphSpec, line: DrawnLine, ha
                 Icons.Close,
                 "Remove ${line.signal.title}",
                 Modifier.size(12.dp).clickable {
-                    scene.viewer.graphs = scene.viewer.graphs.withoutLine(spec.id, line.signal.name)
+                    scene.board.change { withoutLine(spec.id, line.signal.name) }
                 },
                 palette.muted,
             )
@@ -82,7 +83,7 @@ private fun LegendValue(scene: GraphScene, id: Int, line: DrawnLine) {
     val unit = remember(palette) { TextStyle(color = palette.muted, fontSize = 12.sp) }
     Spacer(
         Modifier.width(if (line.signal.states == null) 104.dp else 84.dp).height(17.dp).drawBehind {
-            val text = readingOf(scene.pictureOf(scene.plots.state(id)), line, scene.viewer.cursor)
+            val text = readingOf(scene.pictureOf(scene.plots.state(id)), line, scene.view.cursor)
             val layout = letters.measure(
                 text.ifEmpty { unitText(line.signal.unit) },
                 if (text.isEmpty()) unit else style,

@@ -26,8 +26,9 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import badlog.analysis.Span
-import badlog.viewer.findings.drawFindings
-import badlog.viewer.findings.drawShownFinding
+import badlog.viewer.board.GraphSpec
+import badlog.viewer.board.LineSpec
+import badlog.viewer.graph.plot.OVERVIEW
 import badlog.viewer.graph.plot.PlotRequest
 import badlog.viewer.graph.plot.PlotState
 import badlog.viewer.graph.plot.drawLines
@@ -36,23 +37,19 @@ import badlog.viewer.recording.batteryAmong
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Palette
 
-/** The overview's place among the graphs, which count from 1. */
-internal const val OVERVIEW = 0
-
 /** The whole recording as a strip, with a small curve, the events, the findings, and the part that is visible as a window to be moved. */
 @Composable
 internal fun Overview(scene: GraphScene) {
-    val viewer = scene.viewer
     val palette = LocalPalette.current
     val state = scene.plots.state(OVERVIEW)
     val density = LocalDensity.current.density
-    val spec = remember(viewer.open) { viewer.open?.let(::overviewSpec) }
+    val spec = remember(scene.current.recording) { scene.current.recording?.let(::overviewSpec) }
     PictureKeeping(state, scene.plots.curves) {
         val size = state.size
         if (spec == null || size.width <= 0 || size.height <= 0) {
             null
         } else {
-            PlotRequest(spec, scene.recordings.take(1), viewer.viewport.full, size.width, size.height, palette, density)
+            PlotRequest(spec, scene.recordings.take(1), scene.view.viewport.full, size.width, size.height, palette, density)
         }
     }
     Box(Modifier.fillMaxWidth().height(HEIGHT.dp).background(palette.surface)) {
@@ -62,7 +59,7 @@ internal fun Overview(scene: GraphScene) {
                 .padding(start = GraphScene.LEFT_GUTTER, end = scene.rightGutter, top = 2.dp, bottom = 3.dp)
                 .onSizeChanged { state.size = it }
                 .semantics { contentDescription = "Overview" }
-                .overviewPointer(viewer),
+                .overviewPointer(scene),
         ) {
             Spacer(Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind { drawWhole(scene, state, palette) })
             Spacer(Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind { drawWindow(scene, palette) })
@@ -82,21 +79,20 @@ internal fun overviewSpec(open: OpenRecording): GraphSpec? {
 }
 
 private fun DrawScope.drawWhole(scene: GraphScene, state: PlotState, palette: Palette) {
-    val full = scene.viewer.viewport.full
+    val full = scene.view.viewport.full
     drawRect(palette.page)
-    drawEnabled(scene.viewer.open?.enabled.orEmpty(), full, palette)
+    drawEnabled(scene.current.recording?.enabled.orEmpty(), full, palette)
     scene.pictureOf(state)?.let { drawLines(it, full) }
-    drawEventMarks(scene.events, full, palette, hasLines = false)
-    drawFindings(scene.viewer.findings.list?.placed.orEmpty(), full, palette)
+    drawEventMarks(scene.events.matching, full, palette, hasLines = false)
+    drawFindings(scene.findings.state.list?.placed.orEmpty(), full, palette)
 }
 
 private fun DrawScope.drawWindow(scene: GraphScene, palette: Palette) {
-    val viewer = scene.viewer
-    val full = viewer.viewport.full
-    viewer.findings.shown?.let { drawShownFinding(it, full, palette) }
-    viewer.selection?.let { drawSelection(it, full, palette) }
-    if (viewer.viewport.isZoomed) drawVisible(viewer.viewport.visible, full, palette)
-    viewer.cursor?.let { drawCursorLine(it, full, palette) }
+    val full = scene.view.viewport.full
+    scene.findings.state.shown?.let { drawShownFinding(it, full, palette) }
+    scene.view.selection?.let { drawSelection(it, full, palette) }
+    if (scene.view.viewport.isZoomed) drawVisible(scene.view.viewport.visible, full, palette)
+    scene.view.cursor?.let { drawCursorLine(it, full, palette) }
 }
 
 private fun DrawScope.drawVisible(visible: Span, full: Span, palette: Palette) {

@@ -12,12 +12,13 @@ import androidx.compose.ui.input.pointer.pointerInput
 import badlog.plot.gesture.DoubleClick
 import badlog.plot.gesture.DragKind
 import badlog.plot.gesture.OverviewDrag
-import badlog.viewer.app.Viewer
+import badlog.viewer.view.AxisView
+import badlog.viewer.view.PlotGesture
 
 /** Lets the pointer move and resize the visible part over the overview, or choose a new one; a click brings it there. */
-internal fun Modifier.overviewPointer(viewer: Viewer): Modifier = pointerInput(viewer) {
+internal fun Modifier.overviewPointer(scene: GraphScene): Modifier = pointerInput(scene) {
     awaitPointerEventScope {
-        val pointer = OverviewPointer(this, viewer)
+        val pointer = OverviewPointer(this, scene.view, scene.gestures)
         while (true) {
             val event = awaitPointerEvent()
             pointer.hear(event, event.changes.first())
@@ -25,15 +26,18 @@ internal fun Modifier.overviewPointer(viewer: Viewer): Modifier = pointerInput(v
     }
 }
 
-private class OverviewPointer(private val scope: AwaitPointerEventScope, private val viewer: Viewer) {
-    private val gestures = PlotGestures(viewer)
+private class OverviewPointer(
+    private val scope: AwaitPointerEventScope,
+    private val view: AxisView,
+    private val gestures: PlotGestures,
+) {
     private val clicks = DoubleClick()
     private var drag: OverviewDrag? = null
 
     fun hear(event: PointerEvent, change: PointerInputChange) {
         val x = xAt(change)
         when (event.type) {
-            PointerEventType.Press -> drag = OverviewDrag(viewer.viewport, x, viewer.viewport.full.width / width)
+            PointerEventType.Press -> drag = OverviewDrag(view.viewport, x, view.viewport.full.width / width)
             PointerEventType.Move -> drag?.let { drag(it, x) }
             PointerEventType.Release -> drag?.let { release(it, x, change) }
             PointerEventType.Scroll -> if (!scroll(event, change, x)) return
@@ -45,7 +49,7 @@ private class OverviewPointer(private val scope: AwaitPointerEventScope, private
     private val width get() = scope.size.width / scope.density
 
     private fun xAt(change: PointerInputChange): Double {
-        val full = viewer.viewport.full
+        val full = view.viewport.full
         return (full.from + change.position.x / scope.size.width * full.width).coerceIn(full.from, full.to)
     }
 
@@ -54,16 +58,16 @@ private class OverviewPointer(private val scope: AwaitPointerEventScope, private
         val moved = drag.movedTo(x)
         if (!drag.hasMoved) return
         // As for the graphs, Escape gives it up.
-        if (!wasMoved) viewer.gesture = PlotGesture(DragKind.PAN, null, x, Double.NaN, drag.before)
-        if (viewer.gesture != null) viewer.viewport = moved
+        if (!wasMoved) view.drag(PlotGesture(DragKind.PAN, null, x, Double.NaN, drag.before))
+        if (view.gesture != null) view.change { moved }
     }
 
     private fun release(drag: OverviewDrag, x: Double, change: PointerInputChange) {
         this.drag = null
-        viewer.gesture = null
+        view.drag(null)
         if (drag.hasMoved) return
         val isSecond = clicks.isSecond((change.position.x / scope.density).toDouble(), change.uptimeMillis.toDouble())
-        viewer.viewport = if (isSecond) viewer.viewport.reset() else drag.clicked(x)
+        view.change { if (isSecond) view.viewport.reset() else drag.clicked(x) }
     }
 
     private fun scroll(event: PointerEvent, change: PointerInputChange, x: Double): Boolean {

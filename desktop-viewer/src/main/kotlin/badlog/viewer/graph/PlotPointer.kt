@@ -104,7 +104,7 @@ private class PlotPointer(
         if (clicks.isSecond((at.x / scope.density).toDouble(), change.uptimeMillis.toDouble())) {
             gestures.doubleClick(id)
         } else {
-            gestures.click(xAt(at), REACH * scope.density / scope.size.width * scene.viewer.viewport.visible.width)
+            gestures.click(xAt(at), REACH * scope.density / scope.size.width * scene.view.viewport.visible.width)
         }
     }
 
@@ -119,7 +119,7 @@ private class PlotPointer(
     }
 
     private fun xAt(at: Offset): Double {
-        val visible = scene.viewer.viewport.visible
+        val visible = scene.view.viewport.visible
         return visible.from + at.x / scope.size.width * visible.width
     }
 

@@ -21,9 +21,8 @@ import badlog.viewer.theme.ToolButton
 /** How long the selection is, and what to do with it; floats below it, in a pane [width] wide. */
 @Composable
 internal fun SelectionChip(scene: GraphScene, width: Dp) {
-    val viewer = scene.viewer
-    val selection = viewer.selection ?: return
-    val axis = viewer.open?.view?.xAxis ?: return
+    val selection = scene.view.selection ?: return
+    val axis = scene.current.recording?.view?.xAxis ?: return
     val palette = LocalPalette.current
     val right = scene.rightGutter
     Row(
@@ -33,7 +32,7 @@ internal fun SelectionChip(scene: GraphScene, width: Dp) {
                 val height = constraints.maxHeight
                 layout(constraints.maxWidth, height) {
                     val plot = (width - GraphScene.LEFT_GUTTER - right).toPx()
-                    val center = pixelOf((selection.from + selection.to) / 2, viewer.viewport.visible, plot)
+                    val center = pixelOf((selection.from + selection.to) / 2, scene.view.viewport.visible, plot)
                     val left = GraphScene.LEFT_GUTTER.toPx() + center - chip.width / 2
                     val most = maxOf(0f, constraints.maxWidth - chip.width - right.toPx())
                     chip.place(left.coerceIn(0f, most).toInt(), height - chip.height - BOTTOM.dp.roundToPx())
@@ -44,8 +43,8 @@ internal fun SelectionChip(scene: GraphScene, width: Dp) {
         verticalAlignment = Alignment.CenterVertically,
     ) {
         Text("Δ ${lengthText(selection.width, axis)}", Modifier.padding(horizontal = 8.dp), fontSize = 12.sp, maxLines = 1)
-        ToolButton("Zoom to the selection (Z)", text = "Zoom") { zoomToSelection(viewer) }
-        ToolButton("Clear the selection (Escape)", Icons.Close) { viewer.selection = null }
+        ToolButton("Zoom to the selection (Z)", text = "Zoom") { zoomToSelection(scene.view) }
+        ToolButton("Clear the selection (Escape)", Icons.Close) { scene.view.select(null) }
     }
 }
 

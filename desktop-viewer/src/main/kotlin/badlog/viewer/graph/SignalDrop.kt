@@ -51,7 +51,7 @@ private class SignalTarget(private val scene: GraphScene, private val onDrop: (L
 
     override fun onDrop(event: DragAndDropEvent): Boolean {
         isHovered = false
-        val names = event.signalNames().filter { scene.viewer.open?.signal(it) != null }
+        val names = event.signalNames().filter { scene.current.recording?.signal(it) != null }
         if (names.isNotEmpty()) onDrop(names)
         return names.isNotEmpty()
     }

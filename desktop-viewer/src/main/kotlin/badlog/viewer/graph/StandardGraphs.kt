@@ -2,6 +2,9 @@ package badlog.viewer.graph
 
 import badlog.analysis.Graph
 import badlog.analysis.LogView
+import badlog.viewer.board.GraphList
+import badlog.viewer.board.GraphSpec
+import badlog.viewer.board.LineSpec
 
 /**
  * The graphs that the attributes of a recording's topics ask for, in their order. States that follow one another in a folder

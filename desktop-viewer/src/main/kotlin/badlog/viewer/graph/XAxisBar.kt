@@ -39,7 +39,6 @@ internal fun XAxisBar(scene: GraphScene) {
     val letters = rememberTextMeasurer(cacheSize = TEXTS)
     val style = remember(palette) { TextStyle(color = palette.muted, fontSize = 11.sp) }
     val strong = remember(palette) { TextStyle(color = palette.surface, fontSize = 11.sp) }
-    val viewer = scene.viewer
     Box(Modifier.fillMaxWidth().height(HEIGHT.dp).background(palette.surface)) {
         Box(
             Modifier
@@ -49,13 +48,13 @@ internal fun XAxisBar(scene: GraphScene) {
                 .semantics { contentDescription = "Axis" }
                 .plotPointer(scene, id = null) { _, _ -> Double.NaN }
                 .drawBehind {
-                    val axis = viewer.open?.view?.xAxis ?: return@drawBehind
-                    val visible = viewer.viewport.visible
+                    val axis = scene.current.recording?.view?.xAxis ?: return@drawBehind
+                    val visible = scene.view.viewport.visible
                     drawPlaces(visible, axis.title, letters, style, palette)
-                    val cursor = viewer.cursor ?: return@drawBehind
+                    val cursor = scene.view.cursor ?: return@drawBehind
                     if (cursor !in visible) return@drawBehind
-                    val text = cursorText(cursor, axis, visible.width, viewer.open?.enabled.orEmpty())
-                    drawFlag(pixelOf(cursor, visible, size.width), text, viewer.isCursorPinned, letters, strong, palette)
+                    val text = cursorText(cursor, axis, visible.width, scene.current.recording?.enabled.orEmpty())
+                    drawFlag(pixelOf(cursor, visible, size.width), text, scene.view.isCursorPinned, letters, strong, palette)
                 },
         )
     }

@@ -40,17 +40,18 @@ import badlog.plot.text.decimalsFor
 import badlog.plot.text.fixedText
 import badlog.plot.text.minutesText
 import badlog.plot.timeline.EventTimeline
-import badlog.viewer.app.Viewer
+import badlog.viewer.recording.FilteredEvents
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.SearchField
 import badlog.viewer.theme.ToolButton
+import badlog.viewer.view.AxisView
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
 
 /** All events of [open] in the order of x. A click goes there; the one nearest to the cursor is marked. */
 @Composable
-internal fun EventsPanel(viewer: Viewer, open: OpenRecording, modifier: Modifier) {
+internal fun EventsPanel(view: AxisView, events: FilteredEvents, open: OpenRecording, modifier: Modifier) {
     val isReady by produceState(false, open) {
         // Both are calculated when they are first asked for.
         withContext(Dispatchers.Default) {
@@ -65,27 +66,27 @@ internal fun EventsPanel(viewer: Viewer, open: OpenRecording, modifier: Modifier
         PanelHint("This log has no events: none of its topics holds texts that say what happened.")
         return
     }
-    val found = viewer.matchingEvents
+    val found = events.matching
     Column(modifier) {
-        val filter = viewer.eventFilter
+        val filter = events.state
         SearchField(filter.text, "Search events", Modifier.fillMaxWidth().padding(8.dp)) {
-            viewer.eventFilter = viewer.eventFilter.copy(text = it)
+            events.change { copy(text = it) }
         }
-        if (open.eventLogs.size > 1) EventTopics(viewer, open.eventLogs)
+        if (open.eventLogs.size > 1) EventTopics(events, open.eventLogs)
         Text(
             if (filter.isOff) countText(all.size, "event") else "${countText(found.size)} of ${countText(all.size, "event")}",
             Modifier.padding(horizontal = 12.dp, vertical = 2.dp),
             color = LocalPalette.current.muted,
         )
-        if (found.size == 0) PanelHint("No event fits.") else EventList(viewer, open, found)
+        if (found.size == 0) PanelHint("No event fits.") else EventList(view, open, found)
     }
 }
 
 @Composable
-private fun EventList(viewer: Viewer, open: OpenRecording, found: EventTimeline) {
+private fun EventList(view: AxisView, open: OpenRecording, found: EventTimeline) {
     val times = remember(open) { EventTimes(open) }
     val state = rememberLazyListState()
-    val nearest = remember(viewer, found) { derivedStateOf { viewer.cursor?.let { found.nearest(it) } ?: -1 } }
+    val nearest = remember(view, found) { derivedStateOf { view.cursor?.let { found.nearest(it) } ?: -1 } }
     FollowCursor(state, nearest)
     Box(Modifier.fillMaxSize()) {
         LazyColumn(Modifier.fillMaxSize(), state) {
@@ -93,8 +94,8 @@ private fun EventList(viewer: Viewer, open: OpenRecording, found: EventTimeline)
                 EventLine(found, index, times, isTopicShown = open.eventLogs.size > 1, nearest) {
                     val x = found.x[index]
                     if (x.isFinite()) {
-                        viewer.cursor = x
-                        viewer.viewport = viewer.viewport.revealing(x)
+                        view.placeCursor(x)
+                        view.change { revealing(x) }
                     }
                 }
             }
@@ -159,11 +160,11 @@ internal fun EventLine(
 
 /** Chooses the topics whose events are listed. */
 @Composable
-internal fun EventTopics(viewer: Viewer, logs: List<EventLog>) {
-    val chosen = viewer.eventFilter.topicsOf(logs)
+internal fun EventTopics(events: FilteredEvents, logs: List<EventLog>) {
+    val chosen = events.state.topicsOf(logs)
     FlowRow(Modifier.padding(horizontal = 8.dp).heightIn(max = 120.dp).verticalScroll(rememberScrollState())) {
         ToolButton("Events of all topics", text = "All", isOn = chosen.isEmpty()) {
-            viewer.eventFilter = viewer.eventFilter.copy(topics = emptySet())
+            events.change { copy(topics = emptySet()) }
         }
         for (log in logs.take(MOST)) {
             ToolButton(
@@ -171,7 +172,7 @@ internal fun EventTopics(viewer: Viewer, logs: List<EventLog>) {
                 text = log.title.take(LONGEST),
                 isOn = log.name in chosen,
                 modifier = Modifier.widthIn(max = 180.dp),
-            ) { viewer.eventFilter = viewer.eventFilter.toggled(log.name) }
+            ) { events.change { toggled(log.name) } }
         }
     }
 }

@@ -42,13 +42,11 @@ import badlog.plot.text.countText
 import badlog.recording.Severity
 import badlog.rules.Finding
 import badlog.rules.SkippedRule
-import badlog.viewer.app.Viewer
-import badlog.viewer.compare.drawnRecordings
+import badlog.viewer.compare.ComparedRecordings
 import badlog.viewer.findings.FindingList
+import badlog.viewer.findings.LogFindings
 import badlog.viewer.findings.findingColor
 import badlog.viewer.findings.findingSoft
-import badlog.viewer.findings.goTo
-import badlog.viewer.findings.stepFinding
 import badlog.viewer.findings.word
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.theme.Icons
@@ -57,9 +55,9 @@ import badlog.viewer.theme.ToolButton
 
 /** What rules found in [open], by time; a click on a line goes there. Below it the rules that were skipped, folded. */
 @Composable
-internal fun FindingsPanel(viewer: Viewer, open: OpenRecording, modifier: Modifier) {
-    val findings = viewer.findings
-    val list = findings.list
+internal fun FindingsPanel(compared: ComparedRecordings, findings: LogFindings, open: OpenRecording, modifier: Modifier) {
+    val selected = findings.state.selected
+    val list = findings.state.list
     if (list == null) {
         PanelHint("The rules are being run …")
         return
@@ -67,8 +65,8 @@ internal fun FindingsPanel(viewer: Viewer, open: OpenRecording, modifier: Modifi
     val times = remember(open) { EventTimes(open) }
     var showsSkipped by remember { mutableStateOf(false) }
     val state = rememberLazyListState()
-    LaunchedEffect(findings.chosen) {
-        val index = list.all.indexOf(findings.chosen)
+    LaunchedEffect(selected) {
+        val index = list.all.indexOf(selected)
         val visible = state.layoutInfo.visibleItemsInfo
         if (index >= 0 && visible.none { it.index == index }) state.scrollToItem(maxOf(0, index - visible.size / 2))
     }
@@ -76,21 +74,21 @@ internal fun FindingsPanel(viewer: Viewer, open: OpenRecording, modifier: Modifi
         Row(Modifier.fillMaxWidth().padding(start = 12.dp, end = 4.dp, top = 4.dp), verticalAlignment = Alignment.CenterVertically) {
             Text(summaryOf(list), Modifier.weight(1f), fontWeight = FontWeight.Medium)
             ToolButton("Previous finding (${Action.PREVIOUS_FINDING.shortcut})", Icons.Up, isEnabled = list.placed.isNotEmpty()) {
-                stepFinding(viewer, -1)
+                findings.step(-1)
             }
             ToolButton("Next finding (${Action.NEXT_FINDING.shortcut})", Icons.Down, isEnabled = list.placed.isNotEmpty()) {
-                stepFinding(viewer, 1)
+                findings.step(1)
             }
             ToolButton("Run the rules again", Icons.Reset) {
-                viewer.findings = findings.copy(timesAsked = findings.timesAsked + 1)
+                findings.runAgain()
             }
         }
-        Small("Rules: ${list.rulesFile?.let { "${it.fileName} in ${it.parent.fileName}" } ?: "those that badlog brings along"}.")
-        if (viewer.drawnRecordings().size > 1) Small("Of the open log alone, not of those it is compared with.")
+        Small("Rules: ${list.rulesFile?.let { "${it.fileName} in ${it.parent.fileName}" } ?: "built-in rules"}.")
+        if (compared.drawn.size > 1) Small("Of the open log alone, not of those it is compared with.")
         list.trouble?.let { Box(Modifier.padding(horizontal = 12.dp, vertical = 4.dp)) { PointedText(it) } }
         Box(Modifier.weight(1f)) {
             LazyColumn(Modifier.fillMaxSize(), state) {
-                items(list.all) { FindingLine(it, times, isChosen = it === findings.chosen) { goTo(viewer, it) } }
+                items(list.all) { FindingLine(it, times, isSelected = it === selected) { findings.goTo(it) } }
                 if (list.skipped.isNotEmpty()) {
                     item { SkippedHead(list.skipped.size, showsSkipped) { showsSkipped = !showsSkipped } }
                     if (showsSkipped) items(list.skipped) { SkippedLine(it) }
@@ -115,10 +113,10 @@ private fun Small(text: String) {
 
 /** A finding: how bad, when, which rule, and what it says. */
 @Composable
-internal fun FindingLine(finding: Finding, times: EventTimes, isChosen: Boolean, onClick: () -> Unit) {
+internal fun FindingLine(finding: Finding, times: EventTimes, isSelected: Boolean, onClick: () -> Unit) {
     val palette = LocalPalette.current
     Row(
-        Modifier.inspectorLine("Finding, ${finding.severity.word}: ${finding.rule}", isChosen, gap = 5.dp, onClick),
+        Modifier.inspectorLine("Finding, ${finding.severity.word}: ${finding.rule}", isSelected, gap = 5.dp, onClick),
         horizontalArrangement = Arrangement.spacedBy(8.dp),
     ) {
         Column(Modifier.width(62.dp)) {

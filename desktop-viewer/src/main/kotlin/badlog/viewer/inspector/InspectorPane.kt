@@ -26,19 +26,25 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import badlog.recording.Severity
-import badlog.viewer.app.Viewer
+import badlog.viewer.board.GraphBoard
+import badlog.viewer.compare.ComparedRecordings
+import badlog.viewer.findings.LogFindings
 import badlog.viewer.panels.InspectorTab
+import badlog.viewer.panels.WindowPanels
+import badlog.viewer.recording.CurrentRecording
+import badlog.viewer.recording.FilteredEvents
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
+import badlog.viewer.view.AxisView
 import kotlinx.coroutines.launch
 import java.awt.datatransfer.StringSelection
 
 /** The panel at the right: events, values, problems, statistics, findings. */
 @Composable
-internal fun InspectorPane(viewer: Viewer, modifier: Modifier = Modifier) {
-    val tab = viewer.panels.inspector ?: return
+internal fun InspectorPane(current: CurrentRecording, compared: ComparedRecordings, board: GraphBoard, view: AxisView, events: FilteredEvents, findings: LogFindings, panels: WindowPanels, modifier: Modifier = Modifier) {
+    val tab = panels.state.inspector ?: return
     Column(modifier.background(LocalPalette.current.surface)) {
         Row(
             Modifier.fillMaxWidth().padding(start = 12.dp, end = 4.dp, top = 4.dp, bottom = 4.dp),
@@ -48,22 +54,22 @@ internal fun InspectorPane(viewer: Viewer, modifier: Modifier = Modifier) {
             Text(tab.title, Modifier.weight(1f), fontWeight = FontWeight.SemiBold, maxLines = 1)
             for (other in InspectorTab.entries) {
                 ToolButton("Show ${other.title.lowercase()}", other.icon, isOn = other == tab) {
-                    viewer.panels = viewer.panels.inspecting(other)
+                    panels.change { inspecting(other) }
                 }
             }
-            ToolButton("Close the panel", Icons.Close) { viewer.panels = viewer.panels.withoutInspector() }
+            ToolButton("Close the panel", Icons.Close) { panels.change { withoutInspector() } }
         }
         HorizontalDivider()
-        val open = viewer.open
+        val open = current.recording
         if (open == null) {
             PanelHint("Open a log to see its ${tab.title.lowercase()}.")
         } else {
             when (tab) {
-                InspectorTab.EVENTS -> EventsPanel(viewer, open, Modifier.fillMaxSize())
+                InspectorTab.EVENTS -> EventsPanel(view, events, open, Modifier.fillMaxSize())
                 InspectorTab.VALUES -> ValuesPanel(open, Modifier.fillMaxSize())
                 InspectorTab.PROBLEMS -> ProblemsPanel(open, Modifier.fillMaxSize())
-                InspectorTab.STATISTICS -> StatisticsPanel(viewer, open, Modifier.fillMaxSize())
-                InspectorTab.FINDINGS -> FindingsPanel(viewer, open, Modifier.fillMaxSize())
+                InspectorTab.STATISTICS -> StatisticsPanel(compared, board, view, open, Modifier.fillMaxSize())
+                InspectorTab.FINDINGS -> FindingsPanel(compared, findings, open, Modifier.fillMaxSize())
             }
         }
     }
@@ -77,34 +83,34 @@ internal fun PanelHint(text: String) {
 
 /** Opens and closes the panels at the right; each says how much there is to see in it. */
 @Composable
-internal fun InspectorTabs(viewer: Viewer) {
-    val open = viewer.open ?: return
+internal fun InspectorTabs(current: CurrentRecording, findings: LogFindings, panels: WindowPanels) {
+    val open = current.recording ?: return
     val palette = LocalPalette.current
     Row(horizontalArrangement = Arrangement.spacedBy(2.dp)) {
         for (tab in InspectorTab.entries) {
-            val count = countOf(tab, viewer, open)
+            val count = countOf(tab, findings, open)
             val hasErrors = when (tab) {
                 InspectorTab.PROBLEMS -> open.view.count(Severity.ERROR) > 0
-                InspectorTab.FINDINGS -> viewer.findings.list?.worst == Severity.ERROR
+                InspectorTab.FINDINGS -> findings.state.list?.worst == Severity.ERROR
                 else -> false
             }
             ToolButton(
                 if (count == null) tab.title else "${tab.title}: $count",
                 tab.icon,
                 text = count?.takeIf { it > 0 }?.toString(),
-                isOn = viewer.panels.inspector == tab,
+                isOn = panels.state.inspector == tab,
                 color = if (hasErrors) palette.error else palette.text,
-            ) { viewer.panels = viewer.panels.toggled(tab) }
+            ) { panels.change { toggled(tab) } }
         }
     }
 }
 
-private fun countOf(tab: InspectorTab, viewer: Viewer, open: OpenRecording): Int? = when (tab) {
+private fun countOf(tab: InspectorTab, findings: LogFindings, open: OpenRecording): Int? = when (tab) {
     InspectorTab.EVENTS -> open.eventLogs.sumOf { it.topic.texts.size }
     InspectorTab.VALUES -> open.view.recording.values.size
     InspectorTab.PROBLEMS -> open.view.problems.size
     InspectorTab.STATISTICS -> null
-    InspectorTab.FINDINGS -> viewer.findings.list?.all?.size
+    InspectorTab.FINDINGS -> findings.state.list?.all?.size
 }
 
 /** Makes a line of a list that takes the window to a time: called [name], with [gap] above and below. */

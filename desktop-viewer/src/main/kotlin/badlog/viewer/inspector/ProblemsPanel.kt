@@ -115,11 +115,11 @@ internal fun problemSummary(problems: List<Problem>): String {
     val unreadable = losses.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING || it.kind == ProblemKind.EMPTY_FILE }
     return when {
         unreadable != null -> unreadable.message
-        losses.size == 1 -> "Something of this file is lost: ${losses.single().message}"
-        losses.isNotEmpty() -> "Something of this file is lost, in ${losses.size} places: ${losses.first().message}"
-        doubts == 1 -> "Nothing of this file is lost, but one thing in it is doubtful."
-        doubts > 1 -> "Nothing of this file is lost, but $doubts things in it are doubtful."
-        else -> "Nothing of this file is lost."
+        losses.size == 1 -> "Data is missing from this file: ${losses.single().message}"
+        losses.isNotEmpty() -> "Data is missing from this file in ${losses.size} places: ${losses.first().message}"
+        doubts == 1 -> "Complete, 1 warning."
+        doubts > 1 -> "Complete, $doubts warnings."
+        else -> "Complete."
     }
 }
 

@@ -31,25 +31,26 @@ import androidx.compose.ui.unit.sp
 import badlog.analysis.Span
 import badlog.plot.text.roundedText
 import badlog.plot.text.withUnit
-import badlog.viewer.app.Viewer
+import badlog.viewer.board.GraphBoard
+import badlog.viewer.compare.ComparedRecordings
 import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.compare.colorOf
-import badlog.viewer.compare.drawnRecordings
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
+import badlog.viewer.view.AxisView
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.flow.conflate
 import kotlinx.coroutines.flow.map
 import kotlinx.coroutines.withContext
 
-/** The statistics of every drawn signal over the selection, or else over what is seen. */
+/** The statistics of every drawn signal over the selection, or else over the visible range. */
 @Composable
-internal fun StatisticsPanel(viewer: Viewer, open: OpenRecording, modifier: Modifier) {
+internal fun StatisticsPanel(compared: ComparedRecordings, board: GraphBoard, view: AxisView, open: OpenRecording, modifier: Modifier) {
     val statistics by produceState<RangeStatistics?>(null, open) {
         // While the selection is dragged, only the latest that there was time for is calculated.
-        snapshotFlow { askedFor(viewer) }.conflate().map { asked ->
+        snapshotFlow { askedFor(compared, board, view) }.conflate().map { asked ->
             withContext(Dispatchers.Default) { rangeStatistics(asked.drawn, asked.names, asked.span, asked.isSelection) }
         }.collect { value = it }
     }
@@ -59,7 +60,7 @@ internal fun StatisticsPanel(viewer: Viewer, open: OpenRecording, modifier: Modi
     Column(modifier) {
         Row(Modifier.fillMaxWidth().padding(start = 12.dp, end = 4.dp, top = 4.dp), verticalAlignment = Alignment.CenterVertically) {
             Column(Modifier.weight(1f)) {
-                Text(if (known.isSelection) "Of the selection" else "Of what is seen", fontWeight = FontWeight.Medium)
+                Text(if (known.isSelection) "Selection" else "Visible range", fontWeight = FontWeight.Medium)
                 Text(rangeText(known), color = LocalPalette.current.muted, fontSize = 12.sp)
             }
             ToolButton("Copy the statistics", Icons.Copy, text = "Copy") { copy(known.toTsv()) }
@@ -74,10 +75,10 @@ internal fun StatisticsPanel(viewer: Viewer, open: OpenRecording, modifier: Modi
 
 private class Asked(val drawn: List<DrawnRecording>, val names: List<String>, val isSelection: Boolean, val span: Span)
 
-private fun askedFor(viewer: Viewer): Asked {
-    val selection = viewer.selection
-    val names = viewer.graphs.graphs.flatMap { graph -> graph.lines.map { it.signal } }.distinct()
-    return Asked(viewer.drawnRecordings(), names, selection != null, selection ?: viewer.viewport.visible)
+private fun askedFor(compared: ComparedRecordings, board: GraphBoard, view: AxisView): Asked {
+    val selection = view.selection
+    val names = board.state.graphs.flatMap { graph -> graph.lines.map { it.signal } }.distinct()
+    return Asked(compared.drawn, names, selection != null, selection ?: view.viewport.visible)
 }
 
 private fun rangeText(statistics: RangeStatistics): String {

@@ -39,15 +39,15 @@ import badlog.viewer.theme.ToolButton
 @Composable
 internal fun ValuesPanel(open: OpenRecording, modifier: Modifier) {
     if (open.view.recording.values.isEmpty()) {
-        PanelHint("This log has no values: nothing was written into its header.")
+        PanelHint("This log has no metadata: nothing was written into its header.")
         return
     }
     var query by remember { mutableStateOf("") }
     val rows = remember(open, query) { valueRows(open, query) }
     val state = rememberLazyListState()
     Column(modifier) {
-        SearchField(query, "Search values", Modifier.fillMaxWidth().padding(8.dp)) { query = it }
-        if (rows.isEmpty()) PanelHint("No value fits “$query”.")
+        SearchField(query, "Search metadata", Modifier.fillMaxWidth().padding(8.dp)) { query = it }
+        if (rows.isEmpty()) PanelHint("Nothing fits “$query”.")
         Box(Modifier.fillMaxSize()) {
             SelectionContainer {
                 LazyColumn(Modifier.fillMaxSize(), state) {

@@ -1,9 +1,9 @@
 package badlog.viewer.layout
 
 import badlog.analysis.Span
-import badlog.viewer.graph.GraphList
-import badlog.viewer.graph.GraphSpec
-import badlog.viewer.graph.LineSpec
+import badlog.viewer.board.GraphList
+import badlog.viewer.board.GraphSpec
+import badlog.viewer.board.LineSpec
 import badlog.viewer.recording.OpenRecording
 
 /**
@@ -14,18 +14,17 @@ import badlog.viewer.recording.OpenRecording
  * @property dropped the titles of the graphs without any line there.
  */
 internal class FittedGraphs(val graphs: GraphList, val missing: List<String>, val dropped: List<String>) {
-    /** What was left out, in a sentence for the person; null for nothing. */
+    /** What is hidden, in a sentence for the person; null for nothing. */
     val sentence: String?
         get() {
             if (missing.isEmpty()) return null
             val names = missing.take(MOST_NAMES).joinToString { "“${it.take(LONGEST_NAME)}”" }
             val more = if (missing.size > MOST_NAMES) " and ${missing.size - MOST_NAMES} more" else ""
-            val left = when (dropped.size) {
-                0 -> "left out"
-                1 -> "left out, and with them one graph"
-                else -> "left out, and with them ${dropped.size} graphs"
+            return when (dropped.size) {
+                0 -> "Topics not in this log: $names$more."
+                1 -> "1 graph hidden: topics not in this log ($names$more)."
+                else -> "${dropped.size} graphs hidden: topics not in this log ($names$more)."
             }
-            return "This log has no $names$more of the layout: $left."
         }
 
     private companion object {

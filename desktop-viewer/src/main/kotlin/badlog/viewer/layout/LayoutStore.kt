@@ -2,61 +2,116 @@ package badlog.viewer.layout
 
 import androidx.compose.runtime.snapshotFlow
 import badlog.analysis.Span
-import badlog.viewer.app.Viewer
-import badlog.viewer.formula.takeFormulas
-import badlog.viewer.graph.GraphList
+import badlog.plot.formula.joined
+import badlog.viewer.board.GraphBoard
+import badlog.viewer.board.GraphList
+import badlog.viewer.compare.ComparedRecordings
+import badlog.viewer.formula.FormulaStore
 import badlog.viewer.graph.standardGraphs
+import badlog.viewer.library.Library
+import badlog.viewer.panels.WindowPanels
+import badlog.viewer.recording.CurrentRecording
 import badlog.viewer.recording.OpenRecording
+import badlog.viewer.settings.UserFolders
+import badlog.viewer.task.Notices
+import badlog.viewer.view.AxisView
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.flow.collectLatest
 import kotlinx.coroutines.withContext
 import java.io.IOException
+import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * Remembers how the window was arranged over each folder of logs, and arranges it so again when the folder is opened. To be
- * used on the window's thread only.
+ * How the window is arranged over each folder of logs: saves that, and arranges it so again when the folder is opened. To be used on
+ * the window's thread only.
  */
-internal class LayoutKeeping(private val viewer: Viewer) {
-    private val layouts = FolderLayouts(viewer.folders.settings.resolve("layouts"))
+internal class LayoutStore(
+    folders: UserFolders,
+    private val library: Library,
+    private val current: CurrentRecording,
+    private val board: GraphBoard,
+    private val view: AxisView,
+    private val compared: ComparedRecordings,
+    private val formulas: FormulaStore,
+    private val panels: WindowPanels,
+    private val notices: Notices,
+) {
+    private val layouts = FolderLayouts(folders.settings.resolve("layouts"))
     private var folder: Path? = null
-    private var remembered: Layout? = null
-    private var restoredTicks: List<Path> = emptyList()
+    private var saved: Layout? = null
+    private var restoredChecks: List<Path> = emptyList()
     private var restoredVisible: Span? = null
     private var restoredSelection: Span? = null
 
-    /** Whether nobody has ticked, zoomed or marked anything since the log was shown: what was restored here, nobody did now. */
+    /** Whether nobody has checked, zoomed or selected anything since the log was shown: what was restored here, nobody did now. */
     val isUntouched: Boolean
-        get() = viewer.comparison.ticked.all { it in restoredTicks } &&
-            (!viewer.viewport.isZoomed || viewer.viewport.visible == restoredVisible) &&
-            (viewer.selection == null || viewer.selection == restoredSelection)
+        get() = compared.state.checked.all { it in restoredChecks } &&
+            (!view.viewport.isZoomed || view.viewport.visible == restoredVisible) &&
+            (view.selection == null || view.selection == restoredSelection)
 
-    /** The graphs to show of [recording], which was just opened: as they were arranged over this folder, else the standard ones. */
+    /** How the window is arranged now. */
+    val layout: Layout
+        get() {
+            val open = current.recording
+            val isDefault = open == null || hasSameGraphs(board.state, standardGraphs(open.logged))
+            return Layout(
+                version = Layout.VERSION,
+                graphs = if (isDefault) null else layoutGraphs(board.state),
+                recording = open?.let { pathText(it.file, library.state.folder) },
+                visible = view.viewport.visible.takeIf { view.viewport.isZoomed }?.let(::layoutSpan),
+                selection = view.selection?.let(::layoutSpan),
+                compared = layoutOf(compared.state, library.state.folder),
+                panels = layoutOf(panels.state),
+                formulas = formulas.definitions,
+            )
+        }
+
+    /** The graphs to show of [recording], which was just opened: as they were arranged over this folder, else the default ones. */
     fun graphsOf(recording: OpenRecording): GraphList {
         val fitted = fittedTo(recording) ?: return standardGraphs(recording.logged)
-        fitted.sentence?.let(viewer.notices::say)
+        fitted.sentence?.let(notices::say)
         return fitted.graphs
     }
 
-    /** Follows the window until cancelled. */
-    suspend fun keep() = snapshotFlow { viewer.library.folder }.collectLatest { opened ->
+    /**
+     * Arranges the window as [layout] says, as far as the open recording has what it names; what is hidden is said. Its formulas are
+     * added to those that there are.
+     */
+    fun apply(layout: Layout) {
+        layout.panels?.let { wanted -> panels.change { panelsOf(wanted, this) } }
+        formulas.replaceAll(joined(formulas.definitions, layout.formulas))
+        restoreComparison(layout.compared)
+        applyGraphs(layout)
+        applyRange(layout)
+    }
+
+    /** Shows the graphs that the attributes of the open recording's topics ask for, and all of x. */
+    fun showDefaultGraphs() {
+        val open = current.recording ?: return
+        board.replace(standardGraphs(open.logged))
+        view.change { reset() }
+    }
+
+    /** Arranges the window as it was over the folder that is opened, and saves each change a moment after it was made; until cancelled. */
+    suspend fun autosave() = snapshotFlow { library.state.folder }.collectLatest { opened ->
         folder = opened
         // A few kilobytes of the user's own: read at once, so that the folder's first recording is shown as it was arranged.
-        remembered = opened?.let(layouts::read)
+        saved = opened?.let(layouts::read)
         if (opened == null) return@collectLatest
-        takeFormulas(viewer, remembered?.formulas.orEmpty())
-        var wanted = remembered
+        formulas.replaceAll(saved?.formulas.orEmpty())
+        var wanted = saved
         wanted?.let(::restore)
-        snapshotFlow { parts() }.collectLatest {
-            wanted = wanted?.takeUnless { restorePlace(it) }
+        snapshotFlow { arrangement() }.collectLatest {
+            wanted = wanted?.takeUnless { restoreRange(it) }
             delay(PAUSE_MILLIS)
-            keepChange()
+            save()
         }
     }
 
-    /** Writes at once what else would be written in a moment: the window is about to go. */
-    fun keepNow() {
+    /** Saves at once what else would be saved in a moment: the window is about to go. */
+    fun saveNow() {
         val (place, layout) = change() ?: return
         try {
             layouts.write(place, layout)
@@ -66,56 +121,86 @@ internal class LayoutKeeping(private val viewer: Viewer) {
     }
 
     // All that changes a layout; compared by the parts themselves, so that to look costs nothing.
-    private fun parts() = with(viewer) { listOf(open, graphs, viewport.visible, selection, comparison, panels, formulas) }
+    private fun arrangement() = listOf(
+        current.recording, board.state, view.viewport.visible, view.selection, compared.state, panels.state, formulas.definitions,
+    )
 
-    private suspend fun keepChange() {
+    private suspend fun save() {
         val (place, layout) = change() ?: return
-        remembered = layout
+        saved = layout
         try {
             withContext(Dispatchers.IO) { layouts.write(place, layout) }
         } catch (e: IOException) {
-            viewer.notices.complain("The layout cannot be remembered: ${e.message}")
+            notices.complain("The layout cannot be saved: ${e.message}")
         }
     }
 
-    /** Where to keep what, when that is not yet remembered. What another folder's recording shows is not this folder's. */
+    /** Where to save what, when that is not yet saved. What another folder's recording shows is not this folder's. */
     private fun change(): Pair<Path, Layout>? {
         val place = folder ?: return null
-        val open = viewer.open?.takeIf(::isInFolder)
+        val open = current.recording?.takeIf(::isInFolder)
         if (open == null) {
-            val before = remembered ?: Layout(Layout.VERSION)
-            return if (before.formulas == viewer.formulas) null else place to before.copy(formulas = viewer.formulas)
+            val before = saved ?: Layout(Layout.VERSION)
+            return if (before.formulas == formulas.definitions) null else place to before.copy(formulas = formulas.definitions)
         }
-        val shown = layoutOf(viewer)
+        val shown = layout
         // A recording that lacks a signal must not make all others forget it.
-        val isAsRemembered = hasSameGraphs(viewer.graphs, fittedTo(open)?.graphs ?: standardGraphs(open.logged))
-        val layout = if (isAsRemembered) shown.copy(graphs = remembered?.graphs) else shown
-        return if (layout == remembered) null else place to layout
+        val isAsSaved = hasSameGraphs(board.state, fittedTo(open)?.graphs ?: standardGraphs(open.logged))
+        val layout = if (isAsSaved) shown.copy(graphs = saved?.graphs) else shown
+        return if (layout == saved) null else place to layout
     }
 
     private fun restore(layout: Layout) {
-        layout.panels?.let { viewer.panels = panelsOf(it, viewer.panels) }
+        layout.panels?.let { wanted -> panels.change { panelsOf(wanted, this) } }
         if (layout.compared.files.isNotEmpty()) {
-            restoreComparison(viewer, layout.compared)
-            restoredTicks = viewer.comparison.ticked
+            restoreComparison(layout.compared)
+            restoredChecks = compared.state.checked
         }
-        val open = viewer.open?.takeIf(::isInFolder) ?: return
-        if (hasSameGraphs(viewer.graphs, standardGraphs(open.logged))) viewer.graphs = graphsOf(open)
+        val open = current.recording?.takeIf(::isInFolder) ?: return
+        if (hasSameGraphs(board.state, standardGraphs(open.logged))) board.replace(graphsOf(open))
     }
 
-    /** Shows what was last seen, when the recording is the one of then. Returns whether one was opened at all. */
-    private fun restorePlace(layout: Layout): Boolean {
-        val open = viewer.open?.takeIf(::isInFolder) ?: return false
+    /** Lays over the open recording what [layout] names, as it was aligned; files that are gone are left out. */
+    private fun restoreComparison(layout: LayoutComparison) {
+        val folder = library.state.folder
+        fun fileOf(text: String) = pathOf(text, folder)?.toAbsolutePath()?.normalize()
+        val files = layout.files.mapNotNull(::fileOf).distinct().filter(Files::isRegularFile)
+        val offsets = layout.offsets.entries.mapNotNull { (text, offset) -> fileOf(text)?.let { it to offset } }
+        compared.state.checked.filter { it !in files }.forEach(compared::remove)
+        files.filter { it !in compared.state.checked }.forEach(compared::add)
+        compared.change { copy(alignment = alignmentOf(layout), handOffsets = offsets.toMap()) }
+    }
+
+    private fun applyGraphs(layout: Layout) {
+        val open = current.recording ?: return
+        val graphs = layout.graphs ?: return board.replace(standardGraphs(open.logged))
+        val fitted = fitted(graphs, open)
+        board.replace(fitted.graphs)
+        fitted.sentence?.let(notices::say)
+    }
+
+    /** Shows the part of x that [layout] shows, and selects what it selects; where the recording has neither, all of it is shown. */
+    private fun applyRange(layout: Layout) {
+        if (current.recording == null) return
+        val full = view.viewport.full
+        val visible = layout.visible?.let(::spanOf)?.takeIf { it.from < full.to && it.to > full.from }
+        view.change { if (visible == null) reset() else showing(visible.from, visible.to) }
+        view.select(layout.selection?.let(::spanOf))
+    }
+
+    /** Shows what was last visible, when the recording is the one of then. Returns whether one was opened at all. */
+    private fun restoreRange(layout: Layout): Boolean {
+        val open = current.recording?.takeIf(::isInFolder) ?: return false
         if (pathText(open.file, folder) == layout.recording) {
-            applyPlace(viewer, layout)
-            restoredVisible = viewer.viewport.visible
-            restoredSelection = viewer.selection
+            applyRange(layout)
+            restoredVisible = view.viewport.visible
+            restoredSelection = view.selection
         }
         return true
     }
 
     private fun fittedTo(recording: OpenRecording): FittedGraphs? =
-        remembered?.graphs?.takeIf { isInFolder(recording) }?.let { fitted(it, recording) }?.takeIf { it.graphs.graphs.isNotEmpty() }
+        saved?.graphs?.takeIf { isInFolder(recording) }?.let { fitted(it, recording) }?.takeIf { it.graphs.graphs.isNotEmpty() }
 
     private fun isInFolder(recording: OpenRecording) = folder?.let { recording.file.startsWith(it.toAbsolutePath().normalize()) } ?: false
 

@@ -1,39 +1,55 @@
 package badlog.viewer.library
 
-import badlog.viewer.app.NewestShowing
-import badlog.viewer.app.Viewer
 import badlog.viewer.library.index.IndexCache
 import badlog.viewer.library.index.IndexQueue
 import badlog.viewer.library.index.Indexing
+import badlog.viewer.part.Part
+import badlog.viewer.settings.SettingsStore
+import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.Job
 import kotlinx.coroutines.delay
+import kotlinx.coroutines.flow.MutableStateFlow
+import kotlinx.coroutines.flow.StateFlow
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.withContext
 import java.nio.file.Path
 import kotlin.time.Duration.Companion.milliseconds
 
-/** Keeps the window's library as its folder is. To be used on the window's thread only. */
-internal class LibraryFolder(private val viewer: Viewer) {
+/**
+ * The folder of logs, kept as it is on the disk. To be used on the window's thread only.
+ *
+ * @param scope where the folder is read; its thread is the window's.
+ * @param cache where what is known of folders is kept.
+ * @param settings remember which folders were opened.
+ */
+internal class Library(
+    private val scope: CoroutineScope,
+    private val cache: Path,
+    private val settings: SettingsStore,
+) : Part<LibraryState>(LibraryState()) {
     private var job: Job? = null
     private var indexing: Indexing? = null
-    private val newest = NewestShowing(viewer)
+    private val mutableProgress = MutableStateFlow<IndexProgress?>(null)
+
+    /** How far reading the folder is, after [state] tells; null before there is anything to tell. */
+    val progress: StateFlow<IndexProgress?> get() = mutableProgress
 
     /**
-     * Shows the logs of [folder] and its sub-folders from now on.
+     * Shows the logs of [folder] and its subfolders from now on.
      *
      * @param showsNewest whether its newest log is shown while nobody has opened another.
      */
     fun open(folder: Path, showsNewest: Boolean = true) {
         val path = folder.toAbsolutePath().normalize()
         val before = job
-        val isSame = viewer.library.folder == path
+        val isSame = state.folder == path
         close()
-        viewer.library = viewer.library.opening(path)
-        viewer.settings = viewer.settings.opened(path.toString())
-        val started = Indexing(path, IndexCache(viewer.folders.cache, path))
+        change { opening(path) }
+        settings.change { opened(path.toString()) }
+        val started = Indexing(path, IndexCache(cache, path))
         indexing = started
-        job = viewer.scope.launch {
+        job = scope.launch {
             // What is still being written into the cache of a folder is to be known when that is opened again.
             if (isSame) before?.join()
             launch { started.run() }
@@ -46,39 +62,42 @@ internal class LibraryFolder(private val viewer: Viewer) {
         job?.cancel()
         job = null
         indexing = null
+        mutableProgress.value = null
     }
 
     /** Leaves the logs that wait unread. */
     fun stopReading() {
-        indexing?.queue?.passOverWaiting()
+        indexing?.stopReading()
     }
 
     /** Reads what [stopReading] left. */
     fun readAll() {
-        indexing?.queue?.wantAll()
+        indexing?.readAll()
     }
 
+    /** Stands on [file]. */
+    fun select(file: Path) = change { copy(selected = file) }
+
     private suspend fun publish(indexing: Indexing, showsNewest: Boolean) {
-        newest.begin()
         var shownQueue: IndexQueue? = null
         var shownChanges = -1
-        while (true) {
+        indexing.updates.collect {
             val hasLooked = indexing.hasLooked
             val queue = indexing.queue
-            val state = withContext(Dispatchers.Default) { queue.state() }
-            var library = viewer.library.copy(
+            val index = withContext(Dispatchers.Default) { queue.state() }
+            var library = state.copy(
                 hasLooked = hasLooked,
                 trouble = indexing.trouble,
-                passedOver = state.passedOver,
-                reading = if (state.waiting > 0) ReadingProgress(state.read, state.read + state.waiting) else null,
+                passedOver = index.passedOver,
+                reading = if (index.waiting > 0) ReadingProgress(index.read, index.read + index.waiting) else null,
             )
-            if (queue !== shownQueue || state.changes != shownChanges) library = library.knowing(state.entries)
+            if (queue !== shownQueue || index.changes != shownChanges) library = library.knowing(index.entries)
             shownQueue = queue
-            shownChanges = state.changes
-            if (library != viewer.library) viewer.library = library
-            if (hasLooked && showsNewest) newest.update(queue, isComplete = state.waiting == 0)
+            shownChanges = index.changes
+            if (library != state) change { library }
+            if (hasLooked && showsNewest) mutableProgress.value = IndexProgress(queue, index.waiting == 0)
             // Sorting many logs again takes time that the window needs for other things.
-            delay(if (state.entries.size > MANY) PERIOD * 5 else PERIOD)
+            delay(if (index.entries.size > MANY) PERIOD * 5 else PERIOD)
         }
     }
 
@@ -87,3 +106,6 @@ internal class LibraryFolder(private val viewer: Viewer) {
         const val MANY = 2000
     }
 }
+
+/** How far reading a folder is: what [queue] knows, and whether that is all. Each is another one. */
+internal class IndexProgress(val queue: IndexQueue, val isComplete: Boolean)

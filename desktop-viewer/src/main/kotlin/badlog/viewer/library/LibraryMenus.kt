@@ -29,10 +29,9 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import badlog.file.NaturalOrder
-import badlog.viewer.app.Viewer
-import badlog.viewer.app.chooseFile
-import badlog.viewer.app.chooseFolder
+import badlog.viewer.library.index.LogEntry
 import badlog.viewer.menu.MenuLine
+import badlog.viewer.settings.SettingsStore
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.SearchField
@@ -42,9 +41,9 @@ import java.nio.file.Path
 
 /** The folder's name, and what else can be opened. */
 @Composable
-internal fun FolderMenu(viewer: Viewer, modifier: Modifier = Modifier) {
+internal fun FolderMenu(library: Library, settings: SettingsStore, actions: LibraryActions, modifier: Modifier = Modifier) {
     var isOpen by remember { mutableStateOf(false) }
-    val folder = viewer.library.folder
+    val folder = library.state.folder
     Box(modifier) {
         Tip(folder?.toString() ?: "Open a folder of logs") {
             Row(
@@ -70,18 +69,18 @@ internal fun FolderMenu(viewer: Viewer, modifier: Modifier = Modifier) {
         DropdownMenu(isOpen, onDismissRequest = { isOpen = false }) {
             MenuLine("Open folder…") {
                 isOpen = false
-                chooseFolder(viewer)
+                actions.askForFolder()
             }
             MenuLine("Open file…") {
                 isOpen = false
-                chooseFile(viewer)
+                actions.askForLog()
             }
-            val others = viewer.settings.recentFolders.filter { it != folder?.toString() }
+            val others = settings.state.recentFolders.filter { it != folder?.toString() }
             if (others.isNotEmpty()) HorizontalDivider()
             for (recent in others) {
                 MenuLine(recent) {
                     isOpen = false
-                    viewer.libraryFolder.open(Path.of(recent))
+                    library.open(Path.of(recent))
                 }
             }
         }
@@ -90,9 +89,9 @@ internal fun FolderMenu(viewer: Viewer, modifier: Modifier = Modifier) {
 
 /** By what the list is sorted. */
 @Composable
-internal fun SortMenu(viewer: Viewer) {
+internal fun SortMenu(library: Library) {
     var isOpen by remember { mutableStateOf(false) }
-    val listing = viewer.library.listing
+    val listing = library.state.listing
     Box {
         ToolButton("Sort logs", Icons.Sort) { isOpen = true }
         DropdownMenu(isOpen, onDismissRequest = { isOpen = false }) {
@@ -104,7 +103,7 @@ internal fun SortMenu(viewer: Viewer) {
                 } else {
                     Icons.Up
                 }
-                MenuLine(column.title, mark) { viewer.library = viewer.library.sorted(column) }
+                MenuLine(column.title, mark) { library.change { sorted(column) } }
             }
         }
     }
@@ -112,35 +111,34 @@ internal fun SortMenu(viewer: Viewer) {
 
 private fun nameOf(folder: Path): String = folder.fileName?.toString() ?: folder.toString()
 
-/** Of which topic the logs show a small line. */
+/** Of which topic the logs show a preview. */
 @Composable
-internal fun PreviewMenu(viewer: Viewer) {
+internal fun PreviewMenu(entries: List<LogEntry>, settings: SettingsStore) {
     var isOpen by remember { mutableStateOf(false) }
     Box {
-        ToolButton("Small line: ${viewer.settings.previewTopic ?: BATTERY}", Icons.Graph) { isOpen = true }
-        DropdownMenu(isOpen, onDismissRequest = { isOpen = false }) { PreviewChoice(viewer) { isOpen = false } }
+        ToolButton("Preview: ${settings.state.previewTopic ?: BATTERY}", Icons.Graph) { isOpen = true }
+        DropdownMenu(isOpen, onDismissRequest = { isOpen = false }) { PreviewChoice(entries, settings) { isOpen = false } }
     }
 }
 
 @Composable
-private fun PreviewChoice(viewer: Viewer, onChosen: () -> Unit) {
+private fun PreviewChoice(entries: List<LogEntry>, settings: SettingsStore, onSelected: () -> Unit) {
     var filter by remember { mutableStateOf("") }
-    val entries = viewer.library.entries
     val names = remember(entries) {
         entries.flatMapTo(HashSet()) { entry -> entry.topics.map { it.name } }.sortedWith(NaturalOrder)
     }
     val shown = names.filter { filter.lowercase() in it.lowercase() }
     // A menu measures its content before it knows its size, which a lazy list needs to be told.
     Column(Modifier.width(280.dp).padding(horizontal = 8.dp)) {
-        SearchField(filter, "Search topics for the small line") { filter = it }
+        SearchField(filter, "Search topics for the preview") { filter = it }
         LazyColumn(Modifier.width(264.dp).height(320.dp)) {
-            fun choose(name: String?) {
-                viewer.settings = viewer.settings.copy(previewTopic = name)
-                onChosen()
+            fun select(name: String?) {
+                settings.change { copy(previewTopic = name) }
+                onSelected()
             }
-            val chosen = viewer.settings.previewTopic
-            if (filter.isEmpty()) item { MenuLine(BATTERY, Icons.Check.takeIf { chosen == null }) { choose(null) } }
-            items(shown) { name -> MenuLine(name, Icons.Check.takeIf { chosen == name }) { choose(name) } }
+            val selected = settings.state.previewTopic
+            if (filter.isEmpty()) item { MenuLine(BATTERY, Icons.Check.takeIf { selected == null }) { select(null) } }
+            items(shown) { name -> MenuLine(name, Icons.Check.takeIf { selected == name }) { select(name) } }
         }
     }
 }

@@ -36,11 +36,8 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
-import badlog.viewer.app.Viewer
-import badlog.viewer.app.chooseFolder
-import badlog.viewer.app.openLog
-import badlog.viewer.app.toggleTable
-import badlog.viewer.compare.toggleCompared
+import badlog.viewer.library.index.LogEntry
+import badlog.viewer.settings.SettingsStore
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.SearchField
@@ -48,39 +45,39 @@ import badlog.viewer.theme.ToolButton
 
 /** The list of logs at the left. */
 @Composable
-internal fun LibraryPane(viewer: Viewer, modifier: Modifier = Modifier) {
+internal fun LibraryPane(library: Library, settings: SettingsStore, shown: ShownLogs, actions: LibraryActions, modifier: Modifier = Modifier) {
     Column(modifier.background(LocalPalette.current.surface)) {
-        LibraryHead(viewer)
+        LibraryHead(library, settings, actions)
         HorizontalDivider()
-        ReadingLine(viewer)
-        val visible = viewer.library.visible
+        ReadingLine(library)
+        val visible = library.state.visible
         if (visible.isEmpty()) {
-            LibraryEmptiness(viewer)
+            LibraryEmptiness(library, actions)
         } else {
-            LogList(viewer)
+            LogList(library, settings, shown, actions)
         }
     }
 }
 
 @Composable
-private fun LogList(viewer: Viewer) {
-    val visible = viewer.library.visible
-    val topic = viewer.settings.previewTopic
+private fun LogList(library: Library, settings: SettingsStore, shown: ShownLogs, actions: LibraryActions) {
+    val visible = library.state.visible
+    val topic = settings.state.previewTopic
     val previews = remember(visible, topic) { Previews(visible, topic) }
     val list = rememberLazyListState()
     StayAtTop(list, visible)
-    KeepInSight(list, visible.indexOfFirst { it.file == viewer.library.selected })
+    KeepInSight(list, visible.indexOfFirst { it.file == library.state.selected })
     Box(Modifier.fillMaxSize().semantics { contentDescription = "Logs" }) {
         LazyColumn(Modifier.fillMaxSize(), list) {
             items(visible, key = { it.file.toString() }) { entry ->
                 LogRow(
                     entry = entry,
                     previews = previews,
-                    isOpen = viewer.open?.file == entry.file,
-                    isSelected = viewer.library.selected == entry.file,
-                    isTicked = entry.file in viewer.comparison.ticked,
-                    onOpen = { viewer.openLog(entry) },
-                    onTick = { toggleCompared(viewer, entry.file) },
+                    isOpen = shown.open == entry.file,
+                    isSelected = library.state.selected == entry.file,
+                    isChecked = entry.file in shown.checked,
+                    onOpen = { actions.open(entry) },
+                    onCheck = { actions.check(entry.file) },
                 )
             }
         }
@@ -90,28 +87,28 @@ private fun LogList(viewer: Viewer) {
 
 /** What stands above the list: which folder it is of, and what of it is listed how. */
 @Composable
-internal fun LibraryHead(viewer: Viewer) {
+internal fun LibraryHead(library: Library, settings: SettingsStore, actions: LibraryActions) {
     Column(Modifier.padding(start = 8.dp, end = 8.dp, top = 6.dp, bottom = 2.dp)) {
         Row(verticalAlignment = Alignment.CenterVertically) {
-            FolderMenu(viewer, Modifier.weight(1f))
-            ToolButton("All logs as a table", Icons.Table) { viewer.toggleTable() }
+            FolderMenu(library, settings, actions, Modifier.weight(1f))
+            ToolButton("All logs as a table", Icons.Table) { actions.toggleTable() }
         }
-        LogSearch(viewer, Modifier.fillMaxWidth().padding(top = 2.dp))
+        LogSearch(library, actions.open, Modifier.fillMaxWidth().padding(top = 2.dp))
         Row(verticalAlignment = Alignment.CenterVertically) {
-            LogCount(viewer, Modifier.weight(1f).padding(start = 4.dp))
-            SortMenu(viewer)
-            PreviewMenu(viewer)
-            HideEmptyButton(viewer)
+            LogCount(library.state.listing, Modifier.weight(1f).padding(start = 4.dp))
+            SortMenu(library)
+            PreviewMenu(library.state.entries, settings)
+            HideEmptyButton(library)
         }
     }
 }
 
 /** The field that filters the logs; Enter opens the first that is left and gives the keyboard back, Escape lists all again. */
 @Composable
-internal fun LogSearch(viewer: Viewer, modifier: Modifier = Modifier) {
+internal fun LogSearch(library: Library, onOpen: (LogEntry) -> Unit, modifier: Modifier = Modifier) {
     val focus = remember { FocusRequester() }
     val keyboard = LocalFocusManager.current
-    val asked = viewer.library.searchesAsked
+    val asked = library.state.searchesAsked
     val before = remember { intArrayOf(asked) }
     LaunchedEffect(asked) {
         // What was asked before this field was there was meant for another one.
@@ -123,20 +120,19 @@ internal fun LogSearch(viewer: Viewer, modifier: Modifier = Modifier) {
         .onPreviewKeyEvent {
             val opens = it.type == KeyEventType.KeyDown && (it.key == Key.Enter || it.key == Key.NumPadEnter)
             if (opens) {
-                viewer.library.visible.firstOrNull()?.let(viewer::openLog)
+                library.state.visible.firstOrNull()?.let(onOpen)
                 keyboard.clearFocus()
             }
             opens
         }
-    SearchField(viewer.library.listing.filter, "Search logs", keyed) {
-        viewer.library = viewer.library.filtered(it)
+    SearchField(library.state.listing.filter, "Search logs", keyed) {
+        library.change { filtered(it) }
     }
 }
 
 /** How many logs are listed. */
 @Composable
-internal fun LogCount(viewer: Viewer, modifier: Modifier = Modifier) {
-    val listing = viewer.library.listing
+internal fun LogCount(listing: Listing, modifier: Modifier = Modifier) {
     val all = when (listing.size) {
         0 -> "No logs"
         1 -> "1 log"
@@ -146,25 +142,25 @@ internal fun LogCount(viewer: Viewer, modifier: Modifier = Modifier) {
     Text(text, modifier, color = LocalPalette.current.muted, fontSize = 12.sp, lineHeight = 16.sp, maxLines = 1)
 }
 
-/** Leaves out logs in which nothing happened. */
+/** Leaves out idle logs. */
 @Composable
-internal fun HideEmptyButton(viewer: Viewer) {
-    val hides = viewer.library.listing.hidesEmpty
-    ToolButton("Hide logs where nothing happened", Icons.Hide, isOn = hides) {
-        viewer.library = viewer.library.hidingEmpty(!hides)
+internal fun HideEmptyButton(library: Library) {
+    val hides = library.state.listing.hidesEmpty
+    ToolButton("Hide idle logs", Icons.Hide, isOn = hides) {
+        library.change { hidingEmpty(!hides) }
     }
 }
 
 /** What stands where logs would be listed if there were any. */
 @Composable
-internal fun LibraryEmptiness(viewer: Viewer, modifier: Modifier = Modifier) {
+internal fun LibraryEmptiness(library: Library, actions: LibraryActions, modifier: Modifier = Modifier) {
     Column(modifier.padding(16.dp), verticalArrangement = Arrangement.spacedBy(12.dp)) {
-        Text(emptinessOf(viewer.library), color = LocalPalette.current.muted)
-        if (viewer.library.listing.size == 0) {
-            ToolButton("Open a folder of logs", Icons.Folder, text = "Open folder…") { chooseFolder(viewer) }
+        Text(emptinessOf(library.state), color = LocalPalette.current.muted)
+        if (library.state.listing.size == 0) {
+            ToolButton("Open a folder of logs", Icons.Folder, text = "Open folder…") { actions.askForFolder() }
         } else {
             ToolButton("List all logs", Icons.Reset, text = "List all logs") {
-                viewer.library = viewer.library.filtered("").hidingEmpty(false)
+                library.change { filtered("").hidingEmpty(false) }
             }
         }
     }
@@ -175,13 +171,13 @@ private fun emptinessOf(library: LibraryState): String = when {
 
     library.listing.size > 0 && library.listing.filter.isNotBlank() -> "No log has all of “${library.listing.filter.trim()}”."
 
-    library.listing.size > 0 -> "Nothing happened in any of these logs."
+    library.listing.size > 0 -> "All of these logs are idle."
 
     !library.hasLooked -> "Looking for logs…"
 
     library.reading != null -> "Reading the first logs…"
 
-    library.trouble != null -> "No log is to be seen here."
+    library.trouble != null -> "No logs found."
 
     else ->
         "No logs here yet. Bags (.bag, .badbag), tables (.csv) and logs of WPILib (.wpilog) of this folder and the folders in it " +
@@ -190,11 +186,11 @@ private fun emptinessOf(library: LibraryState): String = when {
 
 /** How far reading the folder is, and what hinders it; nothing when all is known. */
 @Composable
-internal fun ReadingLine(viewer: Viewer) {
-    val library = viewer.library
+internal fun ReadingLine(library: Library) {
+    val state = library.state
     val palette = LocalPalette.current
     Column(Modifier.fillMaxWidth()) {
-        library.trouble?.let { trouble ->
+        state.trouble?.let { trouble ->
             Text(
                 trouble,
                 Modifier.fillMaxWidth().background(palette.warningSoft).padding(horizontal = 12.dp, vertical = 6.dp),
@@ -205,11 +201,11 @@ internal fun ReadingLine(viewer: Viewer) {
                 overflow = TextOverflow.Ellipsis,
             )
         }
-        val reading = library.reading
+        val reading = state.reading
         // One log that grows is read again and again: nothing that a person waits for.
         if (reading != null && reading.total > 1) {
             NoteLine("Reading ${reading.read} of ${reading.total} logs", "Stop", "Stop reading logs") {
-                viewer.libraryFolder.stopReading()
+                library.stopReading()
             }
             LinearProgressIndicator(
                 progress = { reading.read.toFloat() / reading.total },
@@ -217,9 +213,9 @@ internal fun ReadingLine(viewer: Viewer) {
                 gapSize = 0.dp,
                 drawStopIndicator = {},
             )
-        } else if (library.passedOver > 0) {
-            val logs = if (library.passedOver == 1) "1 log is" else "${library.passedOver} logs are"
-            NoteLine("$logs not read", "Read", "Read the other logs") { viewer.libraryFolder.readAll() }
+        } else if (state.passedOver > 0) {
+            val logs = if (state.passedOver == 1) "1 log is" else "${state.passedOver} logs are"
+            NoteLine("$logs not read", "Read", "Read the other logs") { library.readAll() }
         }
     }
 }

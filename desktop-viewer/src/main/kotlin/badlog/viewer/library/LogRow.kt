@@ -44,16 +44,16 @@ import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Palette
 import badlog.viewer.theme.Tip
 
-/** A log in the list: what match it is, when, how long and how it went, and a small line. */
+/** A log in the list: what match it is, when, how long and how it went, and a preview. */
 @Composable
 internal fun LogRow(
     entry: LogEntry,
     previews: Previews,
     isOpen: Boolean,
     isSelected: Boolean,
-    isTicked: Boolean,
+    isChecked: Boolean,
     onOpen: () -> Unit,
-    onTick: () -> Unit,
+    onCheck: () -> Unit,
 ) {
     val palette = LocalPalette.current
     val interactions = remember { MutableInteractionSource() }
@@ -70,7 +70,7 @@ internal fun LogRow(
             },
     ) {
         Box(Modifier.width(28.dp).padding(start = 2.dp, top = 3.dp)) {
-            if (entry.isReadable) TickBox("Compare ${entry.fileName}", isTicked, onTick)
+            if (entry.isReadable) CheckBox("Compare ${entry.fileName}", isChecked, onCheck)
         }
         Column(Modifier.weight(1f).padding(top = 6.dp, bottom = 6.dp, end = 12.dp)) {
             Row(horizontalArrangement = Arrangement.spacedBy(6.dp), verticalAlignment = Alignment.CenterVertically) {
@@ -133,22 +133,22 @@ internal fun rowColour(palette: Palette, isOpen: Boolean, isSelected: Boolean, i
     else -> Color.Transparent
 }
 
-/** A small box to tick. */
+/** A small box to check. */
 @Composable
-internal fun TickBox(description: String, isTicked: Boolean, onTick: () -> Unit) {
+internal fun CheckBox(description: String, isChecked: Boolean, onCheck: () -> Unit) {
     val palette = LocalPalette.current
     val shape = RoundedCornerShape(3.dp)
     Box(
         Modifier
-            .toggleable(isTicked, role = Role.Checkbox) { onTick() }
+            .toggleable(isChecked, role = Role.Checkbox) { onCheck() }
             .semantics { contentDescription = description }
             .padding(6.dp)
             .size(14.dp)
-            .background(if (isTicked) palette.accent else Color.Transparent, shape)
-            .border(1.dp, if (isTicked) palette.accent else palette.muted.copy(alpha = 0.5f), shape),
+            .background(if (isChecked) palette.accent else Color.Transparent, shape)
+            .border(1.dp, if (isChecked) palette.accent else palette.muted.copy(alpha = 0.5f), shape),
         contentAlignment = Alignment.Center,
     ) {
-        if (isTicked) Icon(Icons.Check, contentDescription = null, Modifier.size(12.dp), palette.surface)
+        if (isChecked) Icon(Icons.Check, contentDescription = null, Modifier.size(12.dp), palette.surface)
     }
 }
 

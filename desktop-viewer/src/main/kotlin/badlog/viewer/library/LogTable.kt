@@ -37,81 +37,77 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import badlog.viewer.app.Viewer
-import badlog.viewer.app.openLog
-import badlog.viewer.app.toggleTable
-import badlog.viewer.compare.toggleCompared
 import badlog.viewer.library.index.LogEntry
-import badlog.viewer.panels.MainView
+import badlog.viewer.settings.SettingsStore
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
 
 /** Every log of the folder with all its columns. */
 @Composable
-internal fun LogTable(viewer: Viewer, modifier: Modifier = Modifier) {
+internal fun LogTable(library: Library, settings: SettingsStore, shown: ShownLogs, actions: LibraryActions, modifier: Modifier = Modifier) {
     Column(modifier.background(LocalPalette.current.surface)) {
-        TableTools(viewer)
+        TableTools(library, settings, actions)
         HorizontalDivider()
-        ReadingLine(viewer)
-        if (viewer.library.visible.isEmpty()) LibraryEmptiness(viewer) else Table(viewer)
+        ReadingLine(library)
+        if (library.state.visible.isEmpty()) LibraryEmptiness(library, actions) else Table(library, settings, shown, actions)
     }
 }
 
 @Composable
-private fun TableTools(viewer: Viewer) {
+private fun TableTools(library: Library, settings: SettingsStore, actions: LibraryActions) {
     BoxWithConstraints(Modifier.fillMaxWidth().padding(8.dp)) {
         val isNarrow = maxWidth < NARROW
         Column(verticalArrangement = Arrangement.spacedBy(6.dp)) {
             Row(horizontalArrangement = Arrangement.spacedBy(6.dp), verticalAlignment = Alignment.CenterVertically) {
-                FolderMenu(viewer, if (isNarrow) Modifier.weight(1f) else Modifier.widthIn(max = 220.dp))
-                if (!isNarrow) LogSearch(viewer, Modifier.weight(1f))
-                LogCount(viewer)
-                PreviewMenu(viewer)
-                HideEmptyButton(viewer)
-                ToolButton("Back to the graphs", Icons.Graph, text = if (isNarrow) null else "Graphs") { viewer.toggleTable() }
+                FolderMenu(library, settings, actions, if (isNarrow) Modifier.weight(1f) else Modifier.widthIn(max = 220.dp))
+                if (!isNarrow) LogSearch(library, actions.open, Modifier.weight(1f))
+                LogCount(library.state.listing)
+                PreviewMenu(library.state.entries, settings)
+                HideEmptyButton(library)
+                ToolButton("Back to the graphs", Icons.Graph, text = if (isNarrow) null else "Graphs") { actions.toggleTable() }
             }
-            if (isNarrow) LogSearch(viewer, Modifier.fillMaxWidth())
+            if (isNarrow) LogSearch(library, actions.open, Modifier.fillMaxWidth())
         }
     }
 }
 
 @Composable
-private fun Table(viewer: Viewer) {
-    val visible = viewer.library.visible
-    val topic = viewer.settings.previewTopic
+private fun Table(library: Library, settings: SettingsStore, shown: ShownLogs, actions: LibraryActions) {
+    val visible = library.state.visible
+    val topic = settings.state.previewTopic
     val previews = remember(visible, topic) { Previews(visible, topic) }
     val list = rememberLazyListState()
     val sideways = rememberScrollState()
     val focus = remember { FocusRequester() }
     StayAtTop(list, visible)
-    KeepInSight(list, visible.indexOfFirst { it.file == viewer.library.selected })
+    KeepInSight(list, visible.indexOfFirst { it.file == library.state.selected })
     LaunchedEffect(Unit) { focus.requestFocus() }
     BoxWithConstraints(
         Modifier
             .fillMaxSize()
-            .onKeyEvent { it.type == KeyEventType.KeyDown && onTableKey(viewer, it.key) }
+            .onKeyEvent { it.type == KeyEventType.KeyDown && onTableKey(library, it.key, actions.openInGraphs) }
             .focusRequester(focus)
             .focusable()
             .semantics { contentDescription = "Table of logs" },
     ) {
         val spare = maxOf(0.dp, maxWidth - tableWidth)
         Column(Modifier.fillMaxSize().horizontalScroll(sideways).width(tableWidth + spare)) {
-            TableHead(viewer, spare)
+            TableHead(library, settings.state.previewTopic, spare)
             HorizontalDivider()
             LazyColumn(Modifier.weight(1f).padding(bottom = 8.dp), list) {
                 items(visible, key = { it.file.toString() }) { entry ->
                     TableRow(
-                        entry, previews, spare, viewer.library.folder,
-                        isOpen = viewer.open?.file == entry.file,
-                        isSelected = viewer.library.selected == entry.file,
-                        isTicked = entry.file in viewer.comparison.ticked,
-                        onTick = { toggleCompared(viewer, entry.file) },
+                        entry, previews, spare, library.state.folder,
+                        isOpen = shown.open == entry.file,
+                        isSelected = library.state.selected == entry.file,
+                        isChecked = entry.file in shown.checked,
+                        onCheck = { actions.check(entry.file) },
                         onSelect = {
                             focus.requestFocus()
-                            viewer.library = viewer.library.copy(selected = entry.file)
+                            library.select(entry.file)
                         },
-                        onOpen = { openFromTable(viewer, entry) },
+                        onOpen = { actions.openInGraphs(entry) },
                     )
                 }
             }
@@ -121,38 +117,33 @@ private fun Table(viewer: Viewer) {
     }
 }
 
-private fun onTableKey(viewer: Viewer, key: Key): Boolean {
-    val library = viewer.library
+private fun onTableKey(library: Library, key: Key, onOpen: (LogEntry) -> Unit): Boolean {
+    val state = library.state
     val target = when (key) {
-        Key.DirectionUp -> library.stepped(-1)
+        Key.DirectionUp -> state.stepped(-1)
 
-        Key.DirectionDown -> library.stepped(1)
+        Key.DirectionDown -> state.stepped(1)
 
-        Key.PageUp -> library.stepped(-PAGE)
+        Key.PageUp -> state.stepped(-PAGE)
 
-        Key.PageDown -> library.stepped(PAGE)
+        Key.PageDown -> state.stepped(PAGE)
 
-        Key.MoveHome -> library.visible.firstOrNull()
+        Key.MoveHome -> state.visible.firstOrNull()
 
-        Key.MoveEnd -> library.visible.lastOrNull()
+        Key.MoveEnd -> state.visible.lastOrNull()
 
         Key.Enter, Key.NumPadEnter -> {
-            library.visible.firstOrNull { it.file == library.selected }?.let { openFromTable(viewer, it) }
+            state.visible.firstOrNull { it.file == state.selected }?.let(onOpen)
             return true
         }
 
         else -> return false
     }
-    if (target != null) viewer.library = library.copy(selected = target.file)
+    if (target != null) library.select(target.file)
     return true
-}
-
-private fun openFromTable(viewer: Viewer, entry: LogEntry) {
-    viewer.openLog(entry)
-    if (entry.isReadable) viewer.panels = viewer.panels.copy(main = MainView.GRAPHS)
 }
 
 private const val PAGE = 15
 private val NARROW = 560.dp
 
-private val tableWidth: Dp get() = (TICK_WIDTH + PREVIEW_WIDTH + LogColumn.entries.sumOf { it.width }).dp
+private val tableWidth: Dp get() = (CHECK_WIDTH + PREVIEW_WIDTH + LogColumn.entries.sumOf { it.width }).dp

@@ -36,50 +36,49 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
-import badlog.viewer.app.Viewer
 import badlog.viewer.library.index.LogEntry
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Palette
 import java.nio.file.Path
 
-/** How wide the box to tick is, in dp. */
-internal const val TICK_WIDTH = 34
+/** How wide the box to check is, in dp. */
+internal const val CHECK_WIDTH = 34
 
-/** How wide the small line is, in dp. */
+/** How wide the preview is, in dp. */
 internal const val PREVIEW_WIDTH = 152
 
 /** The columns' titles; a click sorts. The last column is wider by [spare]. */
 @Composable
-internal fun TableHead(viewer: Viewer, spare: Dp) {
+internal fun TableHead(library: Library, previewTopic: String?, spare: Dp) {
     val palette = LocalPalette.current
-    val listing = viewer.library.listing
-    Row(Modifier.fillMaxWidth().background(palette.raised).padding(start = TICK_WIDTH.dp)) {
+    val listing = library.state.listing
+    Row(Modifier.fillMaxWidth().background(palette.raised).padding(start = CHECK_WIDTH.dp)) {
         for (column in LogColumn.entries) {
-            if (column == LogColumn.FILE) PreviewTitle(viewer)
+            if (column == LogColumn.FILE) PreviewTitle(previewTopic)
             Row(
                 Modifier
                     .width(widthOf(column, spare))
-                    .clickable(role = Role.Button) { viewer.library = viewer.library.sorted(column) }
+                    .clickable(role = Role.Button) { library.change { sorted(column) } }
                     .focusProperties { canFocus = false }
                     .semantics { contentDescription = "Sort by ${column.title}" }
                     .padding(horizontal = 8.dp, vertical = 6.dp),
                 horizontalArrangement = if (column.isNumber) Arrangement.End else Arrangement.Start,
                 verticalAlignment = Alignment.CenterVertically,
             ) {
-                val isChosen = column == listing.column
-                val color = if (isChosen) palette.accent else palette.muted
+                val isSorted = column == listing.column
+                val color = if (isSorted) palette.accent else palette.muted
                 Text(column.title, color = color, fontSize = 12.sp, fontWeight = FontWeight.SemiBold, maxLines = 1)
-                if (isChosen) Icon(if (listing.isDescending) Icons.Down else Icons.Up, null, Modifier.size(12.dp), color)
+                if (isSorted) Icon(if (listing.isDescending) Icons.Down else Icons.Up, null, Modifier.size(12.dp), color)
             }
         }
     }
 }
 
 @Composable
-private fun PreviewTitle(viewer: Viewer) {
+private fun PreviewTitle(topic: String?) {
     Text(
-        viewer.settings.previewTopic ?: "Battery voltage",
+        topic ?: "Battery voltage",
         Modifier.width(PREVIEW_WIDTH.dp).padding(horizontal = 8.dp, vertical = 6.dp),
         color = LocalPalette.current.muted,
         fontSize = 12.sp,
@@ -98,8 +97,8 @@ internal fun TableRow(
     folder: Path?,
     isOpen: Boolean,
     isSelected: Boolean,
-    isTicked: Boolean,
-    onTick: () -> Unit,
+    isChecked: Boolean,
+    onCheck: () -> Unit,
     onSelect: () -> Unit,
     onOpen: () -> Unit,
 ) {
@@ -125,8 +124,8 @@ internal fun TableRow(
             },
         verticalAlignment = Alignment.CenterVertically,
     ) {
-        Box(Modifier.width(TICK_WIDTH.dp).padding(start = 4.dp)) {
-            if (entry.isReadable) TickBox("Compare ${entry.fileName}", isTicked, onTick)
+        Box(Modifier.width(CHECK_WIDTH.dp).padding(start = 4.dp)) {
+            if (entry.isReadable) CheckBox("Compare ${entry.fileName}", isChecked, onCheck)
         }
         for (column in LogColumn.entries) {
             if (column == LogColumn.FILE) RowPreview(entry, previews, palette)

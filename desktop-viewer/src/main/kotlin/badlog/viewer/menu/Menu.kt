@@ -114,7 +114,7 @@ private fun EntryLine(entry: MenuEntry, onClick: () -> Unit) {
 private val MENU_WIDTH = 320.dp
 private val ROOMY = 900.dp
 
-/** A line of a menu, which [mark] marks as chosen. */
+/** A line of a menu, which [mark] marks as selected. */
 @Composable
 internal fun MenuLine(text: String, mark: ImageVector? = null, onClick: () -> Unit) {
     val palette = LocalPalette.current
@@ -127,6 +127,6 @@ internal fun MenuLine(text: String, mark: ImageVector? = null, onClick: () -> Un
         verticalAlignment = Alignment.CenterVertically,
     ) {
         Text(text, Modifier.weight(1f), maxLines = 1, overflow = TextOverflow.MiddleEllipsis)
-        if (mark != null) Icon(mark, contentDescription = "chosen", Modifier.size(14.dp), palette.accent)
+        if (mark != null) Icon(mark, contentDescription = "selected", Modifier.size(14.dp), palette.accent)
     }
 }

@@ -1,6 +1,7 @@
 package badlog.viewer.panels
 
 import androidx.compose.ui.graphics.vector.ImageVector
+import badlog.viewer.part.Part
 import badlog.viewer.theme.Icons
 
 /**
@@ -42,7 +43,7 @@ internal data class Panels(
  */
 internal enum class InspectorTab(val title: String, val icon: ImageVector) {
     EVENTS("Events", Icons.Flag),
-    VALUES("Values", Icons.Info),
+    VALUES("Metadata", Icons.Info),
     PROBLEMS("Problems", Icons.Warning),
     STATISTICS("Statistics", Icons.Sigma),
     FINDINGS("Findings", Icons.Diamond),
@@ -62,3 +63,6 @@ internal enum class MainView {
     /** A statistic of topics across recordings. */
     STATISTICS,
 }
+
+/** Which parts of this window are open. */
+internal class WindowPanels : Part<Panels>(Panels())

@@ -6,64 +6,71 @@ import androidx.compose.runtime.withFrameNanos
 import badlog.analysis.Span
 import badlog.analysis.Units
 import badlog.analysis.XAxis
-import badlog.viewer.app.Viewer
+import badlog.viewer.part.Part
+import badlog.viewer.recording.CurrentRecording
+import badlog.viewer.view.AxisView
 
-/** Lets the cursor run, frame by frame, while it is to. */
+/** Lets the cursor run by itself. */
+internal class Player(private val current: CurrentRecording, private val view: AxisView) : Part<Playback>(Playback()) {
+    /** What is played: when looping the selection or what is visible, else to the end of the selection or of everything. */
+    private val range: Span get() = view.selection ?: if (state.loops) view.viewport.visible else view.viewport.full
+
+    /** Starts the cursor, from the beginning when it stands at the end; or halts it. */
+    fun toggle() {
+        if (!state.isPlaying && current.recording == null) return
+        val range = range
+        val cursor = view.cursor
+        if (!state.isPlaying && (cursor == null || cursor !in range || cursor >= range.to)) {
+            val isAnywhere = cursor == null && !state.loops
+            view.placeCursor(if (isAnywhere) view.viewport.visible.from.coerceIn(range.from, range.to) else range.from)
+        }
+        change { copy(isPlaying = !isPlaying) }
+    }
+
+    /** Plays what it plays again and again, or no longer. */
+    fun toggleLoop() = change { copy(loops = !loops) }
+
+    /** Lets [seconds] pass. */
+    fun advance(seconds: Double) {
+        val open = current.recording ?: return change { copy(isPlaying = false) }
+        // A machine that was asleep must not jump to the end.
+        val distance = seconds.coerceIn(0.0, LONGEST_STEP) * state.speed * perSecond(open.view.xAxis, view.viewport.full)
+        val step = state.advanced(view.cursor, distance, range)
+        view.placeCursor(step.cursor)
+        change { step.playback }
+        follow(step.cursor)
+    }
+
+    private fun follow(x: Double) {
+        val visible = view.viewport.visible
+        if (x in visible) return
+        // Most of the room for what comes, and the way back is not filled with pages.
+        val from = x - visible.width * LEAD
+        view.change { moved(from, from + visible.width) }
+    }
+
+    private companion object {
+        const val LONGEST_STEP = 0.25
+        const val LEAD = 0.1
+    }
+}
+
+/** Advances [player] frame by frame, while it plays. */
 @Composable
-internal fun PlaybackRunning(viewer: Viewer) {
-    if (!viewer.playback.isPlaying) return
-    LaunchedEffect(viewer) {
+internal fun PlayerFrames(player: Player) {
+    if (!player.state.isPlaying) return
+    LaunchedEffect(player) {
         var before = withFrameNanos { it }
-        while (viewer.playback.isPlaying) {
+        while (player.state.isPlaying) {
             val now = withFrameNanos { it }
-            advance(viewer, (now - before) / NANOS)
+            player.advance((now - before) / NANOS)
             before = now
         }
     }
-}
-
-/** Starts the cursor, from the beginning when it stands at the end; or halts it. */
-internal fun togglePlaying(viewer: Viewer) {
-    val playback = viewer.playback
-    if (!playback.isPlaying && viewer.open == null) return
-    val range = rangeOf(viewer)
-    val cursor = viewer.cursor
-    if (!playback.isPlaying && (cursor == null || cursor !in range || cursor >= range.to)) {
-        viewer.cursor = if (cursor == null && !playback.loops) viewer.viewport.visible.from.coerceIn(range.from, range.to) else range.from
-    }
-    viewer.playback = playback.copy(isPlaying = !playback.isPlaying)
-}
-
-/** Lets [seconds] pass. */
-internal fun advance(viewer: Viewer, seconds: Double) {
-    val open = viewer.open
-    if (open == null) {
-        viewer.playback = viewer.playback.copy(isPlaying = false)
-        return
-    }
-    // A machine that was asleep must not jump to the end.
-    val distance = seconds.coerceIn(0.0, LONGEST_STEP) * viewer.playback.speed * perSecond(open.view.xAxis, viewer.viewport.full)
-    val step = viewer.playback.advanced(viewer.cursor, distance, rangeOf(viewer))
-    viewer.cursor = step.cursor
-    viewer.playback = step.playback
-    follow(viewer, step.cursor)
-}
-
-/** What is played: when looping the selection or what is seen, else to the end of the selection or of everything. */
-private fun rangeOf(viewer: Viewer): Span = viewer.selection ?: if (viewer.playback.loops) viewer.viewport.visible else viewer.viewport.full
-
-private fun follow(viewer: Viewer, x: Double) {
-    val visible = viewer.viewport.visible
-    if (x in visible) return
-    // Most of the room for what comes, and the way back is not filled with pages.
-    val from = x - visible.width * LEAD
-    viewer.viewport = viewer.viewport.moved(from, from + visible.width)
 }
 
 /** How much of x passes in a second at speed 1: what its unit says, or else all of it in a minute. */
 internal fun perSecond(axis: XAxis, full: Span): Double = Units.secondsIn(axis.unit)?.let { 1 / it } ?: (full.width / SECONDS_OF_MINUTE)
 
 private const val NANOS = 1e9
-private const val LONGEST_STEP = 0.25
-private const val LEAD = 0.1
 private const val SECONDS_OF_MINUTE = 60

@@ -1,30 +1,49 @@
 package badlog.viewer.recording
 
-import badlog.plot.range.Viewport
-import badlog.viewer.app.Viewer
-import badlog.viewer.panels.FrontPart
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.setValue
+import badlog.viewer.task.LongTasks
+import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Job
 import kotlinx.coroutines.launch
 import java.nio.file.Path
 
-/** Opens recordings in a window and keeps the open one as its file is. A file asked for takes the place of the one before. */
-internal class RecordingLoading(private val viewer: Viewer) {
-    private val following = RecordingFollowing(viewer)
+/**
+ * Opens recordings and keeps the open one as its file is. A file asked for takes the place of the one before. To be used on the
+ * window's thread only.
+ *
+ * @param scope where files are watched; its thread is the window's.
+ * @param watcher keeps what was opened as its file is.
+ * @param definitions gives the formulas to calculate in a recording.
+ * @param show shows what was read.
+ */
+internal class RecordingLoader(
+    private val scope: CoroutineScope,
+    private val tasks: LongTasks,
+    private val watcher: RecordingWatcher,
+    private val definitions: () -> List<String>,
+    private val show: (OpenRecording) -> Unit,
+) {
     private var reading: Job? = null
-    private var keeping: Job? = null
+    private var watching: Job? = null
 
     /** Whether a recording is on its way. */
-    val isReading: Boolean get() = reading?.isActive == true
+    var isReading: Boolean by mutableStateOf(false)
+        private set
 
     /** Reads [file] and shows it; what is shown now stays until then, and when [file] cannot be read. */
     fun open(file: Path) {
         val path = file.toAbsolutePath().normalize()
         reading?.cancel()
-        reading = viewer.tasks.run("Opening ${path.fileName}", { progress -> Stamped.read(path, { viewer.formulas }, progress) }) { read ->
+        val job = tasks.run("Opening ${path.fileName}", { progress -> Stamped.read(path, definitions, progress) }) { read ->
             show(read.recording)
-            keeping?.cancel()
-            keeping = viewer.scope.launch { following.follow(read.recording, read.stamp) }
+            watching?.cancel()
+            watching = scope.launch { watcher.watch(read.recording, read.stamp) }
         }
+        reading = job
+        isReading = true
+        job.invokeOnCompletion { if (reading === job) isReading = false }
     }
 
     private class Stamped(val recording: OpenRecording, val stamp: FileStamp) {
@@ -35,18 +54,5 @@ internal class RecordingLoading(private val viewer: Viewer) {
                 return Stamped(OpenRecording.read(file, definitions, progress = progress), stamp)
             }
         }
-    }
-
-    private fun show(recording: OpenRecording) {
-        viewer.open = recording
-        viewer.comparisonLoading.share(recording)
-        viewer.graphs = viewer.layouts.graphsOf(recording)
-        viewer.viewport = Viewport(recording.span)
-        viewer.cursor = null
-        viewer.isCursorPinned = false
-        viewer.gesture = null
-        viewer.selection = null
-        viewer.panels = viewer.panels.copy(front = FrontPart.GRAPHS)
-        viewer.library = viewer.library.copy(selected = recording.file)
     }
 }

@@ -1,6 +1,6 @@
 package badlog.viewer.recording
 
-import badlog.viewer.app.Viewer
+import badlog.viewer.task.Notices
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.runInterruptible
@@ -13,19 +13,19 @@ import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.TimeSource
 
 /**
- * Keeps the open recording as its file is: a robot's simulation may be writing it. While it grows, a row that is half
- * written is left for later.
+ * Watches the file of the open recording: a robot's simulation may be writing it. While it grows, a row that is half written is
+ * left for later.
  *
- * @param read reads the file: up to its last line end, or all of it.
+ * @param read reads the file again: up to its last line end, or all of it.
+ * @param update shows what was read.
  */
-internal class RecordingFollowing(
-    private val viewer: Viewer,
-    private val read: (OpenRecording, isGrowing: Boolean) -> OpenRecording = { shown, isGrowing ->
-        OpenRecording.read(shown.file, { viewer.formulas }, isGrowing)
-    },
+internal class RecordingWatcher(
+    private val notices: Notices,
+    private val read: (OpenRecording, isGrowing: Boolean) -> OpenRecording,
+    private val update: (OpenRecording) -> Unit,
 ) {
-    /** Follows [opened], which was read when its file was as [stamp], until cancelled. */
-    suspend fun follow(opened: OpenRecording, stamp: FileStamp) {
+    /** Watches the file of [opened], which was read when its file was as [stamp], until cancelled. */
+    suspend fun watch(opened: OpenRecording, stamp: FileStamp) {
         var shown = opened
         var known = stamp
         var isSettled = true
@@ -34,7 +34,7 @@ internal class RecordingFollowing(
             delay(POLL)
             val now = runInterruptible(Dispatchers.IO) { FileStamp.of(shown.file) }
             if (now == null) {
-                viewer.notices.say("${shown.file.fileName} is gone from its folder; what was read of it stays here.")
+                notices.say("${shown.file.fileName} is gone from its folder; what was read of it stays here.")
                 return
             }
             val hasChanged = now != known
@@ -47,12 +47,10 @@ internal class RecordingFollowing(
                 readAgain(shown, isGrowing = hasChanged) ?: continue
             } catch (_: OutOfMemoryError) {
                 val name = shown.file.fileName
-                viewer.notices.complain("$name has grown larger than the memory there is; what was read of it stays here.")
+                notices.complain("$name has grown larger than the memory there is; what was read of it stays here.")
                 return
             }
-            viewer.open = shown
-            viewer.comparisonLoading.share(shown)
-            viewer.viewport = viewer.viewport.grown(shown.span)
+            update(shown)
             delay(restAfter(began.elapsedNow()))
         }
     }

@@ -1,7 +1,8 @@
 package badlog.viewer.settings
 
 import androidx.compose.runtime.snapshotFlow
-import badlog.viewer.app.Viewer
+import badlog.viewer.part.Part
+import badlog.viewer.task.Notices
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.FlowPreview
 import kotlinx.coroutines.flow.collectLatest
@@ -49,18 +50,44 @@ internal class SettingsFile(private val file: Path) {
             Files.deleteIfExists(draft)
         }
     }
-}
 
-/** Writes the settings of [viewer] into [file], which holds [kept], a moment after each change, until cancelled. */
-@OptIn(FlowPreview::class)
-internal suspend fun keepSettings(viewer: Viewer, file: SettingsFile, kept: Settings) {
-    snapshotFlow { viewer.settings }.dropWhile { it == kept }.debounce(QUIET_MILLIS).collectLatest { settings ->
-        try {
-            withContext(Dispatchers.IO) { file.write(settings) }
-        } catch (e: IOException) {
-            viewer.notices.complain("Your settings cannot be kept (${e.message}); make room on the disk of your home folder.")
-        }
+    companion object {
+        /** What such a file is called. */
+        const val NAME = "settings.json"
     }
 }
 
-private const val QUIET_MILLIS = 400L
+/**
+ * What the person has chosen.
+ *
+ * @param file keeps it from one start to the next.
+ * @param kept what [file] holds.
+ */
+internal class SettingsStore(
+    private val file: SettingsFile,
+    private val notices: Notices,
+    private val kept: Settings = Settings(),
+) : Part<Settings>(kept) {
+    /** Writes each change a moment after it was made, until cancelled. */
+    @OptIn(FlowPreview::class)
+    suspend fun autosave() = snapshotFlow { state }.dropWhile { it == kept }.debounce(QUIET_MILLIS).collectLatest { settings ->
+        try {
+            withContext(Dispatchers.IO) { file.write(settings) }
+        } catch (e: IOException) {
+            notices.complain("Your settings cannot be saved (${e.message}); make room on the disk of your home folder.")
+        }
+    }
+
+    /** Writes at once what else would be written in a moment: the window is about to go. */
+    fun saveNow() {
+        try {
+            file.write(state)
+        } catch (_: IOException) {
+            // There is no window any more to say it in.
+        }
+    }
+
+    private companion object {
+        const val QUIET_MILLIS = 400L
+    }
+}

@@ -2,6 +2,7 @@ package badlog.viewer.statistics
 
 import badlog.plot.statistics.Statistic
 import badlog.recording.Topic
+import badlog.viewer.part.Part
 
 /**
  * What the table of statistics shows. Never changes; each transition gives a new one.
@@ -10,7 +11,7 @@ import badlog.recording.Topic
  * @property statistics the figures of each topic.
  * @property sort what the rows are sorted by; null for their own order.
  * @property isDescending whether the largest comes first.
- * @property isOverAll whether every log of the folder has a row; else the open one and those ticked.
+ * @property isOverAll whether every log of the folder has a row; else the open one and those checked.
  */
 internal data class StatisticsChoice(
     val topics: List<String> = emptyList(),
@@ -52,3 +53,6 @@ internal data class FigureColumn(val topic: String, val statistic: Statistic) : 
     /** Its unit in [row]; `ul` for none. */
     fun unitIn(row: StatisticsRow): String = statistic.unitOf(row.units[topic] ?: Topic.UNITLESS, row.xUnit)
 }
+
+/** What the window's table of statistics shows. */
+internal class SelectedStatistics : Part<StatisticsChoice>(StatisticsChoice())

@@ -39,27 +39,32 @@ import androidx.compose.ui.unit.sp
 import badlog.analysis.Units
 import badlog.recording.PathName
 import badlog.recording.Topic
-import badlog.viewer.app.Viewer
 import badlog.viewer.compare.shortLabel
-import badlog.viewer.panels.MainView
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Tip
+import java.nio.file.Path
 
 /** The table itself. A click on a heading sorts by it, a double click on a row opens its recording. */
 @Composable
-internal fun StatisticsRows(viewer: Viewer, grid: StatisticsGrid, modifier: Modifier) {
+internal fun StatisticsRows(
+    statistics: SelectedStatistics,
+    grid: StatisticsGrid,
+    open: Path?,
+    onOpen: (Path) -> Unit,
+    modifier: Modifier,
+) {
     val across = rememberScrollState()
     val down = rememberLazyListState()
     Box(modifier) {
         Column(Modifier.fillMaxSize().horizontalScroll(across).padding(bottom = 10.dp)) {
             val width = grid.columns.fold(0.dp) { sum, column -> sum + widthOf(column) }
             Row(Modifier.background(LocalPalette.current.raised)) {
-                for (column in grid.columns) Heading(viewer, grid, column)
+                for (column in grid.columns) Heading(statistics, grid, column)
             }
             HorizontalDivider(Modifier.width(width))
             LazyColumn(Modifier.width(width).weight(1f), down) {
-                items(grid.rows) { row -> RecordingRow(viewer, grid, row) }
+                items(grid.rows) { row -> RecordingRow(grid, row, isOpen = row.path == open) { onOpen(row.path) } }
             }
         }
         VerticalScrollbar(rememberScrollbarAdapter(down), Modifier.align(Alignment.CenterEnd).fillMaxHeight())
@@ -68,14 +73,14 @@ internal fun StatisticsRows(viewer: Viewer, grid: StatisticsGrid, modifier: Modi
 }
 
 @Composable
-private fun Heading(viewer: Viewer, grid: StatisticsGrid, column: StatisticsColumn) {
-    val choice = viewer.statisticsChoice
+private fun Heading(statistics: SelectedStatistics, grid: StatisticsGrid, column: StatisticsColumn) {
+    val choice = statistics.state
     val name = nameOf(column)
     Tip("Sort by $name") {
         Row(
             Modifier
                 .width(widthOf(column))
-                .clickable { viewer.statisticsChoice = viewer.statisticsChoice.sortedBy(column) }
+                .clickable { statistics.change { sortedBy(column) } }
                 .semantics { contentDescription = "Sort by $name" }
                 .padding(horizontal = 10.dp, vertical = 5.dp),
             Arrangement.spacedBy(4.dp),
@@ -110,15 +115,11 @@ private fun HeadingText(text: String, isFigure: Boolean, isSecond: Boolean) {
 }
 
 @Composable
-private fun RecordingRow(viewer: Viewer, grid: StatisticsGrid, row: StatisticsRow) {
+private fun RecordingRow(grid: StatisticsGrid, row: StatisticsRow, isOpen: Boolean, onOpen: () -> Unit) {
     val palette = LocalPalette.current
-    val isOpen = viewer.open?.file == row.path
     Row(
         Modifier
-            .combinedClickable(onDoubleClick = {
-                if (!isOpen) viewer.loading.open(row.path)
-                viewer.panels = viewer.panels.copy(main = MainView.GRAPHS)
-            }) {}
+            .combinedClickable(onDoubleClick = onOpen) {}
             .semantics { contentDescription = "Recording ${row.label}" },
     ) {
         for (column in grid.columns) {

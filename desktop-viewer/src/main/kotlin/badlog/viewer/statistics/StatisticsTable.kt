@@ -44,10 +44,12 @@ import androidx.compose.ui.unit.sp
 import badlog.file.writeAtomically
 import badlog.plot.search.Query
 import badlog.plot.statistics.Statistic
-import badlog.viewer.app.Viewer
-import badlog.viewer.compare.drawnRecordings
+import badlog.viewer.files.FileChoice
 import badlog.viewer.files.askToWrite
-import badlog.viewer.panels.MainView
+import badlog.viewer.library.index.LogEntry
+import badlog.viewer.recording.OpenRecording
+import badlog.viewer.task.LongTasks
+import badlog.viewer.task.Notices
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.SearchField
@@ -58,85 +60,101 @@ import kotlinx.coroutines.withContext
 import java.nio.file.Path
 
 /**
- * A statistic of topics across recordings.
+ * A statistic of topics across logs.
  *
- * @param chooseFile asks where to save the table; null when the person gives it up.
+ * @param entries the logs of the folder.
+ * @param drawn the open log and those that are compared with it.
+ * @param onOpen shows the log of a row.
+ * @param onSave saves the table.
+ * @param onClose shows the graphs again.
  */
 @Composable
 internal fun StatisticsTable(
-    viewer: Viewer,
+    statistics: SelectedStatistics,
+    entries: List<LogEntry>,
+    drawn: List<OpenRecording>,
+    onOpen: (Path) -> Unit,
+    onSave: (StatisticsGrid) -> Unit,
+    onClose: () -> Unit,
     modifier: Modifier = Modifier,
-    chooseFile: () -> Path? = { askToWrite(viewer, "Save the table", viewer.library.folder, "statistics", ".csv") },
 ) {
     LaunchedEffect(Unit) {
         // An empty table would tell nobody what it is for.
-        val battery = viewer.library.entries.firstNotNullOfOrNull { it.batteryTopic }
-        if (battery != null && viewer.statisticsChoice.topics.isEmpty()) {
-            viewer.statisticsChoice = viewer.statisticsChoice.toggled(battery)
+        val battery = entries.firstNotNullOfOrNull { it.batteryTopic }
+        if (battery != null && statistics.state.topics.isEmpty()) {
+            statistics.change { toggled(battery) }
         }
     }
-    val choice = viewer.statisticsChoice
-    val drawn = viewer.drawnRecordings().map { it.recording }
-    val logs = viewer.library.entries
-    val found by produceState<StatisticsSource?>(null, drawn, logs, choice.isOverAll) {
-        value = withContext(Dispatchers.Default) { statisticsSource(drawn, rowsOf(logs), choice.isOverAll) }
+    val choice = statistics.state
+    val found by produceState<StatisticsSource?>(null, drawn, entries, choice.isOverAll) {
+        value = withContext(Dispatchers.Default) { statisticsSource(drawn, rowsOf(entries), choice.isOverAll) }
     }
     val source = found ?: return Box(modifier.background(LocalPalette.current.surface))
     val rows by produceState(emptyList<StatisticsRow>(), source, choice.topics) {
         value = withContext(Dispatchers.Default) { source.rowsOf(choice.topics) }
     }
+    val actions = TableActions(onOpen, onSave, onClose)
     val grid = remember(rows, choice) { StatisticsGrid(rows, choice) }
     BoxWithConstraints(modifier.background(LocalPalette.current.surface)) {
         if (maxWidth < NARROW) {
             Column(Modifier.fillMaxSize()) {
-                StatisticsTopics(viewer, source.topics, Modifier.fillMaxWidth().height(170.dp))
+                StatisticsTopics(statistics, source.topics, Modifier.fillMaxWidth().height(170.dp))
                 HorizontalDivider()
-                Table(viewer, source, grid, chooseFile, Modifier.weight(1f).fillMaxWidth())
+                Table(statistics, source, grid, drawn.firstOrNull()?.file, actions, Modifier.weight(1f).fillMaxWidth())
             }
         } else {
             Row(Modifier.fillMaxSize()) {
-                StatisticsTopics(viewer, source.topics, Modifier.width(240.dp).fillMaxHeight())
+                StatisticsTopics(statistics, source.topics, Modifier.width(240.dp).fillMaxHeight())
                 VerticalDivider()
-                Table(viewer, source, grid, chooseFile, Modifier.weight(1f).fillMaxHeight())
+                Table(statistics, source, grid, drawn.firstOrNull()?.file, actions, Modifier.weight(1f).fillMaxHeight())
             }
         }
     }
 }
 
 @Composable
-private fun Table(viewer: Viewer, source: StatisticsSource, grid: StatisticsGrid, chooseFile: () -> Path?, modifier: Modifier) {
+private fun Table(
+    statistics: SelectedStatistics,
+    source: StatisticsSource,
+    grid: StatisticsGrid,
+    open: Path?,
+    actions: TableActions,
+    modifier: Modifier,
+) {
     Column(modifier) {
-        Head(viewer, grid, chooseFile)
+        Head(statistics, grid, actions)
         HorizontalDivider()
         when {
-            source.topics.isEmpty() -> TableHint("Open a log, and tick others to compare it with.")
-            viewer.statisticsChoice.topics.isEmpty() -> TableHint("Choose topics; each gets a column for each statistic.")
-            else -> StatisticsRows(viewer, grid, Modifier.fillMaxSize())
+            source.topics.isEmpty() -> TableHint("Open a log, and check others to compare it with.")
+            statistics.state.topics.isEmpty() -> TableHint("Select topics; each gets a column for each statistic.")
+            else -> StatisticsRows(statistics, grid, open, actions.open, Modifier.fillMaxSize())
         }
     }
 }
 
+private class TableActions(val open: (Path) -> Unit, val save: (StatisticsGrid) -> Unit, val close: () -> Unit)
+
 @Composable
-private fun Head(viewer: Viewer, grid: StatisticsGrid, chooseFile: () -> Path?) {
-    val choice = viewer.statisticsChoice
+private fun Head(statistics: SelectedStatistics, grid: StatisticsGrid, actions: TableActions) {
+    val choice = statistics.state
     FlowRow(Modifier.fillMaxWidth().padding(horizontal = 8.dp, vertical = 4.dp), itemVerticalAlignment = Alignment.CenterVertically) {
-        ToolButton("The open log and those that are ticked", text = "Ticked", isOn = !choice.isOverAll) {
-            viewer.statisticsChoice = viewer.statisticsChoice.copy(isOverAll = false)
+        ToolButton("The open log and those that are checked", text = "Checked", isOn = !choice.isOverAll) {
+            statistics.change { copy(isOverAll = false) }
         }
         ToolButton("Every log of the folder", text = "All", isOn = choice.isOverAll, modifier = Modifier.padding(end = 16.dp)) {
-            viewer.statisticsChoice = viewer.statisticsChoice.copy(isOverAll = true)
+            statistics.change { copy(isOverAll = true) }
         }
         for (statistic in Statistic.entries) {
             ToolButton("Column ${statistic.title}", text = statistic.title, isOn = statistic in choice.statistics) {
-                viewer.statisticsChoice = viewer.statisticsChoice.toggled(statistic)
+                statistics.change { toggled(statistic) }
             }
         }
         Legend("smallest", LocalPalette.current.warningSoft)
         Legend("largest", LocalPalette.current.accentSoft)
         ToolButton("Save the table as CSV", Icons.Share, text = "CSV", isEnabled = choice.topics.isNotEmpty()) {
-            chooseFile()?.let { saveCsv(viewer, grid, it) }
+            actions.save(grid)
         }
-        ToolButton("Back to the graphs", Icons.Close) { viewer.panels = viewer.panels.copy(main = MainView.GRAPHS) }
+        ToolButton("Back to the graphs", Icons.Close) { actions.close() }
     }
 }
 
@@ -158,14 +176,14 @@ private fun TableHint(text: String) {
 
 private val NARROW = 640.dp
 
-/** Chooses among [topics] those that the table has; the chosen ones stand first, as they always must be found. */
+/** Selects among [topics] those that the table has; the selected ones stand first, as they always must be found. */
 @Composable
-internal fun StatisticsTopics(viewer: Viewer, topics: List<String>, modifier: Modifier) {
+internal fun StatisticsTopics(statistics: SelectedStatistics, topics: List<String>, modifier: Modifier) {
     var query by remember { mutableStateOf("") }
-    val chosen = viewer.statisticsChoice.topics
-    val listed = remember(topics, query, chosen) {
+    val selected = statistics.state.topics
+    val listed = remember(topics, query, selected) {
         val found = topics.filter(Query(query)::matches)
-        chosen + (found - chosen.toSet())
+        selected + (found - selected.toSet())
     }
     val state = rememberLazyListState()
     Column(modifier) {
@@ -173,7 +191,7 @@ internal fun StatisticsTopics(viewer: Viewer, topics: List<String>, modifier: Mo
         Box(Modifier.fillMaxSize()) {
             LazyColumn(Modifier.fillMaxSize(), state) {
                 items(listed) { topic ->
-                    TopicChoice(topic, topic in chosen) { viewer.statisticsChoice = viewer.statisticsChoice.toggled(topic) }
+                    TopicChoice(topic, topic in selected) { statistics.change { toggled(topic) } }
                 }
             }
             VerticalScrollbar(rememberScrollbarAdapter(state), Modifier.align(Alignment.CenterEnd).fillMaxHeight())
@@ -182,31 +200,35 @@ internal fun StatisticsTopics(viewer: Viewer, topics: List<String>, modifier: Mo
 }
 
 @Composable
-private fun TopicChoice(topic: String, isChosen: Boolean, onClick: () -> Unit) {
+private fun TopicChoice(topic: String, isSelected: Boolean, onClick: () -> Unit) {
     val palette = LocalPalette.current
     Row(
         Modifier
             .fillMaxWidth()
-            .background(if (isChosen) palette.accentSoft else Color.Transparent)
+            .background(if (isSelected) palette.accentSoft else Color.Transparent)
             .clickable(onClick = onClick)
             .semantics {
                 contentDescription = "Figures of $topic"
-                selected = isChosen
+                selected = isSelected
             }
             .padding(horizontal = 8.dp, vertical = 4.dp),
         Arrangement.spacedBy(6.dp),
         Alignment.CenterVertically,
     ) {
         Box(Modifier.size(14.dp)) {
-            if (isChosen) Icon(Icons.Check, contentDescription = null, Modifier.size(14.dp), palette.accent)
+            if (isSelected) Icon(Icons.Check, contentDescription = null, Modifier.size(14.dp), palette.accent)
         }
         Tip(topic, Modifier.weight(1f)) { Text(topic, maxLines = 1, overflow = TextOverflow.Ellipsis) }
     }
 }
 
-/** Saves [grid] as CSV into [file]. */
-internal fun saveCsv(viewer: Viewer, grid: StatisticsGrid, file: Path) {
-    viewer.tasks.run("Saving ${file.fileName}", { writeAtomically(file) { it.write(grid.toCsv().encodeToByteArray()) } }) {
-        viewer.notices.say("The table is saved in $file.")
+/** Saves tables of statistics as CSV files that the person names. */
+internal class TableSaver(private val files: FileChoice, private val tasks: LongTasks, private val notices: Notices) {
+    /** Asks for a file, beginning in [folder], and writes [grid] to it. */
+    fun save(grid: StatisticsGrid, folder: Path?) {
+        val file = askToWrite(files, notices, "Save the table", folder, "statistics", ".csv") ?: return
+        tasks.run("Saving ${file.fileName}", { writeAtomically(file) { it.write(grid.toCsv().encodeToByteArray()) } }) {
+            notices.say("Saved the table to $file.")
+        }
     }
 }

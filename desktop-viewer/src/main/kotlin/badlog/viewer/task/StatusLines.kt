@@ -18,7 +18,6 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import badlog.viewer.app.Viewer
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
@@ -26,10 +25,10 @@ import kotlinx.coroutines.delay
 
 /** What stands along the window's foot while there is something to say: what runs, and what did or did not work. */
 @Composable
-internal fun StatusBar(viewer: Viewer) {
+internal fun StatusLines(notices: Notices, tasks: LongTasks) {
     Column(Modifier.fillMaxWidth()) {
-        for (notice in viewer.notices.all) key(notice.id) { NoticeLine(notice) { viewer.notices.dismiss(notice.id) } }
-        for (task in viewer.tasks.all) key(task.id) { TaskLine(task) }
+        for (notice in notices.all) key(notice.id) { NoticeLine(notice) { notices.dismiss(notice.id) } }
+        for (task in tasks.all) key(task.id) { TaskLine(task) }
     }
 }
 

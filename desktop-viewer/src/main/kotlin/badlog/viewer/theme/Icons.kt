@@ -8,7 +8,6 @@ import androidx.compose.ui.graphics.vector.ImageVector
 import androidx.compose.ui.graphics.vector.addPathNodes
 import androidx.compose.ui.unit.dp
 import badlog.analysis.Graph
-import badlog.viewer.layout.Layout
 
 /** The window's icons: lines on a grid of 16 by 16. */
 internal object Icons {

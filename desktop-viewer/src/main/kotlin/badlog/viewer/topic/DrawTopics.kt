@@ -1,9 +1,12 @@
 package badlog.viewer.topic
 
-import badlog.viewer.app.Viewer
-import badlog.viewer.graph.GraphList
+import badlog.viewer.board.GraphBoard
+import badlog.viewer.board.GraphList
 import badlog.viewer.panels.InspectorTab
+import badlog.viewer.panels.WindowPanels
+import badlog.viewer.recording.CurrentRecording
 import badlog.viewer.recording.EventFilter
+import badlog.viewer.recording.FilteredEvents
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.recording.Signal
 
@@ -11,12 +14,12 @@ import badlog.viewer.recording.Signal
 internal fun OpenRecording.isEvents(signal: Signal): Boolean = !signal.isDerived && signal.topic.samples.isEmpty() && signal.states == null
 
 /** Gives [signal] a graph of its own, or takes that away; of events, opens the list. */
-internal fun toggleDrawn(viewer: Viewer, signal: Signal) {
-    if (viewer.open?.isEvents(signal) == true) {
-        viewer.eventFilter = EventFilter(topics = setOf(signal.name))
-        viewer.panels = viewer.panels.inspecting(InspectorTab.EVENTS)
+internal fun toggleDrawn(current: CurrentRecording, board: GraphBoard, events: FilteredEvents, panels: WindowPanels, signal: Signal) {
+    if (current.recording?.isEvents(signal) == true) {
+        events.change { EventFilter(topics = setOf(signal.name)) }
+        panels.change { inspecting(InspectorTab.EVENTS) }
     } else {
-        viewer.graphs = viewer.graphs.withOwnToggled(signal.name)
+        board.change { withOwnToggled(signal.name) }
     }
 }
 

@@ -12,34 +12,35 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
-import badlog.viewer.app.Viewer
+import badlog.viewer.board.GraphBoard
+import badlog.viewer.recording.CurrentRecording
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
 
-/** What can be done with the topics that are chosen. */
+/** What can be done with the topics that are selected. */
 @Composable
-internal fun ChosenTopics(viewer: Viewer) {
-    val chosen = viewer.topicList.chosen
+internal fun SelectedTopics(current: CurrentRecording, board: GraphBoard, topics: TopicListing) {
+    val selected = topics.state.selected
     val draw = { change: (List<String>) -> Unit ->
-        change(chosen.filter { name -> viewer.open?.run { signal(name)?.let { !isEvents(it) } } == true })
-        viewer.topicList = viewer.topicList.copy(chosen = emptyList())
+        change(selected.filter { name -> current.recording?.run { signal(name)?.let { !isEvents(it) } } == true })
+        topics.change { copy(selected = emptyList()) }
     }
     HorizontalDivider()
     Column(Modifier.fillMaxWidth().background(LocalPalette.current.accentSoft).padding(start = 8.dp, end = 4.dp, bottom = 4.dp)) {
         Row(verticalAlignment = Alignment.CenterVertically) {
-            Text("${chosen.size} chosen", Modifier.weight(1f), maxLines = 1)
-            ToolButton("Choose none", Icons.Close) { viewer.topicList = viewer.topicList.copy(chosen = emptyList()) }
+            Text("${selected.size} selected", Modifier.weight(1f), maxLines = 1)
+            ToolButton("Clear the selection of topics", Icons.Close) { topics.change { copy(selected = emptyList()) } }
         }
         FlowRow {
-            ToolButton("One graph of these", text = "One graph") {
-                draw { viewer.graphs = viewer.graphs.withGraph(it) }
+            ToolButton("New graph of these", text = "New graph") {
+                draw { board.change { withGraph(it) } }
             }
-            ToolButton("A graph of each of these", text = "One each") {
-                draw { names -> viewer.graphs = names.fold(viewer.graphs) { list, name -> list.withGraph(listOf(name)) } }
+            ToolButton("Separate graphs of these", text = "Separate graphs") {
+                draw { names -> board.change { names.fold(this) { list, name -> list.withGraph(listOf(name)) } } }
             }
-            ToolButton("Add these to the last graph", text = "To last") {
-                draw { viewer.graphs = viewer.graphs.withLinesInLast(it) }
+            ToolButton("Add these to the last graph", text = "Add to last graph") {
+                draw { board.change { withLinesInLast(it) } }
             }
         }
     }

@@ -48,10 +48,13 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
-import badlog.viewer.app.Viewer
+import badlog.viewer.board.GraphBoard
+import badlog.viewer.formula.FormulaStore
 import badlog.viewer.formula.formulaMenu
-import badlog.viewer.formula.writeFormula
 import badlog.viewer.graph.signalTransfer
+import badlog.viewer.panels.WindowPanels
+import badlog.viewer.recording.CurrentRecording
+import badlog.viewer.recording.FilteredEvents
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.recording.Signal
 import badlog.viewer.recording.valueText
@@ -59,31 +62,32 @@ import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Tip
 import badlog.viewer.theme.ToolButton
+import badlog.viewer.view.AxisView
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
 
 /**
  * A signal of the list of topics. A click draws it, with Ctrl or Shift it chooses; a drag takes it to a graph, with all that are
- * chosen where it is one of them.
+ * selected where it is one of them.
  *
  * @param place of the colour of its line in the first graph that draws it, null when none does.
  */
 @OptIn(ExperimentalComposeUiApi::class)
 @Composable
-internal fun SignalLine(viewer: Viewer, open: OpenRecording, row: SignalRow, rows: List<TopicRow>, place: Int?) {
+internal fun SignalLine(current: CurrentRecording, board: GraphBoard, view: AxisView, events: FilteredEvents, formulas: FormulaStore, topics: TopicListing, panels: WindowPanels, open: OpenRecording, row: SignalRow, rows: List<TopicRow>, place: Int?) {
     val palette = LocalPalette.current
     val signal = row.signal
-    val isChosen = signal.name in viewer.topicList.chosen
+    val isSelected = signal.name in topics.state.selected
     var held by remember { mutableStateOf(PointerKeyboardModifiers()) }
     val interactions = remember { MutableInteractionSource() }
     val isHovered by interactions.collectIsHoveredAsState()
-    ContextMenuArea({ menuOf(viewer, row) }) {
+    ContextMenuArea({ menuOf(board, formulas, topics, row) }) {
         Row(
             Modifier
                 .fillMaxWidth()
                 .height(26.dp)
                 .background(
-                    if (isChosen) {
+                    if (isSelected) {
                         palette.accentSoft
                     } else if (isHovered) {
                         palette.raised
@@ -92,25 +96,25 @@ internal fun SignalLine(viewer: Viewer, open: OpenRecording, row: SignalRow, row
                     },
                 )
                 .hoverable(interactions)
-                .draggedAsSignals(palette.accent) { namesToTake(viewer.topicList, signal.name) }
+                .draggedAsSignals(palette.accent) { namesToTake(topics.state, signal.name) }
                 .onPointerEvent(PointerEventType.Press, PointerEventPass.Initial) { held = it.keyboardModifiers }
                 .clickable {
                     when {
-                        held.isShiftPressed -> viewer.topicList = viewer.topicList.chosenTo(signal.name, rows)
-                        held.isCtrlPressed || held.isMetaPressed -> viewer.topicList = viewer.topicList.toggled(signal.name)
-                        else -> toggleDrawn(viewer, signal)
+                        held.isShiftPressed -> topics.change { selectedTo(signal.name, rows) }
+                        held.isCtrlPressed || held.isMetaPressed -> topics.change { toggled(signal.name) }
+                        else -> toggleDrawn(current, board, events, panels, signal)
                     }
                 }
                 .semantics {
                     contentDescription = "Topic ${signal.name}"
-                    selected = isChosen
+                    selected = isSelected
                 }
                 .padding(start = indentOf(row.depth), end = 12.dp),
             horizontalArrangement = Arrangement.spacedBy(6.dp),
             verticalAlignment = Alignment.CenterVertically,
         ) {
             KindMark(signal, open.isEvents(signal), place)
-            val title = withMatches(signal.title, viewer.topicList.query, palette)
+            val title = withMatches(signal.title, topics.state.query, palette)
             // A tip costs as much as the rest of the row, so only the one under the pointer has it.
             if (isHovered) {
                 val explanation = signal.definition?.let { "Formula: $it" } ?: signal.name
@@ -120,10 +124,10 @@ internal fun SignalLine(viewer: Viewer, open: OpenRecording, row: SignalRow, row
             }
             if (isHovered && !open.isEvents(signal)) {
                 ToolButton("Add ${signal.name} to the last graph", Icons.Add) {
-                    viewer.graphs = viewer.graphs.withLinesInLast(listOf(signal.name))
+                    board.change { withLinesInLast(listOf(signal.name)) }
                 }
             } else {
-                SignalValue(viewer, open, signal)
+                SignalValue(view, open, signal)
             }
         }
     }
@@ -135,19 +139,19 @@ private fun Title(text: AnnotatedString, isDrawn: Boolean, modifier: Modifier) {
 }
 
 /** What a drag that begins at [name] takes along. */
-internal fun namesToTake(list: TopicList, name: String): List<String> = if (name in list.chosen) list.chosen else listOf(name)
+internal fun namesToTake(list: TopicList, name: String): List<String> = if (name in list.selected) list.selected else listOf(name)
 
-private fun menuOf(viewer: Viewer, row: SignalRow): List<ContextMenuItem> {
-    val names = namesToTake(viewer.topicList, row.signal.name)
+private fun menuOf(board: GraphBoard, formulas: FormulaStore, topics: TopicListing, row: SignalRow): List<ContextMenuItem> {
+    val names = namesToTake(topics.state, row.signal.name)
     val these = if (names.size > 1) "these ${names.size}" else "this"
     return listOf(
-        ContextMenuItem("A graph of $these") { viewer.graphs = viewer.graphs.withGraph(names) },
-        ContextMenuItem("Add $these to the last graph") { viewer.graphs = viewer.graphs.withLinesInLast(names) },
-        ContextMenuItem(if (row.signal.name in viewer.topicList.chosen) "Choose no longer" else "Choose") {
-            viewer.topicList = viewer.topicList.toggled(row.signal.name)
+        ContextMenuItem("New graph of $these") { board.change { withGraph(names) } },
+        ContextMenuItem("Add $these to the last graph") { board.change { withLinesInLast(names) } },
+        ContextMenuItem(if (row.signal.name in topics.state.selected) "Unselect" else "Select") {
+            topics.change { toggled(row.signal.name) }
         },
-        ContextMenuItem("New formula with $these…") { writeFormula(viewer, names) },
-    ) + row.signal.definition?.let { formulaMenu(viewer, it) }.orEmpty()
+        ContextMenuItem("New formula with $these…") { formulas.write(names) },
+    ) + row.signal.definition?.let { formulaMenu(formulas, it) }.orEmpty()
 }
 
 /** What sort of signal it is, or the colour of its line where one is drawn at [place] of a graph. */
@@ -171,7 +175,7 @@ internal fun KindMark(signal: Signal, isEvents: Boolean, place: Int?) {
 
 /** The value of [signal] under the cursor, or how many events it has. A leaf, as it changes while the pointer moves. */
 @Composable
-internal fun SignalValue(viewer: Viewer, open: OpenRecording, signal: Signal) {
+internal fun SignalValue(view: AxisView, open: OpenRecording, signal: Signal) {
     if (open.isEvents(signal)) {
         val count = signal.topic.texts.size
         ValueText(if (count == 1) "1 event" else "$count events")
@@ -182,7 +186,7 @@ internal fun SignalValue(viewer: Viewer, open: OpenRecording, signal: Signal) {
         withContext(Dispatchers.Default) { signal.series.isOrdered }
         value = signal
     }
-    val text by remember(viewer) { derivedStateOf { ready?.let { valueText(it, viewer.cursor) }.orEmpty() } }
+    val text by remember(view) { derivedStateOf { ready?.let { valueText(it, view.cursor) }.orEmpty() } }
     ValueText(text)
 }
 

@@ -36,38 +36,42 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import badlog.plot.gesture.Action
 import badlog.plot.search.Query
-import badlog.viewer.app.Viewer
-import badlog.viewer.compare.drawnRecordings
+import badlog.viewer.board.GraphBoard
+import badlog.viewer.compare.ComparedRecordings
+import badlog.viewer.formula.FormulaStore
 import badlog.viewer.formula.UnmadeFormulas
-import badlog.viewer.formula.writeFormula
+import badlog.viewer.panels.WindowPanels
+import badlog.viewer.recording.CurrentRecording
+import badlog.viewer.recording.FilteredEvents
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Palette
 import badlog.viewer.theme.SearchField
 import badlog.viewer.theme.ToolButton
+import badlog.viewer.view.AxisView
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
 
 /** The topics of the open recording by folder. */
 @Composable
-internal fun TopicPane(viewer: Viewer, modifier: Modifier = Modifier) {
+internal fun TopicPane(current: CurrentRecording, compared: ComparedRecordings, board: GraphBoard, view: AxisView, events: FilteredEvents, formulas: FormulaStore, topics: TopicListing, panels: WindowPanels, modifier: Modifier = Modifier) {
     Column(modifier.background(LocalPalette.current.surface)) {
-        val list = viewer.topicList
-        val open = viewer.open
+        val list = topics.state
+        val open = current.recording
         Row(Modifier.fillMaxWidth().padding(start = 8.dp, end = 4.dp), verticalAlignment = Alignment.CenterVertically) {
             SearchField(list.query, "Search topics", Modifier.weight(1f).padding(vertical = 8.dp)) {
-                viewer.topicList = viewer.topicList.copy(query = it)
+                topics.change { copy(query = it) }
             }
-            ToolButton("New formula… (${Action.NEW_FORMULA.shortcut})", Icons.Formula, isEnabled = open != null) { writeFormula(viewer) }
+            ToolButton("New formula… (${Action.NEW_FORMULA.shortcut})", Icons.Formula, isEnabled = open != null) { formulas.write() }
         }
         when {
             open == null -> Hint("Open a log to see its topics.")
             open.signals.isEmpty() -> Hint("This log has no topics with samples.")
-            else -> Rows(viewer, open, Modifier.weight(1f))
+            else -> Rows(current, compared, board, view, events, formulas, topics, panels, open, Modifier.weight(1f))
         }
-        if (open != null) UnmadeFormulas(viewer, open)
-        if (list.chosen.isNotEmpty()) ChosenTopics(viewer)
+        if (open != null) UnmadeFormulas(formulas, open)
+        if (list.selected.isNotEmpty()) SelectedTopics(current, board, topics)
     }
 }
 
@@ -77,9 +81,9 @@ private fun Hint(text: String) {
 }
 
 @Composable
-private fun Rows(viewer: Viewer, open: OpenRecording, modifier: Modifier) {
-    val query = viewer.topicList.query
-    val folded = viewer.topicList.folded
+private fun Rows(current: CurrentRecording, compared: ComparedRecordings, board: GraphBoard, view: AxisView, events: FilteredEvents, formulas: FormulaStore, topics: TopicListing, panels: WindowPanels, open: OpenRecording, modifier: Modifier) {
+    val query = topics.state.query
+    val folded = topics.state.folded
     val rows by produceState<List<TopicRow>?>(null, open, query, folded) {
         value = withContext(Dispatchers.Default) { topicRows(open.signals, query, folded) }
     }
@@ -88,9 +92,9 @@ private fun Rows(viewer: Viewer, open: OpenRecording, modifier: Modifier) {
         Hint("No topic is called “$query”.")
         return
     }
-    val graphs = viewer.graphs
+    val graphs = board.state
     // As graphs colour their lines: of several recordings each line has a colour for each.
-    val recordings = viewer.drawnRecordings().size
+    val recordings = compared.drawn.size
     val places = remember(graphs, recordings) { graphs.placesOfLines().mapValues { it.value * recordings } }
     val state = rememberLazyListState()
     Box(modifier.fillMaxSize()) {
@@ -98,10 +102,10 @@ private fun Rows(viewer: Viewer, open: OpenRecording, modifier: Modifier) {
             items(listed, key = { it.key }, contentType = { it is FolderRow }) { row ->
                 when (row) {
                     is FolderRow -> FolderLine(row, query) {
-                        viewer.topicList = viewer.topicList.toggledFolder(row.path)
+                        topics.change { toggledFolder(row.path) }
                     }
 
-                    is SignalRow -> SignalLine(viewer, open, row, listed, places[row.signal.name])
+                    is SignalRow -> SignalLine(current, board, view, events, formulas, topics, panels, open, row, listed, places[row.signal.name])
                 }
             }
         }

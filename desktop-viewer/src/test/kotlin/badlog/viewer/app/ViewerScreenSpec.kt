@@ -22,9 +22,9 @@ class ViewerScreenSpec : FunSpec({
             setContent { ViewerScreen(viewer) }
             onNodeWithText("badlog").assertExists()
             onNodeWithContentDescription("Theme: system").performClick()
-            viewer.settings.theme shouldBe Theme.LIGHT
+            viewer.settings.state.theme shouldBe Theme.LIGHT
             onNodeWithContentDescription("Theme: light").performClick()
-            viewer.settings.theme shouldBe Theme.DARK
+            viewer.settings.state.theme shouldBe Theme.DARK
         }
     }
 })

@@ -12,11 +12,13 @@ import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.plot.statistics.Statistic
 import badlog.viewer.app.Viewer
 import badlog.viewer.app.ViewerScreen
+import badlog.viewer.files.ChosenFiles
+import badlog.viewer.files.FileChoice
+import badlog.viewer.files.SystemFileChoice
 import badlog.viewer.panels.MainView
 import badlog.viewer.recordingOf
 import badlog.viewer.settings.UserFolders
 import badlog.viewer.statistics.StatisticsChoice
-import badlog.viewer.statistics.StatisticsTable
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
@@ -32,66 +34,62 @@ import java.nio.file.Path
 import kotlin.time.Duration.Companion.seconds
 
 @OptIn(ExperimentalTestApi::class)
-class ComparisonLoadingSpec : FunSpec({
+class ComparedRecordingsSpec : FunSpec({
     val home = tempdir().toPath()
     fun file(name: String, text: String): Path = home.resolve(name).also { Files.writeString(it, text) }
 
     val open = recordingOf("Time,A\n0,1\n1,2\n", home.resolve("open.bag").toString())
     val other = file("other.bag", "Time,A\n0,3\n1,9\n")
 
-    fun viewerOf() = Viewer(MainScope(), UserFolders(home, home)).also { it.open = open }
+    fun viewerOf(files: FileChoice = SystemFileChoice) = Viewer(MainScope(), UserFolders(home, home), files = files).also { it.current.replace(open) }
 
     suspend fun <T> onWindow(action: () -> T): T = withContext(Dispatchers.Swing) { action() }
 
     test("a ticked recording is read and drawn after the open one, until it is unticked") {
         val viewer = onWindow { viewerOf() }
-        onWindow { toggleCompared(viewer, other) }
-        eventually(5.seconds) { onWindow { viewer.drawnRecordings().map { it.recording.file } } shouldContainExactly listOf(open.file, other) }
-        onWindow { toggleCompared(viewer, other) }
-        onWindow { viewer.comparison } shouldBe Comparison()
+        onWindow { viewer.compared.toggle(other) }
+        eventually(5.seconds) { onWindow { viewer.compared.drawn.map { it.recording.file } } shouldContainExactly listOf(open.file, other) }
+        onWindow { viewer.compared.toggle(other) }
+        onWindow { viewer.compared.state } shouldBe Comparison()
     }
 
     test("the open recording is ticked without being read again, and is drawn once") {
         val viewer = onWindow { viewerOf() }
         onWindow {
-            toggleCompared(viewer, open.file)
+            viewer.compared.toggle(open.file)
             viewer.tasks.all.isEmpty() shouldBe true
-            viewer.comparison.loaded[open.file] shouldBe open
-            viewer.drawnRecordings() shouldBe listOf(DrawnRecording(open))
+            viewer.compared.state.loaded[open.file] shouldBe open
+            viewer.compared.drawn shouldBe listOf(DrawnRecording(open))
         }
     }
 
     test("what cannot be read is said and unticked") {
         val viewer = onWindow { viewerOf() }
         onWindow {
-            toggleCompared(viewer, home.resolve("missing.bag"))
-            toggleCompared(viewer, file("picture.bag", "\u0089PNG\r\n\u001a\n\u0000\u0000"))
+            viewer.compared.toggle(home.resolve("missing.bag"))
+            viewer.compared.toggle(file("picture.bag", "\u0089PNG\r\n\u001a\n\u0000\u0000"))
         }
         eventually(5.seconds) {
-            onWindow { viewer.comparison.ticked } shouldBe emptyList()
+            onWindow { viewer.compared.state.checked } shouldBe emptyList()
             onWindow { viewer.notices.all.map { it.isError } } shouldBe listOf(true, true)
         }
     }
 
     test("a comparison is moved by hand, and its table saved and opened from") {
-        val viewer = viewerOf()
-        val read = recordingOf(Files.readString(other), other.toString())
-        viewer.comparison = Comparison().with(other).withLoaded(read)
-        viewer.statisticsChoice = StatisticsChoice(listOf("A"), setOf(Statistic.MAX))
         val saved = home.resolve("table.csv")
+        val viewer = viewerOf(ChosenFiles(saved))
+        val read = recordingOf(Files.readString(other), other.toString())
+        viewer.compared.change { Comparison().with(other).withLoaded(read) }
+        viewer.statistics.change { StatisticsChoice(listOf("A"), setOf(Statistic.MAX)) }
         runDesktopComposeUiTest(1300, 700) {
             setContent { ViewerScreen(viewer) }
             onNodeWithContentDescription("Move other.bag by +0.1").performClick()
             onNodeWithContentDescription("Move other.bag by +1.0").performClick()
-            runOnIdle { viewer.drawnRecordings()[1].offset shouldBe 1.1 }
+            runOnIdle { viewer.compared.drawn[1].offset shouldBe 1.1 }
             onNodeWithContentDescription("Offset of other.bag").performTextReplacement("-2,5")
             onNodeWithContentDescription("Offset of other.bag").performKeyInput { pressKey(Key.Enter) }
-            runOnIdle { viewer.drawnRecordings()[1].offset shouldBe -2.5 }
-            viewer.panels = viewer.panels.copy(main = MainView.STATISTICS)
-            waitUntil { onAllNodesWithText("9").fetchSemanticsNodes().isNotEmpty() }
-        }
-        runDesktopComposeUiTest(1300, 700) {
-            setContent { StatisticsTable(viewer, chooseFile = { saved }) }
+            runOnIdle { viewer.compared.drawn[1].offset shouldBe -2.5 }
+            viewer.panels.change { copy(main = MainView.STATISTICS) }
             waitUntil { onAllNodesWithText("9").fetchSemanticsNodes().isNotEmpty() }
             onNodeWithContentDescription("Save the table as CSV").performClick()
             waitUntil { viewer.notices.all.isNotEmpty() }

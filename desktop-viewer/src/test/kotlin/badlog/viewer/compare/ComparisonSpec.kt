@@ -39,15 +39,15 @@ class ComparisonSpec : FunSpec({
     }
 
     test("as logged, nothing moves; the open recording never does") {
-        Comparison(alignment = Alignment.AS_LOGGED).offsetOf(other, open) shouldBe 0.0
+        Comparison(alignment = Alignment.NONE).offsetOf(other, open) shouldBe 0.0
         for (alignment in Alignment.entries) both.alignedBy(alignment, open).offsetOf(open, open) shouldBe 0.0
     }
 
     test("alignment by hand begins where everything stands") {
         for (alignment in Alignment.entries) {
             val before = both.alignedBy(alignment, open)
-            val after = before.alignedBy(Alignment.BY_HAND, open)
-            after.alignment shouldBe Alignment.BY_HAND
+            val after = before.alignedBy(Alignment.MANUAL, open)
+            after.alignment shouldBe Alignment.MANUAL
             after.offsetOf(other, open) shouldBe before.offsetOf(other, open)
         }
     }

@@ -4,7 +4,7 @@ import badlog.viewer.recordingOf
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
-class RecordingNamesSpec : FunSpec({
+class DrawnRecordingsSpec : FunSpec({
     fun match(event: String, number: Int, file: String) = recordingOf(
         """{"topics":[{"name":"A","unit":"ul","attrs":[]}],"values":[{"name":"Event Name","value":"$event"},""" +
             """{"name":"Match Type","value":"Qualification"},{"name":"Match Number","value":"$number"}]}""" + "\nA\n1\n2\n",

@@ -10,7 +10,6 @@ import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.analysis.Span
-import badlog.plot.range.Viewport
 import badlog.viewer.app.Viewer
 import badlog.viewer.app.ViewerScreen
 import badlog.viewer.compare.Comparison
@@ -31,7 +30,7 @@ import java.nio.file.Path
 import javax.imageio.ImageIO
 
 @OptIn(ExperimentalTestApi::class)
-class TakeAwayMenuSpec : FunSpec({
+class ExportMenuSpec : FunSpec({
     val home = tempdir().toPath()
     val log = Files.writeString(home.resolve("match.bag"), armBag(500))
 
@@ -41,9 +40,9 @@ class TakeAwayMenuSpec : FunSpec({
             val viewer = Viewer(MainScope(), UserFolders(home, home), files = files)
             if (hasLog) {
                 val recording = recordingOf(armBag(500), log)
-                viewer.open = recording
-                viewer.graphs = standardGraphs(recording.view)
-                viewer.viewport = Viewport(recording.span)
+                viewer.current.replace(recording)
+                viewer.board.replace(standardGraphs(recording.view))
+                viewer.view.show(recording.span)
             }
             setContent { ViewerScreen(viewer) }
             test(viewer, files)
@@ -61,12 +60,12 @@ class TakeAwayMenuSpec : FunSpec({
 
     test("without a log, every entry that needs one is off and says why") {
         window(null, hasLog = false) { _, _ ->
-            onNodeWithText("Take away").performClick()
+            onNodeWithText("Export").performClick()
             onNodeWithContentDescription("Export the page of this log…").assertIsNotEnabled()
             onNodeWithContentDescription("Figure for a report…").assertIsNotEnabled()
             onNodeWithContentDescription("The visible range as CSV…").assertIsNotEnabled()
             onAllNodesWithText("Open a log first.").onFirst().assertExists()
-            onNodeWithText("Tick logs in the list first.").assertExists()
+            onNodeWithText("Check logs in the list first.").assertExists()
             onNodeWithText("Open a folder first.").assertExists()
         }
     }
@@ -74,19 +73,19 @@ class TakeAwayMenuSpec : FunSpec({
     test("the page of the open log is made where the person says") {
         val page = home.resolve("page.html")
         window(page) { viewer, _ ->
-            choose("Take away", "Export the page of this log…")
-            waitUntilSaid(viewer, "Made $page")
+            choose("Export", "Export the page of this log…")
+            waitUntilSaid(viewer, "Saved $page")
             Files.readString(page).lowercase() shouldStartWith "<!doctype html>"
         }
     }
 
-    test("the pages of ticked logs are made, and those that cannot be are told") {
+    test("the pages of checked logs are made, and those that cannot be are told") {
         val folder = home.resolve("pages")
         window(folder) { viewer, _ ->
-            viewer.comparison = Comparison(ticked = listOf(log, home.resolve("gone.bag")))
-            choose("Take away", "Export the pages of 2 ticked logs…")
+            viewer.compared.change { Comparison(checked = listOf(log, home.resolve("gone.bag"))) }
+            choose("Export", "Export the pages of 2 checked logs…")
             waitUntilSaid(viewer, "gone.bag")
-            viewer.notices.all.map { it.text } shouldContain "Made ${folder.resolve("match.bag.html")}."
+            viewer.notices.all.map { it.text } shouldContain "Saved ${folder.resolve("match.bag.html")}."
         }
     }
 
@@ -95,16 +94,16 @@ class TakeAwayMenuSpec : FunSpec({
         for (name in listOf("a.bag", "b.bag")) Files.writeString(logs.resolve(name), armBag(10))
         val folder = home.resolve("all pages")
         window(folder) { viewer, _ ->
-            viewer.library = LibraryState(logs)
-            choose("Take away", "Export the pages of all logs…")
-            waitUntilSaid(viewer, "Made 2 pages in $folder")
+            viewer.library.change { LibraryState(logs) }
+            choose("Export", "Export the pages of all logs…")
+            waitUntilSaid(viewer, "Saved 2 pages in $folder")
         }
     }
 
     test("a figure is saved with what was chosen for it") {
         val file = home.resolve("figure.svg")
         window(file) { viewer, files ->
-            choose("Take away", "Figure for a report…")
+            choose("Export", "Figure for a report…")
             onNodeWithText("3 of 3 graphs").assertExists()
             onNodeWithContentDescription("In the figure: Arm/Current").performClick()
             onNodeWithContentDescription("File: SVG").performClick()
@@ -121,7 +120,7 @@ class TakeAwayMenuSpec : FunSpec({
 
     test("a picture gets its ending, and is twice as large as its points") {
         window(home.resolve("picture")) { viewer, _ ->
-            choose("Take away", "Figure for a report…")
+            choose("Export", "Figure for a report…")
             onNodeWithContentDescription("Save the figure").performClick()
             waitUntilSaid(viewer, "Saved ${home.resolve("picture.png")}")
             ImageIO.read(home.resolve("picture.png").toFile()).width shouldBe 1800
@@ -131,8 +130,8 @@ class TakeAwayMenuSpec : FunSpec({
     test("the selection is saved rather than the visible range, when there is one") {
         val file = home.resolve("part.csv")
         window(file) { viewer, _ ->
-            viewer.selection = Span(1.0, 1.1)
-            choose("Take away", "The selection as CSV…")
+            viewer.view.select(Span(1.0, 1.1))
+            choose("Export", "The selection as CSV…")
             waitUntilSaid(viewer, "Wrote 6 rows to $file")
             Files.readAllLines(file).size shouldBe 7
         }
@@ -140,7 +139,7 @@ class TakeAwayMenuSpec : FunSpec({
 
     test("who thinks better of it gets nothing, and is told nothing") {
         window(null) { viewer, files ->
-            choose("Take away", "The visible range as a bag…")
+            choose("Export", "The visible range as a bag…")
             files.questions.size shouldBe 1
             viewer.tasks.all.shouldBeEmpty()
             viewer.notices.all.shouldBeEmpty()
@@ -150,7 +149,7 @@ class TakeAwayMenuSpec : FunSpec({
     test("a file that is there is not replaced when the person has not named it in full") {
         val there = Files.writeString(home.resolve("there.csv"), "mine")
         window(home.resolve("there")) { viewer, _ ->
-            choose("Take away", "The visible range as CSV…")
+            choose("Export", "The visible range as CSV…")
             waitUntilSaid(viewer, "there.csv is there already")
             Files.readString(there) shouldBe "mine"
         }

@@ -2,6 +2,8 @@ package badlog.viewer.findings
 
 import badlog.analysis.Span
 import badlog.recording.Severity
+import badlog.viewer.graph.coveredPixels
+import badlog.viewer.graph.findingAt
 import badlog.viewer.inspector.summaryOf
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir

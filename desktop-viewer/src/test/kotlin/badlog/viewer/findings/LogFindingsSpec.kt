@@ -1,6 +1,7 @@
 package badlog.viewer.findings
 
 import androidx.compose.runtime.snapshots.Snapshot
+import badlog.analysis.LogView
 import badlog.viewer.app.Viewer
 import badlog.viewer.panels.MainView
 import badlog.viewer.settings.UserFolders
@@ -16,17 +17,21 @@ import kotlinx.coroutines.cancel
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.withContext
+import java.nio.file.Path
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicInteger
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
-class RuleRunningSpec : FunSpec({
+class LogFindingsSpec : FunSpec({
     val home = tempdir().toPath()
 
     /** A window without graphs, which the rules do not wait for. */
-    fun viewerIn(scope: CoroutineScope) = Viewer(scope, UserFolders(home, home)).apply { panels = panels.copy(main = MainView.LOGS) }
+    fun viewerIn(scope: CoroutineScope) = Viewer(scope, UserFolders(home, home)).apply { panels.change { copy(main = MainView.LOGS) } }
+
+    /** The findings of [viewer], found by [find]. */
+    fun findingsBy(viewer: Viewer, find: (LogView, Path, Path?) -> FindingList) = LogFindings(viewer.current, viewer.view, { null }, {}, find)
 
     suspend fun over(test: suspend (Viewer) -> Unit) {
         val scope = CoroutineScope(Dispatchers.Main + Job())
@@ -47,12 +52,12 @@ class RuleRunningSpec : FunSpec({
         val folder = tempdir().toPath()
         writeRules(folder, ruleText("Half", "A > 50"))
         over { viewer ->
-            viewer.scope.launch { viewer.ruleRunning.keep() }
-            change { viewer.open = counted(folder) }
-            eventually(10.seconds) { viewer.findings.list?.all?.map { it.rule } shouldBe listOf("Half") }
+            viewer.scope.launch { viewer.findings.run() }
+            change { viewer.current.replace(counted(folder)) }
+            eventually(10.seconds) { viewer.findings.state.list?.all?.map { it.rule } shouldBe listOf("Half") }
             writeRules(folder, ruleText("Other", "A > 70"))
-            change { viewer.findings = viewer.findings.copy(timesAsked = 1) }
-            eventually(10.seconds) { viewer.findings.list?.all?.map { it.rule } shouldBe listOf("Other") }
+            change { viewer.findings.runAgain() }
+            eventually(10.seconds) { viewer.findings.state.list?.all?.map { it.rule } shouldBe listOf("Other") }
         }
     }
 
@@ -60,16 +65,16 @@ class RuleRunningSpec : FunSpec({
         val folder = tempdir().toPath()
         val runs = AtomicInteger()
         over { viewer ->
-            val running = RuleRunning(viewer) { view, _, _ ->
+            val findings = findingsBy(viewer) { view, _, _ ->
                 runs.incrementAndGet()
                 FindingList(trouble = "${view.recording.rowCount} rows")
             }
-            viewer.scope.launch { running.keep() }
+            viewer.scope.launch { findings.run() }
             repeat(20) { step ->
-                change { viewer.open = counted(folder, rows = step + 1) }
+                change { viewer.current.replace(counted(folder, rows = step + 1)) }
                 delay(50.milliseconds)
             }
-            eventually(10.seconds) { viewer.findings.list?.trouble shouldBe "20 rows" }
+            eventually(10.seconds) { findings.state.list?.trouble shouldBe "20 rows" }
             runs.get() shouldBeLessThan 4
         }
     }
@@ -78,7 +83,7 @@ class RuleRunningSpec : FunSpec({
         val began = CountDownLatch(1)
         val interrupted = CountDownLatch(1)
         over { viewer ->
-            val running = RuleRunning(viewer) { _, file, _ ->
+            val findings = findingsBy(viewer) { _, file, _ ->
                 if (file.endsWith("slow/counted.bag")) {
                     began.countDown()
                     try {
@@ -90,12 +95,12 @@ class RuleRunningSpec : FunSpec({
                 }
                 FindingList(trouble = "quick")
             }
-            viewer.scope.launch { running.keep() }
-            change { viewer.open = counted(home.resolve("slow")) }
+            viewer.scope.launch { findings.run() }
+            change { viewer.current.replace(counted(home.resolve("slow"))) }
             began.await(10, TimeUnit.SECONDS) shouldBe true
-            change { viewer.open = counted(home.resolve("other")) }
+            change { viewer.current.replace(counted(home.resolve("other"))) }
             interrupted.await(10, TimeUnit.SECONDS) shouldBe true
-            eventually(10.seconds) { viewer.findings.list?.trouble shouldBe "quick" }
+            eventually(10.seconds) { findings.state.list?.trouble shouldBe "quick" }
         }
     }
 })

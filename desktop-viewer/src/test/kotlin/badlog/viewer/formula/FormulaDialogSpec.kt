@@ -35,7 +35,7 @@ class FormulaDialogSpec : FunSpec({
     fun over(viewer: Viewer, width: Int = 1200, test: DesktopComposeUiTest.() -> Unit) = runDesktopComposeUiTest(width, 700) {
         setContent {
             ViewerScreen(viewer)
-            LaunchedEffect(Unit) { viewer.formulaKeeping.keep() }
+            LaunchedEffect(Unit) { viewer.formulas.recalculate() }
         }
         waitForPictures(viewer)
         test()
@@ -46,7 +46,7 @@ class FormulaDialogSpec : FunSpec({
     test("a formula is written with suggested names, drawn, calculated in what is compared, changed, and removed") {
         val viewer = viewerOf(bag(12))
         val other = bag(6)
-        viewer.comparison = Comparison(ticked = listOf(other.file), loaded = mapOf(other.file to other))
+        viewer.compared.change { Comparison(checked = listOf(other.file), loaded = mapOf(other.file to other)) }
         over(viewer) {
             onNodeWithContentDescription("New formula… (F)").performClick()
             onNodeWithContentDescription(field).performTextInput("Power [W] = volt")
@@ -60,37 +60,37 @@ class FormulaDialogSpec : FunSpec({
             onNodeWithContentDescription(field).performKeyInput { pressKey(Key.Enter) }
             onNodeWithText("Makes the topic “Power”.").assertExists()
             onNodeWithContentDescription(field).performKeyInput { pressKey(Key.Enter) }
-            waitUntil(timeoutMillis = 5000) { viewer.open?.signal("Power") != null }
-            waitUntil(timeoutMillis = 5000) { viewer.comparison.loaded.values.single().signal("Power") != null }
-            viewer.formulaSheet shouldBe null
-            viewer.graphs.graphs.last().lines.single().signal shouldBe "Power"
-            viewer.comparison.loaded.values.single().signal("Power").shouldNotBeNull().series.y[1] shouldBe 6.0
+            waitUntil(timeoutMillis = 5000) { viewer.current.recording?.signal("Power") != null }
+            waitUntil(timeoutMillis = 5000) { viewer.compared.state.loaded.values.single().signal("Power") != null }
+            viewer.formulas.sheet shouldBe null
+            viewer.board.state.graphs.last().lines.single().signal shouldBe "Power"
+            viewer.compared.state.loaded.values.single().signal("Power").shouldNotBeNull().series.y[1] shouldBe 6.0
             waitUntil(timeoutMillis = 5000) { onAllNodesWithContentDescription("Topic Power").fetchSemanticsNodes().isNotEmpty() }
             waitForPictures(viewer)
             savePicture("formula-drawn")
 
-            viewer.formulaSheet = FormulaSheet(viewer.formulas.single())
+            viewer.formulas.edit(viewer.formulas.definitions.single())
             waitForIdle()
             onNodeWithContentDescription(field).performTextReplacement("Half = System/Battery Voltage / 2")
             onNodeWithContentDescription("Keep the formula (Enter)").performClick()
-            waitUntil(timeoutMillis = 5000) { viewer.open?.signal("Half") != null }
-            viewer.open?.signal("Power") shouldBe null
-            viewer.graphs.graphs.last().title shouldBe "Half"
+            waitUntil(timeoutMillis = 5000) { viewer.current.recording?.signal("Half") != null }
+            viewer.current.recording?.signal("Power") shouldBe null
+            viewer.board.state.graphs.last().title shouldBe "Half"
 
-            val graphs = viewer.graphs.graphs.size
-            viewer.formulaSheet = FormulaSheet(viewer.formulas.single())
+            val graphs = viewer.board.state.graphs.size
+            viewer.formulas.edit(viewer.formulas.definitions.single())
             waitForIdle()
             onNodeWithContentDescription("Remove this formula").performClick()
-            waitUntil(timeoutMillis = 5000) { viewer.open?.signal("Half") == null }
-            viewer.formulas shouldBe emptyList()
-            viewer.graphs.graphs.size shouldBe graphs - 1
+            waitUntil(timeoutMillis = 5000) { viewer.current.recording?.signal("Half") == null }
+            viewer.formulas.definitions shouldBe emptyList()
+            viewer.board.state.graphs.size shouldBe graphs - 1
         }
     }
 
     test("one that makes no topic here says why in its line; a click changes it") {
         val viewer = viewerOf(bag(12).withFormulas(listOf("A = Arm/Angle * 2")))
-        viewer.formulas = listOf("A = Arm/Angle * 2")
-        viewer.settings = viewer.settings.copy(theme = Theme.DARK)
+        viewer.formulas.replaceAll(listOf("A = Arm/Angle * 2"))
+        viewer.settings.change { copy(theme = Theme.DARK) }
         over(viewer) {
             onNodeWithText("There is no topic “Arm/Angle”", substring = true).assertExists()
             viewer.notices.all shouldBe emptyList()
@@ -98,14 +98,14 @@ class FormulaDialogSpec : FunSpec({
             onNodeWithText("Change the formula").assertExists()
             savePicture("formula-unmade-dark")
             onNodeWithContentDescription(field).performKeyInput { pressKey(Key.Escape) }
-            runOnIdle { viewer.formulaSheet shouldBe null }
+            runOnIdle { viewer.formulas.sheet shouldBe null }
         }
     }
 
     test("the sheet fits a narrow window") {
         val viewer = viewerOf(bag(12))
         over(viewer, width = 420) {
-            writeFormula(viewer, listOf("PDP/Total Current"))
+            viewer.formulas.write(listOf("PDP/Total Current"))
             waitForIdle()
             onAllNodesWithText(" = PDP/Total Current").fetchSemanticsNodes().size shouldBe 1
             onNodeWithContentDescription(field).performTextInput("Current/Doubled [A]")

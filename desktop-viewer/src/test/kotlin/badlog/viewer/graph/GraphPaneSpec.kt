@@ -40,7 +40,7 @@ class GraphPaneSpec : FunSpec({
     test("without a recording it says how to get one") {
         runDesktopComposeUiTest(900, 600) {
             setContent { TestGraphs(viewerOf(null)) }
-            onNodeWithText("Choose a log at the left, or drop a file here.").assertExists()
+            onNodeWithText("Select a log at the left, or drop a file here.").assertExists()
         }
     }
 
@@ -58,9 +58,9 @@ class GraphPaneSpec : FunSpec({
             onNodeWithContentDescription("Graph A/Voltage").performMouseInput { moveTo(center) }
             waitForIdle()
             onNodeWithContentDescription("Remove the graph").performClick()
-            viewer.graphs.graphs.size shouldBe 0
-            onNodeWithContentDescription("Show the standard graphs").performClick()
-            viewer.graphs.graphs.size shouldBe 1
+            viewer.board.state.graphs.size shouldBe 0
+            onNodeWithContentDescription("Show the default graphs").performClick()
+            viewer.board.state.graphs.size shouldBe 1
         }
     }
 
@@ -68,9 +68,9 @@ class GraphPaneSpec : FunSpec({
         val name = "Folder ".repeat(40) + "/" + "n".repeat(300)
         val text = """{"topics":[{"name":"$name","unit":"${"u".repeat(300)}","attrs":[]}],"values":[]}""" + "\n$name\n1\n"
         val viewer = viewerOf(recordingOf(text))
-        viewer.graphs = viewer.graphs.withGraph(listOf("Not there"))
-        viewer.cursor = 0.0
-        viewer.selection = Span(-0.2, 0.2)
+        viewer.board.change { withGraph(listOf("Not there")) }
+        viewer.view.placeCursor(0.0)
+        viewer.view.select(Span(-0.2, 0.2))
         runDesktopComposeUiTest(360, 500) {
             setContent { TestGraphs(viewer) }
             waitForPictures(viewer)
@@ -82,7 +82,7 @@ class GraphPaneSpec : FunSpec({
         val names = (0 until 10_000).joinToString(",") { """{"name":"S$it","unit":"ul","attrs":[]}""" }
         val row = (0 until 10_000).joinToString(",") { "A" }
         val viewer = viewerOf(recordingOf("""{"topics":[$names],"values":[]}""" + "\n" + (0 until 10_000).joinToString(",") { "S$it" } + "\n$row\n$row\n"))
-        viewer.graphs.graphs.all { it.lines.size <= 16 } shouldBe true
+        viewer.board.state.graphs.all { it.lines.size <= 16 } shouldBe true
         runDesktopComposeUiTest(900, 600) {
             setContent { TestGraphs(viewer) }
             waitForPictures(viewer)
@@ -94,7 +94,7 @@ class GraphPaneSpec : FunSpec({
         runDesktopComposeUiTest(900, 600) {
             setContent { TestGraphs(viewer) }
             onNode(hasContentDescription("Zoom to the time the robot was enabled (E)")).performClick()
-            viewer.viewport.visible.from shouldBe (2.018268 plusOrMinus 1e-9)
+            viewer.view.viewport.visible.from shouldBe (2.018268 plusOrMinus 1e-9)
         }
     }
 
@@ -110,17 +110,17 @@ class GraphPaneSpec : FunSpec({
 
     test("each key has a meaning of its own") {
         val viewer = viewerOf(recordingOf(bagOf(101) { 0.0 }))
-        val commands = actionCommands(viewer)
+        val commands = actionCommands(viewer.current, viewer.view, viewer.formulas, viewer.findings)
         commands.map { it.meaning }.distinct().size shouldBe commands.size
         val right = commands.first { it.meaning == "Cursor to the next sample" }
-        viewer.cursor = 5.0
+        viewer.view.placeCursor(5.0)
         right.action()
-        viewer.cursor shouldBe 5.1
-        viewer.cursor = 5.17
+        viewer.view.cursor shouldBe 5.1
+        viewer.view.placeCursor(5.17)
         right.action()
-        viewer.cursor shouldBe 5.2
+        viewer.view.cursor shouldBe 5.2
         commands.first { it.meaning == "Cursor ten samples back" }.action()
-        viewer.cursor shouldBe 4.2
+        viewer.view.cursor shouldBe 4.2
         commands.map { it.group } shouldContain "Graphs"
     }
 })

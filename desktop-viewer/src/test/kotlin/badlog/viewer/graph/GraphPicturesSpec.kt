@@ -6,6 +6,7 @@ import androidx.compose.ui.graphics.toPixelMap
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.analysis.Span
+import badlog.viewer.board.GraphList
 import badlog.viewer.theme.Palette
 import badlog.viewer.theme.Theme
 import io.kotest.core.spec.style.FunSpec
@@ -16,7 +17,7 @@ import io.kotest.matchers.ints.shouldBeGreaterThan
 class GraphPicturesSpec : FunSpec({
     test("a match in light colours") {
         val viewer = viewerOf(sample("qualification-42.bag"))
-        viewer.cursor = 93.7
+        viewer.view.placeCursor(93.7)
         runDesktopComposeUiTest(1100, 860) {
             setContent { TestGraphs(viewer) }
             waitForPictures(viewer)
@@ -27,11 +28,10 @@ class GraphPicturesSpec : FunSpec({
     test("the middle of a match in dark colours, with a selection and two axes") {
         val viewer = viewerOf(sample("qualification-42.bag"))
         val names = listOf("System/Battery Voltage", "PDP/Total Current", "Drivetrain/Gear")
-        viewer.graphs = GraphList().withGraph(names).withGraph(names.take(1)).withGraph(listOf("Elevator/Position"))
-        viewer.viewport = viewer.viewport.showing(85.0, 102.0)
-        viewer.cursor = 93.7
-        viewer.isCursorPinned = true
-        viewer.selection = Span(92.0, 97.2)
+        viewer.board.replace(GraphList().withGraph(names).withGraph(names.take(1)).withGraph(listOf("Elevator/Position")))
+        viewer.view.change { showing(85.0, 102.0) }
+        viewer.view.placeCursor(93.7, isPinned = true)
+        viewer.view.select(Span(92.0, 97.2))
         runDesktopComposeUiTest(1100, 860) {
             setContent { TestGraphs(viewer, Theme.DARK) }
             waitForPictures(viewer)

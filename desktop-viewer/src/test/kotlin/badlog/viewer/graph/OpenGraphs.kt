@@ -11,9 +11,7 @@ import androidx.compose.ui.test.captureToImage
 import androidx.compose.ui.test.onRoot
 import badlog.analysis.LogView
 import badlog.bag.BagParser
-import badlog.plot.range.Viewport
 import badlog.viewer.app.Viewer
-import badlog.viewer.compare.drawnRecordings
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.settings.UserFolders
 import badlog.viewer.theme.Theme
@@ -28,11 +26,10 @@ import java.nio.file.Path
 internal fun viewerOf(recording: OpenRecording?): Viewer {
     val nowhere = Path.of("build", "nowhere")
     return Viewer(MainScope(), UserFolders(nowhere, nowhere)).apply {
-        open = recording
-        if (recording != null) {
-            graphs = standardGraphs(recording.view)
-            viewport = Viewport(recording.span)
-        }
+        if (recording == null) return@apply
+        current.replace(recording)
+        board.replace(standardGraphs(recording.view))
+        view.show(recording.span)
     }
 }
 
@@ -58,13 +55,13 @@ internal fun bagOf(count: Int, unit: String = "V", value: (Int) -> Double): Stri
 /** The graphs of [viewer], in light colours. */
 @Composable
 internal fun TestGraphs(viewer: Viewer, theme: Theme = Theme.LIGHT) {
-    ViewerTheme(theme) { GraphPane(viewer, Modifier.fillMaxSize()) }
+    ViewerTheme(theme) { GraphPane(viewer.graphs, Modifier.fillMaxSize()) }
 }
 
 /** Waits until what is to be seen of [viewer] is drawn. */
 @OptIn(ExperimentalTestApi::class)
 internal fun DesktopComposeUiTest.waitForPictures(viewer: Viewer) {
-    waitUntil(timeoutMillis = 20_000) { viewer.plots.areReady(viewer.drawnRecordings(), viewer.viewport.visible) }
+    waitUntil(timeoutMillis = 20_000) { viewer.graphs.plots.areReady(viewer.compared.drawn, viewer.view.viewport.visible) }
     waitForIdle()
 }
 

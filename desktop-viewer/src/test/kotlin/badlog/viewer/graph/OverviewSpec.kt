@@ -28,9 +28,9 @@ class OverviewSpec : FunSpec({
                 moveTo(Offset(width * 0.5f, centerY))
                 release()
             }
-            viewer.viewport.visible.from shouldBe (20.0 plusOrMinus 0.3)
-            viewer.viewport.visible.to shouldBe (50.0 plusOrMinus 0.3)
-            viewer.viewport.back().isZoomed shouldBe false
+            viewer.view.viewport.visible.from shouldBe (20.0 plusOrMinus 0.3)
+            viewer.view.viewport.visible.to shouldBe (50.0 plusOrMinus 0.3)
+            viewer.view.viewport.back().isZoomed shouldBe false
         }
     }
 })

@@ -44,7 +44,7 @@ class PlotGesturesSpec : FunSpec({
                 moveTo(Offset(width * 0.25f, centerY))
                 scroll(-3f, ScrollWheel.Vertical)
             }
-            viewer.viewport.isZoomed shouldBe false
+            viewer.view.viewport.isZoomed shouldBe false
             plot().performMultiModalInput {
                 key { keyDown(Key.CtrlLeft) }
                 mouse {
@@ -53,7 +53,7 @@ class PlotGesturesSpec : FunSpec({
                 }
                 key { keyUp(Key.CtrlLeft) }
             }
-            val visible = viewer.viewport.visible
+            val visible = viewer.view.viewport.visible
             visible.width shouldBeLessThan 65.0
             (25.0 - visible.from) / visible.width shouldBe (0.25 plusOrMinus 0.002)
         }
@@ -61,14 +61,14 @@ class PlotGesturesSpec : FunSpec({
 
     test("the wheel sideways moves along, and so does Shift with the wheel") {
         graph { viewer ->
-            viewer.viewport = viewer.viewport.showing(40.0, 60.0)
+            viewer.view.change { showing(40.0, 60.0) }
             waitForIdle()
             plot().performMouseInput {
                 moveTo(center)
                 scroll(1f, ScrollWheel.Horizontal)
             }
-            viewer.viewport.visible.from shouldBe (41.0 plusOrMinus 0.2)
-            viewer.viewport.visible.width shouldBe (20.0 plusOrMinus 1e-6)
+            viewer.view.viewport.visible.from shouldBe (41.0 plusOrMinus 0.2)
+            viewer.view.viewport.visible.width shouldBe (20.0 plusOrMinus 1e-6)
         }
     }
 
@@ -79,13 +79,13 @@ class PlotGesturesSpec : FunSpec({
                 press()
                 moveTo(Offset(width * 0.4f, centerY))
             }
-            viewer.viewport.isZoomed shouldBe false
+            viewer.view.viewport.isZoomed shouldBe false
             plot().performMouseInput { release() }
-            viewer.viewport.visible.from shouldBe (20.0 plusOrMinus 0.2)
-            viewer.viewport.visible.to shouldBe (40.0 plusOrMinus 0.2)
+            viewer.view.viewport.visible.from shouldBe (20.0 plusOrMinus 0.2)
+            viewer.view.viewport.visible.to shouldBe (40.0 plusOrMinus 0.2)
             plot().performMouseInput { doubleClick() }
-            viewer.viewport.visible shouldBe viewer.viewport.full
-            viewer.isCursorPinned shouldBe false
+            viewer.view.viewport.visible shouldBe viewer.view.viewport.full
+            viewer.view.isCursorPinned shouldBe false
         }
     }
 
@@ -101,13 +101,13 @@ class PlotGesturesSpec : FunSpec({
                 }
                 key { keyUp(Key.AltLeft) }
             }
-            val range = viewer.graphs.graphs.single().yRange.shouldNotBeNull()
+            val range = viewer.board.state.graphs.single().yRange.shouldNotBeNull()
             range.from shouldBe (10.0 plusOrMinus 0.02)
             range.to shouldBe (10.57 plusOrMinus 0.03)
-            viewer.viewport.isZoomed shouldBe false
+            viewer.view.viewport.isZoomed shouldBe false
             waitForIdle()
             onNodeWithContentDescription("Reset Y zoom").performClick()
-            viewer.graphs.graphs.single().yRange.shouldBeNull()
+            viewer.board.state.graphs.single().yRange.shouldBeNull()
         }
     }
 
@@ -119,21 +119,21 @@ class PlotGesturesSpec : FunSpec({
                 moveTo(Offset(width * 0.6f, centerY))
                 release(MouseButton.Secondary)
             }
-            val selection = viewer.selection.shouldNotBeNull()
+            val selection = viewer.view.selection.shouldNotBeNull()
             selection.from shouldBe (50.0 plusOrMinus 0.2)
             selection.to shouldBe (60.0 plusOrMinus 0.2)
-            viewer.viewport.isZoomed shouldBe false
+            viewer.view.viewport.isZoomed shouldBe false
             waitForIdle()
             onNodeWithContentDescription("Zoom to the selection (Z)").performClick()
-            viewer.viewport.visible shouldBe selection
+            viewer.view.viewport.visible shouldBe selection
             onNodeWithContentDescription("Clear the selection (Escape)").performClick()
-            viewer.selection.shouldBeNull()
+            viewer.view.selection.shouldBeNull()
         }
     }
 
     test("the middle button, Shift and the axis move the graphs along") {
         graph { viewer ->
-            viewer.viewport = viewer.viewport.showing(40.0, 60.0)
+            viewer.view.change { showing(40.0, 60.0) }
             waitForIdle()
             plot().performMouseInput {
                 moveTo(Offset(width * 0.5f, centerY))
@@ -141,7 +141,7 @@ class PlotGesturesSpec : FunSpec({
                 moveTo(Offset(width * 0.25f, centerY))
                 release(MouseButton.Tertiary)
             }
-            viewer.viewport.visible.from shouldBe (45.0 plusOrMinus 0.1)
+            viewer.view.viewport.visible.from shouldBe (45.0 plusOrMinus 0.1)
             plot().performMultiModalInput {
                 key { keyDown(Key.ShiftLeft) }
                 mouse {
@@ -156,58 +156,58 @@ class PlotGesturesSpec : FunSpec({
                 }
                 key { keyUp(Key.ShiftLeft) }
             }
-            viewer.viewport.visible.from shouldBe (45.0 plusOrMinus 0.1)
+            viewer.view.viewport.visible.from shouldBe (45.0 plusOrMinus 0.1)
             onNodeWithContentDescription("Axis").performMouseInput {
                 moveTo(Offset(width * 0.25f, centerY))
                 press()
                 moveTo(Offset(width * 0.5f, centerY))
                 release()
             }
-            viewer.viewport.visible.from shouldBe (40.0 plusOrMinus 0.1)
-            viewer.viewport.back().visible.from shouldBe (45.0 plusOrMinus 0.1)
+            viewer.view.viewport.visible.from shouldBe (40.0 plusOrMinus 0.1)
+            viewer.view.viewport.back().visible.from shouldBe (45.0 plusOrMinus 0.1)
         }
     }
 
     test("Escape gives up a drag, then the selection, then the pinned cursor, then the cursor") {
         graph { viewer ->
-            viewer.selection = Span(1.0, 2.0)
+            viewer.view.select(Span(1.0, 2.0))
             plot().performMouseInput {
                 moveTo(Offset(width * 0.5f, centerY))
                 click()
                 press()
                 moveTo(Offset(width * 0.75f, centerY))
             }
-            viewer.gesture.shouldNotBeNull()
-            giveUpGesture(viewer) shouldBe true
+            viewer.view.gesture.shouldNotBeNull()
+            viewer.view.cancel() shouldBe true
             plot().performMouseInput { release() }
-            viewer.viewport.isZoomed shouldBe false
-            viewer.selection shouldBe Span(1.0, 2.0)
-            giveUpGesture(viewer)
-            viewer.selection.shouldBeNull()
-            viewer.isCursorPinned shouldBe true
-            giveUpGesture(viewer)
-            viewer.isCursorPinned shouldBe false
-            giveUpGesture(viewer)
-            viewer.cursor.shouldBeNull()
-            giveUpGesture(viewer) shouldBe false
+            viewer.view.viewport.isZoomed shouldBe false
+            viewer.view.selection shouldBe Span(1.0, 2.0)
+            viewer.view.cancel()
+            viewer.view.selection.shouldBeNull()
+            viewer.view.isCursorPinned shouldBe true
+            viewer.view.cancel()
+            viewer.view.isCursorPinned shouldBe false
+            viewer.view.cancel()
+            viewer.view.cursor.shouldBeNull()
+            viewer.view.cancel() shouldBe false
         }
     }
 
     test("the cursor follows the pointer until a click pins it, and again after another click on it") {
         graph { viewer ->
             plot().performMouseInput { moveTo(Offset(width * 0.3f, centerY)) }
-            viewer.cursor.shouldNotBeNull() shouldBe (30.0 plusOrMinus 0.2)
+            viewer.view.cursor.shouldNotBeNull() shouldBe (30.0 plusOrMinus 0.2)
             plot().performMouseInput {
                 click(Offset(width * 0.3f, centerY))
                 moveTo(Offset(width * 0.8f, centerY))
             }
-            viewer.cursor.shouldNotBeNull() shouldBe (30.0 plusOrMinus 0.2)
+            viewer.view.cursor.shouldNotBeNull() shouldBe (30.0 plusOrMinus 0.2)
             plot().performMouseInput {
                 advanceEventTime(1000)
                 click(Offset(width * 0.3f, centerY))
                 moveTo(Offset(width * 0.8f, centerY))
             }
-            viewer.cursor.shouldNotBeNull() shouldBe (80.0 plusOrMinus 0.2)
+            viewer.view.cursor.shouldNotBeNull() shouldBe (80.0 plusOrMinus 0.2)
         }
     }
 
@@ -217,7 +217,7 @@ class PlotGesturesSpec : FunSpec({
                 moveTo(Offset(200f, 8f))
                 scroll(-3f, ScrollWheel.Vertical)
             }
-            viewer.viewport.isZoomed shouldBe false
+            viewer.view.viewport.isZoomed shouldBe false
         }
     }
 })

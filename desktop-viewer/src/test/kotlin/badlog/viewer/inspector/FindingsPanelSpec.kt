@@ -10,13 +10,12 @@ import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performMouseInput
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.viewer.TestInspector
 import badlog.viewer.app.Viewer
 import badlog.viewer.app.ViewerScreen
-import badlog.viewer.findings.Findings
 import badlog.viewer.findings.counted
 import badlog.viewer.findings.findingsIn
 import badlog.viewer.findings.ruleText
-import badlog.viewer.findings.stepFinding
 import badlog.viewer.findings.word
 import badlog.viewer.findings.writeRules
 import badlog.viewer.graph.savePicture
@@ -35,8 +34,8 @@ import java.nio.file.Path
 @OptIn(ExperimentalTestApi::class)
 class FindingsPanelSpec : FunSpec({
     fun inspecting(recording: OpenRecording): Viewer = viewerOf(recording).apply {
-        findings = Findings(findingsIn(recording))
-        panels = panels.copy(inspector = InspectorTab.FINDINGS, library = false)
+        findings.change { knowing(findingsIn(recording)) }
+        panels.change { copy(inspector = InspectorTab.FINDINGS, library = false) }
     }
 
     fun folderOf(vararg rules: String): Path = tempdir().toPath().also { writeRules(it, *rules) }
@@ -44,15 +43,15 @@ class FindingsPanelSpec : FunSpec({
     test("a click on a finding takes the cursor and the view there, and the keys go on from it") {
         val recording = counted(folderOf(ruleText("Early", "A < 5", "error"), ruleText("Late", "A > 90"), ruleText("None", "X > 1")))
         val viewer = inspecting(recording)
-        viewer.viewport = viewer.viewport.showing(40.0, 50.0)
+        viewer.view.change { showing(40.0, 50.0) }
         runDesktopComposeUiTest(320, 600) {
-            setContent { ViewerTheme(Theme.LIGHT) { InspectorPane(viewer) } }
+            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
             onNodeWithText("1 error, 1 warning").assertExists()
             onNodeWithContentDescription("Finding, warning: Late").performClick()
             runOnIdle {
-                viewer.cursor shouldBe viewer.findings.list?.placed?.last()?.time
-                (viewer.cursor.shouldNotBeNull() in viewer.viewport.visible) shouldBe true
-                stepFinding(viewer, -1)
+                viewer.view.cursor shouldBe viewer.findings.state.list?.placed?.last()?.time
+                (viewer.view.cursor.shouldNotBeNull() in viewer.view.viewport.visible) shouldBe true
+                viewer.findings.step(-1)
             }
             onNodeWithContentDescription("Finding, error: Early").assertIsSelected()
             onNodeWithText("None").assertDoesNotExist()
@@ -64,13 +63,13 @@ class FindingsPanelSpec : FunSpec({
     test("a wrong file of rules, and a log in which nothing was found, are told") {
         val wrong = inspecting(counted(folderOf(ruleText("A", "A > 5", text = "A long text that no panel has room for, with a {plce} in it"))))
         runDesktopComposeUiTest(320, 600) {
-            setContent { ViewerTheme(Theme.LIGHT) { InspectorPane(wrong) } }
+            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(wrong) } }
             onAllNodesWithText("badlog-rules.toml: Line 5", substring = true).fetchSemanticsNodes().size shouldBe 1
             savePicture("findings-wrong-rules")
         }
         val nothing = inspecting(counted(folderOf(ruleText("Never", "A > 1000"))))
         runDesktopComposeUiTest(320, 600) {
-            setContent { ViewerTheme(Theme.LIGHT) { InspectorPane(nothing) } }
+            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(nothing) } }
             onNodeWithText("Nothing was found.").assertExists()
         }
     }
@@ -80,19 +79,19 @@ class FindingsPanelSpec : FunSpec({
         val rules = List(60) { ruleText("Rule $it", "A > ${it + 10} and A < ${it + 13}", severities[it % 3]) }
         for (theme in listOf(Theme.LIGHT, Theme.DARK)) {
             val viewer = inspecting(counted(folderOf(*rules.toTypedArray())))
-            viewer.settings = viewer.settings.copy(theme = theme)
+            viewer.settings.change { copy(theme = theme) }
             runDesktopComposeUiTest(1200, 700) {
                 setContent { ViewerScreen(viewer) }
                 waitForPictures(viewer)
                 val strip = onNodeWithContentDescription("Findings on the time axis")
                 strip.performMouseInput { moveTo(Offset(width * 0.45f, height / 2f)) }
-                val pointed = viewer.findings.pointed.shouldNotBeNull()
+                val pointed = viewer.findings.state.pointed.shouldNotBeNull()
                 onNodeWithText("${pointed.severity.word}: ${pointed.rule}").assertExists()
                 savePicture("findings-${theme.name.lowercase()}")
                 strip.performMouseInput { click(Offset(width * 0.45f, height / 2f)) }
-                runOnIdle { viewer.cursor shouldBe pointed.time }
+                runOnIdle { viewer.view.cursor shouldBe pointed.time }
                 strip.performMouseInput { exit() }
-                runOnIdle { viewer.findings.pointed shouldBe null }
+                runOnIdle { viewer.findings.state.pointed shouldBe null }
             }
         }
     }

@@ -9,10 +9,10 @@ import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.analysis.Span
-import badlog.plot.range.Viewport
+import badlog.viewer.TestInspector
 import badlog.viewer.app.Viewer
 import badlog.viewer.bagOf
-import badlog.viewer.graph.GraphList
+import badlog.viewer.board.GraphList
 import badlog.viewer.panels.InspectorTab
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.recordingOf
@@ -29,24 +29,24 @@ class InspectorPaneSpec : FunSpec({
     val home = tempdir().toPath()
 
     fun viewerOf(recording: OpenRecording, tab: InspectorTab) = Viewer(MainScope(), UserFolders(home, home)).apply {
-        open = recording
-        viewport = Viewport(recording.span)
-        panels = panels.copy(inspector = tab)
+        current.replace(recording)
+        view.show(recording.span)
+        panels.change { copy(inspector = tab) }
     }
 
     test("a click on an event takes the cursor and the view there; the cursor marks the nearest") {
         val rows = List(100_000) { "$it,event $it" }
         val viewer = viewerOf(recordingOf(bagOf(listOf("Time|xaxis", "Log|log"), rows)), InspectorTab.EVENTS)
-        viewer.viewport = viewer.viewport.showing(50_000.0, 50_010.0)
+        viewer.view.change { showing(50_000.0, 50_010.0) }
         runDesktopComposeUiTest(320, 600) {
-            setContent { ViewerTheme(Theme.LIGHT) { InspectorPane(viewer) } }
+            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
             waitUntil(timeoutMillis = 5000) { onAllNodesWithText("event 3").fetchSemanticsNodes().isNotEmpty() }
             onNodeWithContentDescription("Event at 3: event 3").performClick()
             runOnIdle {
-                viewer.cursor shouldBe 3.0
-                (3.0 in viewer.viewport.visible) shouldBe true
+                viewer.view.cursor shouldBe 3.0
+                (3.0 in viewer.view.viewport.visible) shouldBe true
             }
-            viewer.cursor = 77_777.4
+            viewer.view.placeCursor(77_777.4)
             waitUntil { onAllNodesWithText("event 77777").fetchSemanticsNodes().isNotEmpty() }
             onNodeWithContentDescription("Event at 77777: event 77777").assertIsSelected()
             onNodeWithContentDescription("Search events").performTextInput("event 99999")
@@ -58,26 +58,26 @@ class InspectorPaneSpec : FunSpec({
         val values = mapOf("Event Name" to "OHCL", "Arm/Gain" to "0.5")
         val viewer = viewerOf(recordingOf(bagOf(listOf("Time|xaxis", "A"), listOf("0,1"), values)), InspectorTab.VALUES)
         runDesktopComposeUiTest(320, 600) {
-            setContent { ViewerTheme(Theme.LIGHT) { InspectorPane(viewer) } }
+            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
             onNodeWithText("OHCL").assertExists()
             onNodeWithText("Arm").assertExists()
-            onNodeWithContentDescription("Search values").performTextInput("gain")
+            onNodeWithContentDescription("Search metadata").performTextInput("gain")
             onNodeWithText("OHCL").assertDoesNotExist()
             onNodeWithText("0.5").assertExists()
             onNodeWithContentDescription("Close the panel").performClick()
-            runOnIdle { viewer.panels.inspector shouldBe null }
+            runOnIdle { viewer.panels.state.inspector shouldBe null }
         }
     }
 
     test("the statistics follow the selection") {
         val viewer = viewerOf(recordingOf(bagOf(listOf("Time|xaxis", "A"), listOf("0,1", "1,2", "2,6"))), InspectorTab.STATISTICS)
-        viewer.graphs = GraphList().withGraph(listOf("A"))
+        viewer.board.replace(GraphList().withGraph(listOf("A")))
         runDesktopComposeUiTest(320, 600) {
-            setContent { ViewerTheme(Theme.LIGHT) { InspectorPane(viewer) } }
-            waitUntil { onAllNodesWithText("Of what is seen").fetchSemanticsNodes().isNotEmpty() }
+            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
+            waitUntil { onAllNodesWithText("Visible range").fetchSemanticsNodes().isNotEmpty() }
             onAllNodesWithText("3 V").fetchSemanticsNodes().size shouldBe 1
-            viewer.selection = Span(1.0, 2.0)
-            waitUntil { onAllNodesWithText("Of the selection").fetchSemanticsNodes().isNotEmpty() }
+            viewer.view.select(Span(1.0, 2.0))
+            waitUntil { onAllNodesWithText("Selection").fetchSemanticsNodes().isNotEmpty() }
             onAllNodesWithText("4 V").fetchSemanticsNodes().size shouldBe 3
         }
     }
@@ -92,9 +92,9 @@ class InspectorPaneSpec : FunSpec({
         for (text in odd) {
             for (tab in InspectorTab.entries) {
                 val viewer = viewerOf(recordingOf(text), tab)
-                viewer.graphs = GraphList().withGraph(listOf(long, "A"))
+                viewer.board.replace(GraphList().withGraph(listOf(long, "A")))
                 runDesktopComposeUiTest(320, 600) {
-                    setContent { ViewerTheme(Theme.DARK) { InspectorPane(viewer) } }
+                    setContent { ViewerTheme(Theme.DARK) { TestInspector(viewer) } }
                     onNodeWithText(tab.title).assertExists()
                     waitForIdle()
                 }

@@ -17,10 +17,10 @@ class InspectorTextsSpec : FunSpec({
     val warning = Problem(ProblemKind.ROW_SHORT, "A row is short.", topic = "Arm/Angle")
 
     test("a sentence says whether something is lost") {
-        problemSummary(emptyList()) shouldBe "Nothing of this file is lost."
-        problemSummary(listOf(note)) shouldBe "Nothing of this file is lost."
-        problemSummary(listOf(note, warning)) shouldContain "one thing in it is doubtful"
-        problemSummary(listOf(cut)) shouldBe "Something of this file is lost: A row is cut."
+        problemSummary(emptyList()) shouldBe "Complete."
+        problemSummary(listOf(note)) shouldBe "Complete."
+        problemSummary(listOf(note, warning)) shouldBe "Complete, 1 warning."
+        problemSummary(listOf(cut)) shouldBe "Data is missing from this file: A row is cut."
         problemSummary(listOf(cut, cut.copy(line = 13))) shouldContain "in 2 places"
     }
 

@@ -115,7 +115,7 @@ class KeyboardSpec : FunSpec({
             for (command in viewer.commands) onNodeWithText(command.meaning).assertExists()
             for (gesture in GESTURES) onNodeWithText(gesture.meaning).assertExists()
             onNodeWithContentDescription("Close the sheet").performClick()
-            runOnIdle { viewer.panels.help shouldBe false }
+            runOnIdle { viewer.panels.state.help shouldBe false }
         }
     }
 })

@@ -7,13 +7,12 @@ import androidx.compose.ui.test.onNodeWithContentDescription
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
-import badlog.plot.range.Viewport
 import badlog.viewer.app.Viewer
 import badlog.viewer.app.ViewerScreen
+import badlog.viewer.board.GraphList
 import badlog.viewer.export.armBag
 import badlog.viewer.export.recordingOf
 import badlog.viewer.files.ChosenFiles
-import badlog.viewer.graph.GraphList
 import badlog.viewer.graph.standardGraphs
 import badlog.viewer.settings.UserFolders
 import io.kotest.core.spec.style.FunSpec
@@ -42,7 +41,7 @@ class LayoutMenuSpec : FunSpec({
             setContent { ViewerScreen(Viewer(MainScope(), UserFolders(home, home))) }
             onNodeWithText("Layout").performClick()
             onNodeWithContentDescription("Save the layout as…").assertIsNotEnabled()
-            onNodeWithContentDescription("Standard graphs").assertIsNotEnabled()
+            onNodeWithContentDescription("Default graphs").assertIsNotEnabled()
         }
     }
 
@@ -51,18 +50,18 @@ class LayoutMenuSpec : FunSpec({
         val files = ChosenFiles(file)
         runDesktopComposeUiTest(1200, 800) {
             val viewer = Viewer(MainScope(), UserFolders(home, home), files = files)
-            viewer.open = recording
-            viewer.graphs = GraphList().withGraph(listOf("Arm/Current"))
-            viewer.viewport = Viewport(recording.span)
+            viewer.current.replace(recording)
+            viewer.board.replace(GraphList().withGraph(listOf("Arm/Current")))
+            viewer.view.show(recording.span)
             setContent { ViewerScreen(viewer) }
             choose("Save the layout as…")
             waitUntilSaid(viewer, "Saved the layout to $file")
-            choose("Standard graphs")
+            choose("Default graphs")
             waitForIdle()
-            viewer.graphs shouldBe standardGraphs(recording.view)
+            viewer.board.state shouldBe standardGraphs(recording.view)
             choose("Open a layout…")
-            waitUntil(timeoutMillis = 20_000) { viewer.graphs.graphs.size == 1 }
-            viewer.graphs.graphs.single().title shouldBe "Arm/Current"
+            waitUntil(timeoutMillis = 20_000) { viewer.board.state.graphs.size == 1 }
+            viewer.board.state.graphs.single().title shouldBe "Arm/Current"
             files.file = log
             choose("Open a layout…")
             waitUntilSaid(viewer, "match.bag is no layout")

@@ -1,14 +1,13 @@
 package badlog.viewer.layout
 
 import badlog.analysis.Span
-import badlog.plot.range.Viewport
 import badlog.viewer.app.Viewer
+import badlog.viewer.board.GraphList
+import badlog.viewer.board.GraphSpec
+import badlog.viewer.board.LineSpec
 import badlog.viewer.compare.Comparison
 import badlog.viewer.export.armBag
 import badlog.viewer.export.recordingOf
-import badlog.viewer.graph.GraphList
-import badlog.viewer.graph.GraphSpec
-import badlog.viewer.graph.LineSpec
 import badlog.viewer.graph.standardGraphs
 import badlog.viewer.library.LibraryState
 import badlog.viewer.panels.InspectorTab
@@ -32,31 +31,31 @@ class LayoutSpec : FunSpec({
     val chosen = GraphSpec(7, "Mine", listOf(LineSpec("Arm/Angle"), LineSpec("Arm/Current")), isFilled = true, yRange = Span(-1.0, 1.0))
 
     fun viewerOver(graphs: GraphList? = null) = Viewer(MainScope(), UserFolders(home, home)).apply {
-        library = LibraryState(folder)
-        open = arm
-        viewport = Viewport(arm.span)
-        this.graphs = graphs ?: standardGraphs(arm.view)
+        library.change { LibraryState(folder) }
+        current.replace(arm)
+        view.show(arm.span)
+        board.replace(graphs ?: standardGraphs(arm.view))
     }
 
     test("a window saved and opened again is the same window") {
         val other = Files.writeString(folder.resolve("other.bag"), "")
         val arranged = viewerOver(GraphList(listOf(chosen)))
-        arranged.viewport = arranged.viewport.showing(1.0, 2.0)
-        arranged.selection = Span(1.2, 1.4)
-        arranged.comparison = Comparison(ticked = listOf(other))
-        arranged.panels = Panels(topics = false, inspector = InspectorTab.EVENTS, main = MainView.STATISTICS)
+        arranged.view.change { showing(1.0, 2.0) }
+        arranged.view.select(Span(1.2, 1.4))
+        arranged.compared.change { Comparison(checked = listOf(other)) }
+        arranged.panels.change { Panels(topics = false, inspector = InspectorTab.EVENTS, main = MainView.STATISTICS) }
         val file = home.resolve("a${Layout.ENDING}")
-        writeLayout(file, layoutOf(arranged))
+        writeLayout(file, arranged.layouts.layout)
 
         val fresh = viewerOver()
-        applyLayout(fresh, readLayout(file))
-        fresh.graphs.graphs.map { it.copy(id = 7) } shouldBe listOf(chosen)
-        fresh.viewport.visible shouldBe Span(1.0, 2.0)
-        fresh.selection shouldBe Span(1.2, 1.4)
-        fresh.comparison.ticked shouldBe listOf(other)
-        fresh.panels shouldBe arranged.panels
+        fresh.layouts.apply(readLayout(file))
+        fresh.board.state.graphs.map { it.copy(id = 7) } shouldBe listOf(chosen)
+        fresh.view.viewport.visible shouldBe Span(1.0, 2.0)
+        fresh.view.selection shouldBe Span(1.2, 1.4)
+        fresh.compared.state.checked shouldBe listOf(other)
+        fresh.panels.state shouldBe arranged.panels.state
         fresh.notices.all.shouldBeEmpty()
-        layoutOf(fresh) shouldBe layoutOf(arranged)
+        fresh.layouts.layout shouldBe arranged.layouts.layout
     }
 
     test("files below the folder are named from there, so that a layout moves with its folder") {
@@ -73,25 +72,25 @@ class LayoutSpec : FunSpec({
             LayoutGraph("Gone", listOf("Wrist/Angle", "Claw")),
             LayoutGraph("Without lines", emptyList()),
         )
-        applyLayout(viewer, Layout(Layout.VERSION, graphs))
-        viewer.graphs.graphs.map { graph -> graph.title to graph.lines.map { it.signal } } shouldBe listOf("Both" to listOf("Arm/Angle"))
+        viewer.layouts.apply(Layout(Layout.VERSION, graphs))
+        viewer.board.state.graphs.map { graph -> graph.title to graph.lines.map { it.signal } } shouldBe listOf("Both" to listOf("Arm/Angle"))
         val said = viewer.notices.all.single()
         said.isError shouldBe false
         said.text shouldContain "“Wrist/Angle”, “Claw”"
     }
 
     test("standard graphs are kept as such, and bring back what the attributes ask for") {
-        layoutOf(viewerOver()).graphs shouldBe null
+        viewerOver().layouts.layout.graphs shouldBe null
         val viewer = viewerOver(GraphList(listOf(chosen)))
-        showStandardGraphs(viewer)
-        viewer.graphs shouldBe standardGraphs(arm.view)
+        viewer.layouts.showDefaultGraphs()
+        viewer.board.state shouldBe standardGraphs(arm.view)
     }
 
     test("ranges that are none, or lie outside the recording, show all of it") {
         val viewer = viewerOver()
-        applyLayout(viewer, Layout(Layout.VERSION, visible = LayoutSpan(900.0, 901.0), selection = LayoutSpan(2.0, 1.0)))
-        viewer.viewport.visible shouldBe arm.span
-        viewer.selection shouldBe null
+        viewer.layouts.apply(Layout(Layout.VERSION, visible = LayoutSpan(900.0, 901.0), selection = LayoutSpan(2.0, 1.0)))
+        viewer.view.viewport.visible shouldBe arm.span
+        viewer.view.selection shouldBe null
     }
 
     test("unknown keys and unknown panels of a newer program are passed over") {
@@ -100,9 +99,9 @@ class LayoutSpec : FunSpec({
             """{"badlog-layout":1,"colour":"red","graphs":[{"title":"A","lines":["Arm/Angle"],"log":true}],"panels":{"main":"MAP"}}""",
         )
         val viewer = viewerOver()
-        applyLayout(viewer, readLayout(file))
-        viewer.graphs.graphs.single().title shouldBe "A"
-        viewer.panels.main shouldBe MainView.GRAPHS
+        viewer.layouts.apply(readLayout(file))
+        viewer.board.state.graphs.single().title shouldBe "A"
+        viewer.panels.state.main shouldBe MainView.GRAPHS
     }
 
     test("a damaged, a foreign, a newer and a missing file are each told in a sentence that names it") {

@@ -4,11 +4,10 @@ import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.analysis.Span
-import badlog.plot.range.Viewport
 import badlog.viewer.app.Viewer
+import badlog.viewer.board.GraphList
 import badlog.viewer.export.armBag
 import badlog.viewer.export.recordingOf
-import badlog.viewer.graph.GraphList
 import badlog.viewer.graph.standardGraphs
 import badlog.viewer.library.LibraryState
 import badlog.viewer.panels.Panels
@@ -23,21 +22,21 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 @OptIn(ExperimentalTestApi::class)
-class LayoutKeepingSpec : FunSpec({
+class LayoutStoreSpec : FunSpec({
     /** What a new start of the program shows over [folder] once [recording] is opened. */
     fun started(home: Path, folder: Path, recording: OpenRecording, then: (Viewer) -> Unit) {
         val viewer = Viewer(MainScope(), UserFolders(home, home))
         runDesktopComposeUiTest(100, 100) {
-            setContent { LaunchedEffect(Unit) { viewer.layouts.keep() } }
-            viewer.library = LibraryState(folder)
+            setContent { LaunchedEffect(Unit) { viewer.layouts.autosave() } }
+            viewer.library.change { LibraryState(folder) }
             waitForIdle()
-            viewer.graphs = viewer.layouts.graphsOf(recording)
-            viewer.viewport = Viewport(recording.span)
-            viewer.open = recording
-            waitUntil(timeoutMillis = 5000) { viewer.graphs.graphs.isNotEmpty() }
+            viewer.board.replace(viewer.layouts.graphsOf(recording))
+            viewer.view.show(recording.span)
+            viewer.current.replace(recording)
+            waitUntil(timeoutMillis = 5000) { viewer.board.state.graphs.isNotEmpty() }
             waitForIdle()
             then(viewer)
-            viewer.layouts.keepNow()
+            viewer.layouts.saveNow()
         }
     }
 
@@ -49,38 +48,38 @@ class LayoutKeepingSpec : FunSpec({
         val one = recordingOf(armBag(500), folder.resolve("one.bag"))
         val other = recordingOf(armBag(500), folder.resolve("other.bag"))
         started(home, folder, one) {
-            it.graphs = GraphList().withGraph(listOf("Arm/Current", "Arm/Mode"))
-            it.viewport = it.viewport.showing(2.0, 3.0)
-            it.panels = Panels(topics = false)
+            it.board.replace(GraphList().withGraph(listOf("Arm/Current", "Arm/Mode")))
+            it.view.change { showing(2.0, 3.0) }
+            it.panels.change { Panels(topics = false) }
         }
         hasArranged(home, folder)?.graphs?.map { it.lines } shouldBe listOf(listOf("Arm/Current", "Arm/Mode"))
         started(home, folder, other) { viewer ->
-            viewer.graphs.graphs.single().lines shouldHaveSize 2
-            viewer.panels.topics shouldBe false
-            viewer.viewport.visible shouldBe other.span
+            viewer.board.state.graphs.single().lines shouldHaveSize 2
+            viewer.panels.state.topics shouldBe false
+            viewer.view.viewport.visible shouldBe other.span
         }
-        started(home, folder, recordingOf(armBag(500), folder.resolve("other.bag"))) { it.graphs.graphs shouldHaveSize 1 }
-        started(home, home.resolve("elsewhere"), one) { it.graphs shouldBe standardGraphs(one.view) }
+        started(home, folder, recordingOf(armBag(500), folder.resolve("other.bag"))) { it.board.state.graphs shouldHaveSize 1 }
+        started(home, home.resolve("elsewhere"), one) { it.board.state shouldBe standardGraphs(one.view) }
     }
 
     test("the recording that was open is shown where it was left") {
         val home = tempdir().toPath()
         val one = recordingOf(armBag(500), home.resolve("one.bag"))
-        started(home, home, one) { it.viewport = it.viewport.showing(2.0, 3.0) }
-        started(home, home, one) { it.viewport.visible shouldBe Span(2.0, 3.0) }
+        started(home, home, one) { it.view.change { showing(2.0, 3.0) } }
+        started(home, home, one) { it.view.viewport.visible shouldBe Span(2.0, 3.0) }
     }
 
     test("a recording that lacks signals does not make the others forget them") {
         val home = tempdir().toPath()
         val whole = recordingOf(armBag(500), home.resolve("one.bag"))
         val poor = recordingOf(armBag(500).replace("Arm/Current", "Other"), home.resolve("poor.bag"))
-        started(home, home, whole) { it.graphs = GraphList().withGraph(listOf("Arm/Current", "Arm/Angle")) }
+        started(home, home, whole) { it.board.replace(GraphList().withGraph(listOf("Arm/Current", "Arm/Angle"))) }
         started(home, home, poor) { viewer ->
-            viewer.graphs.graphs.single().lines.map { it.signal } shouldBe listOf("Arm/Angle")
+            viewer.board.state.graphs.single().lines.map { it.signal } shouldBe listOf("Arm/Angle")
             viewer.notices.all shouldHaveSize 1
-            viewer.panels = Panels(library = false)
+            viewer.panels.change { Panels(library = false) }
         }
-        started(home, home, whole) { it.graphs.graphs.single().lines shouldHaveSize 2 }
+        started(home, home, whole) { it.board.state.graphs.single().lines shouldHaveSize 2 }
     }
 
     test("formulas belong to the folder, and those of a layout join them") {
@@ -89,24 +88,24 @@ class LayoutKeepingSpec : FunSpec({
         val one = recordingOf(armBag(500), folder.resolve("one.bag"))
         val formula = "Arm/Twice = 2 * Arm/Angle"
         started(home, folder, one) {
-            it.formulas = listOf(formula)
-            it.graphs = GraphList().withGraph(listOf("Arm/Twice"))
+            it.formulas.replaceAll(listOf(formula))
+            it.board.replace(GraphList().withGraph(listOf("Arm/Twice")))
         }
         started(home, folder, one.withFormulas(listOf(formula))) { viewer ->
-            viewer.formulas shouldBe listOf(formula)
-            viewer.graphs.graphs.single().lines.single().signal shouldBe "Arm/Twice"
-            applyLayout(viewer, Layout(Layout.VERSION, formulas = listOf("B = 1", "Arm/Twice = 3 * Arm/Angle")))
-            viewer.formulas shouldBe listOf("B = 1", "Arm/Twice = 3 * Arm/Angle")
-            viewer.open?.signal("B")?.definition shouldBe "B = 1"
+            viewer.formulas.definitions shouldBe listOf(formula)
+            viewer.board.state.graphs.single().lines.single().signal shouldBe "Arm/Twice"
+            viewer.layouts.apply(Layout(Layout.VERSION, formulas = listOf("B = 1", "Arm/Twice = 3 * Arm/Angle")))
+            viewer.formulas.definitions shouldBe listOf("B = 1", "Arm/Twice = 3 * Arm/Angle")
+            viewer.current.recording?.signal("B")?.definition shouldBe "B = 1"
         }
-        started(home, home.resolve("elsewhere"), one) { it.formulas shouldBe emptyList() }
+        started(home, home.resolve("elsewhere"), one) { it.formulas.definitions shouldBe emptyList() }
     }
 
     test("a damaged memory is as none") {
         val home = tempdir().toPath()
         val one = recordingOf(armBag(50), home.resolve("one.bag"))
-        started(home, home, one) { it.graphs = GraphList().withGraph(listOf("Arm/Angle")) }
+        started(home, home, one) { it.board.replace(GraphList().withGraph(listOf("Arm/Angle"))) }
         Files.list(home.resolve("layouts")).use { files -> files.forEach { Files.writeString(it, "{") } }
-        started(home, home, one) { it.graphs shouldBe standardGraphs(one.view) }
+        started(home, home, one) { it.board.state shouldBe standardGraphs(one.view) }
     }
 })

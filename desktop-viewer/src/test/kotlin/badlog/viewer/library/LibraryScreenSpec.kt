@@ -20,8 +20,10 @@ import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.viewer.app.Viewer
 import badlog.viewer.app.ViewerScreen
-import badlog.viewer.app.askForSearch
 import badlog.viewer.app.libraryCommands
+import badlog.viewer.library.index.bag
+import badlog.viewer.library.index.put
+import badlog.viewer.library.index.putSamples
 import badlog.viewer.panels.MainView
 import badlog.viewer.settings.UserFolders
 import io.kotest.core.spec.style.FunSpec
@@ -29,6 +31,7 @@ import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
 import kotlinx.coroutines.MainScope
+import kotlinx.coroutines.launch
 import java.nio.file.Path
 
 @OptIn(ExperimentalTestApi::class)
@@ -36,32 +39,33 @@ class LibraryScreenSpec : FunSpec({
     fun onFolder(folder: Path, main: MainView = MainView.GRAPHS, steps: DesktopComposeUiTest.(Viewer) -> Unit) {
         val home = tempdir().toPath()
         val viewer = Viewer(MainScope(), UserFolders(home, home))
-        viewer.panels = viewer.panels.copy(main = main)
+        viewer.panels.change { copy(main = main) }
         runDesktopComposeUiTest(1600, 800) {
             setContent { ViewerScreen(viewer) }
-            viewer.libraryFolder.open(folder)
+            viewer.scope.launch { viewer.newest.run() }
+            viewer.library.open(folder)
             waitUntil(timeoutMillis = 30_000) {
-                viewer.library.hasLooked && viewer.library.reading == null &&
-                    (viewer.open != null || viewer.library.newest == null)
+                viewer.library.state.hasLooked && viewer.library.state.reading == null &&
+                    (viewer.current.recording != null || viewer.library.state.newest == null)
             }
             try {
                 steps(viewer)
             } finally {
-                viewer.libraryFolder.close()
+                viewer.library.close()
             }
         }
     }
 
     fun sampleFolder() = tempdir().toPath().also { it.putSamples() }
 
-    fun shown(viewer: Viewer) = viewer.library.visible.map { it.title }
+    fun shown(viewer: Viewer) = viewer.library.state.visible.map { it.title }
 
     test("the samples are listed with their matches, and a click opens one") {
         onFolder(sampleFolder()) { viewer ->
             onNodeWithText("Qualification 42", substring = true).assertExists()
             onNodeWithText("16 Mar 2024, 10:41 · 2:36 · 6.7 V").assertExists()
             onNodeWithContentDescription("Log practice.bag").performClick()
-            waitUntil(timeoutMillis = 30_000) { viewer.open?.file?.fileName.toString() == "practice.bag" }
+            waitUntil(timeoutMillis = 30_000) { viewer.current.recording?.file?.fileName.toString() == "practice.bag" }
             onNodeWithContentDescription("Log practice.bag").assertIsSelected()
         }
     }
@@ -72,7 +76,7 @@ class LibraryScreenSpec : FunSpec({
             shown(viewer) shouldContainExactly listOf("Qualification 42")
             onNodeWithText("1 of 4 logs").assertExists()
             onNodeWithContentDescription("Search logs").performKeyInput { pressKey(Key.Enter) }
-            waitUntil(timeoutMillis = 30_000) { viewer.open?.file?.fileName.toString() == "qualification-42.bag" }
+            waitUntil(timeoutMillis = 30_000) { viewer.current.recording?.file?.fileName.toString() == "qualification-42.bag" }
             onNodeWithContentDescription("Search logs").performTextInput(" nothing")
             onNodeWithText("List all logs").performClick()
             shown(viewer).size shouldBe 4
@@ -81,7 +85,7 @@ class LibraryScreenSpec : FunSpec({
 
     test("the slash puts the keyboard into the search") {
         onFolder(sampleFolder()) { viewer ->
-            viewer.askForSearch()
+            viewer.commands.first { it.meaning == "Search the logs" }.action()
             onNodeWithContentDescription("Search logs").assertIsFocused()
         }
     }
@@ -89,9 +93,9 @@ class LibraryScreenSpec : FunSpec({
     test("a tick takes a log into the comparison and out of it") {
         onFolder(sampleFolder()) { viewer ->
             onNodeWithContentDescription("Compare practice.bag").performClick()
-            viewer.comparison.ticked.map { "${it.fileName}" } shouldContainExactly listOf("practice.bag")
+            viewer.compared.state.checked.map { "${it.fileName}" } shouldContainExactly listOf("practice.bag")
             onNodeWithContentDescription("Compare practice.bag").performClick()
-            viewer.comparison.ticked.size shouldBe 0
+            viewer.compared.state.checked.size shouldBe 0
         }
     }
 
@@ -111,36 +115,36 @@ class LibraryScreenSpec : FunSpec({
         onFolder(sampleFolder(), MainView.LOGS) { viewer ->
             val table = onNodeWithContentDescription("Table of logs")
             table.performKeyInput { pressKey(Key.MoveHome) }
-            viewer.library.selected shouldBe viewer.library.visible[0].file
+            viewer.library.state.selected shouldBe viewer.library.state.visible[0].file
             table.performKeyInput { pressKey(Key.DirectionDown) }
-            val second = viewer.library.visible[1].file
-            viewer.library.selected shouldBe second
+            val second = viewer.library.state.visible[1].file
+            viewer.library.state.selected shouldBe second
             table.performKeyInput { pressKey(Key.Enter) }
-            waitUntil(timeoutMillis = 30_000) { viewer.open?.file == second }
-            viewer.panels.main shouldBe MainView.GRAPHS
+            waitUntil(timeoutMillis = 30_000) { viewer.current.recording?.file == second }
+            viewer.panels.state.main shouldBe MainView.GRAPHS
         }
     }
 
     test("a click on a row of the table selects it, a double click opens it") {
         onFolder(sampleFolder(), MainView.LOGS) { viewer ->
             onNodeWithContentDescription("Log practice.bag").performMouseInput { click() }
-            viewer.library.selected?.fileName.toString() shouldBe "practice.bag"
-            viewer.panels.main shouldBe MainView.LOGS
+            viewer.library.state.selected?.fileName.toString() shouldBe "practice.bag"
+            viewer.panels.state.main shouldBe MainView.LOGS
             onNodeWithContentDescription("Log practice.bag").performMouseInput { doubleClick() }
-            viewer.panels.main shouldBe MainView.GRAPHS
+            viewer.panels.state.main shouldBe MainView.GRAPHS
         }
     }
 
-    test("logs where nothing happened say so, and can be hidden") {
+    test("idle logs say so, and can be hidden") {
         val folder = sampleFolder()
         folder.put("reboot.bag", bag(0))
         folder.put("idle.bag", bag(voltage = { 12.0 }))
         onFolder(folder) { viewer ->
             onNodeWithText("no samples", substring = true).assertExists()
-            onNodeWithText("nothing happened here", substring = true).assertExists()
-            onNodeWithContentDescription("Hide logs where nothing happened").performClick()
+            onNodeWithText("idle log", substring = true).assertExists()
+            onNodeWithContentDescription("Hide idle logs").performClick()
             shown(viewer).size shouldBe 4
-            onAllNodesWithText("nothing happened here", substring = true).assertCountEquals(0)
+            onAllNodesWithText("idle log", substring = true).assertCountEquals(0)
         }
     }
 
@@ -149,7 +153,7 @@ class LibraryScreenSpec : FunSpec({
         folder.put("diary.bag", "Dear diary\ntoday I was happy\n")
         onFolder(folder) { viewer ->
             onNodeWithContentDescription("Log diary.bag").performClick()
-            viewer.open shouldBe null
+            viewer.current.recording shouldBe null
             viewer.notices.all.single().isError shouldBe true
         }
     }
@@ -158,20 +162,20 @@ class LibraryScreenSpec : FunSpec({
         onFolder(tempdir().toPath()) { onNodeWithText("No logs here yet", substring = true).assertExists() }
     }
 
-    test("the small line can be that of any topic of any log") {
+    test("the preview can be that of any topic of any log") {
         onFolder(sampleFolder()) { viewer ->
-            onNodeWithContentDescription("Small line: the battery’s voltage").performClick()
-            onNodeWithContentDescription("Search topics for the small line").performTextInput("elevator/pos")
+            onNodeWithContentDescription("Preview: the battery’s voltage").performClick()
+            onNodeWithContentDescription("Search topics for the preview").performTextInput("elevator/pos")
             onNode(hasText("Elevator/Position")).performClick()
-            viewer.settings.previewTopic shouldBe "Elevator/Position"
+            viewer.settings.state.previewTopic shouldBe "Elevator/Position"
         }
     }
 
     test("page up and page down open the logs one after the other") {
         onFolder(sampleFolder()) { viewer ->
-            viewer.library = viewer.library.copy(selected = viewer.library.visible[1].file)
-            libraryCommands(viewer).single { it.keys.single().key == Key.PageUp }.action()
-            waitUntil(timeoutMillis = 30_000) { viewer.open?.file == viewer.library.visible[0].file }
+            viewer.library.change { copy(selected = viewer.library.state.visible[1].file) }
+            libraryCommands(viewer.library, viewer.panels, viewer.opener).single { it.keys.single().key == Key.PageUp }.action()
+            waitUntil(timeoutMillis = 30_000) { viewer.current.recording?.file == viewer.library.state.visible[0].file }
         }
     }
 })

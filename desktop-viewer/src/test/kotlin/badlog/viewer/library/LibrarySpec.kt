@@ -1,13 +1,15 @@
 package badlog.viewer.library
 
-import badlog.viewer.app.NewestShowing
 import badlog.viewer.app.Viewer
-import badlog.viewer.app.openNamed
 import badlog.viewer.layout.FolderLayouts
 import badlog.viewer.layout.Layout
 import badlog.viewer.layout.LayoutComparison
 import badlog.viewer.library.index.Content
 import badlog.viewer.library.index.IndexQueue
+import badlog.viewer.library.index.bag
+import badlog.viewer.library.index.matchValues
+import badlog.viewer.library.index.put
+import badlog.viewer.library.index.samples
 import badlog.viewer.settings.UserFolders
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec
@@ -29,7 +31,7 @@ import java.nio.file.attribute.PosixFilePermissions
 import java.util.concurrent.TimeUnit
 import kotlin.time.Duration.Companion.seconds
 
-class LibraryFolderSpec : FunSpec({
+class LibrarySpec : FunSpec({
     val longest = 20.seconds
 
     fun newViewer(home: Path = tempdir().toPath()) = Viewer(MainScope(), UserFolders(home, home))
@@ -37,14 +39,17 @@ class LibraryFolderSpec : FunSpec({
     /** Opens [folder] in [viewer], waits for what [until] wants, and closes it. */
     suspend fun watching(folder: Path, viewer: Viewer = newViewer(), steps: suspend (Viewer) -> Unit) {
         try {
-            withContext(Dispatchers.Main) { viewer.libraryFolder.open(folder) }
+            withContext(Dispatchers.Main) {
+                viewer.scope.launch { viewer.newest.run() }
+                viewer.library.open(folder)
+            }
             steps(viewer)
         } finally {
-            withContext(Dispatchers.Main) { viewer.libraryFolder.close() }
+            withContext(Dispatchers.Main) { viewer.library.close() }
         }
     }
 
-    fun names(viewer: Viewer) = viewer.library.entries.map { it.fileName }
+    fun names(viewer: Viewer) = viewer.library.state.entries.map { it.fileName }
 
     test("a new file appears, a growing one is read again, a renamed one follows, a deleted one vanishes") {
         val folder = tempdir().toPath()
@@ -54,8 +59,8 @@ class LibraryFolderSpec : FunSpec({
             folder.put("new folder/second.bag", bag(200))
             eventually(longest) { names(viewer) shouldContainExactlyInAnyOrder listOf("first.bag", "second.bag") }
             Files.writeString(first, "9999,5.5,1\n".repeat(50), StandardOpenOption.APPEND)
-            eventually(longest) { viewer.library.entries.single { it.fileName == "first.bag" }.samples shouldBe 450 }
-            viewer.library.entries.single { it.fileName == "first.bag" }.batteryMinimum shouldBe 5.5
+            eventually(longest) { viewer.library.state.entries.single { it.fileName == "first.bag" }.samples shouldBe 450 }
+            viewer.library.state.entries.single { it.fileName == "first.bag" }.batteryMinimum shouldBe 5.5
             Files.move(first, folder.resolve("third.bag"))
             eventually(longest) { names(viewer) shouldContainExactlyInAnyOrder listOf("third.bag", "second.bag") }
             Files.delete(folder.resolve("third.bag"))
@@ -67,8 +72,8 @@ class LibraryFolderSpec : FunSpec({
         val folder = tempdir().toPath()
         for (number in 1..5) folder.put("$number.bag", bag(values = matchValues(number)))
         watching(folder) { viewer ->
-            eventually(longest) { viewer.open.shouldNotBeNull().file shouldBe folder.resolve("5.bag") }
-            viewer.library.selected shouldBe folder.resolve("5.bag")
+            eventually(longest) { viewer.current.recording.shouldNotBeNull().file shouldBe folder.resolve("5.bag") }
+            viewer.library.state.selected shouldBe folder.resolve("5.bag")
         }
     }
 
@@ -76,14 +81,14 @@ class LibraryFolderSpec : FunSpec({
         val folder = tempdir().toPath()
         folder.put("1.bag", bag(values = matchValues(1)))
         watching(folder) { viewer ->
-            eventually(longest) { viewer.open.shouldNotBeNull().file shouldBe folder.resolve("1.bag") }
+            eventually(longest) { viewer.current.recording.shouldNotBeNull().file shouldBe folder.resolve("1.bag") }
             folder.put("2.bag", bag(values = matchValues(2)))
-            eventually(longest) { viewer.open.shouldNotBeNull().file shouldBe folder.resolve("2.bag") }
-            withContext(Dispatchers.Main) { viewer.viewport = viewer.viewport.showing(1.0, 2.0) }
+            eventually(longest) { viewer.current.recording.shouldNotBeNull().file shouldBe folder.resolve("2.bag") }
+            withContext(Dispatchers.Main) { viewer.view.change { showing(1.0, 2.0) } }
             folder.put("3.bag", bag(values = matchValues(3)))
-            eventually(longest) { viewer.library.newest?.fileName shouldBe "3.bag" }
-            withContext(Dispatchers.Main) { NewestShowing(viewer).update(IndexQueue(), isComplete = true) }
-            viewer.open.shouldNotBeNull().file shouldBe folder.resolve("2.bag")
+            eventually(longest) { viewer.library.state.newest?.fileName shouldBe "3.bag" }
+            withContext(Dispatchers.Main) { viewer.newest.update(IndexQueue(), isComplete = true) }
+            viewer.current.recording.shouldNotBeNull().file shouldBe folder.resolve("2.bag")
         }
     }
 
@@ -94,11 +99,11 @@ class LibraryFolderSpec : FunSpec({
         FolderLayouts(home.resolve("layouts")).write(folder, Layout(Layout.VERSION, compared = LayoutComparison(listOf("1.bag"))))
         val viewer = newViewer(home)
         watching(folder, viewer) {
-            withContext(Dispatchers.Main) { viewer.scope.launch { viewer.layouts.keep() } }
-            eventually(longest) { viewer.open.shouldNotBeNull().file shouldBe folder.resolve("2.bag") }
-            eventually(longest) { viewer.comparison.loaded.keys shouldBe setOf(folder.resolve("1.bag")) }
+            withContext(Dispatchers.Main) { viewer.scope.launch { viewer.layouts.autosave() } }
+            eventually(longest) { viewer.current.recording.shouldNotBeNull().file shouldBe folder.resolve("2.bag") }
+            eventually(longest) { viewer.compared.state.loaded.keys shouldBe setOf(folder.resolve("1.bag")) }
             folder.put("3.bag", bag(values = matchValues(3)))
-            eventually(longest) { viewer.open.shouldNotBeNull().file shouldBe folder.resolve("3.bag") }
+            eventually(longest) { viewer.current.recording.shouldNotBeNull().file shouldBe folder.resolve("3.bag") }
         }
         viewer.scope.cancel()
     }
@@ -108,12 +113,12 @@ class LibraryFolderSpec : FunSpec({
         val file = folder.put("1.bag", bag(100))
         val viewer = newViewer()
         watching(folder, viewer) {
-            eventually(longest) { viewer.open.shouldNotBeNull().file shouldBe file }
-            withContext(Dispatchers.Main) { viewer.openNamed(listOf(folder.put("picture.png", "\u0089PNG\r\n\u001a\n\u0000\u0000"))) }
+            eventually(longest) { viewer.current.recording.shouldNotBeNull().file shouldBe file }
+            withContext(Dispatchers.Main) { viewer.opener.openNamed(listOf(folder.put("picture.png", "\u0089PNG\r\n\u001a\n\u0000\u0000"))) }
             eventually(longest) { viewer.notices.all.single().isError shouldBe true }
             Files.writeString(file, "9999,5.5,1\n".repeat(50), StandardOpenOption.APPEND)
-            eventually(longest) { viewer.open.shouldNotBeNull().view.recording.rowCount shouldBe 150 }
-            viewer.open.shouldNotBeNull().file shouldBe file
+            eventually(longest) { viewer.current.recording.shouldNotBeNull().view.recording.rowCount shouldBe 150 }
+            viewer.current.recording.shouldNotBeNull().file shouldBe file
         }
         viewer.scope.cancel()
     }
@@ -129,7 +134,7 @@ class LibraryFolderSpec : FunSpec({
         Files.writeString(file, Files.readString(file).replace("System/Battery Voltage", "System/Cattery Voltage"))
         Files.setLastModifiedTime(file, written)
         watching(folder, newViewer(home)) { viewer ->
-            eventually(longest) { viewer.library.entries.single().topics.map { it.name } shouldContain "System/Battery Voltage" }
+            eventually(longest) { viewer.library.state.entries.single().topics.map { it.name } shouldContain "System/Battery Voltage" }
         }
     }
 
@@ -154,7 +159,7 @@ class LibraryFolderSpec : FunSpec({
                 names(viewer) shouldContainExactlyInAnyOrder
                     listOf("random.bag", "half.bag.gz", "none.bag.gz", "empty.bag", "inside.bag")
             }
-            val entries = viewer.library.entries.associateBy { it.fileName }
+            val entries = viewer.library.state.entries.associateBy { it.fileName }
             entries.getValue("random.bag").trouble.shouldNotBeNull()
             entries.getValue("half.bag.gz").content shouldBe Content.SOMETHING
             entries.getValue("empty.bag").isGrey shouldBe true
@@ -165,10 +170,10 @@ class LibraryFolderSpec : FunSpec({
     test("a folder that is not there says so, and is looked for again") {
         val folder = tempdir().toPath().resolve("not yet")
         watching(folder) { viewer ->
-            eventually(longest) { viewer.library.trouble.shouldNotBeNull() }
+            eventually(longest) { viewer.library.state.trouble.shouldNotBeNull() }
             folder.put("a.bag", bag())
             eventually(longest) { names(viewer) shouldContainExactly listOf("a.bag") }
-            viewer.library.trouble shouldBe null
+            viewer.library.state.trouble shouldBe null
         }
     }
 
@@ -182,7 +187,7 @@ class LibraryFolderSpec : FunSpec({
             if (!Files.isReadable(closed)) {
                 watching(folder) { viewer ->
                     eventually(longest) { names(viewer) shouldContainExactly listOf("b.bag") }
-                    viewer.library.trouble.shouldNotBeNull()
+                    viewer.library.state.trouble.shouldNotBeNull()
                 }
             }
         } finally {

@@ -47,31 +47,31 @@ class PlaybackSpec : FunSpec({
 
     test("the view follows the cursor when that leaves it, and the way back is not filled with it") {
         val viewer = viewerOf(recordingOf(bagOf(1001) { 0.0 }))
-        viewer.viewport = viewer.viewport.showing(0.0, 10.0)
-        viewer.cursor = 9.9
-        togglePlaying(viewer)
-        advance(viewer, 0.2)
-        viewer.cursor.shouldNotBeNull() shouldBe (10.1 plusOrMinus 1e-9)
-        (viewer.cursor.shouldNotBeNull() in viewer.viewport.visible) shouldBe true
-        viewer.viewport.back().isZoomed shouldBe false
+        viewer.view.change { showing(0.0, 10.0) }
+        viewer.view.placeCursor(9.9)
+        viewer.player.toggle()
+        viewer.player.advance(0.2)
+        viewer.view.cursor.shouldNotBeNull() shouldBe (10.1 plusOrMinus 1e-9)
+        (viewer.view.cursor.shouldNotBeNull() in viewer.view.viewport.visible) shouldBe true
+        viewer.view.viewport.back().isZoomed shouldBe false
     }
 
     test("play at the end begins again") {
         val viewer = viewerOf(recordingOf(bagOf(101) { 0.0 }))
-        viewer.cursor = 10.0
-        togglePlaying(viewer)
-        viewer.cursor shouldBe 0.0
-        viewer.playback.isPlaying shouldBe true
+        viewer.view.placeCursor(10.0)
+        viewer.player.toggle()
+        viewer.view.cursor shouldBe 0.0
+        viewer.player.state.isPlaying shouldBe true
     }
 
     test("a selection is what is played") {
         val viewer = viewerOf(recordingOf(bagOf(101) { 0.0 }))
-        viewer.selection = Span(2.0, 2.1)
-        viewer.playback = Playback(loops = true)
-        togglePlaying(viewer)
+        viewer.view.select(Span(2.0, 2.1))
+        viewer.player.change { Playback(loops = true) }
+        viewer.player.toggle()
         repeat(20) {
-            advance(viewer, 0.03)
-            (viewer.cursor.shouldNotBeNull() in Span(2.0, 2.1)) shouldBe true
+            viewer.player.advance(0.03)
+            (viewer.view.cursor.shouldNotBeNull() in Span(2.0, 2.1)) shouldBe true
         }
     }
 })

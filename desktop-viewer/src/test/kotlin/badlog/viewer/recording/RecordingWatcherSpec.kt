@@ -23,28 +23,29 @@ import java.io.IOException
 import java.nio.file.Files
 import kotlin.time.Duration.Companion.seconds
 
-class RecordingFollowingSpec : FunSpec({
+class RecordingWatcherSpec : FunSpec({
     val file = tempdir().resolve("live.bag").apply { writeText("x") }
     val shown = recordingOf(bagOf(listOf("Time|xaxis", "A/Voltage"), listOf("0,1", "1,2")), file.path)
     val before = FileStamp(size = 1, modifiedMillis = 0)
 
     test("a log that outgrows the memory stays as it was, and that is said once") {
         val viewer = viewerOf(shown)
-        val following = RecordingFollowing(viewer) { _, _ -> throw OutOfMemoryError() }
-        withContext(Dispatchers.Main) { following.follow(shown, before) }
+        val watcher = RecordingWatcher(viewer.notices, { _, _ -> throw OutOfMemoryError() }, viewer.current::replace)
+        withContext(Dispatchers.Main) { watcher.watch(shown, before) }
         viewer.notices.all.single().text shouldContain "larger than the memory"
-        viewer.open shouldBe shown
+        viewer.current.recording shouldBe shown
     }
 
     test("a log that is gone when it is to be read again stays, and that is said once") {
         val viewer = viewerOf(shown)
-        val following = RecordingFollowing(viewer) { _, _ ->
+        val gone = { _: OpenRecording, _: Boolean ->
             file.delete()
             throw IOException("It is gone.")
         }
-        withContext(Dispatchers.Main) { following.follow(shown, before) }
+        val watcher = RecordingWatcher(viewer.notices, gone, viewer.current::replace)
+        withContext(Dispatchers.Main) { watcher.watch(shown, before) }
         viewer.notices.all.single().text shouldContain "is gone from its folder"
-        viewer.open shouldBe shown
+        viewer.current.recording shouldBe shown
     }
 
     test("formulas are calculated anew when a log has grown") {
@@ -53,12 +54,12 @@ class RecordingFollowingSpec : FunSpec({
         fun bag(rows: Int) = bagOf(listOf("Time|xaxis", "A/Voltage"), List(rows) { "$it,$it" })
         Files.writeString(file, bag(3))
         val scope = CoroutineScope(Dispatchers.Main + Job())
-        val viewer = Viewer(scope, UserFolders(home, home)).apply { formulas = listOf("Twice = 2 * A/Voltage") }
+        val viewer = Viewer(scope, UserFolders(home, home)).apply { formulas.replaceAll(listOf("Twice = 2 * A/Voltage")) }
         try {
-            withContext(Dispatchers.Main) { viewer.loading.open(file) }
-            eventually(20.seconds) { viewer.open?.signal("Twice")?.series?.y?.last() shouldBe 4.0 }
+            withContext(Dispatchers.Main) { viewer.loader.open(file) }
+            eventually(20.seconds) { viewer.current.recording?.signal("Twice")?.series?.y?.last() shouldBe 4.0 }
             Files.writeString(file, bag(6))
-            eventually(20.seconds) { viewer.open?.signal("Twice")?.series?.y?.last() shouldBe 10.0 }
+            eventually(20.seconds) { viewer.current.recording?.signal("Twice")?.series?.y?.last() shouldBe 10.0 }
         } finally {
             scope.cancel()
         }
@@ -71,19 +72,19 @@ class RecordingFollowingSpec : FunSpec({
         Files.write(file, whole.copyOf(whole.size / 2))
         val scope = CoroutineScope(Dispatchers.Main + Job())
         val viewer = Viewer(scope, UserFolders(home, home))
-        fun size() = viewer.open.shouldNotBeNull().view.recording.sampleCount
+        fun size() = viewer.current.recording.shouldNotBeNull().view.recording.sampleCount
         try {
-            withContext(Dispatchers.Main) { viewer.loading.open(file) }
+            withContext(Dispatchers.Main) { viewer.loader.open(file) }
             eventually(20.seconds) { size() }
             val before = size()
             // What is cut is cut inside a record.
             Files.write(file, whole.copyOf(whole.size - 3))
             eventually(20.seconds) {
                 size() shouldBe 99
-                viewer.open.shouldNotBeNull().view.recording.problems.shouldBeEmpty()
+                viewer.current.recording.shouldNotBeNull().view.recording.problems.shouldBeEmpty()
             }
             (before in 1..98) shouldBe true
-            viewer.viewport.visible.to shouldBe 98.0
+            viewer.view.viewport.visible.to shouldBe 98.0
             Files.write(file, whole)
             eventually(20.seconds) { size() shouldBe 100 }
         } finally {

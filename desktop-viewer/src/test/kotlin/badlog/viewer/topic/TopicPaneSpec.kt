@@ -12,6 +12,7 @@ import androidx.compose.ui.test.performKeyInput
 import androidx.compose.ui.test.performMouseInput
 import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.viewer.TestTopics
 import badlog.viewer.app.Viewer
 import badlog.viewer.bagOf
 import badlog.viewer.panels.InspectorTab
@@ -30,8 +31,8 @@ import kotlinx.coroutines.MainScope
 class TopicPaneSpec : FunSpec({
     val home = tempdir().toPath()
 
-    fun viewerOf(recording: OpenRecording?) = Viewer(MainScope(), UserFolders(home, home)).apply { open = recording }
-    fun drawn(viewer: Viewer) = viewer.graphs.graphs.map { graph -> graph.lines.map { it.signal } }
+    fun viewerOf(recording: OpenRecording?) = Viewer(MainScope(), UserFolders(home, home)).apply { recording?.let(current::replace) }
+    fun drawn(viewer: Viewer) = viewer.board.state.graphs.map { graph -> graph.lines.map { it.signal } }
 
     val arm = recordingOf(
         bagOf(listOf("Time|xaxis", "Arm/Angle", "Arm/Speed", "Drive/Left", "Log|log"), listOf("0,10,1,7,", "1,20,2,8,homed", "2,30,3,9,")),
@@ -40,7 +41,7 @@ class TopicPaneSpec : FunSpec({
     test("a click draws a topic, and one more takes it away") {
         val viewer = viewerOf(arm)
         runDesktopComposeUiTest(240, 600) {
-            setContent { ViewerTheme(Theme.LIGHT) { TopicPane(viewer) } }
+            setContent { ViewerTheme(Theme.LIGHT) { TestTopics(viewer) } }
             waitUntil { onAllNodesWithText("Speed").fetchSemanticsNodes().isNotEmpty() }
             onNodeWithContentDescription("Topic Arm/Speed").performClick()
             onNodeWithContentDescription("Topic Arm/Angle").performClick()
@@ -53,17 +54,17 @@ class TopicPaneSpec : FunSpec({
     test("several are chosen with Ctrl, and drawn in one graph") {
         val viewer = viewerOf(arm)
         runDesktopComposeUiTest(240, 600) {
-            setContent { ViewerTheme(Theme.LIGHT) { TopicPane(viewer) } }
+            setContent { ViewerTheme(Theme.LIGHT) { TestTopics(viewer) } }
             waitUntil { onAllNodesWithText("Speed").fetchSemanticsNodes().isNotEmpty() }
             onRoot().performKeyInput { keyDown(Key.CtrlLeft) }
             onNodeWithContentDescription("Topic Drive/Left").performMouseInput { click() }
             onNodeWithContentDescription("Topic Arm/Angle").performMouseInput { click() }
             onRoot().performKeyInput { keyUp(Key.CtrlLeft) }
-            onNodeWithText("2 chosen").assertExists()
-            onNodeWithContentDescription("One graph of these").performClick()
+            onNodeWithText("2 selected").assertExists()
+            onNodeWithContentDescription("New graph of these").performClick()
             runOnIdle {
                 drawn(viewer) shouldContainExactly listOf(listOf("Drive/Left", "Arm/Angle"))
-                viewer.topicList.chosen shouldBe emptyList()
+                viewer.topics.state.selected shouldBe emptyList()
             }
         }
     }
@@ -71,12 +72,12 @@ class TopicPaneSpec : FunSpec({
     test("the values are those under the cursor, or the last ones without it") {
         val viewer = viewerOf(arm)
         runDesktopComposeUiTest(240, 600) {
-            setContent { ViewerTheme(Theme.LIGHT) { TopicPane(viewer) } }
+            setContent { ViewerTheme(Theme.LIGHT) { TestTopics(viewer) } }
             waitUntil { onAllNodesWithText("30 V").fetchSemanticsNodes().isNotEmpty() }
             onNodeWithText("1 event").assertExists()
-            viewer.cursor = 1.4
+            viewer.view.placeCursor(1.4)
             onNodeWithText("20 V").assertExists()
-            viewer.cursor = -5.0
+            viewer.view.placeCursor(-5.0)
             onNodeWithText("10 V").assertExists()
         }
     }
@@ -84,12 +85,12 @@ class TopicPaneSpec : FunSpec({
     test("a topic of events opens their list") {
         val viewer = viewerOf(arm)
         runDesktopComposeUiTest(240, 600) {
-            setContent { ViewerTheme(Theme.LIGHT) { TopicPane(viewer) } }
+            setContent { ViewerTheme(Theme.LIGHT) { TestTopics(viewer) } }
             waitUntil { onAllNodesWithText("Log").fetchSemanticsNodes().isNotEmpty() }
             onNodeWithContentDescription("Topic Log").performClick()
             runOnIdle {
-                viewer.panels.inspector shouldBe InspectorTab.EVENTS
-                viewer.eventFilter.topics shouldBe setOf("Log")
+                viewer.panels.state.inspector shouldBe InspectorTab.EVENTS
+                viewer.events.state.topics shouldBe setOf("Log")
                 drawn(viewer) shouldBe emptyList()
             }
         }
@@ -100,11 +101,11 @@ class TopicPaneSpec : FunSpec({
         val names = List(10_000) { "Folder ${it % 50}/Topic $it" } + long
         val viewer = viewerOf(recordingOf(bagOf(listOf("Time|xaxis") + names, listOf("0," + names.joinToString(",") { "1" }))))
         runDesktopComposeUiTest(240, 600) {
-            setContent { ViewerTheme(Theme.LIGHT) { TopicPane(viewer) } }
+            setContent { ViewerTheme(Theme.LIGHT) { TestTopics(viewer) } }
             waitUntil { onAllNodesWithText("Folder 0").fetchSemanticsNodes().isNotEmpty() }
             onNodeWithContentDescription("Topic $long").assertExists()
             onNodeWithContentDescription("Search topics").performTextInput("topic 4242")
-            waitUntil { viewer.topicList.query == "topic 4242" && onAllNodesWithText("Folder 0").fetchSemanticsNodes().isEmpty() }
+            waitUntil { viewer.topics.state.query == "topic 4242" && onAllNodesWithText("Folder 0").fetchSemanticsNodes().isEmpty() }
             onNodeWithContentDescription("Topic Folder 42/Topic 4242").assertExists()
         }
     }
@@ -115,7 +116,7 @@ class TopicPaneSpec : FunSpec({
             recordingOf("") to "This log has no topics with samples.",
         )) {
             runDesktopComposeUiTest(240, 600) {
-                setContent { ViewerTheme(Theme.LIGHT) { TopicPane(viewerOf(recording)) } }
+                setContent { ViewerTheme(Theme.LIGHT) { TestTopics(viewerOf(recording)) } }
                 onNodeWithText(sentence).assertExists()
             }
         }

@@ -47,9 +47,9 @@ class TopicRowsSpec : FunSpec({
 
     test("a choice up to a row takes all between, in either direction") {
         val rows = topicRows(signals, "", emptySet())
-        val list = TopicList().toggled("Arm/Angle").chosenTo("arm/Wrist/Angle", rows)
-        list.chosen shouldContainExactly listOf("Arm/Angle", "Arm/Wrist/Speed", "arm/Wrist/Angle")
-        TopicList().toggled("Arm/Angle").chosenTo("Mode", rows).chosen shouldContainExactly listOf("Arm/Angle", "Mode")
-        TopicList().chosenTo("Mode", rows).chosen shouldContainExactly listOf("Mode")
+        val list = TopicList().toggled("Arm/Angle").selectedTo("arm/Wrist/Angle", rows)
+        list.selected shouldContainExactly listOf("Arm/Angle", "Arm/Wrist/Speed", "arm/Wrist/Angle")
+        TopicList().toggled("Arm/Angle").selectedTo("Mode", rows).selected shouldContainExactly listOf("Arm/Angle", "Mode")
+        TopicList().selectedTo("Mode", rows).selected shouldContainExactly listOf("Mode")
     }
 })

@@ -1,8 +1,7 @@
 package badlog.viewer.window
 
 import badlog.viewer.compare.Alignment
-import badlog.viewer.compare.drawnRecordings
-import badlog.viewer.library.putSamples
+import badlog.viewer.library.index.putSamples
 import badlog.viewer.panels.MainView
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
@@ -15,24 +14,24 @@ class CompareWindowSpec : FunSpec({
     ) {
         val folder = tempdir().toPath().also { it.putSamples() }
         RealWindow(tempdir().toPath(), folder.resolve("qualification-42.bag")).use { window ->
-            window.awaitState("the match, and all logs") { it.open != null && it.library.entries.size == 4 && it.library.reading == null }
+            window.awaitState("the match, and all logs") { it.current.recording != null && it.library.state.entries.size == 4 && it.library.state.reading == null }
             window.click("Compare qualification-42.bag")
             window.click("Compare qualification-57.bag.gz")
-            window.awaitState("two recordings") { it.drawnRecordings().size == 2 }
-            window.look { viewer -> viewer.comparison.ticked.size } shouldBe 2
+            window.awaitState("two recordings") { it.compared.drawn.size == 2 }
+            window.look { viewer -> viewer.compared.state.checked.size } shouldBe 2
             window.click(Alignment.ENABLED.hint)
-            window.awaitState("the alignment") { it.comparison.alignment == Alignment.ENABLED }
+            window.awaitState("the alignment") { it.compared.state.alignment == Alignment.ENABLED }
             window.awaitGraphs()
             window.point("Plot Arm/Angle", 0.5, 0.5)
             window.picture("compare")
 
             window.press(KeyEvent.VK_S)
-            window.awaitState("the statistics") { it.panels.main == MainView.STATISTICS }
-            window.awaitState("the battery") { it.statisticsChoice.topics == listOf("System/Battery Voltage") }
+            window.awaitState("the statistics") { it.panels.state.main == MainView.STATISTICS }
+            window.awaitState("the battery") { it.statistics.state.topics == listOf("System/Battery Voltage") }
             window.click("Search topics for the table")
             window.type("total current")
             window.click("Figures of PDP/Total Current")
-            window.awaitState("one more topic") { "PDP/Total Current" in it.statisticsChoice.topics }
+            window.awaitState("one more topic") { "PDP/Total Current" in it.statistics.state.topics }
             window.picture("statistics")
         }
     }

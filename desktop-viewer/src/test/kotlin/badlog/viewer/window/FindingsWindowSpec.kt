@@ -13,17 +13,17 @@ class FindingsWindowSpec : FunSpec({
         val home = tempdir().toPath()
         val match = Path.of("../samples/qualification-42.bag")
         RealWindow(home, match).use { window ->
-            window.awaitState("the match") { it.open != null }
+            window.awaitState("the match") { it.current.recording != null }
             window.awaitGraphs()
-            window.awaitState("its findings") { viewer -> viewer.findings.list?.all?.any { it.rule == "Browned out" } == true }
+            window.awaitState("its findings") { viewer -> viewer.findings.state.list?.all?.any { it.rule == "Browned out" } == true }
             window.press(KeyEvent.VK_5, KeyEvent.VK_CONTROL)
             window.awaitText("Finding, error: Browned out")
             window.press(KeyEvent.VK_N)
-            window.awaitState("the first finding") { it.findings.chosen != null && it.cursor == it.findings.list?.placed?.first()?.time }
+            window.awaitState("the first finding") { it.findings.state.selected != null && it.view.cursor == it.findings.state.list?.placed?.first()?.time }
             window.press(KeyEvent.VK_N)
             window.press(KeyEvent.VK_N, KeyEvent.VK_SHIFT)
             window.click("Finding, error: Browned out")
-            window.awaitState("the brownout") { viewer -> viewer.cursor?.let { abs(it - 93.7096) < 1e-3 } == true }
+            window.awaitState("the brownout") { viewer -> viewer.view.cursor?.let { abs(it - 93.7096) < 1e-3 } == true }
             repeat(6) { window.press(KeyEvent.VK_EQUALS) }
             window.awaitText("error: Browned out")
             window.awaitGraphs()
@@ -36,16 +36,16 @@ class FindingsWindowSpec : FunSpec({
             window.awaitText("Insert System/Battery Voltage")
             window.press(KeyEvent.VK_TAB)
             window.press(KeyEvent.VK_ENTER)
-            window.awaitState("the formula") { it.open?.signal("twice") != null && it.formulaSheet == null }
+            window.awaitState("the formula") { it.current.recording?.signal("twice") != null && it.formulas.sheet == null }
             window.awaitText("Plot twice")
             window.awaitGraphs()
             window.picture("formula")
         }
         RealWindow(home, match).use { window ->
-            window.awaitState("the formula of last time") { it.open?.signal("twice") != null }
+            window.awaitState("the formula of last time") { it.current.recording?.signal("twice") != null }
             // A log is open a moment before the layout of last time is laid over it.
-            window.awaitState("its graph") { viewer -> viewer.graphs.graphs.lastOrNull()?.lines?.singleOrNull()?.signal == "twice" }
-            window.look { it.open }.shouldNotBeNull().formulas.single().error shouldBe null
+            window.awaitState("its graph") { viewer -> viewer.board.state.graphs.lastOrNull()?.lines?.singleOrNull()?.signal == "twice" }
+            window.look { it.current.recording }.shouldNotBeNull().formulas.single().error shouldBe null
         }
     }
 })

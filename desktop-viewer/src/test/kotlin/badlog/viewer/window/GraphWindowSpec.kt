@@ -16,34 +16,34 @@ class GraphWindowSpec : FunSpec({
 
     /** The window with a match that is open. */
     fun open() = RealWindow(tempdir().toPath(), Path.of("../samples/qualification-42.bag")).apply {
-        awaitState("the match") { it.open != null }
+        awaitState("the match") { it.current.recording != null }
         awaitGraphs()
     }
 
     test("the pointer zooms, goes back, selects, and reads values").config(enabledOrReasonIf = { needsDisplay }) {
         open().use { window ->
-            val all = window.look { it.viewport.full }
+            val all = window.look { it.view.viewport.full }
             window.point(plot, 0.5, 0.5)
             window.wheel(-3, KeyEvent.VK_CONTROL)
-            window.awaitState("a closer look") { it.viewport.visible.width < all.width * 0.7 }
+            window.awaitState("a closer look") { it.view.viewport.visible.width < all.width * 0.7 }
             window.drag(plot, 0.25, 0.5, 0.75, 0.5)
-            window.awaitState("half of that") { it.viewport.visible.width < all.width * 0.4 && it.gesture == null }
+            window.awaitState("half of that") { it.view.viewport.visible.width < all.width * 0.4 && it.view.gesture == null }
             window.awaitGraphs()
             window.picture("zoomed")
             window.click(plot, times = 2)
-            window.awaitState("everything again") { it.viewport.visible == all }
+            window.awaitState("everything again") { it.view.viewport.visible == all }
 
             window.drag(plot, 0.5, 0.2, 0.5, 0.6, KeyEvent.VK_ALT)
-            window.awaitState("a closer look at y") { viewer -> viewer.graphs.graphs.any { it.yRange != null } }
+            window.awaitState("a closer look at y") { viewer -> viewer.board.state.graphs.any { it.yRange != null } }
             window.awaitText("Reset Y zoom")
             window.click(plot, times = 2)
-            window.awaitState("all of y") { viewer -> viewer.graphs.graphs.all { it.yRange == null } }
+            window.awaitState("all of y") { viewer -> viewer.board.state.graphs.all { it.yRange == null } }
 
             window.press(KeyEvent.VK_4, KeyEvent.VK_CONTROL)
-            window.awaitText("Of what is seen")
+            window.awaitText("Visible range")
             window.drag(plot, 0.3, 0.5, 0.6, 0.5, KeyEvent.VK_CONTROL)
-            window.awaitText("Of the selection")
-            window.look { it.selection }.shouldNotBeNull().width shouldBe (all.width * 0.3 plusOrMinus all.width * 0.02)
+            window.awaitText("Selection")
+            window.look { it.view.selection }.shouldNotBeNull().width shouldBe (all.width * 0.3 plusOrMinus all.width * 0.02)
             window.point(plot, 0.45, 0.5)
             window.awaitGraphs()
             window.picture("selection")
@@ -53,37 +53,37 @@ class GraphWindowSpec : FunSpec({
     test("Space plays and pauses, whatever was clicked before").config(enabledOrReasonIf = { needsDisplay }) {
         open().use { window ->
             window.press(KeyEvent.VK_SPACE)
-            window.awaitState("the cursor to run") { it.playback.isPlaying && it.cursor != null }
+            window.awaitState("the cursor to run") { it.player.state.isPlaying && it.view.cursor != null }
             window.press(KeyEvent.VK_SPACE)
-            window.awaitState("the cursor to stand") { !it.playback.isPlaying }
+            window.awaitState("the cursor to stand") { !it.player.state.isPlaying }
 
             window.click("Theme: system")
-            window.awaitState("the light theme") { it.settings.theme == Theme.LIGHT }
+            window.awaitState("the light theme") { it.settings.state.theme == Theme.LIGHT }
             window.press(KeyEvent.VK_SPACE)
-            window.awaitState("the cursor to run") { it.playback.isPlaying }
-            window.look { it.settings.theme } shouldBe Theme.LIGHT
+            window.awaitState("the cursor to run") { it.player.state.isPlaying }
+            window.look { it.settings.state.theme } shouldBe Theme.LIGHT
             window.press(KeyEvent.VK_SPACE)
-            window.awaitState("the cursor to stand") { !it.playback.isPlaying }
+            window.awaitState("the cursor to stand") { !it.player.state.isPlaying }
 
-            val graphs = window.look { it.graphs.graphs.size }
+            val graphs = window.look { it.board.state.graphs.size }
             window.click("Topic Arm/Angle")
-            window.awaitState("another number of graphs") { it.graphs.graphs.size != graphs }
-            val clicked = window.look { it.graphs.graphs.size }
+            window.awaitState("another number of graphs") { it.board.state.graphs.size != graphs }
+            val clicked = window.look { it.board.state.graphs.size }
             window.press(KeyEvent.VK_SPACE)
-            window.awaitState("the cursor to run") { it.playback.isPlaying }
-            window.look { it.graphs.graphs.size } shouldBe clicked
+            window.awaitState("the cursor to run") { it.player.state.isPlaying }
+            window.look { it.board.state.graphs.size } shouldBe clicked
         }
     }
 
     test("the keyboard does what the sheet says, but not while somebody types").config(enabledOrReasonIf = { needsDisplay }) {
         open().use { window ->
-            val all = window.look { it.viewport.full }
+            val all = window.look { it.view.viewport.full }
             window.press(KeyEvent.VK_RIGHT)
-            window.awaitState("a cursor") { it.cursor != null }
-            val cursor = window.look { it.cursor }.shouldNotBeNull()
+            window.awaitState("a cursor") { it.view.cursor != null }
+            val cursor = window.look { it.view.cursor }.shouldNotBeNull()
             window.press(KeyEvent.VK_RIGHT, KeyEvent.VK_SHIFT)
-            window.awaitState("the cursor further on") { (it.cursor ?: 0.0) > cursor + 0.15 }
-            fun awaitWidth(what: String, width: Double) = window.awaitState(what) { abs(it.viewport.visible.width - width) < 1e-6 }
+            window.awaitState("the cursor further on") { (it.view.cursor ?: 0.0) > cursor + 0.15 }
+            fun awaitWidth(what: String, width: Double) = window.awaitState(what) { abs(it.view.viewport.visible.width - width) < 1e-6 }
             window.press(KeyEvent.VK_EQUALS)
             window.press(KeyEvent.VK_EQUALS, KeyEvent.VK_SHIFT)
             awaitWidth("a closer look", all.width / 2.25)
@@ -92,64 +92,64 @@ class GraphWindowSpec : FunSpec({
             window.press(KeyEvent.VK_0)
             awaitWidth("everything", all.width)
             window.press(KeyEvent.VK_E)
-            window.awaitState("the time enabled") { it.viewport.visible.width < all.width }
+            window.awaitState("the time enabled") { it.view.viewport.visible.width < all.width }
             window.press(KeyEvent.VK_BACK_SPACE)
             awaitWidth("everything again", all.width)
 
             window.press(KeyEvent.VK_PAGE_DOWN)
-            window.awaitState("another log") { it.open?.file?.fileName.toString() != "qualification-42.bag" }
+            window.awaitState("another log") { it.current.recording?.file?.fileName.toString() != "qualification-42.bag" }
             window.press(KeyEvent.VK_PAGE_UP)
-            window.awaitState("the first log") { it.open?.file?.fileName.toString() == "qualification-42.bag" }
+            window.awaitState("the first log") { it.current.recording?.file?.fileName.toString() == "qualification-42.bag" }
 
             window.press(KeyEvent.VK_SLASH)
             window.type("test 57 0e")
-            window.awaitState("a filter") { it.library.listing.filter == "test 57 0e" }
-            window.look { it.viewport.visible } shouldBe all
-            window.look { it.playback.isPlaying } shouldBe false
-            window.look { it.panels.main.name } shouldBe "GRAPHS"
+            window.awaitState("a filter") { it.library.state.listing.filter == "test 57 0e" }
+            window.look { it.view.viewport.visible } shouldBe all
+            window.look { it.player.state.isPlaying } shouldBe false
+            window.look { it.panels.state.main.name } shouldBe "GRAPHS"
             window.press(KeyEvent.VK_ESCAPE)
-            window.awaitState("no filter") { it.library.listing.filter.isEmpty() }
+            window.awaitState("no filter") { it.library.state.listing.filter.isEmpty() }
             window.press(KeyEvent.VK_E)
-            window.awaitState("the time enabled") { it.viewport.visible.width < all.width }
+            window.awaitState("the time enabled") { it.view.viewport.visible.width < all.width }
 
             window.click("Search topics")
             window.type("0")
-            window.awaitState("a search") { it.topicList.query == "0" }
-            window.look { it.viewport.visible.width < all.width } shouldBe true
+            window.awaitState("a search") { it.topics.state.query == "0" }
+            window.look { it.view.viewport.visible.width < all.width } shouldBe true
             window.click("Plot Match Time")
             window.press(KeyEvent.VK_0)
-            window.awaitState("everything again") { it.viewport.visible == all }
-            window.look { it.topicList.query } shouldBe "0"
+            window.awaitState("everything again") { it.view.viewport.visible == all }
+            window.look { it.topics.state.query } shouldBe "0"
 
             window.press(KeyEvent.VK_SLASH)
             window.type("practice")
-            window.awaitState("a filter") { it.library.listing.filter == "practice" }
+            window.awaitState("a filter") { it.library.state.listing.filter == "practice" }
             window.press(KeyEvent.VK_ENTER)
-            window.awaitState("the log that was searched") { it.open?.file?.fileName.toString() == "practice.bag" }
+            window.awaitState("the log that was searched") { it.current.recording?.file?.fileName.toString() == "practice.bag" }
             window.press(KeyEvent.VK_SPACE)
-            window.awaitState("the cursor to run") { it.playback.isPlaying }
+            window.awaitState("the cursor to run") { it.player.state.isPlaying }
         }
     }
 
     test("a click on an event goes there, a search finds topics").config(enabledOrReasonIf = { needsDisplay }) {
         open().use { window ->
             window.press(KeyEvent.VK_1, KeyEvent.VK_CONTROL)
-            window.awaitState("the events") { it.panels.inspector == InspectorTab.EVENTS }
-            val event = window.look { it.matchingEvents.textOf(it.matchingEvents.size / 2) }
+            window.awaitState("the events") { it.panels.state.inspector == InspectorTab.EVENTS }
+            val event = window.look { it.events.matching.textOf(it.events.matching.size / 2) }
             window.click("Search events")
             window.type(event.take(4).lowercase())
             window.click(event)
             window.awaitState("the cursor at an event") { viewer ->
-                viewer.cursor?.let { cursor -> viewer.matchingEvents.x.any { it == cursor } } == true
+                viewer.view.cursor?.let { cursor -> viewer.events.matching.x.any { it == cursor } } == true
             }
             window.click("Search topics")
             window.type("voltage")
             window.awaitText("Topic System/Battery Voltage")
             window.awaitGraphs()
             window.picture("events-and-topics")
-            val before = window.look { viewer -> viewer.graphs.graphs.sumOf { it.lines.size } }
+            val before = window.look { viewer -> viewer.board.state.graphs.sumOf { it.lines.size } }
             window.dragTo("Topic System/Battery Voltage", "Plot Match Time")
-            window.awaitState("one more line") { viewer -> viewer.graphs.graphs.sumOf { it.lines.size } == before + 1 }
+            window.awaitState("one more line") { viewer -> viewer.board.state.graphs.sumOf { it.lines.size } == before + 1 }
         }
     }
 })

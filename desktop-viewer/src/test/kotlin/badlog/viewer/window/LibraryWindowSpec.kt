@@ -1,9 +1,9 @@
 package badlog.viewer.window
 
-import badlog.viewer.library.bag
-import badlog.viewer.library.put
-import badlog.viewer.library.putSamples
-import badlog.viewer.library.samples
+import badlog.viewer.library.index.bag
+import badlog.viewer.library.index.put
+import badlog.viewer.library.index.putSamples
+import badlog.viewer.library.index.samples
 import badlog.viewer.panels.MainView
 import badlog.viewer.theme.Theme
 import io.kotest.core.spec.style.FunSpec
@@ -19,11 +19,11 @@ class LibraryWindowSpec : FunSpec({
     ) {
         val folder = tempdir().toPath().also { it.putSamples() }
         RealWindow(tempdir().toPath(), folder).use { window ->
-            window.awaitState("all logs, and one of them") { it.library.entries.size == 4 && it.open != null }
+            window.awaitState("all logs, and one of them") { it.library.state.entries.size == 4 && it.current.recording != null }
             window.awaitGraphs()
             window.click("Theme: system")
             window.click("Theme: light")
-            window.awaitState("the dark theme") { it.settings.theme == Theme.DARK }
+            window.awaitState("the dark theme") { it.settings.state.theme == Theme.DARK }
             window.awaitGraphs()
             window.picture("dark")
             window.press(KeyEvent.VK_T)
@@ -33,23 +33,23 @@ class LibraryWindowSpec : FunSpec({
             window.click("Theme: system")
             window.picture("table")
             window.press(KeyEvent.VK_T)
-            window.awaitState("the graphs") { it.panels.main == MainView.GRAPHS }
+            window.awaitState("the graphs") { it.panels.state.main == MainView.GRAPHS }
             window.press(KeyEvent.VK_F1)
             window.awaitText("Keys and gestures sheet")
             window.picture("help")
             window.press(KeyEvent.VK_ESCAPE)
-            window.awaitState("no sheet") { !it.panels.help }
+            window.awaitState("no sheet") { !it.panels.state.help }
         }
     }
 
     test("an empty folder says what it waits for, and a log that comes is shown").config(enabledOrReasonIf = { needsDisplay }) {
         val folder = tempdir().toPath()
         RealWindow(tempdir().toPath(), folder).use { window ->
-            window.awaitState("a look at the folder") { it.library.hasLooked }
+            window.awaitState("a look at the folder") { it.library.state.hasLooked }
             window.picture("empty-folder")
             folder.put("first.bag", bag())
             window.awaitText("Log first.bag")
-            window.awaitState("the log") { it.open?.file == folder.resolve("first.bag") }
+            window.awaitState("the log") { it.current.recording?.file == folder.resolve("first.bag") }
             folder.put("later.bag", bag(300))
             window.awaitText("Log later.bag")
         }
@@ -59,22 +59,22 @@ class LibraryWindowSpec : FunSpec({
         val folder = brokenFolder(tempdir().toPath())
         RealWindow(tempdir().toPath(), folder).use { window ->
             window.awaitState("all that can be listed") { viewer ->
-                viewer.library.reading == null && viewer.library.entries.map { it.fileName }.toSet() ==
+                viewer.library.state.reading == null && viewer.library.state.entries.map { it.fileName }.toSet() ==
                     setOf("random.bag", "half.bag.gz", "empty.bag", "cut.bag", "inside.bag")
             }
             window.click("Log random.bag")
             window.awaitState("a sentence") { viewer -> viewer.notices.all.any { it.isError } }
             window.picture("broken-folder")
             window.click("Log half.bag.gz")
-            window.awaitState("half a log") { it.open?.file == folder.resolve("half.bag.gz") }
+            window.awaitState("half a log") { it.current.recording?.file == folder.resolve("half.bag.gz") }
             for (name in listOf("random.bag", "directory.bag", "nowhere.bag")) {
                 window.look { viewer ->
                     viewer.notices.all.toList().forEach { viewer.notices.dismiss(it.id) }
-                    viewer.loading.open(folder.resolve(name))
+                    viewer.loader.open(folder.resolve(name))
                 }
                 window.awaitState("a sentence") { viewer -> viewer.notices.all.any { it.isError && name in it.text } }
             }
-            window.look { it.open?.file } shouldBe folder.resolve("half.bag.gz")
+            window.look { it.current.recording?.file } shouldBe folder.resolve("half.bag.gz")
         }
     }
 })

@@ -1,6 +1,6 @@
 package badlog.viewer.window
 
-import badlog.viewer.library.putSamples
+import badlog.viewer.library.index.putSamples
 import badlog.viewer.panels.FrontPart
 import badlog.viewer.panels.InspectorTab
 import io.kotest.core.spec.style.FunSpec
@@ -12,7 +12,7 @@ class NarrowWindowSpec : FunSpec({
     test("a window as narrow as a phone shows one part at a time").config(enabledOrReasonIf = { needsDisplay }) {
         val folder = tempdir().toPath().also { it.putSamples() }
         RealWindow(tempdir().toPath(), folder.resolve("qualification-42.bag"), width = 420, height = 800).use { window ->
-            window.awaitState("the match") { it.open != null && it.library.entries.size == 4 && it.library.reading == null }
+            window.awaitState("the match") { it.current.recording != null && it.library.state.entries.size == 4 && it.library.state.reading == null }
             window.awaitGraphs()
             window.picture("narrow-graphs")
             window.click("Show the logs")
@@ -26,10 +26,10 @@ class NarrowWindowSpec : FunSpec({
             window.picture("narrow-details")
 
             window.click("Close the panel")
-            window.awaitState("the graphs again") { it.panels.front == FrontPart.GRAPHS }
+            window.awaitState("the graphs again") { it.panels.state.front == FrontPart.GRAPHS }
             window.press(KeyEvent.VK_3, KeyEvent.VK_CONTROL)
-            window.awaitState("the problems") { it.panels.front == FrontPart.DETAILS }
-            window.look { it.panels.inspector } shouldBe InspectorTab.PROBLEMS
+            window.awaitState("the problems") { it.panels.state.front == FrontPart.DETAILS }
+            window.look { it.panels.state.inspector } shouldBe InspectorTab.PROBLEMS
             window.picture("narrow-problems")
 
             window.press(KeyEvent.VK_F1)
@@ -46,7 +46,7 @@ class NarrowWindowSpec : FunSpec({
             window.awaitNo("Table of logs")
             window.click("Log practice.bag")
             window.awaitState("the other log in front") {
-                it.open?.file == folder.resolve("practice.bag") && it.panels.front == FrontPart.GRAPHS
+                it.current.recording?.file == folder.resolve("practice.bag") && it.panels.state.front == FrontPart.GRAPHS
             }
         }
     }

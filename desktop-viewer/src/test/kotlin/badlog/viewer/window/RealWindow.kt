@@ -11,7 +11,6 @@ import androidx.compose.ui.window.application
 import badlog.viewer.app.StartPlace
 import badlog.viewer.app.Viewer
 import badlog.viewer.app.ViewerWindow
-import badlog.viewer.compare.drawnRecordings
 import badlog.viewer.settings.Settings
 import badlog.viewer.settings.SettingsFile
 import badlog.viewer.settings.UserFolders
@@ -58,7 +57,7 @@ internal class RealWindow(home: Path, opened: Path, width: Int = 1400, height: I
         application(exitProcessOnExit = false) {
             ViewerWindow(
                 folders = UserFolders(settings = home, cache = home),
-                start = { StartPlace.of(opened.toString(), it.settings, samples = null) },
+                start = { StartPlace.of(opened.toString(), it.settings.state, samples = null) },
             ) { viewer ->
                 state = viewer
                 LaunchedEffect(Unit) { shown = window }
@@ -174,7 +173,7 @@ internal class RealWindow(home: Path, opened: Path, width: Int = 1400, height: I
     }
 
     /** Waits until every graph in sight is drawn. */
-    fun awaitGraphs() = awaitState("the graphs") { it.plots.areReady(it.drawnRecordings(), it.viewport.visible) }
+    fun awaitGraphs() = awaitState("the graphs") { it.graphs.plots.areReady(it.compared.drawn, it.view.viewport.visible) }
 
     /** Keeps a picture of the window under build/screenshots, and returns it. */
     fun picture(name: String): BufferedImage {

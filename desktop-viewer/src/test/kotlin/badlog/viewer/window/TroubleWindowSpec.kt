@@ -1,8 +1,8 @@
 package badlog.viewer.window
 
 import badlog.viewer.bagOf
-import badlog.viewer.library.bag
-import badlog.viewer.library.put
+import badlog.viewer.library.index.bag
+import badlog.viewer.library.index.put
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.engine.spec.tempdir
@@ -27,20 +27,20 @@ class TroubleWindowSpec : FunSpec({
         val small = folder.put("small.bag", bag())
         RealWindow(tempdir().toPath(), largeBag(folder, "large.bag")).use { window ->
             window.awaitState("the large file to be read") { it.tasks.all.isNotEmpty() }
-            window.look { it.loading.open(small) }
-            window.awaitState("the small one") { it.open?.file == small && it.tasks.all.isEmpty() }
-            window.look { it.open?.file } shouldBe small
+            window.look { it.loader.open(small) }
+            window.awaitState("the small one") { it.current.recording?.file == small && it.tasks.all.isEmpty() }
+            window.look { it.current.recording?.file } shouldBe small
         }
     }
 
     test("a log whose file is deleted stays, and that is said").config(enabledOrReasonIf = { needsDisplay }) {
         val file = tempdir().toPath().put("match.bag", bag())
         RealWindow(tempdir().toPath(), file).use { window ->
-            window.awaitState("the log") { it.open != null }
+            window.awaitState("the log") { it.current.recording != null }
             window.awaitGraphs()
             Files.delete(file)
             window.awaitState("a sentence") { viewer -> viewer.notices.all.any { "is gone from its folder" in it.text } }
-            window.look { it.open?.file } shouldBe file
+            window.look { it.current.recording?.file } shouldBe file
             window.picture("deleted")
         }
     }
@@ -48,19 +48,19 @@ class TroubleWindowSpec : FunSpec({
     test("a log that grows is followed, without a row that is half written").config(enabledOrReasonIf = { needsDisplay }) {
         val file = tempdir().toPath().put("live.bag", bag(100))
         RealWindow(tempdir().toPath(), file).use { window ->
-            window.awaitState("the log") { it.open != null }
+            window.awaitState("the log") { it.current.recording != null }
             for (row in 100 until 400) {
                 val text = "${row * 0.02},11.5,1\n"
                 Files.writeString(file, text.take(4), StandardOpenOption.APPEND)
                 if (row % 100 == 0) {
                     val end = (row - 1) * 0.02
-                    window.awaitState("what is whole") { it.viewport.visible.to in end - 1e-6..end + 1e-6 }
-                    window.look { viewer -> viewer.open?.view?.problems.orEmpty().map { it.message } }.shouldBeEmpty()
+                    window.awaitState("what is whole") { it.view.viewport.visible.to in end - 1e-6..end + 1e-6 }
+                    window.look { viewer -> viewer.current.recording?.view?.problems.orEmpty().map { it.message } }.shouldBeEmpty()
                 }
                 Files.writeString(file, text.drop(4), StandardOpenOption.APPEND)
             }
-            window.awaitState("its end") { it.viewport.visible.to > 399 * 0.02 - 1e-6 }
-            window.look { viewer -> viewer.open?.view?.problems.orEmpty().map { it.message } }.shouldBeEmpty()
+            window.awaitState("its end") { it.view.viewport.visible.to > 399 * 0.02 - 1e-6 }
+            window.look { viewer -> viewer.current.recording?.view?.problems.orEmpty().map { it.message } }.shouldBeEmpty()
         }
     }
 
@@ -84,9 +84,9 @@ class TroubleWindowSpec : FunSpec({
         ).map { (name, text) -> folder.put(name, text) }
         RealWindow(tempdir().toPath(), folder).use { window ->
             for (file in logs) {
-                window.look { it.loading.open(file) }
-                window.awaitState("$file") { it.open?.file == file && it.tasks.all.isEmpty() }
-                if (window.look { viewer -> viewer.graphs.graphs.isNotEmpty() && viewer.open?.signals?.isNotEmpty() == true }) {
+                window.look { it.loader.open(file) }
+                window.awaitState("$file") { it.current.recording?.file == file && it.tasks.all.isEmpty() }
+                if (window.look { viewer -> viewer.board.state.graphs.isNotEmpty() && viewer.current.recording?.signals?.isNotEmpty() == true }) {
                     window.awaitGraphs()
                 }
                 window.picture(file.fileName.toString().removeSuffix(".bag"))
@@ -104,17 +104,17 @@ class TroubleWindowSpec : FunSpec({
         val folder = tempdir().toPath()
         val file = folder.put("match.bag", bag())
         val home = tempdir().toPath()
-        RealWindow(home, file).use { it.awaitState("the log") { viewer -> viewer.library.entries.size == 1 } }
+        RealWindow(home, file).use { it.awaitState("the log") { viewer -> viewer.library.state.entries.size == 1 } }
         val kept = Files.walk(home).use { files -> files.filter { Files.isRegularFile(it) }.toList() }
         for (damaged in kept) Files.write(damaged, ByteArray(300) { (it * 37).toByte() })
-        RealWindow(home, file).use { it.awaitState("the log") { viewer -> viewer.open != null && viewer.library.entries.size == 1 } }
+        RealWindow(home, file).use { it.awaitState("the log") { viewer -> viewer.current.recording != null && viewer.library.state.entries.size == 1 } }
         Files.writeString(
             home.resolve("settings.json"),
             """{"graphHeight": -40, "fitsGraphs": false, "recentFolders": ["\u0000", ""], "theme": "PINK",
                "window": {"x": 90000, "y": -90000, "width": -5, "height": 99999999, "isMaximized": false}}""",
         )
         RealWindow(home, file).use { window ->
-            window.awaitState("the log") { it.open != null }
+            window.awaitState("the log") { it.current.recording != null }
             window.awaitGraphs()
         }
     }
@@ -124,7 +124,7 @@ class TroubleWindowSpec : FunSpec({
         Files.setPosixFilePermissions(folder, PosixFilePermissions.fromString("---------"))
         try {
             RealWindow(tempdir().toPath(), folder).use { window ->
-                window.awaitState("a sentence") { it.library.trouble != null }
+                window.awaitState("a sentence") { it.library.state.trouble != null }
                 window.picture("closed-folder")
             }
         } finally {

@@ -12,7 +12,7 @@ class WindowSpec : FunSpec({
         RealWindow(tempdir().toPath(), samples.resolve("qualification-42.bag")).use { window ->
             window.awaitText("Mill Creek Regional Qualification 42")
             window.click("Theme: system")
-            window.awaitState("the light theme") { it.settings.theme == Theme.LIGHT }
+            window.awaitState("the light theme") { it.settings.state.theme == Theme.LIGHT }
             window.picture("recording")
         }
     }

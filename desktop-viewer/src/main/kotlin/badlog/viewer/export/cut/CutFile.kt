@@ -4,10 +4,14 @@ import badlog.analysis.Span
 import badlog.bag.RecordingWriter
 import badlog.file.writeAtomically
 import badlog.recording.RecordingFormat
-import badlog.viewer.app.Viewer
+import badlog.viewer.files.FileChoice
 import badlog.viewer.files.askToWrite
 import badlog.viewer.files.stemOf
+import badlog.viewer.recording.CurrentRecording
 import badlog.viewer.recording.OpenRecording
+import badlog.viewer.task.LongTasks
+import badlog.viewer.task.Notices
+import badlog.viewer.view.AxisView
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
@@ -38,15 +42,21 @@ internal fun cutFile(recording: OpenRecording, span: Span, format: RecordingForm
     return "Wrote $count rows to $target${part.remark}."
 }
 
-/** The part of x that a cut takes: the selection, or else what is visible. */
-internal fun cutSpan(viewer: Viewer): Span = viewer.selection ?: viewer.viewport.visible
-
-/** Asks for a file, and writes the selection or else the visible range of the open recording to it as [format]. */
-internal fun saveCut(viewer: Viewer, format: RecordingFormat) {
-    val recording = viewer.open ?: return
-    val span = cutSpan(viewer)
-    val ending = if (format == RecordingFormat.BAG) ".bag" else ".csv"
-    val title = if (viewer.selection != null) "Save the selection" else "Save the visible range"
-    val target = askToWrite(viewer, title, recording.file.parent, "${stemOf(recording.file)} part", ending) ?: return
-    viewer.tasks.run("Writing ${target.fileName}", { cutFile(recording, span, format, target, it) }) { viewer.notices.say(it) }
+/** Saves a part of the current recording as a file that the person names. */
+internal class CutSaver(
+    private val current: CurrentRecording,
+    private val view: AxisView,
+    private val files: FileChoice,
+    private val tasks: LongTasks,
+    private val notices: Notices,
+) {
+    /** Asks for a file, and writes the selection or else the visible range to it as [format]. */
+    fun save(format: RecordingFormat) {
+        val recording = current.recording ?: return
+        val span = view.selection ?: view.viewport.visible
+        val ending = if (format == RecordingFormat.BAG) ".bag" else ".csv"
+        val title = if (view.selection != null) "Save the selection" else "Save the visible range"
+        val target = askToWrite(files, notices, title, recording.file.parent, "${stemOf(recording.file)} part", ending) ?: return
+        tasks.run("Writing ${target.fileName}", { cutFile(recording, span, format, target, it) }) { notices.say(it) }
+    }
 }

@@ -59,7 +59,7 @@ internal class FigureLane(val label: String, val blocks: List<FigureBlock>)
 internal class FigureBlock(val from: Double, val to: Double, val name: String, val colour: String)
 
 /**
- * What a person may choose about a figure.
+ * What a person may select for a figure.
  *
  * @property width its width, in points of SVG.
  * @property graphHeight how high one graph's frame is, in points of SVG; lanes take what they need.

@@ -8,8 +8,8 @@ import badlog.plot.curve.Curve
 import badlog.plot.curve.Scale
 import badlog.plot.curve.Strokes
 import badlog.recording.PathName
+import badlog.viewer.board.GraphSpec
 import badlog.viewer.compare.DrawnRecording
-import badlog.viewer.graph.GraphSpec
 import badlog.viewer.graph.plot.drawnLines
 import badlog.viewer.recording.Signal
 import badlog.viewer.theme.Palette

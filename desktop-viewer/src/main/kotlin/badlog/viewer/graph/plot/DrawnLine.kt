@@ -1,7 +1,7 @@
 package badlog.viewer.graph.plot
 
+import badlog.viewer.board.GraphSpec
 import badlog.viewer.compare.DrawnRecording
-import badlog.viewer.graph.GraphSpec
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.recording.Signal
 

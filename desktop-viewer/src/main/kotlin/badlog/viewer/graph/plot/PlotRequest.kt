@@ -1,8 +1,8 @@
 package badlog.viewer.graph.plot
 
 import badlog.analysis.Span
+import badlog.viewer.board.GraphSpec
 import badlog.viewer.compare.DrawnRecording
-import badlog.viewer.graph.GraphSpec
 import badlog.viewer.theme.Palette
 
 /**

@@ -6,7 +6,6 @@ import androidx.compose.runtime.setValue
 import androidx.compose.ui.unit.IntSize
 import badlog.analysis.Span
 import badlog.viewer.compare.DrawnRecording
-import badlog.viewer.graph.OVERVIEW
 
 /** What a graph on the screen has: its size, and its latest picture. */
 internal class PlotState {
@@ -20,7 +19,7 @@ internal class PlotState {
 /** The pictures of all graphs of a window. To be used on the window's thread only. */
 internal class Plots {
     private val states = HashMap<Int, PlotState>()
-    private val onScreen = HashSet<Int>()
+    private var onScreen by mutableStateOf(emptySet<Int>())
 
     /** What serves all pictures. */
     val curves = CurveCache()
@@ -30,7 +29,7 @@ internal class Plots {
 
     /** Graph [id] comes into sight, or goes. */
     fun show(id: Int, isOnScreen: Boolean) {
-        if (isOnScreen) onScreen += id else onScreen -= id
+        onScreen = if (isOnScreen) onScreen + id else onScreen - id
     }
 
     /**
@@ -39,7 +38,7 @@ internal class Plots {
      */
     fun keep(ids: Set<Int>, recordings: List<DrawnRecording>) {
         states.keys.retainAll(ids)
-        onScreen.retainAll(ids)
+        onScreen = onScreen.intersect(ids)
         for ((id, state) in states) {
             val drawn = state.picture?.request?.recordings.orEmpty()
             val isOld = drawn.any { old -> recordings.none { it.recording === old.recording } }
@@ -52,3 +51,6 @@ internal class Plots {
         state(id).picture?.request?.let { it.visible == visible && it.recordings == recordings } == true
     }
 }
+
+/** The overview's place among the graphs, which count from 1. */
+internal const val OVERVIEW = 0

@@ -17,7 +17,7 @@ internal enum class Content(val saying: String) {
     NO_SAMPLES("no samples"),
 
     /** No number changes and nothing is told. */
-    NOTHING_CHANGES("nothing happened here"),
+    NOTHING_CHANGES("idle log"),
 
     /** It is over before anything can have happened. */
     TOO_SHORT("shorter than a second"),

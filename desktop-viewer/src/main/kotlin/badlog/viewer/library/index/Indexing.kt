@@ -8,6 +8,9 @@ import kotlinx.coroutines.NonCancellable
 import kotlinx.coroutines.coroutineScope
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.ensureActive
+import kotlinx.coroutines.flow.MutableStateFlow
+import kotlinx.coroutines.flow.StateFlow
+import kotlinx.coroutines.flow.update
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.sync.Mutex
 import kotlinx.coroutines.withContext
@@ -40,6 +43,12 @@ internal class Indexing(
     private val running = AtomicInteger()
     private val largeFile = Mutex()
     private var saved = 0
+    private var lastLooked: Looked? = null
+
+    private val updateCount = MutableStateFlow(0)
+
+    /** Another number whenever anything of the below may have changed. */
+    val updates: StateFlow<Int> get() = updateCount
 
     /** What is known; replaced once, when the cache has been read. */
     @Volatile
@@ -95,7 +104,27 @@ internal class Indexing(
         } catch (_: IOException) {
             trouble = "$folder does not answer; is its drive connected?"
         }
+        val isFirst = !hasLooked
         hasLooked = true
+        val now = queue.state().let { Looked(it.changes, it.waiting, trouble) }
+        if (isFirst || now != lastLooked) tellUpdate()
+        lastLooked = now
+    }
+
+    private data class Looked(val changes: Int, val waiting: Int, val trouble: String?)
+
+    private fun tellUpdate() = updateCount.update { it + 1 }
+
+    /** Leaves the logs that wait unread. */
+    fun stopReading() {
+        queue.passOverWaiting()
+        tellUpdate()
+    }
+
+    /** Reads what [stopReading] left. */
+    fun readAll() {
+        queue.wantAll()
+        tellUpdate()
     }
 
     private fun CoroutineScope.startReader() {
@@ -124,6 +153,7 @@ internal class Indexing(
             queue.finished(entry, started.elapsedNow(), started.elapsedNow() - began)
         } finally {
             if (!isDone) queue.abandoned(file)
+            tellUpdate()
         }
     }
 

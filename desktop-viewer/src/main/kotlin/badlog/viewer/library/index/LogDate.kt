@@ -45,7 +45,7 @@ internal data class LogDate(val second: Long, val source: DateSource) {
  * @property saying the same, for people.
  */
 internal enum class DateSource(val saying: String) {
-    VALUES("by the log’s values"),
+    VALUES("by the log’s metadata"),
     FILE_NAME("by the file’s name"),
     FILE_TIME("by the time at which the file was written"),
 }

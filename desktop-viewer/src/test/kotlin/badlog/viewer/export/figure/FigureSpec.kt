@@ -7,11 +7,11 @@ import badlog.recording.Recording
 import badlog.recording.RecordingFormat
 import badlog.recording.TextColumn
 import badlog.recording.Topic
+import badlog.viewer.board.GraphSpec
+import badlog.viewer.board.LineSpec
 import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.export.armBag
 import badlog.viewer.export.recordingOf
-import badlog.viewer.graph.GraphSpec
-import badlog.viewer.graph.LineSpec
 import badlog.viewer.graph.standardGraphs
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.theme.Palette
@@ -78,7 +78,7 @@ class FigureSpec : FunSpec({
         LinePoints(build(listOf(joint), gappy.span, gappy).frames[0]).dots.getValue("y") shouldContain 50.0
     }
 
-    test("y is as on the screen: what is seen and what the attributes want, or what a person has chosen") {
+    test("y is as on the screen: what is seen and what the attributes want, or what a person has selected") {
         build(standardGraphs(arm.view).graphs, Span(0.2, 0.4), arm).frames[0].y.from shouldBe 0.0
         build(listOf(joint.copy(yRange = Span(-3.0, 4.0))), arm.span, arm).frames[0].y shouldBe Span(-3.0, 4.0)
     }

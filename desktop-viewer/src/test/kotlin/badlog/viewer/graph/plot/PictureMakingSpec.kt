@@ -1,9 +1,9 @@
 package badlog.viewer.graph.plot
 
 import badlog.analysis.Span
+import badlog.viewer.board.GraphSpec
+import badlog.viewer.board.LineSpec
 import badlog.viewer.compare.DrawnRecording
-import badlog.viewer.graph.GraphSpec
-import badlog.viewer.graph.LineSpec
 import badlog.viewer.graph.bagOf
 import badlog.viewer.graph.readingOf
 import badlog.viewer.graph.recordingOf

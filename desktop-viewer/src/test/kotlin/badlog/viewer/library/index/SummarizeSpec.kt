@@ -3,10 +3,6 @@ package badlog.viewer.library.index
 import badlog.file.LogFile
 import badlog.recording.Topic
 import badlog.recording.Value
-import badlog.viewer.library.bag
-import badlog.viewer.library.matchValues
-import badlog.viewer.library.put
-import badlog.viewer.library.putSamples
 import badlog.viewer.loggedTexts
 import badlog.viewer.loggedTopic
 import badlog.viewer.wpilogOf
@@ -19,7 +15,7 @@ import io.kotest.matchers.shouldBe
 import java.nio.file.Files
 import java.nio.file.Path
 
-class SummariseSpec : FunSpec({
+class SummarizeSpec : FunSpec({
     val folder = tempdir().toPath()
 
     fun summaryOf(file: Path) = summarize(LogFile(file, Files.size(file), 0))

@@ -1,4 +1,4 @@
-package badlog.viewer.graph
+package badlog.viewer.board
 
 import badlog.analysis.Span
 
@@ -20,3 +20,10 @@ internal data class GraphSpec(
     val includesZero: Boolean = false,
     val yRange: Span? = null,
 )
+
+/**
+ * One line of a graph.
+ *
+ * @property signal the name of the signal it draws.
+ */
+internal data class LineSpec(val signal: String)

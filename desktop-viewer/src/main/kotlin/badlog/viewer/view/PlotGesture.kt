@@ -1,4 +1,4 @@
-package badlog.viewer.graph
+package badlog.viewer.view
 
 import badlog.analysis.Span
 import badlog.plot.gesture.DragKind

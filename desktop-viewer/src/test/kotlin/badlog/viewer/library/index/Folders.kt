@@ -1,4 +1,4 @@
-package badlog.viewer.library
+package badlog.viewer.library.index
 
 import java.nio.file.Files
 import java.nio.file.Path

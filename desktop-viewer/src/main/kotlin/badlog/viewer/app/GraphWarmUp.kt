@@ -1,12 +1,10 @@
-package badlog.viewer.graph
+package badlog.viewer.app
 
 import androidx.compose.ui.ImageComposeScene
 import androidx.compose.ui.unit.Density
 import badlog.analysis.LogView
 import badlog.bag.BagParser
-import badlog.plot.range.Viewport
-import badlog.viewer.app.Viewer
-import badlog.viewer.app.ViewerScreen
+import badlog.viewer.graph.standardGraphs
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.settings.UserFolders
 import kotlinx.coroutines.Dispatchers
@@ -30,16 +28,16 @@ internal suspend fun warmUpGraphs(folders: UserFolders): Unit = coroutineScope {
         OpenRecording(Path.of("warm-up.bag"), LogView.of(parser.finish()))
     }
     val viewer = Viewer(this, folders)
-    viewer.open = recording
-    viewer.graphs = standardGraphs(recording.view)
-    viewer.viewport = Viewport(recording.span)
+    viewer.current.replace(recording)
+    viewer.board.replace(standardGraphs(recording.view))
+    viewer.view.show(recording.span)
     val scene = ImageComposeScene(WIDTH, HEIGHT, Density(1f), coroutineContext) {
         ViewerScreen(viewer)
     }
     try {
         repeat(FRAMES) { frame ->
-            viewer.cursor = frame / 10.0
-            viewer.viewport = viewer.viewport.scaled(0.99, 1.0)
+            viewer.view.placeCursor(frame / 10.0)
+            viewer.view.change { scaled(0.99, 1.0) }
             scene.render(System.nanoTime()).close()
             delay(FRAME_MILLIS)
         }

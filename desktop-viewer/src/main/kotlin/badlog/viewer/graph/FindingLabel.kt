@@ -1,4 +1,4 @@
-package badlog.viewer.findings
+package badlog.viewer.graph
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
@@ -18,16 +18,15 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
-import badlog.viewer.graph.GraphScene
-import badlog.viewer.graph.pixelOf
+import badlog.viewer.findings.findingColor
+import badlog.viewer.findings.word
 import badlog.viewer.theme.LocalPalette
 
 /** The text of the finding under the pointer, or else of the one at which the cursor was placed, above its mark. */
 @Composable
 internal fun FindingLabel(scene: GraphScene, modifier: Modifier) {
-    val viewer = scene.viewer
-    val told by remember(viewer) {
-        derivedStateOf { viewer.findings.pointed ?: viewer.findings.chosen?.takeIf { viewer.isCursorPinned && viewer.cursor == it.time } }
+    val told by remember(scene) {
+        derivedStateOf { scene.findings.state.pointed ?: scene.findings.state.selected?.takeIf { scene.view.isCursorPinned && scene.view.cursor == it.time } }
     }
     val finding = told ?: return
     val palette = LocalPalette.current
@@ -38,7 +37,7 @@ internal fun FindingLabel(scene: GraphScene, modifier: Modifier) {
                     val most = minOf(constraints.maxWidth, WIDEST.dp.roundToPx())
                     val label = measurable.measure(constraints.copy(minWidth = 0, maxWidth = most))
                     layout(constraints.maxWidth, label.height) {
-                        val x = pixelOf(finding.time, viewer.viewport.visible, constraints.maxWidth.toFloat()).toInt()
+                        val x = pixelOf(finding.time, scene.view.viewport.visible, constraints.maxWidth.toFloat()).toInt()
                         label.place((x - label.width / 2).coerceIn(0, constraints.maxWidth - label.width), 0)
                     }
                 }

@@ -1,4 +1,4 @@
-package badlog.viewer.findings
+package badlog.viewer.graph
 
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Size
@@ -10,8 +10,7 @@ import androidx.compose.ui.graphics.drawscope.Stroke
 import badlog.analysis.Span
 import badlog.recording.Severity
 import badlog.rules.Finding
-import badlog.viewer.graph.drawBand
-import badlog.viewer.graph.pixelOf
+import badlog.viewer.findings.findingColor
 import badlog.viewer.theme.Palette
 
 /**

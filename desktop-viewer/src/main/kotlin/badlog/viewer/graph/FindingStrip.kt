@@ -1,4 +1,4 @@
-package badlog.viewer.findings
+package badlog.viewer.graph
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Box
@@ -16,8 +16,6 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import badlog.analysis.Span
 import badlog.rules.Finding
-import badlog.viewer.app.Viewer
-import badlog.viewer.graph.GraphScene
 import badlog.viewer.theme.LocalPalette
 import kotlin.math.abs
 
@@ -27,7 +25,6 @@ import kotlin.math.abs
  */
 @Composable
 internal fun FindingStrip(scene: GraphScene) {
-    val viewer = scene.viewer
     val palette = LocalPalette.current
     Box(Modifier.fillMaxWidth().height(HEIGHT.dp).background(palette.surface)) {
         Box(
@@ -35,24 +32,24 @@ internal fun FindingStrip(scene: GraphScene) {
                 .fillMaxSize()
                 .padding(start = GraphScene.LEFT_GUTTER, end = scene.rightGutter)
                 .semantics { contentDescription = "Findings on the time axis" }
-                .findingPointer(viewer)
-                .drawBehind { drawFindings(viewer.findings.list?.placed.orEmpty(), viewer.viewport.visible, palette) },
+                .findingPointer(scene)
+                .drawBehind { drawFindings(scene.findings.state.list?.placed.orEmpty(), scene.view.viewport.visible, palette) },
         )
     }
 }
 
-private fun Modifier.findingPointer(viewer: Viewer): Modifier = pointerInput(viewer) {
+private fun Modifier.findingPointer(scene: GraphScene): Modifier = pointerInput(scene) {
     awaitPointerEventScope {
         while (true) {
             val event = awaitPointerEvent()
-            val visible = viewer.viewport.visible
+            val visible = scene.view.viewport.visible
             val change = event.changes.first()
             val x = visible.from + change.position.x / size.width * visible.width
-            val found = findingAt(viewer.findings.list?.placed.orEmpty(), x, REACH * density / size.width * visible.width, visible)
+            val found = findingAt(scene.findings.state.list?.placed.orEmpty(), x, REACH * density / size.width * visible.width, visible)
             when (event.type) {
-                PointerEventType.Enter, PointerEventType.Move -> viewer.findings = viewer.findings.copy(pointed = found)
-                PointerEventType.Exit -> viewer.findings = viewer.findings.copy(pointed = null)
-                PointerEventType.Release -> if (found != null) goTo(viewer, found)
+                PointerEventType.Enter, PointerEventType.Move -> scene.findings.point(found)
+                PointerEventType.Exit -> scene.findings.point(null)
+                PointerEventType.Release -> if (found != null) scene.findings.goTo(found)
                 else -> Unit
             }
         }

@@ -14,19 +14,19 @@ import kotlin.math.floor
  * @property rows those of [recording] that belong to it; empty for nothing.
  * @property remark how the rows came about, to follow a sentence; empty where they are those of the file.
  */
-internal class Part(val recording: Recording, val rows: IntRange, val remark: String = "")
+internal class Cut(val recording: Recording, val rows: IntRange, val remark: String = "")
 
 /**
  * The part of [recording] that lies in [span]. Of topics that have times of their own it makes rows: one every 20 ms, as often as
  * a robot's program runs, or one at each sample of the topic that has more than that.
  */
-internal fun partOf(recording: OpenRecording, span: Span): Part {
+internal fun partOf(recording: OpenRecording, span: Span): Cut {
     val whole = recording.view.recording
     if (recording.logged.recording.topics.none { it.times != null }) return rowsOf(recording, whole, span)
-    val range = recording.view.xAxis.range ?: return Part(whole, IntRange.EMPTY)
+    val range = recording.view.xAxis.range ?: return Cut(whole, IntRange.EMPTY)
     val from = maxOf(span.from, range.start)
     val to = minOf(span.to, range.endInclusive)
-    if (!(from <= to)) return Part(whole, IntRange.EMPTY)
+    if (!(from <= to)) return Cut(whole, IntRange.EMPTY)
     // Many topics over many hours would need more memory than there is.
     val mostRows = MOST_CELLS / (whole.topics.size + 1.0)
     val period = generateSequence(PERIOD) { it * 2 }.first { (to - from) / it < mostRows }
@@ -34,26 +34,21 @@ internal fun partOf(recording: OpenRecording, span: Span): Part {
     val (densest, count) = whole.topics.map { it to countWithin(it, from, to) }.maxBy { it.second }
     if (count > periodic && count < mostRows) {
         val times = timesOf(whole, densest).filter { it in from..to }.toDoubleArray()
-        return Part(resampled(whole, times), times.indices, ", one at each sample of “${densest.name}”$HELD")
+        return Cut(resampled(whole, times), times.indices, ", one at each sample of “${densest.name}”$HELD")
     }
     val times = DoubleArray(periodic) { from + it * period }
-    return Part(resampled(whole, times), times.indices, ", one every ${(period * 1000).toInt()} ms$HELD")
+    return Cut(resampled(whole, times), times.indices, ", one every ${(period * 1000).toInt()} ms$HELD")
 }
 
 /** Its rows, with a column for each formula that has a value in each row. */
-private fun rowsOf(recording: OpenRecording, whole: Recording, span: Span): Part {
+private fun rowsOf(recording: OpenRecording, whole: Recording, span: Span): Cut {
     val rows = rowsWithin(recording, span)
     val (columns, others) = whole.topics.partition { topic ->
         recording.signal(topic.name)?.definition == null || (topic.times == null && topic.samples.size == whole.rowCount)
     }
-    if (others.isEmpty()) return Part(whole, rows)
-    return Part(
-        whole.copy(topics = columns),
-        rows,
-        ", without ${others.joinToString {
-            "“${it.name}”"
-        }}, which has no value in each of them",
-    )
+    if (others.isEmpty()) return Cut(whole, rows)
+    val names = others.joinToString { "“${it.name}”" }
+    return Cut(whole.copy(topics = columns), rows, ", without $names, which has no value in each of them")
 }
 
 private fun countWithin(topic: Topic, from: Double, to: Double) = topic.times?.count { it in from..to } ?: 0

@@ -1,6 +1,7 @@
-package badlog.viewer.graph
+package badlog.viewer.board
 
 import badlog.analysis.Span
+import badlog.viewer.part.Part
 
 /**
  * The graphs of the window, from top to bottom. Never changes; each transition gives a new one.
@@ -56,4 +57,10 @@ internal data class GraphList(val graphs: List<GraphSpec> = emptyList()) {
     fun withYRange(id: Int, range: Span?): GraphList = change(id) { it.copy(yRange = range) }
 
     private fun change(id: Int, to: (GraphSpec) -> GraphSpec) = copy(graphs = graphs.map { if (it.id == id) to(it) else it })
+}
+
+/** The graphs that the window shows, from top to bottom. */
+internal class GraphBoard : Part<GraphList>(GraphList()) {
+    /** Shows [graphs] instead. */
+    fun replace(graphs: GraphList) = change { graphs }
 }

@@ -1,0 +1,42 @@
+package badlog.viewer.export.figure
+
+import androidx.compose.ui.graphics.ImageBitmap
+import androidx.compose.ui.graphics.toAwtImage
+import java.awt.HeadlessException
+import java.awt.Image
+import java.awt.Toolkit
+import java.awt.datatransfer.Clipboard
+import java.awt.datatransfer.DataFlavor
+import java.awt.datatransfer.Transferable
+import java.awt.datatransfer.UnsupportedFlavorException
+import java.io.IOException
+
+/**
+ * Puts [bitmap] onto the [clipboard], the system's.
+ *
+ * @throws IOException with a sentence for the person, when there is none or another program holds it.
+ */
+internal fun copyImage(bitmap: ImageBitmap, clipboard: () -> Clipboard = ::systemClipboard) = copyImage(bitmap.toAwtImage(), clipboard)
+
+/** The system's clipboard. */
+internal fun systemClipboard() = Toolkit.getDefaultToolkit().systemClipboard
+
+/** Puts [image] onto the [clipboard] likewise. */
+internal fun copyImage(image: Image, clipboard: () -> Clipboard) {
+    try {
+        clipboard().setContents(Picture(image), null)
+    } catch (e: HeadlessException) {
+        throw IOException("There is no clipboard here; save the figure as a file instead.", e)
+    } catch (e: IllegalStateException) {
+        throw IOException("Another program holds the clipboard; try it again.", e)
+    }
+}
+
+private class Picture(private val image: Image) : Transferable {
+    override fun getTransferDataFlavors(): Array<DataFlavor> = arrayOf(DataFlavor.imageFlavor)
+
+    override fun isDataFlavorSupported(flavor: DataFlavor): Boolean = flavor == DataFlavor.imageFlavor
+
+    override fun getTransferData(flavor: DataFlavor): Any =
+        if (isDataFlavorSupported(flavor)) image else throw UnsupportedFlavorException(flavor)
+}

@@ -1,0 +1,85 @@
+package badlog.viewer.export.figure
+
+import badlog.file.writeAtomically
+import androidx.compose.foundation.layout.size
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.setValue
+import badlog.viewer.board.GraphSpec
+import badlog.viewer.compare.ComparedRecordings
+import badlog.viewer.files.FileChoice
+import badlog.viewer.files.askToWrite
+import badlog.viewer.files.fileNameOf
+import badlog.viewer.files.sayNoLog
+import badlog.viewer.recording.CurrentRecording
+import badlog.viewer.task.LongTasks
+import badlog.viewer.task.Notices
+import badlog.viewer.task.openAction
+import badlog.viewer.view.AxisView
+import kotlinx.coroutines.CoroutineScope
+import java.awt.datatransfer.Clipboard
+import java.io.IOException
+import java.nio.file.Path
+import javax.imageio.ImageIO
+
+/** Saves and copies figures of the current recording's graphs. */
+internal class FigureSaver(
+    private val scope: CoroutineScope,
+    private val current: CurrentRecording,
+    private val compared: ComparedRecordings,
+    private val view: AxisView,
+    private val files: FileChoice,
+    private val tasks: LongTasks,
+    private val notices: Notices,
+) {
+    /** Asks for a file, and writes the figure of [graphs] as they are on the screen. */
+    fun save(graphs: List<GraphSpec>, options: FigureOptions) {
+        val recording = current.recording ?: return
+        val ending = ".${options.format.ending}"
+        val file = askToWrite(files, notices, "Save the figure", recording.file.parent, fileNameOf(recording.label), ending) ?: return
+        val builder = FigureBuilder(compared.drawn, view.viewport.visible, options.width)
+        tasks.run("Drawing ${file.fileName}", { writeFigure(drawable(builder.build(graphs)), options, file) }) {
+            notices.say("Saved $file.", openAction(file, scope, notices))
+        }
+    }
+
+    /** Copies the picture of the first of [graphs], as many as can be read. */
+    fun copyShown(graphs: List<GraphSpec>) = copy(graphs.take(MOST_COPIED))
+
+    /** Draws [graphs] as a figure of the visible range, and puts its picture onto the [clipboard], the system's. */
+    fun copy(graphs: List<GraphSpec>, clipboard: () -> Clipboard = ::systemClipboard) {
+        if (current.recording == null) return sayNoLog(notices)
+        if (graphs.isEmpty()) return
+        val options = FigureOptions(graphHeight = if (graphs.size == 1) LONE_HEIGHT else FigureOptions().graphHeight)
+        val builder = FigureBuilder(compared.drawn, view.viewport.visible, options.width)
+        val draw = { imageOf(svgOf(drawable(builder.build(graphs)), options), options.width, PICTURE_SCALE) }
+        tasks.run("Copying the picture", { copyImage(draw(), clipboard) }) {
+            val what = graphs.singleOrNull()?.let { "“${it.title}”" } ?: "${graphs.size} graphs"
+            notices.say("Copied a picture of $what; paste it where you like.")
+        }
+    }
+
+    private companion object {
+        const val LONE_HEIGHT = 320
+
+        /** More graphs than these make a picture that nobody can read. */
+        const val MOST_COPIED = 8
+    }
+}
+
+/** [figure], where there is anything in it to draw. */
+internal fun drawable(figure: Figure): Figure =
+    if (figure.frames.isEmpty()) throw IOException("None of the selected graphs has a line in this log; select others.") else figure
+
+/** Writes [figure] to [file]. */
+internal fun writeFigure(figure: Figure, options: FigureOptions, file: Path) {
+    val svg = svgOf(figure, options)
+    if (Thread.interrupted()) throw InterruptedException()
+    when (options.format) {
+        FigureFormat.SVG -> writeAtomically(file) { it.write(svg.encodeToByteArray()) }
+
+        FigureFormat.PNG -> {
+            val image = imageOf(svg, options.width, PICTURE_SCALE)
+            writeAtomically(file) { ImageIO.write(image, "png", it) }
+        }
+    }
+}

@@ -1,0 +1,77 @@
+package badlog.viewer.export.pages
+
+import badlog.file.FolderScan
+import badlog.file.reading
+import badlog.viewer.compare.ComparedRecordings
+import badlog.viewer.files.FileChoice
+import badlog.viewer.files.askToWrite
+import badlog.viewer.files.sayNoLog
+import badlog.viewer.formula.FormulaStore
+import badlog.viewer.library.Library
+import badlog.viewer.library.index.Content
+import badlog.viewer.recording.CurrentRecording
+import badlog.viewer.task.LongTasks
+import badlog.viewer.task.Notices
+import badlog.viewer.task.openAction
+import kotlinx.coroutines.CoroutineScope
+import java.nio.file.Path
+
+/** Saves pages of logs as files that the person names. */
+internal class PageSaver(
+    private val scope: CoroutineScope,
+    private val current: CurrentRecording,
+    private val compared: ComparedRecordings,
+    private val formulas: FormulaStore,
+    private val library: Library,
+    private val files: FileChoice,
+    private val tasks: LongTasks,
+    private val notices: Notices,
+) {
+    /** Asks for a file, and makes the page of the current recording. */
+    fun savePage() {
+        val log = current.recording?.file ?: return sayNoLog(notices)
+        val page = askToWrite(files, notices, "Export the page", log.parent, log.fileName.toString(), ".html") ?: return
+        save("Saving ${page.fileName}") { listOf(PageJob(log, page)) }
+    }
+
+    /** Asks for a folder, and makes the pages of all checked recordings. */
+    fun savePagesOfChecked() {
+        val logs = compared.state.checked
+        if (logs.isEmpty()) return
+        val folder = files.folder("Export ${logs.size} pages into", library.state.folder ?: logs.first().parent) ?: return
+        save("Saving pages") { pageJobs(logs, folder) }
+    }
+
+    /** Asks for a folder, and makes the pages of every log in the library's folder, those of its subfolders included. */
+    fun savePagesOfFolder() {
+        val top = library.state.folder ?: return
+        val folder = files.folder("Export the pages of all logs into", top) ?: return
+        val others = library.state.entries.filter { it.content == Content.NO_LOG }.mapTo(HashSet()) { it.file }
+        save("Saving the pages of all logs") { pageJobs(logsIn(top).filter { it !in others }, folder) }
+    }
+
+    private fun save(title: String, jobs: () -> List<PageJob>) {
+        val known = compared.drawn.map { it.recording }
+        val additions = Additions(known, formulas.definitions, library.state.folder)
+        tasks.run(title, { progress -> makePages(jobs(), additions, progress) }, ::report)
+    }
+
+    private fun report(pages: PagesMade) {
+        val made = pages.made
+        when {
+            made.size == 1 -> notices.say("Saved ${made.single()}.", openAction(made.single(), scope, notices))
+            made.isNotEmpty() -> {
+                val folder = made.first().parent
+                notices.say("Saved ${made.size} pages in $folder.", openAction(folder, scope, notices))
+            }
+            pages.failures.isEmpty() -> notices.complain("No logs found in the folder; open one that has some.")
+        }
+        if (pages.failures.isEmpty()) return
+        val more = pages.failures.size - 1
+        val others = if (more == 0) "" else " $more more could not be exported either."
+        notices.complain(pages.failures.first() + others)
+    }
+}
+
+/** What may be logs in [folder] and the folders in it, in the order of their paths. */
+internal fun logsIn(folder: Path): List<Path> = reading(folder) { FolderScan.of(folder) }.files.map { it.path }.sorted()

@@ -1,0 +1,26 @@
+package badlog.viewer.library
+
+import badlog.viewer.library.index.LogEntry
+import java.nio.file.Path
+
+/**
+ * What a person can do with the logs of a folder, besides changing how they are listed.
+ *
+ * @property open shows a log.
+ * @property openInGraphs shows a log, and the graphs instead of the table.
+ * @property check compares with the log in a file, or no longer.
+ * @property askForFolder asks for another folder and opens it.
+ * @property askForLog asks for a log and opens it.
+ * @property toggleTable shows all logs as a table, or the graphs again.
+ */
+internal class LibraryActions(
+    val open: (LogEntry) -> Unit,
+    val openInGraphs: (LogEntry) -> Unit,
+    val check: (Path) -> Unit,
+    val askForFolder: () -> Unit,
+    val askForLog: () -> Unit,
+    val toggleTable: () -> Unit,
+)
+
+/** Which logs the graphs show: the [open] one, if any, and those that are [checked] to be compared with it. */
+internal class ShownLogs(val open: Path?, val checked: List<Path>)
