@@ -1,13 +1,14 @@
 package badlog.viewer.benchmark
 
 import badlog.analysis.LogView
+import badlog.plot.board.defaultBoard
+import badlog.plot.range.Viewport
 import badlog.recording.CellCounts
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
 import badlog.recording.TextColumn
 import badlog.recording.Topic
 import badlog.viewer.graph.GraphPane
-import badlog.viewer.graph.standardGraphs
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.theme.Theme
 import badlog.viewer.theme.ViewerTheme
@@ -23,7 +24,7 @@ internal fun measureFrames(pictures: Path): List<FrameTimes> {
         window.measure({
             val recording = OpenRecording(Path.of("ten-graphs.bag").toAbsolutePath(), tenMillionSamples())
             viewer.current.replace(recording)
-            viewer.board.replace(standardGraphs(recording.view))
+            viewer.board.replace(defaultBoard(recording.view))
             viewer.view.show(recording.span)
         }, isReady)
         window.save(pictures.resolve("ten-graphs.png"))

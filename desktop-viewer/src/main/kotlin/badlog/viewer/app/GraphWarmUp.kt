@@ -4,7 +4,8 @@ import androidx.compose.ui.ImageComposeScene
 import androidx.compose.ui.unit.Density
 import badlog.analysis.LogView
 import badlog.bag.BagParser
-import badlog.viewer.graph.standardGraphs
+import badlog.plot.board.defaultBoard
+import badlog.plot.range.Viewport
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.settings.UserFolders
 import kotlinx.coroutines.Dispatchers
@@ -29,7 +30,7 @@ internal suspend fun warmUpGraphs(folders: UserFolders): Unit = coroutineScope {
     }
     val viewer = Viewer(this, folders)
     viewer.current.replace(recording)
-    viewer.board.replace(standardGraphs(recording.view))
+    viewer.board.replace(defaultBoard(recording.view))
     viewer.view.show(recording.span)
     val scene = ImageComposeScene(WIDTH, HEIGHT, Density(1f), coroutineContext) {
         ViewerScreen(viewer)

@@ -3,6 +3,9 @@ package badlog.viewer.app
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.setValue
 import androidx.compose.runtime.snapshots.Snapshot
+import badlog.plot.board.Board
+import badlog.plot.range.Viewport
+import badlog.plot.timeline.EventTimeline
 import badlog.viewer.board.GraphBoard
 import badlog.viewer.compare.ComparedRecordings
 import badlog.viewer.export.cut.CutSaver

@@ -1,5 +1,7 @@
 package badlog.viewer.findings
 
+import badlog.analysis.Span
+import badlog.plot.timeline.FindingTimeline
 import badlog.recording.Severity
 import badlog.rules.Finding
 import badlog.rules.SkippedRule
@@ -45,24 +47,19 @@ internal class FindingList(
 ) {
     val all: List<Finding> = found.sortedWith(compareBy({ it.time.isFinite() }, { it.time }))
 
-    /** Those of [all] that have a place on x. */
-    val placed: List<Finding> = all.filter { it.time.isFinite() }
+    /** They by their places on x. */
+    val timeline: FindingTimeline<Finding> = FindingTimeline(all, { it.severity }, ::placesOf)
 
     /** The severity of the worst; null when there is none. */
     val worst: Severity? = all.maxOfOrNull { it.severity }
 
     /** The one that says the same as [finding], of which there may be another one since the log has grown; null without any. */
     fun like(finding: Finding): Finding? = all.find { it.rule == finding.rule && it.topic == finding.topic }
+}
 
-    /** Which of [placed] is [steps] further on than [from], or than [x] where that is null; at the ends the first or the last. */
-    fun stepped(steps: Int, from: Finding?, x: Double?): Finding? {
-        if (placed.isEmpty()) return null
-        val at = placed.indexOf(from)
-        val next = when {
-            at >= 0 -> at + steps
-            steps > 0 -> (if (x == null) 0 else placed.indexOfFirst { it.time > x }.let { if (it < 0) placed.size else it }) + steps - 1
-            else -> (if (x == null) placed.size else placed.indexOfFirst { it.time >= x }.let { if (it < 0) placed.size else it }) + steps
-        }
-        return placed[next.coerceIn(placed.indices)]
-    }
+/** Everywhere [finding] was found, the place to look at first before the others; empty when it is about the whole log. */
+private fun placesOf(finding: Finding): List<Span> = when {
+    !finding.time.isFinite() -> emptyList()
+    finding.spans.any { it.from == finding.time } -> finding.spans
+    else -> listOf(Span(finding.time, finding.time)) + finding.spans
 }

@@ -55,17 +55,16 @@ internal class LogFindings(
     /** The pointer is on [finding], or on none. */
     fun point(finding: Finding?) = change { copy(pointed = finding) }
 
-    /** Takes the cursor and the view to [finding], and shades its time; one of the whole log is only selected. */
-    fun goTo(finding: Finding) {
+    /** Takes the cursor and the view to [place], where [finding] was found, and shades its time; one of the whole log is only selected. */
+    fun goTo(finding: Finding, place: Double = finding.time) {
         change { copy(selected = finding) }
-        if (finding.time.isFinite()) view.goTo(finding.time)
+        if (place.isFinite()) view.goTo(place)
     }
 
-    /** Goes to the finding that is [steps] further on than the one of before, or else than the cursor. */
+    /** Goes to the place of a finding that is [steps] further on than the one of before, or else than the cursor. */
     fun step(steps: Int) {
-        // Who has moved the cursor meanwhile goes on from there.
-        val from = state.selected?.takeIf { it.time == view.cursor }
-        state.list?.stepped(steps, from, view.cursor)?.let(::goTo)
+        val next = state.list?.timeline?.beside(state.selected, view.cursor ?: Double.NaN, steps) ?: return
+        goTo(next.finding, next.span.from)
     }
 
     private data class Wanted(val file: Path?, val library: Path?, val timesAsked: Int)

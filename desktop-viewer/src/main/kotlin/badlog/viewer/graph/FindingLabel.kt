@@ -18,6 +18,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import badlog.rules.Finding
 import badlog.viewer.findings.findingColor
 import badlog.viewer.findings.word
 import badlog.viewer.theme.LocalPalette
@@ -26,7 +27,10 @@ import badlog.viewer.theme.LocalPalette
 @Composable
 internal fun FindingLabel(scene: GraphScene, modifier: Modifier) {
     val told by remember(scene) {
-        derivedStateOf { scene.findings.state.pointed ?: scene.findings.state.selected?.takeIf { scene.view.isCursorPinned && scene.view.cursor == it.time } }
+        derivedStateOf {
+            scene.findings.state.pointed
+                ?: scene.findings.state.selected?.takeIf { scene.view.isCursorPinned && isAt(it, scene.view.cursor) }
+        }
     }
     val finding = told ?: return
     val palette = LocalPalette.current
@@ -37,7 +41,9 @@ internal fun FindingLabel(scene: GraphScene, modifier: Modifier) {
                     val most = minOf(constraints.maxWidth, WIDEST.dp.roundToPx())
                     val label = measurable.measure(constraints.copy(minWidth = 0, maxWidth = most))
                     layout(constraints.maxWidth, label.height) {
-                        val x = pixelOf(finding.time, scene.view.viewport.visible, constraints.maxWidth.toFloat()).toInt()
+                        val isPointed = finding == scene.findings.state.pointed
+                        val place = if (isPointed) finding.time else scene.view.cursor ?: finding.time
+                        val x = pixelOf(place, scene.view.viewport.visible, constraints.maxWidth.toFloat()).toInt()
                         label.place((x - label.width / 2).coerceIn(0, constraints.maxWidth - label.width), 0)
                     }
                 }
@@ -57,6 +63,8 @@ internal fun FindingLabel(scene: GraphScene, modifier: Modifier) {
         }
     }
 }
+
+private fun isAt(finding: Finding, cursor: Double?) = finding.time == cursor || finding.spans.any { it.from == cursor }
 
 private const val WIDEST = 420
 private const val MOST_LETTERS = 600

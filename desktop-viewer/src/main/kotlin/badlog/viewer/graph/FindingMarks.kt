@@ -5,54 +5,52 @@ import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.PathEffect
 import androidx.compose.ui.graphics.drawscope.DrawScope
-import androidx.compose.ui.graphics.drawscope.Fill
 import androidx.compose.ui.graphics.drawscope.Stroke
 import badlog.analysis.Span
+import badlog.plot.timeline.FindingGlyph
+import badlog.plot.timeline.FindingMarks
+import badlog.plot.timeline.FindingTimeline
 import badlog.recording.Severity
 import badlog.rules.Finding
 import badlog.viewer.findings.findingColor
 import badlog.viewer.theme.Palette
 
-/**
- * Draws the marks of [findings] along the bottom, where [visible] is seen: a bar while one holds, and where to look first a diamond,
- * filled for an error, hollow for a warning, small for a note.
- */
-internal fun DrawScope.drawFindings(findings: List<Finding>, visible: Span, palette: Palette) {
+/** Draws the marks of [findings] along the bottom, where [visible] is seen: a bar while one lasts, and a glyph where it begins. */
+internal fun DrawScope.drawFindings(findings: FindingTimeline<Finding>?, visible: Span, palette: Palette) {
+    if (findings == null) return
+    val marks = FindingMarks()
+    marks.place(findings, visible, size.width.toDouble(), density.toDouble())
     val bar = BAR * density
-    for (run in coveredPixels(findings, visible, size.width.toInt())) {
-        val left = run.from.toFloat()
-        drawRect(
-            palette.findingColor(run.severity).copy(alpha = BAR_OPACITY),
-            Offset(left, size.height - bar),
-            Size(maxOf(run.until - left, density), bar),
-        )
+    for (i in 0 until marks.runCount) {
+        val severity = marks.runSeverity(i) ?: continue
+        val left = marks.runFrom(i).toFloat()
+        val width = marks.runTo(i).toFloat() - left
+        drawRect(palette.findingColor(severity).copy(alpha = BAR_OPACITY), Offset(left, size.height - bar), Size(width, bar))
     }
-    // The worst last, so that they lie on top.
-    for (severity in Severity.entries) {
-        var last = Float.NEGATIVE_INFINITY
-        for (finding in findings) {
-            if (finding.severity != severity || finding.time !in visible) continue
-            val x = pixelOf(finding.time, visible, size.width)
-            if (x - last < density) continue
-            last = x
-            drawDiamond(x, severity, palette)
-        }
-    }
+    for (i in 0 until marks.size) drawGlyph(marks.pixelOf(i).toFloat(), marks.severityOf(i), palette)
 }
 
-private fun DrawScope.drawDiamond(x: Float, severity: Severity, palette: Palette) {
-    val half = (if (severity == Severity.NOTE) SMALL else LARGE) * density
-    val middle = size.height - LARGE * density - density
-    val diamond = Path().apply {
-        moveTo(x, middle - half)
-        lineTo(x + half, middle)
-        lineTo(x, middle + half)
-        lineTo(x - half, middle)
-        close()
-    }
+private fun DrawScope.drawGlyph(x: Float, severity: Severity, palette: Palette) {
+    val glyph = FindingGlyph.of(severity)
+    val reach = FindingGlyph.SIZE.toFloat() * density
+    val middle = size.height - reach - density
     val colour = palette.findingColor(severity)
-    drawPath(diamond, if (severity == Severity.WARNING) palette.surface else colour, style = Fill)
-    drawPath(diamond, if (severity == Severity.WARNING) colour else palette.surface, style = Stroke(1.5f * density))
+    val stroke = Stroke(1.5f * density)
+    if (glyph == FindingGlyph.RING) {
+        val center = Offset(x, middle)
+        drawCircle(palette.surface, reach - density, center)
+        drawCircle(colour, reach - density, center, style = stroke)
+        return
+    }
+    val path = Path()
+    for (at in glyph.outline.indices step 2) {
+        val cornerX = x + glyph.outline[at].toFloat() * reach
+        val cornerY = middle + glyph.outline[at + 1].toFloat() * reach
+        if (at == 0) path.moveTo(cornerX, cornerY) else path.lineTo(cornerX, cornerY)
+    }
+    path.close()
+    drawPath(path, colour)
+    drawPath(path, palette.surface, style = Stroke(density))
 }
 
 /** Shades when [finding] holds over the whole height, between broken lines where there is room for them. */
@@ -73,36 +71,8 @@ internal fun DrawScope.drawShownFinding(finding: Finding, visible: Span, palette
     if (finding.spans.isEmpty()) edge(finding.time)
 }
 
-/** Neighbouring pixels, from [from] until [until], at which the worst finding that holds is of [severity]. */
-internal class PixelRun(val from: Int, val until: Int, val severity: Severity)
-
-/** On which of [width] pixels that show [visible] a finding holds. Costs little however many spans there are. */
-internal fun coveredPixels(findings: List<Finding>, visible: Span, width: Int): List<PixelRun> {
-    if (width <= 0) return emptyList()
-    val worst = IntArray(width)
-    for (finding in findings) {
-        val rank = finding.severity.ordinal + 1
-        for (span in finding.spans) {
-            if (span.to < visible.from || span.from > visible.to) continue
-            val from = pixelOf(span.from, visible, width.toFloat()).toInt().coerceIn(0, width - 1)
-            val to = pixelOf(span.to, visible, width.toFloat()).toInt().coerceIn(0, width - 1)
-            for (pixel in from..to) if (worst[pixel] < rank) worst[pixel] = rank
-        }
-    }
-    val runs = ArrayList<PixelRun>()
-    var from = 0
-    for (pixel in 1..width) {
-        if (pixel < width && worst[pixel] == worst[from]) continue
-        if (worst[from] > 0) runs += PixelRun(from, pixel, Severity.entries[worst[from] - 1])
-        from = pixel
-    }
-    return runs
-}
-
 private const val BAR = 3
 private const val BAR_OPACITY = 0.55f
-private const val LARGE = 5
-private const val SMALL = 3
 private const val BAND_OPACITY = 0.12f
 private const val EDGE_OPACITY = 0.6f
 private const val LEAST_WIDTH = 6

@@ -14,10 +14,7 @@ import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import badlog.analysis.Span
-import badlog.rules.Finding
 import badlog.viewer.theme.LocalPalette
-import kotlin.math.abs
 
 /**
  * The marks of the findings on the time axis. The pointer on one shades its time and shows its text, a click goes there. Its room
@@ -33,7 +30,7 @@ internal fun FindingStrip(scene: GraphScene) {
                 .padding(start = GraphScene.LEFT_GUTTER, end = scene.rightGutter)
                 .semantics { contentDescription = "Findings on the time axis" }
                 .findingPointer(scene)
-                .drawBehind { drawFindings(scene.findings.state.list?.placed.orEmpty(), scene.view.viewport.visible, palette) },
+                .drawBehind { drawFindings(scene.findings.state.list?.timeline, scene.view.viewport.visible, palette) },
         )
     }
 }
@@ -45,7 +42,8 @@ private fun Modifier.findingPointer(scene: GraphScene): Modifier = pointerInput(
             val visible = scene.view.viewport.visible
             val change = event.changes.first()
             val x = visible.from + change.position.x / size.width * visible.width
-            val found = findingAt(scene.findings.state.list?.placed.orEmpty(), x, REACH * density / size.width * visible.width, visible)
+            val reach = REACH * density / size.width * visible.width
+            val found = scene.findings.state.list?.timeline?.pointedAt(x, reach, visible)
             when (event.type) {
                 PointerEventType.Enter, PointerEventType.Move -> scene.findings.point(found)
                 PointerEventType.Exit -> scene.findings.point(null)
@@ -54,18 +52,6 @@ private fun Modifier.findingPointer(scene: GraphScene): Modifier = pointerInput(
             }
         }
     }
-}
-
-/**
- * Which of [findings] has its mark no further than [reach] from [x], the worst of the nearest, or else holds there; null for
- * none. Marks outside [visible] are not seen.
- */
-internal fun findingAt(findings: List<Finding>, x: Double, reach: Double, visible: Span): Finding? {
-    val nearest = findings
-        .filter { it.time in visible && abs(it.time - x) <= reach }
-        .minWithOrNull(compareBy<Finding> { abs(it.time - x) }.thenByDescending { it.severity })
-    return nearest ?: findings.filter { finding -> finding.spans.any { x >= it.from - reach / 2 && x <= it.to + reach / 2 } }
-        .maxByOrNull { it.severity }
 }
 
 private const val HEIGHT = 14

@@ -20,14 +20,14 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import badlog.viewer.board.GraphSpec
+import badlog.plot.board.BoardGraph
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
 
 /** One graph, [height] dp high: what it shows, and its plot. */
 @Composable
-internal fun GraphCard(scene: GraphScene, spec: GraphSpec, height: Int) {
+internal fun GraphCard(scene: GraphScene, spec: BoardGraph, height: Int) {
     val palette = LocalPalette.current
     val interactions = remember { MutableInteractionSource() }
     val isHovered by interactions.collectIsHoveredAsState()
@@ -60,7 +60,7 @@ internal fun GraphCard(scene: GraphScene, spec: GraphSpec, height: Int) {
 }
 
 @Composable
-private fun GraphButtons(scene: GraphScene, spec: GraphSpec, isHovered: Boolean, modifier: Modifier) {
+private fun GraphButtons(scene: GraphScene, spec: BoardGraph, isHovered: Boolean, modifier: Modifier) {
     val palette = LocalPalette.current
     Row(modifier.padding(end = 12.dp).background(palette.surface.copy(alpha = 0.9f), RoundedCornerShape(5.dp))) {
         if (spec.yRange != null) {

@@ -26,7 +26,7 @@ import androidx.compose.ui.input.pointer.isShiftPressed
 import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
-import badlog.viewer.board.GraphSpec
+import badlog.plot.board.BoardGraph
 import badlog.viewer.graph.plot.OVERVIEW
 import badlog.viewer.graph.plot.drawnLines
 import badlog.viewer.theme.LocalPalette
@@ -42,10 +42,10 @@ internal fun GraphColumn(scene: GraphScene) {
         ShowNewGraph(graphs, scroll)
         val lanes = remember(graphs, scene.recordings) { graphs.map { lanesOf(it, scene) } }
         val settings = scene.settings.state
-        val heights = graphHeights(lanes, maxHeight.value.toInt(), settings.graphHeight, settings.fitsGraphs)
+        val heights = graphHeights(graphs, lanes, maxHeight.value.toInt(), settings.graphHeight, settings.fitsGraphs)
         LazyColumn(Modifier.fillMaxSize(), scroll) {
             itemsIndexed(graphs, key = { _, graph -> graph.id }) { index, graph ->
-                GraphCard(scene, graph, heights.getOrElse(index) { HEIGHTS.first })
+                GraphCard(scene, graph, heights.getOrElse(index) { BoardGraph.HEIGHTS.first })
             }
             if (scene.isReceiving) item { NewGraphPlace() }
         }
@@ -58,7 +58,7 @@ internal fun GraphColumn(scene: GraphScene) {
 
 /** Scrolls to a graph that was added to those that there were. */
 @Composable
-private fun ShowNewGraph(graphs: List<GraphSpec>, scroll: LazyListState) {
+private fun ShowNewGraph(graphs: List<BoardGraph>, scroll: LazyListState) {
     val before = remember { ArrayList(graphs) }
     LaunchedEffect(graphs) {
         val added = graphs - before.toSet()
@@ -81,7 +81,7 @@ private fun NewGraphPlace() {
     )
 }
 
-private fun lanesOf(spec: GraphSpec, scene: GraphScene): Int {
+private fun lanesOf(spec: BoardGraph, scene: GraphScene): Int {
     val lines = drawnLines(spec, scene.recordings)
     return if (lines.isNotEmpty() && lines.all { it.signal.states != null }) lines.size else 0
 }

@@ -19,13 +19,13 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.text.withStyle
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
-import badlog.viewer.board.GraphSpec
+import badlog.plot.board.BoardGraph
 import badlog.viewer.graph.plot.drawnLines
 import badlog.viewer.theme.LocalPalette
 
 /** What a graph is called, and what its lines are; no more than [maxLines] of text. */
 @Composable
-internal fun GraphHeader(scene: GraphScene, spec: GraphSpec, maxLines: Int, modifier: Modifier) {
+internal fun GraphHeader(scene: GraphScene, spec: BoardGraph, maxLines: Int, modifier: Modifier) {
     val lines = remember(spec, scene.recordings) { drawnLines(spec, scene.recordings) }
     FlowRow(
         modifier.fillMaxWidth().heightIn(min = (HEADER_HEIGHT - 2).dp).padding(start = 10.dp, end = 12.dp, top = 2.dp),

@@ -1,5 +1,6 @@
 package badlog.viewer.graph
 
+import badlog.plot.board.defaultBoard
 import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
@@ -34,7 +35,7 @@ internal fun GraphPane(scene: GraphScene, modifier: Modifier = Modifier) {
         ) {
             when {
                 open.signals.isEmpty() -> NothingRecorded(open, Modifier.fillMaxSize())
-                scene.board.state.graphs.isEmpty() -> NoGraphs({ scene.board.replace(standardGraphs(open.logged)) }, Modifier.fillMaxSize())
+                scene.board.state.graphs.isEmpty() -> NoGraphs({ scene.board.replace(defaultBoard(open.logged)) }, Modifier.fillMaxSize())
                 else -> GraphColumn(scene)
             }
         }

@@ -19,7 +19,7 @@ import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.rememberTextMeasurer
-import badlog.viewer.board.GraphSpec
+import badlog.plot.board.BoardGraph
 import badlog.viewer.graph.plot.PlotPicture
 import badlog.viewer.graph.plot.PlotRequest
 import badlog.viewer.graph.plot.PlotState
@@ -29,7 +29,7 @@ import badlog.viewer.theme.LocalPalette
 
 /** The plot of [spec] with its axes. */
 @Composable
-internal fun GraphPlot(scene: GraphScene, spec: GraphSpec, modifier: Modifier) {
+internal fun GraphPlot(scene: GraphScene, spec: BoardGraph, modifier: Modifier) {
     val state = scene.plots.state(spec.id)
     val latest by rememberUpdatedState(spec)
     val density = LocalDensity.current.density

@@ -8,8 +8,9 @@ import androidx.compose.runtime.snapshotFlow
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import badlog.analysis.Units
+import badlog.plot.board.BoardGraph
+import badlog.plot.timeline.EventTimeline
 import badlog.viewer.board.GraphBoard
-import badlog.viewer.board.GraphSpec
 import badlog.viewer.compare.ComparedRecordings
 import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.findings.LogFindings
@@ -38,7 +39,7 @@ internal class GraphScene(
     val findings: LogFindings,
     val player: Player,
     val settings: SettingsStore,
-    val copy: (List<GraphSpec>) -> Unit,
+    val copy: (List<BoardGraph>) -> Unit,
 ) {
     /** The pictures of the graphs. */
     val plots = Plots()
@@ -64,7 +65,7 @@ internal class GraphScene(
     fun pictureOf(state: PlotState): PlotPicture? =
         state.picture?.takeIf { it.request.recordings.firstOrNull()?.recording?.file == current.recording?.file }
 
-    private fun unitsOf(spec: GraphSpec) = drawnLines(spec, recordings)
+    private fun unitsOf(spec: BoardGraph) = drawnLines(spec, recordings)
         .filter { it.signal.states == null }
         .distinctBy { if (Units.isNone(it.signal.unit)) "" else it.signal.unit }
         .size

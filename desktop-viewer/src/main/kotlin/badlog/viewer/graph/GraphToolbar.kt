@@ -13,6 +13,7 @@ import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
+import badlog.plot.board.BoardGraph
 import badlog.viewer.playback.PlaybackButtons
 import badlog.viewer.recording.CurrentRecording
 import badlog.viewer.settings.SettingsStore
@@ -59,10 +60,10 @@ private fun ViewButtons(current: CurrentRecording, view: AxisView) {
 private fun HeightButtons(settings: SettingsStore) {
     val state = settings.state
     Row(verticalAlignment = Alignment.CenterVertically) {
-        ToolButton("Shorter graphs (Ctrl+Shift+wheel)", Icons.Shrink, isEnabled = state.graphHeight > HEIGHTS.first) {
+        ToolButton("Shorter graphs (Ctrl+Shift+wheel)", Icons.Shrink, isEnabled = state.graphHeight > BoardGraph.HEIGHTS.first) {
             setGraphHeight(settings, state.graphHeight - HEIGHT_STEP)
         }
-        ToolButton("Taller graphs (Ctrl+Shift+wheel)", Icons.Grow, isEnabled = state.graphHeight < HEIGHTS.last) {
+        ToolButton("Taller graphs (Ctrl+Shift+wheel)", Icons.Grow, isEnabled = state.graphHeight < BoardGraph.HEIGHTS.last) {
             setGraphHeight(settings, state.graphHeight + HEIGHT_STEP)
         }
         ToolButton("Share the window's height among few graphs", text = "Fit", isOn = state.fitsGraphs) {
@@ -73,7 +74,7 @@ private fun HeightButtons(settings: SettingsStore) {
 
 /** Makes graphs [height] dp high, or as near as they may be; they no longer share the window's height. */
 internal fun setGraphHeight(settings: SettingsStore, height: Int) {
-    settings.change { copy(graphHeight = height.coerceIn(HEIGHTS), fitsGraphs = false) }
+    settings.change { copy(graphHeight = height.coerceIn(BoardGraph.HEIGHTS), fitsGraphs = false) }
 }
 
 private const val HEIGHT_STEP = 25

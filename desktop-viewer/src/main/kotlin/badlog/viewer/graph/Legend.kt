@@ -30,8 +30,8 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Constraints
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import badlog.plot.board.BoardGraph
 import badlog.plot.text.unitText
-import badlog.viewer.board.GraphSpec
 import badlog.viewer.compare.shortLabel
 import badlog.viewer.graph.plot.DrawnLine
 import badlog.viewer.theme.Icons
@@ -39,7 +39,7 @@ import badlog.viewer.theme.LocalPalette
 
 /** A line's colour, name where it [hasName], and its value under the cursor. */
 @Composable
-internal fun LegendEntry(scene: GraphScene, spec: GraphSpec, line: DrawnLine, hasName: Boolean) {
+internal fun LegendEntry(scene: GraphScene, spec: BoardGraph, line: DrawnLine, hasName: Boolean) {
     val palette = LocalPalette.current
     val interactions = remember { MutableInteractionSource() }
     val isHovered by interactions.collectIsHoveredAsState()

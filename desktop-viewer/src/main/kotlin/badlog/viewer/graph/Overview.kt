@@ -26,8 +26,8 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import badlog.analysis.Span
-import badlog.viewer.board.GraphSpec
-import badlog.viewer.board.LineSpec
+import badlog.plot.board.BoardGraph
+import badlog.plot.board.everChanges
 import badlog.viewer.graph.plot.OVERVIEW
 import badlog.viewer.graph.plot.PlotRequest
 import badlog.viewer.graph.plot.PlotState
@@ -69,13 +69,13 @@ internal fun Overview(scene: GraphScene) {
 }
 
 /** The graph in the overview: the battery's voltage, in which a match is easily known again, or else the first numbers that change. */
-internal fun overviewSpec(open: OpenRecording): GraphSpec? {
+internal fun overviewSpec(open: OpenRecording): BoardGraph? {
     val numbers = open.signals.filter { it.states == null && !it.isDerived }
     val chosen = batteryAmong(numbers, { it.name }, { it.unit })
         ?: numbers.firstOrNull { everChanges(it.topic) }
         ?: numbers.firstOrNull()
         ?: return null
-    return GraphSpec(OVERVIEW, chosen.name, listOf(LineSpec(chosen.name)))
+    return BoardGraph(OVERVIEW, chosen.name, listOf(chosen.name))
 }
 
 private fun DrawScope.drawWhole(scene: GraphScene, state: PlotState, palette: Palette) {
@@ -84,7 +84,7 @@ private fun DrawScope.drawWhole(scene: GraphScene, state: PlotState, palette: Pa
     drawEnabled(scene.current.recording?.enabled.orEmpty(), full, palette)
     scene.pictureOf(state)?.let { drawLines(it, full) }
     drawEventMarks(scene.events.matching, full, palette, hasLines = false)
-    drawFindings(scene.findings.state.list?.placed.orEmpty(), full, palette)
+    drawFindings(scene.findings.state.list?.timeline, full, palette)
 }
 
 private fun DrawScope.drawWindow(scene: GraphScene, palette: Palette) {

@@ -73,10 +73,10 @@ internal fun FindingsPanel(compared: ComparedRecordings, findings: LogFindings, 
     Column(modifier) {
         Row(Modifier.fillMaxWidth().padding(start = 12.dp, end = 4.dp, top = 4.dp), verticalAlignment = Alignment.CenterVertically) {
             Text(summaryOf(list), Modifier.weight(1f), fontWeight = FontWeight.Medium)
-            ToolButton("Previous finding (${Action.PREVIOUS_FINDING.shortcut})", Icons.Up, isEnabled = list.placed.isNotEmpty()) {
+            ToolButton("Previous finding (${Action.PREVIOUS_FINDING.shortcut})", Icons.Up, isEnabled = list.timeline.places.isNotEmpty()) {
                 findings.step(-1)
             }
-            ToolButton("Next finding (${Action.NEXT_FINDING.shortcut})", Icons.Down, isEnabled = list.placed.isNotEmpty()) {
+            ToolButton("Next finding (${Action.NEXT_FINDING.shortcut})", Icons.Down, isEnabled = list.timeline.places.isNotEmpty()) {
                 findings.step(1)
             }
             ToolButton("Run the rules again", Icons.Reset) {

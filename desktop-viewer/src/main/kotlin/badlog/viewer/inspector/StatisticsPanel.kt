@@ -77,7 +77,7 @@ private class Asked(val drawn: List<DrawnRecording>, val names: List<String>, va
 
 private fun askedFor(compared: ComparedRecordings, board: GraphBoard, view: AxisView): Asked {
     val selection = view.selection
-    val names = board.state.graphs.flatMap { graph -> graph.lines.map { it.signal } }.distinct()
+    val names = board.state.graphs.flatMap { it.lines }.distinct()
     return Asked(compared.drawn, names, selection != null, selection ?: view.viewport.visible)
 }
 

@@ -1,9 +1,7 @@
 package badlog.viewer.layout
 
 import badlog.analysis.Span
-import badlog.viewer.board.GraphList
-import badlog.viewer.board.GraphSpec
-import badlog.viewer.board.LineSpec
+import badlog.plot.board.Board
 import badlog.viewer.recording.OpenRecording
 
 /**
@@ -13,7 +11,7 @@ import badlog.viewer.recording.OpenRecording
  * @property missing the signals that the recording lacks, each once.
  * @property dropped the titles of the graphs without any line there.
  */
-internal class FittedGraphs(val graphs: GraphList, val missing: List<String>, val dropped: List<String>) {
+internal class FittedGraphs(val graphs: Board, val missing: List<String>, val dropped: List<String>) {
     /** What is hidden, in a sentence for the person; null for nothing. */
     val sentence: String?
         get() {
@@ -34,30 +32,21 @@ internal class FittedGraphs(val graphs: GraphList, val missing: List<String>, va
 }
 
 /**
- * Fits [graphs] to [recording]. A graph of which nothing is known, as one without lines, is dropped. What a formula does not make
+ * Fits [board] to [recording]. A graph of which nothing is known, as one without lines, is dropped. What a formula does not make
  * there is not missing: the list of topics says why.
  */
-internal fun fitted(graphs: List<LayoutGraph>, recording: OpenRecording): FittedGraphs {
+internal fun fitted(board: Board, recording: OpenRecording): FittedGraphs {
     val missing = LinkedHashSet<String>()
     val defined = recording.formulas.mapNotNullTo(HashSet()) { it.name }
     val dropped = ArrayList<String>()
-    val specs = graphs.mapIndexedNotNull { i, graph ->
-        val (known, unknown) = graph.lines.distinct().partition { recording.signal(it) != null }
+    val specs = board.graphs.mapIndexedNotNull { i, graph ->
+        val (known, unknown) = graph.lines.partition { recording.signal(it) != null }
         missing += unknown - defined
         if (known.isEmpty()) dropped += graph.title
-        specOf(i + 1, graph, known).takeIf { known.isNotEmpty() }
+        graph.copy(id = i + 1, lines = known).takeIf { known.isNotEmpty() }
     }
-    return FittedGraphs(GraphList(specs), missing.toList(), dropped)
+    return FittedGraphs(Board(specs), missing.toList(), dropped)
 }
-
-private fun specOf(id: Int, graph: LayoutGraph, signals: List<String>) = GraphSpec(
-    id = id,
-    title = graph.title,
-    lines = signals.map(::LineSpec),
-    isFilled = graph.filled,
-    includesZero = graph.zero,
-    yRange = graph.y?.let(::spanOf),
-)
 
 /** [span] as the window knows it; null where it is none. */
 internal fun spanOf(span: LayoutSpan): Span? =

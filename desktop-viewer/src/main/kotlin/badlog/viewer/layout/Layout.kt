@@ -1,7 +1,17 @@
 package badlog.viewer.layout
 
+import badlog.plot.board.Board
+import badlog.plot.board.boardOfJson
+import badlog.plot.board.toJson
+import kotlinx.serialization.KSerializer
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
+import kotlinx.serialization.descriptors.SerialDescriptor
+import kotlinx.serialization.encoding.Decoder
+import kotlinx.serialization.encoding.Encoder
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.jsonObject
 
 /**
  * How a person has arranged a window, by names only: fits every recording of a robot. Its JSON is what a layout file holds.
@@ -18,7 +28,7 @@ import kotlinx.serialization.Serializable
 @Serializable
 internal data class Layout(
     @SerialName("badlog-layout") val version: Int,
-    val graphs: List<LayoutGraph>? = null,
+    @Serializable(BoardSerializer::class) val graphs: Board? = null,
     val recording: String? = null,
     val visible: LayoutSpan? = null,
     val selection: LayoutSpan? = null,
@@ -35,15 +45,18 @@ internal data class Layout(
     }
 }
 
-/** A graph of a [Layout]; means what a [badlog.viewer.graph.GraphSpec] means. */
-@Serializable
-internal data class LayoutGraph(
-    val title: String,
-    val lines: List<String>,
-    val filled: Boolean = false,
-    val zero: Boolean = false,
-    val y: LayoutSpan? = null,
-)
+/** A board in the JSON of a layout: the list of its graphs, as [toJson] writes it. */
+internal object BoardSerializer : KSerializer<Board> {
+    override val descriptor: SerialDescriptor = JsonElement.serializer().descriptor
+
+    override fun serialize(encoder: Encoder, value: Board) =
+        encoder.encodeSerializableValue(JsonElement.serializer(), Json.parseToJsonElement(value.toJson()).jsonObject.getValue(GRAPHS))
+
+    override fun deserialize(decoder: Decoder): Board =
+        boardOfJson("{\"$GRAPHS\":${decoder.decodeSerializableValue(JsonElement.serializer())}}")
+
+    private const val GRAPHS = "graphs"
+}
 
 /** A part of an axis. */
 @Serializable

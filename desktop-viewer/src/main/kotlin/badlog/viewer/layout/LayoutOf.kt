@@ -1,8 +1,8 @@
 package badlog.viewer.layout
 
 import badlog.analysis.Span
-import badlog.viewer.board.GraphList
-import badlog.viewer.board.GraphSpec
+import badlog.plot.board.Board
+import badlog.plot.board.BoardGraph
 import badlog.viewer.compare.Alignment
 import badlog.viewer.compare.Comparison
 import badlog.viewer.panels.InspectorTab
@@ -10,21 +10,6 @@ import badlog.viewer.panels.MainView
 import badlog.viewer.panels.Panels
 import java.nio.file.Path
 
-/** Whether [one] and [other] show the same, whatever the ids. */
-internal fun hasSameGraphs(one: GraphList, other: GraphList): Boolean = layoutGraphs(one) == layoutGraphs(other)
-
-/** [graphs] as a layout keeps them. */
-internal fun layoutGraphs(graphs: GraphList): List<LayoutGraph> = graphs.graphs.map(::layoutGraph)
-
-private fun layoutGraph(graph: GraphSpec) = LayoutGraph(
-    title = graph.title,
-    lines = graph.lines.map { it.signal },
-    filled = graph.isFilled,
-    zero = graph.includesZero,
-    y = graph.yRange?.let(::layoutSpan),
-)
-
-/** [span] as a layout keeps it; null where an end is not finite, as JSON has no such numbers. */
 internal fun layoutSpan(span: Span) = LayoutSpan(span.from, span.to).takeIf { it.from.isFinite() && it.to.isFinite() }
 
 /** [panels] as a layout keeps them. */

@@ -2,12 +2,12 @@ package badlog.viewer.layout
 
 import androidx.compose.runtime.snapshotFlow
 import badlog.analysis.Span
+import badlog.plot.board.Board
+import badlog.plot.board.defaultBoard
 import badlog.plot.formula.joined
 import badlog.viewer.board.GraphBoard
-import badlog.viewer.board.GraphList
 import badlog.viewer.compare.ComparedRecordings
 import badlog.viewer.formula.FormulaStore
-import badlog.viewer.graph.standardGraphs
 import badlog.viewer.library.Library
 import badlog.viewer.panels.WindowPanels
 import badlog.viewer.recording.CurrentRecording
@@ -55,10 +55,10 @@ internal class LayoutStore(
     val layout: Layout
         get() {
             val open = current.recording
-            val isDefault = open == null || hasSameGraphs(board.state, standardGraphs(open.logged))
+            val isDefault = open == null || board.state.showsSame(defaultBoard(open.logged))
             return Layout(
                 version = Layout.VERSION,
-                graphs = if (isDefault) null else layoutGraphs(board.state),
+                graphs = if (isDefault) null else board.state.renumbered(),
                 recording = open?.let { pathText(it.file, library.state.folder) },
                 visible = view.viewport.visible.takeIf { view.viewport.isZoomed }?.let(::layoutSpan),
                 selection = view.selection?.let(::layoutSpan),
@@ -69,8 +69,8 @@ internal class LayoutStore(
         }
 
     /** The graphs to show of [recording], which was just opened: as they were arranged over this folder, else the default ones. */
-    fun graphsOf(recording: OpenRecording): GraphList {
-        val fitted = fittedTo(recording) ?: return standardGraphs(recording.logged)
+    fun graphsOf(recording: OpenRecording): Board {
+        val fitted = fittedTo(recording) ?: return defaultBoard(recording.logged)
         fitted.sentence?.let(notices::say)
         return fitted.graphs
     }
@@ -90,7 +90,7 @@ internal class LayoutStore(
     /** Shows the graphs that the attributes of the open recording's topics ask for, and all of x. */
     fun showDefaultGraphs() {
         val open = current.recording ?: return
-        board.replace(standardGraphs(open.logged))
+        board.replace(defaultBoard(open.logged))
         view.change { reset() }
     }
 
@@ -145,7 +145,7 @@ internal class LayoutStore(
         }
         val shown = layout
         // A recording that lacks a signal must not make all others forget it.
-        val isAsSaved = hasSameGraphs(board.state, fittedTo(open)?.graphs ?: standardGraphs(open.logged))
+        val isAsSaved = board.state.showsSame(fittedTo(open)?.graphs ?: defaultBoard(open.logged))
         val layout = if (isAsSaved) shown.copy(graphs = saved?.graphs) else shown
         return if (layout == saved) null else place to layout
     }
@@ -157,7 +157,7 @@ internal class LayoutStore(
             restoredChecks = compared.state.checked
         }
         val open = current.recording?.takeIf(::isInFolder) ?: return
-        if (hasSameGraphs(board.state, standardGraphs(open.logged))) board.replace(graphsOf(open))
+        if (board.state.showsSame(defaultBoard(open.logged))) board.replace(graphsOf(open))
     }
 
     /** Lays over the open recording what [layout] names, as it was aligned; files that are gone are left out. */
@@ -173,7 +173,7 @@ internal class LayoutStore(
 
     private fun applyGraphs(layout: Layout) {
         val open = current.recording ?: return
-        val graphs = layout.graphs ?: return board.replace(standardGraphs(open.logged))
+        val graphs = layout.graphs ?: return board.replace(defaultBoard(open.logged))
         val fitted = fitted(graphs, open)
         board.replace(fitted.graphs)
         fitted.sentence?.let(notices::say)

@@ -3,9 +3,10 @@ package badlog.viewer.export
 import androidx.compose.ui.graphics.ImageBitmap
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.plot.board.defaultBoard
+import badlog.plot.range.Viewport
 import badlog.viewer.app.Viewer
 import badlog.viewer.export.figure.copyImage
-import badlog.viewer.graph.standardGraphs
 import badlog.viewer.settings.UserFolders
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
@@ -38,7 +39,7 @@ class CopyImageSpec : FunSpec({
         runDesktopComposeUiTest(100, 100) {
             viewer.current.replace(recording)
             viewer.view.show(recording.span)
-            viewer.figures.copy(standardGraphs(recording.view).graphs.take(1)) { clipboard }
+            viewer.figures.copy(defaultBoard(recording.view).graphs.take(1)) { clipboard }
             waitUntil(timeoutMillis = 20_000) { viewer.notices.all.isNotEmpty() }
             viewer.notices.all.single().text shouldContain "“Arm/Angle”"
             imageOn(clipboard).getWidth(null) shouldBe 1800

@@ -10,11 +10,12 @@ import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.analysis.Span
+import badlog.plot.board.defaultBoard
+import badlog.plot.range.Viewport
 import badlog.viewer.app.Viewer
 import badlog.viewer.app.ViewerScreen
 import badlog.viewer.compare.Comparison
 import badlog.viewer.files.ChosenFiles
-import badlog.viewer.graph.standardGraphs
 import badlog.viewer.library.LibraryState
 import badlog.viewer.settings.UserFolders
 import io.kotest.core.spec.style.FunSpec
@@ -41,7 +42,7 @@ class ExportMenuSpec : FunSpec({
             if (hasLog) {
                 val recording = recordingOf(armBag(500), log)
                 viewer.current.replace(recording)
-                viewer.board.replace(standardGraphs(recording.view))
+                viewer.board.replace(defaultBoard(recording.view))
                 viewer.view.show(recording.span)
             }
             setContent { ViewerScreen(viewer) }

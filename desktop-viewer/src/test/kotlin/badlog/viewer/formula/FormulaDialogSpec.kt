@@ -63,7 +63,7 @@ class FormulaDialogSpec : FunSpec({
             waitUntil(timeoutMillis = 5000) { viewer.current.recording?.signal("Power") != null }
             waitUntil(timeoutMillis = 5000) { viewer.compared.state.loaded.values.single().signal("Power") != null }
             viewer.formulas.sheet shouldBe null
-            viewer.board.state.graphs.last().lines.single().signal shouldBe "Power"
+            viewer.board.state.graphs.last().lines.single() shouldBe "Power"
             viewer.compared.state.loaded.values.single().signal("Power").shouldNotBeNull().series.y[1] shouldBe 6.0
             waitUntil(timeoutMillis = 5000) { onAllNodesWithContentDescription("Topic Power").fetchSemanticsNodes().isNotEmpty() }
             waitForPictures(viewer)

@@ -3,9 +3,9 @@ package badlog.viewer.formula
 import androidx.compose.ui.text.AnnotatedString
 import badlog.expression.ExpressionError
 import badlog.expression.VirtualTopic
+import badlog.plot.board.Board
+import badlog.plot.board.defaultBoard
 import badlog.viewer.bagOf
-import badlog.viewer.graph.standardGraphs
-import badlog.viewer.layout.LayoutGraph
 import badlog.viewer.layout.fitted
 import badlog.viewer.loggedTopic
 import badlog.viewer.recordingOf
@@ -35,7 +35,7 @@ class FormulaSpec : FunSpec({
         signal.definition shouldBe "Drive/$power"
         signal.series.y.toList() shouldContainExactly listOf(12.0, 22.0, 30.0)
         open.signal("Twice").shouldNotBeNull().series.y.toList() shouldContainExactly listOf(24.0, 44.0, 60.0)
-        standardGraphs(open.logged) shouldBe standardGraphs(recording.view)
+        defaultBoard(open.logged) shouldBe defaultBoard(recording.view)
     }
 
     test("a formula has statistics; over a log of nothing it is told to be empty") {
@@ -55,8 +55,8 @@ class FormulaSpec : FunSpec({
         reasonFor(open.formulas[1], open) shouldBe null
         open.signal("B").shouldNotBeNull().series.y.last() shouldBe 15.0
         // A layout that draws it is whole all the same.
-        fitted(listOf(LayoutGraph("A", listOf("A", "Power"))), open).missing shouldBe emptyList()
-        fitted(listOf(LayoutGraph("C", listOf("C", "Power"))), open).missing shouldBe listOf("C")
+        fitted(Board().withGraph(listOf("A", "Power")), open).missing shouldBe emptyList()
+        fitted(Board().withGraph(listOf("C", "Power")), open).missing shouldBe listOf("C")
     }
 
     test("topics with times of their own make formulas, too") {

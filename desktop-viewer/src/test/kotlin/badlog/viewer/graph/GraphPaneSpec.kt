@@ -10,6 +10,7 @@ import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performMouseInput
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.analysis.Span
+import badlog.plot.board.BoardGraph
 import badlog.viewer.app.actionCommands
 import badlog.viewer.theme.Palette
 import io.kotest.core.spec.style.FunSpec
@@ -99,13 +100,15 @@ class GraphPaneSpec : FunSpec({
     }
 
     test("graphs share the height when they fit, and are as high as was chosen when they do not") {
-        graphHeights(listOf(0, 0, 0), room = 300, chosen = 150, fit = true) shouldBe listOf(100, 100, 100)
-        graphHeights(listOf(0, 0, 0), room = 170, chosen = 150, fit = true) shouldBe listOf(150, 150, 150)
-        graphHeights(listOf(0, 2, 0), room = 300, chosen = 150, fit = true).let {
+        fun heights(lanes: List<Int>, room: Int, own: Int? = null) = graphHeights(lanes.map { BoardGraph(0, "", emptyList(), height = own) }, lanes, room, chosen = 150, fit = true)
+        heights(listOf(0, 0, 0), room = 300) shouldBe listOf(100, 100, 100)
+        heights(listOf(0, 0, 0), room = 170) shouldBe listOf(150, 150, 150)
+        heights(listOf(0, 2, 0), room = 300).let {
             it[1] shouldBe 72
             it[0] shouldBe 114
         }
-        graphHeights(emptyList(), room = 300, chosen = 150, fit = true) shouldBe emptyList()
+        heights(listOf(0, 2), room = 300, own = 200) shouldBe listOf(200, 72)
+        heights(emptyList(), room = 300) shouldBe emptyList()
     }
 
     test("each key has a meaning of its own") {

@@ -6,7 +6,7 @@ import androidx.compose.ui.graphics.toPixelMap
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.analysis.Span
-import badlog.viewer.board.GraphList
+import badlog.plot.board.Board
 import badlog.viewer.theme.Palette
 import badlog.viewer.theme.Theme
 import io.kotest.core.spec.style.FunSpec
@@ -28,7 +28,7 @@ class GraphPicturesSpec : FunSpec({
     test("the middle of a match in dark colours, with a selection and two axes") {
         val viewer = viewerOf(sample("qualification-42.bag"))
         val names = listOf("System/Battery Voltage", "PDP/Total Current", "Drivetrain/Gear")
-        viewer.board.replace(GraphList().withGraph(names).withGraph(names.take(1)).withGraph(listOf("Elevator/Position")))
+        viewer.board.replace(Board().withGraph(names).withGraph(names.take(1)).withGraph(listOf("Elevator/Position")))
         viewer.view.change { showing(85.0, 102.0) }
         viewer.view.placeCursor(93.7, isPinned = true)
         viewer.view.select(Span(92.0, 97.2))

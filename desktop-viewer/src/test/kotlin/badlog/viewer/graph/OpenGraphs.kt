@@ -11,6 +11,8 @@ import androidx.compose.ui.test.captureToImage
 import androidx.compose.ui.test.onRoot
 import badlog.analysis.LogView
 import badlog.bag.BagParser
+import badlog.plot.board.defaultBoard
+import badlog.plot.range.Viewport
 import badlog.viewer.app.Viewer
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.settings.UserFolders
@@ -28,7 +30,7 @@ internal fun viewerOf(recording: OpenRecording?): Viewer {
     return Viewer(MainScope(), UserFolders(nowhere, nowhere)).apply {
         if (recording == null) return@apply
         current.replace(recording)
-        board.replace(standardGraphs(recording.view))
+        board.replace(defaultBoard(recording.view))
         view.show(recording.span)
     }
 }

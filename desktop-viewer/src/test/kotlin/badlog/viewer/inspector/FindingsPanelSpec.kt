@@ -49,7 +49,7 @@ class FindingsPanelSpec : FunSpec({
             onNodeWithText("1 error, 1 warning").assertExists()
             onNodeWithContentDescription("Finding, warning: Late").performClick()
             runOnIdle {
-                viewer.view.cursor shouldBe viewer.findings.state.list?.placed?.last()?.time
+                viewer.view.cursor shouldBe viewer.findings.state.list?.timeline?.places?.last()?.span?.from
                 (viewer.view.cursor.shouldNotBeNull() in viewer.view.viewport.visible) shouldBe true
                 viewer.findings.step(-1)
             }

@@ -9,10 +9,11 @@ import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.analysis.Span
+import badlog.plot.board.Board
+import badlog.plot.range.Viewport
 import badlog.viewer.TestInspector
 import badlog.viewer.app.Viewer
 import badlog.viewer.bagOf
-import badlog.viewer.board.GraphList
 import badlog.viewer.panels.InspectorTab
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.recordingOf
@@ -71,7 +72,7 @@ class InspectorPaneSpec : FunSpec({
 
     test("the statistics follow the selection") {
         val viewer = viewerOf(recordingOf(bagOf(listOf("Time|xaxis", "A"), listOf("0,1", "1,2", "2,6"))), InspectorTab.STATISTICS)
-        viewer.board.replace(GraphList().withGraph(listOf("A")))
+        viewer.board.replace(Board().withGraph(listOf("A")))
         runDesktopComposeUiTest(320, 600) {
             setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
             waitUntil { onAllNodesWithText("Visible range").fetchSemanticsNodes().isNotEmpty() }
@@ -92,7 +93,7 @@ class InspectorPaneSpec : FunSpec({
         for (text in odd) {
             for (tab in InspectorTab.entries) {
                 val viewer = viewerOf(recordingOf(text), tab)
-                viewer.board.replace(GraphList().withGraph(listOf(long, "A")))
+                viewer.board.replace(Board().withGraph(listOf(long, "A")))
                 runDesktopComposeUiTest(320, 600) {
                     setContent { ViewerTheme(Theme.DARK) { TestInspector(viewer) } }
                     onNodeWithText(tab.title).assertExists()

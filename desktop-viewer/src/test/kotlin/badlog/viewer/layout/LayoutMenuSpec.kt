@@ -7,13 +7,14 @@ import androidx.compose.ui.test.onNodeWithContentDescription
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.plot.board.Board
+import badlog.plot.board.defaultBoard
+import badlog.plot.range.Viewport
 import badlog.viewer.app.Viewer
 import badlog.viewer.app.ViewerScreen
-import badlog.viewer.board.GraphList
 import badlog.viewer.export.armBag
 import badlog.viewer.export.recordingOf
 import badlog.viewer.files.ChosenFiles
-import badlog.viewer.graph.standardGraphs
 import badlog.viewer.settings.UserFolders
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
@@ -51,14 +52,14 @@ class LayoutMenuSpec : FunSpec({
         runDesktopComposeUiTest(1200, 800) {
             val viewer = Viewer(MainScope(), UserFolders(home, home), files = files)
             viewer.current.replace(recording)
-            viewer.board.replace(GraphList().withGraph(listOf("Arm/Current")))
+            viewer.board.replace(Board().withGraph(listOf("Arm/Current")))
             viewer.view.show(recording.span)
             setContent { ViewerScreen(viewer) }
             choose("Save the layout as…")
             waitUntilSaid(viewer, "Saved the layout to $file")
             choose("Default graphs")
             waitForIdle()
-            viewer.board.state shouldBe standardGraphs(recording.view)
+            viewer.board.state shouldBe defaultBoard(recording.view)
             choose("Open a layout…")
             waitUntil(timeoutMillis = 20_000) { viewer.board.state.graphs.size == 1 }
             viewer.board.state.graphs.single().title shouldBe "Arm/Current"

@@ -1,14 +1,14 @@
 package badlog.viewer.layout
 
 import badlog.analysis.Span
+import badlog.plot.board.Board
+import badlog.plot.board.BoardGraph
+import badlog.plot.board.defaultBoard
+import badlog.plot.range.Viewport
 import badlog.viewer.app.Viewer
-import badlog.viewer.board.GraphList
-import badlog.viewer.board.GraphSpec
-import badlog.viewer.board.LineSpec
 import badlog.viewer.compare.Comparison
 import badlog.viewer.export.armBag
 import badlog.viewer.export.recordingOf
-import badlog.viewer.graph.standardGraphs
 import badlog.viewer.library.LibraryState
 import badlog.viewer.panels.InspectorTab
 import badlog.viewer.panels.MainView
@@ -28,18 +28,18 @@ class LayoutSpec : FunSpec({
     val home = tempdir().toPath()
     val folder = Files.createDirectories(home.resolve("logs"))
     val arm = recordingOf(armBag(500), folder.resolve("match.bag"))
-    val chosen = GraphSpec(7, "Mine", listOf(LineSpec("Arm/Angle"), LineSpec("Arm/Current")), isFilled = true, yRange = Span(-1.0, 1.0))
+    val chosen = BoardGraph(7, "Mine", listOf("Arm/Angle", "Arm/Current"), isFilled = true, yRange = Span(-1.0, 1.0))
 
-    fun viewerOver(graphs: GraphList? = null) = Viewer(MainScope(), UserFolders(home, home)).apply {
+    fun viewerOver(graphs: Board? = null) = Viewer(MainScope(), UserFolders(home, home)).apply {
         library.change { LibraryState(folder) }
         current.replace(arm)
         view.show(arm.span)
-        board.replace(graphs ?: standardGraphs(arm.view))
+        board.replace(graphs ?: defaultBoard(arm.view))
     }
 
     test("a window saved and opened again is the same window") {
         val other = Files.writeString(folder.resolve("other.bag"), "")
-        val arranged = viewerOver(GraphList(listOf(chosen)))
+        val arranged = viewerOver(Board(listOf(chosen)))
         arranged.view.change { showing(1.0, 2.0) }
         arranged.view.select(Span(1.2, 1.4))
         arranged.compared.change { Comparison(checked = listOf(other)) }
@@ -58,6 +58,21 @@ class LayoutSpec : FunSpec({
         fresh.layouts.layout shouldBe arranged.layouts.layout
     }
 
+    test("a layout file of version 1 opens, and is written as it was") {
+        val file = home.resolve("today.json")
+        Files.writeString(file, LAYOUT_1)
+        val viewer = viewerOver()
+        viewer.layouts.apply(readLayout(file))
+        viewer.board.state.graphs shouldBe listOf(
+            BoardGraph(1, "Arm/Angle", listOf("Arm/Angle", "Arm/Current"), isFilled = true, yRange = Span(-1.0, 12.5)),
+            BoardGraph(2, "Mode", listOf("Arm/Mode"), includesZero = true),
+        )
+        viewer.view.viewport.visible shouldBe Span(1.0, 2.0)
+        viewer.panels.state.inspector shouldBe InspectorTab.EVENTS
+        writeLayout(file, readLayout(file))
+        Files.readString(file) shouldBe LAYOUT_1
+    }
+
     test("files below the folder are named from there, so that a layout moves with its folder") {
         pathText(folder.resolve("day 1/a.bag"), folder) shouldBe "day 1/a.bag"
         pathOf("day 1/a.bag", folder) shouldBe folder.resolve("day 1").resolve("a.bag")
@@ -68,12 +83,12 @@ class LayoutSpec : FunSpec({
     test("lines of which the recording has no signal are left out, and graphs without any line, and both are said") {
         val viewer = viewerOver()
         val graphs = listOf(
-            LayoutGraph("Both", listOf("Arm/Angle", "Wrist/Angle")),
-            LayoutGraph("Gone", listOf("Wrist/Angle", "Claw")),
-            LayoutGraph("Without lines", emptyList()),
+            BoardGraph(1, "Both", listOf("Arm/Angle", "Wrist/Angle")),
+            BoardGraph(2, "Gone", listOf("Wrist/Angle", "Claw")),
+            BoardGraph(3, "Without lines", emptyList()),
         )
-        viewer.layouts.apply(Layout(Layout.VERSION, graphs))
-        viewer.board.state.graphs.map { graph -> graph.title to graph.lines.map { it.signal } } shouldBe listOf("Both" to listOf("Arm/Angle"))
+        viewer.layouts.apply(Layout(Layout.VERSION, Board(graphs)))
+        viewer.board.state.graphs.map { graph -> graph.title to graph.lines } shouldBe listOf("Both" to listOf("Arm/Angle"))
         val said = viewer.notices.all.single()
         said.isError shouldBe false
         said.text shouldContain "“Wrist/Angle”, “Claw”"
@@ -81,9 +96,9 @@ class LayoutSpec : FunSpec({
 
     test("standard graphs are kept as such, and bring back what the attributes ask for") {
         viewerOver().layouts.layout.graphs shouldBe null
-        val viewer = viewerOver(GraphList(listOf(chosen)))
+        val viewer = viewerOver(Board(listOf(chosen)))
         viewer.layouts.showDefaultGraphs()
-        viewer.board.state shouldBe standardGraphs(arm.view)
+        viewer.board.state shouldBe defaultBoard(arm.view)
     }
 
     test("ranges that are none, or lie outside the recording, show all of it") {
@@ -121,3 +136,44 @@ class LayoutSpec : FunSpec({
         shouldThrow<IOException> { readLayout(home.resolve("missing.json")) }.message shouldContain "not there"
     }
 })
+
+/** As badlog wrote it before boards had a form of their own. */
+private val LAYOUT_1 = """
+{
+    "badlog-layout": 1,
+    "graphs": [
+        {
+            "title": "Arm/Angle",
+            "lines": [
+                "Arm/Angle",
+                "Arm/Current"
+            ],
+            "filled": true,
+            "y": {
+                "from": -1.0,
+                "to": 12.5
+            }
+        },
+        {
+            "title": "Mode",
+            "lines": [
+                "Arm/Mode"
+            ],
+            "zero": true
+        }
+    ],
+    "recording": "match.bag",
+    "visible": {
+        "from": 1.0,
+        "to": 2.0
+    },
+    "panels": {
+        "topics": false,
+        "inspector": "EVENTS",
+        "main": "GRAPHS"
+    },
+    "formulas": [
+        "Twice = Arm/Angle * 2"
+    ]
+}
+""".trim()

@@ -4,11 +4,12 @@ import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.analysis.Span
+import badlog.plot.board.Board
+import badlog.plot.board.defaultBoard
+import badlog.plot.range.Viewport
 import badlog.viewer.app.Viewer
-import badlog.viewer.board.GraphList
 import badlog.viewer.export.armBag
 import badlog.viewer.export.recordingOf
-import badlog.viewer.graph.standardGraphs
 import badlog.viewer.library.LibraryState
 import badlog.viewer.panels.Panels
 import badlog.viewer.recording.OpenRecording
@@ -48,18 +49,18 @@ class LayoutStoreSpec : FunSpec({
         val one = recordingOf(armBag(500), folder.resolve("one.bag"))
         val other = recordingOf(armBag(500), folder.resolve("other.bag"))
         started(home, folder, one) {
-            it.board.replace(GraphList().withGraph(listOf("Arm/Current", "Arm/Mode")))
+            it.board.replace(Board().withGraph(listOf("Arm/Current", "Arm/Mode")))
             it.view.change { showing(2.0, 3.0) }
             it.panels.change { Panels(topics = false) }
         }
-        hasArranged(home, folder)?.graphs?.map { it.lines } shouldBe listOf(listOf("Arm/Current", "Arm/Mode"))
+        hasArranged(home, folder)?.graphs?.graphs?.map { it.lines } shouldBe listOf(listOf("Arm/Current", "Arm/Mode"))
         started(home, folder, other) { viewer ->
             viewer.board.state.graphs.single().lines shouldHaveSize 2
             viewer.panels.state.topics shouldBe false
             viewer.view.viewport.visible shouldBe other.span
         }
         started(home, folder, recordingOf(armBag(500), folder.resolve("other.bag"))) { it.board.state.graphs shouldHaveSize 1 }
-        started(home, home.resolve("elsewhere"), one) { it.board.state shouldBe standardGraphs(one.view) }
+        started(home, home.resolve("elsewhere"), one) { it.board.state shouldBe defaultBoard(one.view) }
     }
 
     test("the recording that was open is shown where it was left") {
@@ -73,9 +74,9 @@ class LayoutStoreSpec : FunSpec({
         val home = tempdir().toPath()
         val whole = recordingOf(armBag(500), home.resolve("one.bag"))
         val poor = recordingOf(armBag(500).replace("Arm/Current", "Other"), home.resolve("poor.bag"))
-        started(home, home, whole) { it.board.replace(GraphList().withGraph(listOf("Arm/Current", "Arm/Angle"))) }
+        started(home, home, whole) { it.board.replace(Board().withGraph(listOf("Arm/Current", "Arm/Angle"))) }
         started(home, home, poor) { viewer ->
-            viewer.board.state.graphs.single().lines.map { it.signal } shouldBe listOf("Arm/Angle")
+            viewer.board.state.graphs.single().lines shouldBe listOf("Arm/Angle")
             viewer.notices.all shouldHaveSize 1
             viewer.panels.change { Panels(library = false) }
         }
@@ -89,11 +90,11 @@ class LayoutStoreSpec : FunSpec({
         val formula = "Arm/Twice = 2 * Arm/Angle"
         started(home, folder, one) {
             it.formulas.replaceAll(listOf(formula))
-            it.board.replace(GraphList().withGraph(listOf("Arm/Twice")))
+            it.board.replace(Board().withGraph(listOf("Arm/Twice")))
         }
         started(home, folder, one.withFormulas(listOf(formula))) { viewer ->
             viewer.formulas.definitions shouldBe listOf(formula)
-            viewer.board.state.graphs.single().lines.single().signal shouldBe "Arm/Twice"
+            viewer.board.state.graphs.single().lines.single() shouldBe "Arm/Twice"
             viewer.layouts.apply(Layout(Layout.VERSION, formulas = listOf("B = 1", "Arm/Twice = 3 * Arm/Angle")))
             viewer.formulas.definitions shouldBe listOf("B = 1", "Arm/Twice = 3 * Arm/Angle")
             viewer.current.recording?.signal("B")?.definition shouldBe "B = 1"
@@ -104,8 +105,8 @@ class LayoutStoreSpec : FunSpec({
     test("a damaged memory is as none") {
         val home = tempdir().toPath()
         val one = recordingOf(armBag(50), home.resolve("one.bag"))
-        started(home, home, one) { it.board.replace(GraphList().withGraph(listOf("Arm/Angle"))) }
+        started(home, home, one) { it.board.replace(Board().withGraph(listOf("Arm/Angle"))) }
         Files.list(home.resolve("layouts")).use { files -> files.forEach { Files.writeString(it, "{") } }
-        started(home, home, one) { it.board.state shouldBe standardGraphs(one.view) }
+        started(home, home, one) { it.board.state shouldBe defaultBoard(one.view) }
     }
 })

@@ -32,7 +32,7 @@ class TopicPaneSpec : FunSpec({
     val home = tempdir().toPath()
 
     fun viewerOf(recording: OpenRecording?) = Viewer(MainScope(), UserFolders(home, home)).apply { recording?.let(current::replace) }
-    fun drawn(viewer: Viewer) = viewer.board.state.graphs.map { graph -> graph.lines.map { it.signal } }
+    fun drawn(viewer: Viewer) = viewer.board.state.graphs.map { it.lines }
 
     val arm = recordingOf(
         bagOf(listOf("Time|xaxis", "Arm/Angle", "Arm/Speed", "Drive/Left", "Log|log"), listOf("0,10,1,7,", "1,20,2,8,homed", "2,30,3,9,")),

@@ -19,7 +19,7 @@ class FindingsWindowSpec : FunSpec({
             window.press(KeyEvent.VK_5, KeyEvent.VK_CONTROL)
             window.awaitText("Finding, error: Browned out")
             window.press(KeyEvent.VK_N)
-            window.awaitState("the first finding") { it.findings.state.selected != null && it.view.cursor == it.findings.state.list?.placed?.first()?.time }
+            window.awaitState("the first finding") { it.findings.state.selected != null && it.view.cursor == it.findings.state.list?.timeline?.places?.first()?.span?.from }
             window.press(KeyEvent.VK_N)
             window.press(KeyEvent.VK_N, KeyEvent.VK_SHIFT)
             window.click("Finding, error: Browned out")
@@ -44,7 +44,7 @@ class FindingsWindowSpec : FunSpec({
         RealWindow(home, match).use { window ->
             window.awaitState("the formula of last time") { it.current.recording?.signal("twice") != null }
             // A log is open a moment before the layout of last time is laid over it.
-            window.awaitState("its graph") { viewer -> viewer.board.state.graphs.lastOrNull()?.lines?.singleOrNull()?.signal == "twice" }
+            window.awaitState("its graph") { viewer -> viewer.board.state.graphs.lastOrNull()?.lines?.singleOrNull() == "twice" }
             window.look { it.current.recording }.shouldNotBeNull().formulas.single().error shouldBe null
         }
     }

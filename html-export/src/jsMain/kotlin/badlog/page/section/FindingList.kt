@@ -1,13 +1,14 @@
 package badlog.page.section
 
+import badlog.analysis.Span
 import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.dom.showText
-import badlog.page.view.FindingPlace
 import badlog.page.view.Scene
 import badlog.page.view.end
+import badlog.page.view.places
 import badlog.page.view.word
 import badlog.plot.search.Query
 import badlog.plot.text.countText
@@ -32,7 +33,7 @@ internal class FindingList(private val scene: Scene, private val onJump: () -> U
     private val rows = HashMap<Finding, HTMLElement>()
     private var found = all
     private var listed = 0
-    private var current: FindingPlace? = null
+    private var current: Finding? = null
     private var isSearching = false
     private lateinit var count: HTMLElement
     private lateinit var list: HTMLElement
@@ -103,7 +104,7 @@ internal class FindingList(private val scene: Scene, private val onJump: () -> U
 
     /** Goes to the next finding after the cursor, or the one before it when [steps] is negative. */
     fun step(steps: Int) {
-        scene.findings.beside(current, scene.cursor.x, steps)?.let(::go)
+        scene.findings.beside(current, scene.cursor.x, steps)?.let { go(it.finding, it.span) }
     }
 
     private fun addProblem(text: String, pointed: String = "") {
@@ -138,7 +139,7 @@ internal class FindingList(private val scene: Scene, private val onJump: () -> U
             listed = 0
         }
         for (finding in found.subList(listed, until)) {
-            val row = findingRow(finding, decimals, { go(scene.findings.placeOf(it)) }, { zoom(scene.findings.placeOf(it)) })
+            val row = findingRow(finding, decimals, { go(it, it.places[0]) }, { zoom(it, it.places[0]) })
             rows[finding] = row
             body.appendChild(row)
         }
@@ -154,23 +155,23 @@ internal class FindingList(private val scene: Scene, private val onJump: () -> U
         mark()
     }
 
-    private fun go(place: FindingPlace) {
-        current = place
-        scene.goTo(place.span.from)
+    private fun go(finding: Finding, place: Span) {
+        current = finding
+        scene.goTo(place.from)
         mark()
         onJump()
     }
 
-    private fun zoom(place: FindingPlace) {
-        current = place
-        scene.zoomTo(place.span.from, place.span.to)
+    private fun zoom(finding: Finding, place: Span) {
+        current = finding
+        scene.zoomTo(place.from, place.to)
         mark()
         onJump()
     }
 
     private fun mark() {
         for ((finding, row) in rows) {
-            if (finding == current?.finding) row.setAttribute("aria-current", "true") else row.removeAttribute("aria-current")
+            if (finding == current) row.setAttribute("aria-current", "true") else row.removeAttribute("aria-current")
         }
     }
 

@@ -14,9 +14,9 @@ import badlog.page.formula.FormulaDialog
 import badlog.page.formula.Formulas
 import badlog.page.graph.GraphDeck
 import badlog.page.rules.RuleSearch
-import badlog.page.view.FindingTimeline
 import badlog.page.view.Hits
 import badlog.page.view.Scene
+import badlog.page.view.timelineOf
 import badlog.plot.search.Query
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
@@ -32,7 +32,7 @@ internal class LogPage(
     private val additions = additions ?: PageAdditions()
     private val view = formulas.view
     private val embeddedFindings = this.additions.findings + this.additions.hooks.flatMap { it.findings }
-    private val scene = Scene(view, theme.palette).apply { findings = FindingTimeline(embeddedFindings) }
+    private val scene = Scene(view, theme.palette).apply { findings = timelineOf(embeddedFindings) }
     private val folders = FolderList(view, scene, about.fileKey, this.additions.hooks) { graph ->
         if (formulas.formulaOf(graph) == null) "" else "formula"
     }
@@ -100,7 +100,7 @@ internal class LogPage(
         findings.wait()
         RuleSearch(logged, additions.rules, about.name).start(
             onFindings = { found ->
-                scene.findings = FindingTimeline(found.findings + embeddedFindings)
+                scene.findings = timelineOf(found.findings + embeddedFindings)
                 findings.show(found.skipped)
                 if (found.findings.isNotEmpty()) repaint()
                 setRulesState("done")

@@ -9,6 +9,7 @@ import badlog.plot.range.Viewport
 import badlog.plot.text.placeText
 import badlog.plot.text.withUnit
 import badlog.plot.timeline.EventTimeline
+import badlog.plot.timeline.FindingTimeline
 import badlog.rules.Finding
 
 /** What all parts of the page share: the recording, what was found in it, what of it is seen, and the cursor. */
@@ -17,7 +18,7 @@ internal class Scene(val view: LogView, val palette: Palette) {
     val events: EventTimeline = EventTimeline.of(view.folders.flatMap { it.eventLogs })
 
     /** What was found so far. Whoever changes it draws again. */
-    var findings: FindingTimeline = FindingTimeline(emptyList())
+    var findings: FindingTimeline<Finding> = timelineOf(emptyList())
     val range: VisibleRange = VisibleRange(Viewport.of(xAxis.range))
     val cursor: Cursor = Cursor(xAxis.clocks)
 

@@ -4,11 +4,11 @@ import badlog.analysis.PixelColumns
 import badlog.analysis.Span
 import badlog.analysis.Units
 import badlog.plot.axis.YLimits
+import badlog.plot.board.BoardGraph
 import badlog.plot.curve.Curve
 import badlog.plot.curve.Scale
 import badlog.plot.curve.Strokes
 import badlog.recording.PathName
-import badlog.viewer.board.GraphSpec
 import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.graph.plot.drawnLines
 import badlog.viewer.recording.Signal
@@ -28,10 +28,10 @@ internal class FigureBuilder(private val recordings: List<DrawnRecording>, priva
     /** One line of one recording. */
     private class Source(val drawn: DrawnRecording, val signal: Signal, val label: String, val colour: Int)
 
-    private class GraphSources(val graph: GraphSpec, val sources: List<Source>)
+    private class GraphSources(val graph: BoardGraph, val sources: List<Source>)
 
     /** The figure of [graphs]; a graph without any line in any of the recordings has no frame. */
-    fun build(graphs: List<GraphSpec>): Figure {
+    fun build(graphs: List<BoardGraph>): Figure {
         val sources = graphs.map { GraphSources(it, sourcesOf(it)) }.filter { it.sources.isNotEmpty() }
         val axis = recordings.first().recording.view.xAxis
         val lineCount = sources.sumOf { graph -> graph.sources.count { it.signal.states == null } }
@@ -49,12 +49,12 @@ internal class FigureBuilder(private val recordings: List<DrawnRecording>, priva
     private fun shareOf(all: Int, count: Int) = (all / maxOf(count, 1)).coerceIn(FEWEST_COLUMNS, maxOf(width, FEWEST_COLUMNS))
 
     // The colours are those of the window.
-    private fun sourcesOf(graph: GraphSpec): List<Source> = drawnLines(graph, recordings).map { line ->
+    private fun sourcesOf(graph: BoardGraph): List<Source> = drawnLines(graph, recordings).map { line ->
         val place = recordings.indexOfFirst { it.recording === line.recording && it.offset == line.offset }
         Source(recordings[place], line.signal, labelOf(line.signal, names[place], graph), line.colour)
     }
 
-    private fun labelOf(signal: Signal, recording: String, graph: GraphSpec): String = when {
+    private fun labelOf(signal: Signal, recording: String, graph: BoardGraph): String = when {
         recordings.size == 1 -> plainLine(signal.title, LABEL_LETTERS)
 
         graph.lines.size == 1 -> plainLine(recording, LABEL_LETTERS)
@@ -73,7 +73,7 @@ internal class FigureBuilder(private val recordings: List<DrawnRecording>, priva
             laneFrames(graph.graph, states, laneColumns)
     }
 
-    private fun lineFrame(graph: GraphSpec, sources: List<Source>, columns: PixelColumns, isFirst: Boolean): FigureFrame {
+    private fun lineFrame(graph: BoardGraph, sources: List<Source>, columns: PixelColumns, isFirst: Boolean): FigureFrame {
         var least = Double.NaN
         var most = Double.NaN
         val lines = sources.map { source ->
@@ -101,7 +101,7 @@ internal class FigureBuilder(private val recordings: List<DrawnRecording>, priva
     }
 
     /** Of several recordings the lanes of one signal stand together, as they are to be compared. */
-    private fun laneFrames(graph: GraphSpec, sources: List<Source>, columns: Int): List<FigureFrame> = when {
+    private fun laneFrames(graph: BoardGraph, sources: List<Source>, columns: Int): List<FigureFrame> = when {
         sources.isEmpty() -> emptyList()
 
         recordings.size == 1 -> listOf(laneFrame(graph.title, sources, columns) { it.signal.title })
@@ -123,7 +123,7 @@ internal class FigureBuilder(private val recordings: List<DrawnRecording>, priva
         },
     )
 
-    private fun isNamed(graph: GraphSpec, signal: Signal) = graph.title == signal.name || PathName.baseNameOf(graph.title) == signal.title
+    private fun isNamed(graph: BoardGraph, signal: Signal) = graph.title == signal.name || PathName.baseNameOf(graph.title) == signal.title
 
     private companion object {
         /** So many points make about one megabyte of SVG. */

@@ -26,13 +26,13 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
-import badlog.viewer.board.GraphSpec
+import badlog.plot.board.BoardGraph
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
 
 /** What a person selects before a figure is saved: which graphs, how large, and as what. */
 @Composable
-internal fun FigurePanel(graphs: List<GraphSpec>, save: (List<GraphSpec>, FigureOptions) -> Unit, close: () -> Unit) {
+internal fun FigurePanel(graphs: List<BoardGraph>, save: (List<BoardGraph>, FigureOptions) -> Unit, close: () -> Unit) {
     var selected by remember { mutableStateOf(graphs.take(SELECTED_FIRST).map { it.id }.toSet()) }
     var options by remember { mutableStateOf(FigureOptions()) }
     Column(Modifier.padding(horizontal = 14.dp, vertical = 6.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
@@ -53,7 +53,7 @@ internal fun FigurePanel(graphs: List<GraphSpec>, save: (List<GraphSpec>, Figure
 }
 
 @Composable
-private fun GraphChoice(graphs: List<GraphSpec>, selected: Set<Int>, onChange: (Set<Int>) -> Unit) {
+private fun GraphChoice(graphs: List<BoardGraph>, selected: Set<Int>, onChange: (Set<Int>) -> Unit) {
     Row(horizontalArrangement = Arrangement.spacedBy(4.dp), verticalAlignment = Alignment.CenterVertically) {
         Text("${selected.size} of ${graphs.size} graphs", Modifier.weight(1f), LocalPalette.current.muted, fontSize = 11.sp)
         ToolButton("Select all graphs", text = "All") { onChange(graphs.map { it.id }.toSet()) }

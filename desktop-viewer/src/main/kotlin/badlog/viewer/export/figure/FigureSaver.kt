@@ -4,7 +4,7 @@ import badlog.file.writeAtomically
 import androidx.compose.foundation.layout.size
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.setValue
-import badlog.viewer.board.GraphSpec
+import badlog.plot.board.BoardGraph
 import badlog.viewer.compare.ComparedRecordings
 import badlog.viewer.files.FileChoice
 import badlog.viewer.files.askToWrite
@@ -32,7 +32,7 @@ internal class FigureSaver(
     private val notices: Notices,
 ) {
     /** Asks for a file, and writes the figure of [graphs] as they are on the screen. */
-    fun save(graphs: List<GraphSpec>, options: FigureOptions) {
+    fun save(graphs: List<BoardGraph>, options: FigureOptions) {
         val recording = current.recording ?: return
         val ending = ".${options.format.ending}"
         val file = askToWrite(files, notices, "Save the figure", recording.file.parent, fileNameOf(recording.label), ending) ?: return
@@ -43,10 +43,10 @@ internal class FigureSaver(
     }
 
     /** Copies the picture of the first of [graphs], as many as can be read. */
-    fun copyShown(graphs: List<GraphSpec>) = copy(graphs.take(MOST_COPIED))
+    fun copyShown(graphs: List<BoardGraph>) = copy(graphs.take(MOST_COPIED))
 
     /** Draws [graphs] as a figure of the visible range, and puts its picture onto the [clipboard], the system's. */
-    fun copy(graphs: List<GraphSpec>, clipboard: () -> Clipboard = ::systemClipboard) {
+    fun copy(graphs: List<BoardGraph>, clipboard: () -> Clipboard = ::systemClipboard) {
         if (current.recording == null) return sayNoLog(notices)
         if (graphs.isEmpty()) return
         val options = FigureOptions(graphHeight = if (graphs.size == 1) LONE_HEIGHT else FigureOptions().graphHeight)

@@ -1,6 +1,6 @@
 package badlog.viewer.graph.plot
 
-import badlog.viewer.board.GraphSpec
+import badlog.plot.board.BoardGraph
 import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.recording.Signal
@@ -24,11 +24,11 @@ internal data class DrawnLine(
  * The lines of [spec] in every one of [recordings] that has them. Of one recording each line has a colour; of several the
  * colour tells the recording in the first place, the same in all graphs, and further lines have colours of their own.
  */
-internal fun drawnLines(spec: GraphSpec, recordings: List<DrawnRecording>): List<DrawnLine> {
+internal fun drawnLines(spec: BoardGraph, recordings: List<DrawnRecording>): List<DrawnLine> {
     val isCompared = recordings.size > 1
-    return spec.lines.flatMapIndexed { place, line ->
+    return spec.lines.flatMapIndexed { place, name ->
         recordings.mapIndexedNotNull { index, drawn ->
-            val signal = drawn.recording.signal(line.signal) ?: return@mapIndexedNotNull null
+            val signal = drawn.recording.signal(name) ?: return@mapIndexedNotNull null
             DrawnLine(
                 signal = signal,
                 recording = drawn.recording,

@@ -1,7 +1,7 @@
 package badlog.viewer.graph.plot
 
 import badlog.analysis.Span
-import badlog.viewer.board.GraphSpec
+import badlog.plot.board.BoardGraph
 import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.theme.Palette
 
@@ -17,7 +17,7 @@ import badlog.viewer.theme.Palette
  * @property density how many physical pixels a dp has.
  */
 internal data class PlotRequest(
-    val spec: GraphSpec,
+    val spec: BoardGraph,
     val recordings: List<DrawnRecording>,
     val visible: Span,
     val width: Int,

@@ -2,17 +2,16 @@ package badlog.viewer.export.figure
 
 import badlog.analysis.LogView
 import badlog.analysis.Span
+import badlog.plot.board.BoardGraph
+import badlog.plot.board.defaultBoard
 import badlog.recording.CellCounts
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
 import badlog.recording.TextColumn
 import badlog.recording.Topic
-import badlog.viewer.board.GraphSpec
-import badlog.viewer.board.LineSpec
 import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.export.armBag
 import badlog.viewer.export.recordingOf
-import badlog.viewer.graph.standardGraphs
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.theme.Palette
 import io.kotest.core.spec.style.FunSpec
@@ -33,18 +32,18 @@ import kotlin.math.sin
 class FigureSpec : FunSpec({
     val options = FigureOptions()
     val arm = recordingOf(armBag(500))
-    val joint = GraphSpec(1, "Arm/Both", listOf(LineSpec("Arm/Angle"), LineSpec("Arm/Current"), LineSpec("Arm/Mode")))
+    val joint = BoardGraph(1, "Arm/Both", listOf("Arm/Angle", "Arm/Current", "Arm/Mode"))
 
-    fun build(graphs: List<GraphSpec>, x: Span, vararg recordings: OpenRecording) = FigureBuilder(recordings.map { DrawnRecording(it) }, x, options.width).build(graphs)
+    fun build(graphs: List<BoardGraph>, x: Span, vararg recordings: OpenRecording) = FigureBuilder(recordings.map { DrawnRecording(it) }, x, options.width).build(graphs)
 
     test("it says what it shows: the recording, the graphs, the axes with their units, the states") {
-        val texts = textsIn(svgOf(build(standardGraphs(arm.view).graphs, arm.span, arm), options))
+        val texts = textsIn(svgOf(build(defaultBoard(arm.view).graphs, arm.span, arm), options))
         texts shouldContainAll listOf("Match 8", "Arm/Angle", "deg", "Arm/Current", "A", "Time (s)", "hold", "move")
     }
 
     test("a formula is drawn as any other line") {
         val open = arm.withFormulas(listOf("Arm/Power [W] = Arm/Current * 12"))
-        val frame = build(listOf(GraphSpec(1, "Arm/Power", listOf(LineSpec("Arm/Power")))), open.span, open).frames.single()
+        val frame = build(listOf(BoardGraph(1, "Arm/Power", listOf("Arm/Power"))), open.span, open).frames.single()
         frame.yTitle shouldBe "W"
         frame.lines.single().strokes.let { it.endOf(0) / 2 } shouldBe 500
     }
@@ -57,7 +56,7 @@ class FigureSpec : FunSpec({
 
     test("several recordings are told apart by a legend, and by colours in the order of the recordings") {
         val other = recordingOf(armBag(300).replace("\"8\"", "\"9\""))
-        val figure = build(standardGraphs(arm.view).graphs, arm.span, arm, other)
+        val figure = build(defaultBoard(arm.view).graphs, arm.span, arm, other)
         figure.title shouldBe "Match 8 · Match 9"
         val colours = listOf(hexOf(Palette.LIGHT.line(0)), hexOf(Palette.LIGHT.line(1)))
         figure.frames[0].legend shouldBe listOf("Match 8", "Match 9").zip(colours)
@@ -79,13 +78,13 @@ class FigureSpec : FunSpec({
     }
 
     test("y is as on the screen: what is seen and what the attributes want, or what a person has selected") {
-        build(standardGraphs(arm.view).graphs, Span(0.2, 0.4), arm).frames[0].y.from shouldBe 0.0
+        build(defaultBoard(arm.view).graphs, Span(0.2, 0.4), arm).frames[0].y.from shouldBe 0.0
         build(listOf(joint.copy(yRange = Span(-3.0, 4.0))), arm.span, arm).frames[0].y shouldBe Span(-3.0, 4.0)
     }
 
     test("what a recording lacks is left out, and a graph without a line has no frame") {
-        val absent = GraphSpec(2, "Gone", listOf(LineSpec("Gone")))
-        build(listOf(absent, joint.copy(lines = joint.lines + LineSpec("Gone"))), arm.span, arm).frames.map { it.lines.size } shouldBe
+        val absent = BoardGraph(2, "Gone", listOf("Gone"))
+        build(listOf(absent, joint.copy(lines = joint.lines + "Gone")), arm.span, arm).frames.map { it.lines.size } shouldBe
             listOf(1, 1, 0)
         build(listOf(absent), arm.span, arm).frames.shouldBeEmpty()
     }
@@ -94,7 +93,7 @@ class FigureSpec : FunSpec({
         val samples = 1_000_000
         val topics = List(20) { topicOf("Noise $it", DoubleArray(samples) { i -> sin(i * (1.7 + it)) }) }
         val long = OpenRecording(Path.of("long.bag").toAbsolutePath(), LogView.of(recordingOf(topics, samples)))
-        val graphs = topics.chunked(4).mapIndexed { i, four -> GraphSpec(i, "Noise", four.map { LineSpec(it.name) }) }
+        val graphs = topics.chunked(4).mapIndexed { i, four -> BoardGraph(i, "Noise", four.map { it.name }) }
         val svg = svgOf(build(graphs, long.span, long), options)
         svg.length shouldBeLessThan 2_000_000
         pathsIn(svg) shouldBeGreaterThan 19
@@ -102,27 +101,27 @@ class FigureSpec : FunSpec({
 
     test("a state that changes at every sample costs no more than the figure's width") {
         val flicker = recordingOf("Index,Mode\n" + (0 until 100_000).joinToString("\n") { "$it,${if (it % 2 == 0) "on it" else "off it"}" })
-        svgOf(build(listOf(GraphSpec(1, "Mode", listOf(LineSpec("Mode")))), flicker.span, flicker), options).length shouldBeLessThan 2_000_000
+        svgOf(build(listOf(BoardGraph(1, "Mode", listOf("Mode"))), flicker.span, flicker), options).length shouldBeLessThan 2_000_000
     }
 
     test("names of any letters and any length make a document that can be read") {
         val name = "<b>&amp; \"é\u0001𝄞" + "x".repeat(500)
         val odd = recordingOf(armBag(20).replace("Arm/Angle", "Odd"), Path.of("a & b <c>.bag").toAbsolutePath())
-        val figure = build(listOf(GraphSpec(1, name, listOf(LineSpec("Odd"), LineSpec("Arm/Current")))), odd.span, odd)
+        val figure = build(listOf(BoardGraph(1, name, listOf("Odd", "Arm/Current"))), odd.span, odd)
         val texts = textsIn(svgOf(figure, options))
         texts.count { it.startsWith("<b>&amp; \"é 𝄞xxx") && it.length < 120 } shouldBe 2
-        val link = GraphSpec(2, "<a href=\"javascript:alert(1)\">x</a>", listOf(LineSpec("Odd")))
+        val link = BoardGraph(2, "<a href=\"javascript:alert(1)\">x</a>", listOf("Odd"))
         elements(svgOf(build(listOf(link), odd.span, odd), options), "a").shouldBeEmpty()
         plainLine(name, 10) shouldBe "<b>&a…xxxx"
     }
 
     test("a recording of one row, and one whose x goes backwards, are drawn too") {
         val one = recordingOf(armBag(1))
-        val dot = build(standardGraphs(one.view).graphs, one.span, one)
+        val dot = build(defaultBoard(one.view).graphs, one.span, one)
         dot.frames.first().lines.single().strokes.dotsSize shouldBe 2
         textsIn(svgOf(dot, options)) shouldContain "Arm/Angle"
         val back = recordingOf("Time,A\n1,2\n2,3\n0,4\n1,5\n")
-        val line = build(listOf(GraphSpec(1, "A", listOf(LineSpec("A")))), Span(0.0, 2.0), back)
+        val line = build(listOf(BoardGraph(1, "A", listOf("A"))), Span(0.0, 2.0), back)
         line.frames.single().lines.single().strokes.let { it.endOf(it.count - 1) } shouldBeGreaterThan 2
         textsIn(svgOf(line, options)) shouldContain "A"
     }
@@ -138,9 +137,9 @@ class FigureSpec : FunSpec({
     }
 
     test("one line under its own name needs no legend") {
-        val frames = build(standardGraphs(arm.view).graphs, arm.span, arm).frames
+        val frames = build(defaultBoard(arm.view).graphs, arm.span, arm).frames
         frames.filter { it.hasLegend } shouldHaveSize 0
-        textsIn(svgOf(build(standardGraphs(arm.view).graphs, arm.span, arm), options)) shouldNotContain "Angle"
+        textsIn(svgOf(build(defaultBoard(arm.view).graphs, arm.span, arm), options)) shouldNotContain "Angle"
     }
 })
 

@@ -1,8 +1,7 @@
 package badlog.viewer.graph.plot
 
 import badlog.analysis.Span
-import badlog.viewer.board.GraphSpec
-import badlog.viewer.board.LineSpec
+import badlog.plot.board.BoardGraph
 import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.graph.bagOf
 import badlog.viewer.graph.readingOf
@@ -20,7 +19,7 @@ import io.kotest.matchers.shouldBe
 
 class PictureMakingSpec : FunSpec({
     fun picture(recordings: List<DrawnRecording>, names: List<String>, visible: Span, yRange: Span? = null): PlotPicture {
-        val spec = GraphSpec(1, "Graph", names.map(::LineSpec), yRange = yRange)
+        val spec = BoardGraph(1, "Graph", names, yRange = yRange)
         return makePicture(PlotRequest(spec, recordings, visible, width = 100, height = 50, Palette.LIGHT, density = 1f), CurveCache())
     }
     fun picture(recording: OpenRecording, visible: Span = recording.span, yRange: Span? = null) = picture(listOf(DrawnRecording(recording)), listOf("A/Voltage"), visible, yRange)

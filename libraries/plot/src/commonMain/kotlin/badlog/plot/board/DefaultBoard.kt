@@ -1,17 +1,15 @@
-package badlog.viewer.graph
+package badlog.plot.board
 
 import badlog.analysis.Graph
 import badlog.analysis.LogView
-import badlog.viewer.board.GraphList
-import badlog.viewer.board.GraphSpec
-import badlog.viewer.board.LineSpec
+import badlog.recording.Topic
 
 /**
  * The graphs that the attributes of a recording's topics ask for, in their order. States that follow one another in a folder
  * share a graph, in which each has a lane, up to so many that it still fits a screen. The x axis is no graph of itself. Of a
  * WPILOG, in which everything that a dashboard shows is logged, topics that never change stay in the list.
  */
-internal fun standardGraphs(view: LogView): GraphList {
+public fun defaultBoard(view: LogView): Board {
     var id = 0
     val hasChanges = view.folders.any { folder -> folder.graphs.any(::changes) }
     val specs = view.folders.flatMap { folder ->
@@ -21,16 +19,16 @@ internal fun standardGraphs(view: LogView): GraphList {
         runsOf(graphsOfFolder).map { graphs ->
             val first = graphs.first()
             val isJoint = graphs.size > 1
-            GraphSpec(
+            BoardGraph(
                 id = ++id,
                 title = if (isJoint) listOf(folder.name, "States").filter { it.isNotEmpty() }.joinToString("/") else nameOf(first),
-                lines = graphs.flatMap { graph -> linesOf(graph) },
+                lines = graphs.flatMap(::linesOf).distinct(),
                 isFilled = first.isFilled,
                 includesZero = first.includesZero,
             )
         }
     }
-    return GraphList(specs)
+    return Board(specs)
 }
 
 /** Each graph by itself, but neighbours that show states together. */
@@ -38,7 +36,7 @@ private fun runsOf(graphs: List<Graph>): List<List<Graph>> {
     val runs = ArrayList<MutableList<Graph>>()
     for (graph in graphs) {
         val last = runs.lastOrNull()
-        val continues = last != null && last.first().showsStates && last.size < MOST_LANES
+        val continues = last != null && last.first().showsStates && last.size < MAX_LANES
         if (graph.showsStates && continues) last += graph else runs += mutableListOf(graph)
     }
     return runs
@@ -49,6 +47,12 @@ private fun changes(graph: Graph) = graph.series.any { it.topic.times == null ||
 private fun nameOf(graph: Graph) =
     if (graph.isVirtual) listOf(graph.folder, graph.title).filter { it.isNotEmpty() }.joinToString("/") else graph.name
 
-private fun linesOf(graph: Graph) = graph.series.map { line -> LineSpec(if (line.isDerived) graph.name else line.topic.name) }
+private fun linesOf(graph: Graph) = graph.series.map { line -> if (line.isDerived) graph.name else line.topic.name }
 
-private const val MOST_LANES = 16
+/** Whether [topic] has two values that differ. */
+public fun everChanges(topic: Topic): Boolean {
+    val first = topic.samples.firstOrNull { !it.isNaN() }
+    return topic.texts.dictionary.size > 1 || (first != null && topic.samples.any { !it.isNaN() && it != first })
+}
+
+private const val MAX_LANES = 16

@@ -1,0 +1,34 @@
+package badlog.page.view
+
+import badlog.analysis.Span
+import badlog.plot.text.countText
+import badlog.plot.timeline.FindingTimeline
+import badlog.rules.Finding
+
+/** [findings] by their places on the x axis. */
+internal fun timelineOf(findings: List<Finding>): FindingTimeline<Finding> = FindingTimeline(findings, { it.severity }, { it.places })
+
+/** Whether it has a place on the x axis. */
+internal val Finding.isPlaced: Boolean get() = time.isFinite()
+
+/** Everywhere it was found, the first place first; none when it is about the whole. */
+internal val Finding.places: List<Span>
+    get() = if (isPlaced) spans.ifEmpty { listOf(Span(time, time)) } else emptyList()
+
+/** Where it ends first, or stands. */
+internal val Finding.end: Double get() = maxOf(time, spans.firstOrNull()?.to ?: time)
+
+/** Its severity as a word, which is also the name of its style. */
+internal val Finding.word: String get() = severity.name.lowercase()
+
+/** The first of [findings] with its severity, and how many more there are. */
+internal fun findingText(findings: List<Finding>): String {
+    val first = findings.firstOrNull() ?: return ""
+    return "${first.word} · ${shortFindingText(findings)}"
+}
+
+/** The same without the severity. */
+internal fun shortFindingText(findings: List<Finding>): String {
+    val others = if (findings.size > 1) " (and ${countText(findings.size - 1)} more)" else ""
+    return "${findings[0].rule}: ${findings[0].text}$others"
+}

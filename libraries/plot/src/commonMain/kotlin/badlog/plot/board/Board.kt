@@ -1,0 +1,134 @@
+package badlog.plot.board
+
+import badlog.analysis.Span
+
+/**
+ * The graphs that a person put together, from top to bottom. Never changes; each transition gives a new one.
+ *
+ * @property graphs them.
+ */
+public data class Board(public val graphs: List<BoardGraph> = emptyList()) {
+    private val nextId: Int get() = (graphs.maxOfOrNull { it.id } ?: 0) + 1
+
+    /** Adds a graph of the signals [names] at the end, or before the graph [before]. */
+    public fun withGraph(names: List<String>, before: Int? = null): Board {
+        if (names.isEmpty()) return this
+        val graph = BoardGraph(nextId, names.first(), names.distinct())
+        val place = graphs.indexOfFirst { it.id == before }.let { if (it < 0) graphs.size else it }
+        return copy(graphs = graphs.take(place) + graph + graphs.drop(place))
+    }
+
+    /** Adds the signal [name] to graph [id], where it is not there yet. */
+    public fun withLine(id: Int, name: String): Board = change(id) { if (name in it.lines) it else it.copy(lines = it.lines + name) }
+
+    /** Adds the signals [names] to the last graph, or to a new one where there is none. */
+    public fun withLinesInLast(names: List<String>): Board {
+        val last = graphs.lastOrNull() ?: return withGraph(names)
+        return names.fold(this) { board, name -> board.withLine(last.id, name) }
+    }
+
+    /** Adds a graph of the signal [name] alone, or takes those away that are there. */
+    public fun withOwnToggled(name: String): Board {
+        val own = graphs.filter { it.lines == listOf(name) }
+        return if (own.isEmpty()) withGraph(listOf(name)) else own.fold(this) { board, graph -> board.without(graph.id) }
+    }
+
+    /** Takes the signal [name] out of graph [id], which goes with its last line. */
+    public fun withoutLine(id: Int, name: String): Board {
+        val changed = change(id) { it.copy(lines = it.lines - name) }
+        return changed.copy(graphs = changed.graphs.filter { it.lines.isNotEmpty() })
+    }
+
+    /** Takes the signal [name] out of all graphs; those with no other line go with it. */
+    public fun withoutSignal(name: String): Board =
+        graphs.fold(this) { board, graph -> if (name in graph.lines) board.withoutLine(graph.id, name) else board }
+
+    /** Draws the signal [name] where [before] was drawn. */
+    public fun renamed(before: String, name: String): Board = copy(
+        graphs = graphs.map { graph ->
+            val lines = graph.lines.map { if (it == before) name else it }.distinct()
+            graph.copy(title = if (graph.title == before) name else graph.title, lines = lines)
+        },
+    )
+
+    /** Takes graph [id] away. */
+    public fun without(id: Int): Board = copy(graphs = graphs.filterNot { it.id == id })
+
+    /** Moves graph [id] by [places], up when negative. */
+    public fun moved(id: Int, places: Int): Board {
+        val from = graphs.indexOfFirst { it.id == id }
+        if (from < 0) return this
+        val to = (from + places).coerceIn(graphs.indices)
+        return copy(graphs = graphs.toMutableList().apply { add(to, removeAt(from)) })
+    }
+
+    /** Draws the lines of graph [other] in graph [id], too, and takes [other] away. */
+    public fun joined(id: Int, other: Int): Board {
+        val added = graphs.find { it.id == other }
+        if (added == null || id == other || graphs.none { it.id == id }) return this
+        return without(other).change(id) { it.copy(lines = (it.lines + added.lines).distinct()) }
+    }
+
+    /** Gives each line of graph [id] a graph of its own, in its place; the first one keeps what was chosen for it but y. */
+    public fun separated(id: Int): Board {
+        val first = nextId
+        return copy(
+            graphs = graphs.flatMap { graph ->
+                if (graph.id != id || graph.lines.size < 2) return@flatMap listOf(graph)
+                graph.lines.mapIndexed { i, line ->
+                    graph.copy(id = if (i == 0) id else first + i, title = line, lines = listOf(line), yRange = null)
+                }
+            },
+        )
+    }
+
+    /** Shows only [range] of y in graph [id]; all of it for null. */
+    public fun withYRange(id: Int, range: Span?): Board = change(id) { it.copy(yRange = range) }
+
+    /** Gives graph [id] a height of its own, see [BoardGraph.height]; that of the others for null. */
+    public fun resized(id: Int, height: Int?): Board = change(id) { it.copy(height = height?.coerceIn(BoardGraph.HEIGHTS)) }
+
+    /** For each signal that is drawn, the place of its line in the first graph that draws it. */
+    public fun placesOfLines(): Map<String, Int> {
+        val places = HashMap<String, Int>()
+        for (graph in graphs) graph.lines.forEachIndexed { place, line -> if (line !in places) places[line] = place }
+        return places
+    }
+
+    /** The same with ids from 1 on, as a board that was written and read again has them. */
+    public fun renumbered(): Board = Board(graphs.mapIndexed { i, graph -> graph.copy(id = i + 1) })
+
+    /** Whether it shows the same as [other], whatever the ids. */
+    public fun showsSame(other: Board): Boolean = renumbered() == other.renumbered()
+
+    private fun change(id: Int, to: (BoardGraph) -> BoardGraph) = copy(graphs = graphs.map { if (it.id == id) to(it) else it })
+}
+
+/**
+ * What one graph shows, by names only: the same graph fits every recording of a robot.
+ *
+ * @property id tells it from the other graphs of its board; has no other meaning, and is not written.
+ * @property title what stands above it.
+ * @property lines the names of the signals it draws, each once; one that a recording lacks is left out there.
+ * @property isFilled whether the area below the lines is filled.
+ * @property includesZero whether y must include 0.
+ * @property yRange the part of y that a person selected, finite and wider than 0, or null for as much as the visible samples need.
+ * @property height how high it is in pixels as they look, one of [HEIGHTS]; null for as high as graphs are without a height.
+ */
+public data class BoardGraph(
+    public val id: Int,
+    public val title: String,
+    public val lines: List<String>,
+    public val isFilled: Boolean = false,
+    public val includesZero: Boolean = false,
+    public val yRange: Span? = null,
+    public val height: Int? = null,
+) {
+    public companion object {
+        /** How high a graph of numbers can be. */
+        public val HEIGHTS: IntRange = 60..600
+    }
+}
+
+/** Why a text is no board, as a sentence. */
+public class BoardException(message: String) : IllegalArgumentException(message)

@@ -1,0 +1,67 @@
+package badlog.plot.board
+
+import badlog.analysis.Span
+import badlog.json.JsonReader
+import badlog.json.JsonValue
+import badlog.json.quotedJson
+
+/**
+ * A board as an object of JSON with the key `graphs`, which layout files have too. Each graph has a `title`, the names of its
+ * `lines`, and where that was chosen `filled`, `zero`, `y` with `from` and `to`, and `height`.
+ */
+public fun Board.toJson(): String = graphs.joinToString(",", "{\"graphs\":[", "]}") { graph ->
+    buildString {
+        append("{\"title\":").append(quotedJson(graph.title))
+        append(",\"lines\":").append(graph.lines.joinToString(",", "[", "]", transform = ::quotedJson))
+        if (graph.isFilled) append(",\"filled\":true")
+        if (graph.includesZero) append(",\"zero\":true")
+        graph.yRange?.takeIf(::isWritable)?.let { append(",\"y\":{\"from\":").append(it.from).append(",\"to\":").append(it.to).append('}') }
+        graph.height?.let { append(",\"height\":").append(it) }
+        append('}')
+    }
+}
+
+/**
+ * The board that the JSON object [text] has, see [toJson]; other keys, as of a layout file or of a newer badlog, are passed over.
+ *
+ * @throws BoardException when it has none, or that is damaged.
+ */
+public fun boardOfJson(text: String): Board {
+    val members = JsonReader.readObject(text) ?: throw BoardException("This is not an object of JSON; select a file that badlog has saved.")
+    val graphs = members.findLast { it.key == "graphs" }?.value?.items ?: throw BoardException(damage("“graphs” is not a list"))
+    return Board(graphs.mapIndexed { i, graph -> graphOf(i + 1, graph) })
+}
+
+private fun graphOf(id: Int, graph: JsonValue): BoardGraph {
+    if (graph.members == null) throw BoardException(damage("graph $id is not an object"))
+    val lines = graph["lines"]?.items ?: throw BoardException(damage("graph $id has no list of “lines”"))
+    return BoardGraph(
+        id = id,
+        title = graph["title"]?.text ?: throw BoardException(damage("graph $id has no “title”")),
+        lines = lines.map { it.text ?: throw BoardException(damage("a line of graph $id is not a name")) }.distinct(),
+        isFilled = graph.isSet("filled", id),
+        includesZero = graph.isSet("zero", id),
+        yRange = graph["y"]?.let { y -> Span(y.number("from", id), y.number("to", id)).takeIf(::isWritable) },
+        height = graph["height"]?.let { graph.number("height", id).coerceIn(HEIGHTS).toInt() },
+    )
+}
+
+/** What has [key]; null for nothing. */
+private operator fun JsonValue.get(key: String): JsonValue? = members?.findLast { it.key == key }?.value?.takeIf { it.json != "null" }
+
+private fun JsonValue.isSet(key: String, graph: Int): Boolean = when (get(key)?.json ?: "false") {
+    "true" -> true
+    "false" -> false
+    else -> throw BoardException(damage("“$key” of graph $graph is neither true nor false"))
+}
+
+private fun JsonValue.number(key: String, graph: Int): Double {
+    val value = get(key)
+    // What is a text says so by its quotes.
+    return value?.json?.takeIf { it[0] == '-' || it[0] in '0'..'9' }?.toDoubleOrNull()
+        ?: throw BoardException(damage("“$key” of graph $graph is not a number"))
+}
+
+private fun damage(what: String) = "The graphs are damaged: $what; select a file that badlog has saved."
+
+private val HEIGHTS = BoardGraph.HEIGHTS.first.toDouble()..BoardGraph.HEIGHTS.last.toDouble()

@@ -1,0 +1,132 @@
+package badlog.plot.timeline
+
+import badlog.analysis.Span
+import badlog.recording.Severity
+import kotlin.math.floor
+
+/**
+ * What marks a finding of one severity on the time axis.
+ *
+ * @property outline its corners, x and y in turn, for a mark that reaches from -1 to 1; y points down. Empty for a circle.
+ * @property isHollow whether only its outline has the colour.
+ */
+public enum class FindingGlyph(public val outline: DoubleArray, public val isHollow: Boolean) {
+    /** Of an error. */
+    DIAMOND(doubleArrayOf(0.0, -1.0, 1.0, 0.0, 0.0, 1.0, -1.0, 0.0), isHollow = false),
+
+    /** Of a warning. */
+    TRIANGLE(doubleArrayOf(0.0, -1.0, 1.0, 1.0, -1.0, 1.0), isHollow = false),
+
+    /** Of a note: a ring, a little smaller. */
+    RING(doubleArrayOf(), isHollow = true),
+    ;
+
+    public companion object {
+        /** How far a glyph reaches from its middle, in pixels as they look. */
+        public const val SIZE: Double = 4.5
+
+        /** What marks a finding of [severity]. */
+        public fun of(severity: Severity): FindingGlyph = when (severity) {
+            Severity.ERROR -> DIAMOND
+            Severity.WARNING -> TRIANGLE
+            Severity.NOTE -> RING
+        }
+    }
+}
+
+/**
+ * The marks of findings on a time axis, in the order in which they are to be drawn, the worst last: glyphs where places begin, one for
+ * all of a severity that share a pixel, some with a line; and runs of pixels over which something was found. The arrays are kept from
+ * one drawing to the next.
+ */
+public class FindingMarks {
+    private var pixels = DoubleArray(0)
+    private var looks = IntArray(0)
+    private var worst = IntArray(0)
+    private var runEnds = IntArray(0)
+    private var onePixel = 1.0
+
+    /** How many glyphs there are. */
+    public var size: Int = 0
+        private set
+
+    /** How many runs there are. */
+    public var runCount: Int = 0
+        private set
+
+    /** Where glyph [index] stands, in pixels from the left. */
+    public fun pixelOf(index: Int): Double = pixels[index]
+
+    /** How bad glyph [index] is. */
+    public fun severityOf(index: Int): Severity = Severity.entries[looks[index] / 2]
+
+    /** Whether there is room for a line at glyph [index]: a crowd of lines would hide the graph. */
+    public fun hasLine(index: Int): Boolean = looks[index] % 2 == 1
+
+    /** Where run [index] begins, in pixels from the left. */
+    public fun runFrom(index: Int): Double = (if (index == 0) 0 else runEnds[index - 1]) * onePixel
+
+    /** Where run [index] ends. */
+    public fun runTo(index: Int): Double = runEnds[index] * onePixel
+
+    /** How bad the worst is that was found over run [index]; null for nothing. */
+    public fun runSeverity(index: Int): Severity? = Severity.entries.getOrNull(worst[runEnds[index] - 1] - 1)
+
+    /** Finds the marks for what [findings] has in [span], over [width] pixels, [onePixel] of which look like one. */
+    public fun place(findings: FindingTimeline<*>, span: Span, width: Double, onePixel: Double) {
+        this.onePixel = onePixel
+        size = 0
+        runCount = 0
+        val columns = maxOf(0, floor(width / onePixel).toInt())
+        if (columns == 0 || findings.places.isEmpty() || !(span.width > 0)) return
+        cover(findings, span, columns)
+        for (severity in Severity.entries) {
+            var last = Double.NEGATIVE_INFINITY
+            var lastLine = Double.NEGATIVE_INFINITY
+            for (place in findings.places) {
+                if (place.severity != severity || place.span.from !in span) continue
+                val pixel = floor((place.span.from - span.from) / span.width * columns) * onePixel
+                if (pixel == last) continue
+                last = pixel
+                val hasLine = pixel - lastLine >= APART * onePixel
+                if (hasLine) lastLine = pixel
+                add(pixel, severity.ordinal * 2 + if (hasLine) 1 else 0)
+            }
+        }
+    }
+
+    private fun add(pixel: Double, look: Int) {
+        if (size == pixels.size) {
+            pixels = pixels.copyOf(maxOf(FIRST_MARKS, size * 2))
+            looks = looks.copyOf(pixels.size)
+        }
+        pixels[size] = pixel
+        looks[size++] = look
+    }
+
+    private fun cover(findings: FindingTimeline<*>, span: Span, columns: Int) {
+        if (worst.size != columns) {
+            worst = IntArray(columns)
+            runEnds = IntArray(columns)
+        }
+        worst.fill(0)
+        for (place in findings.places) {
+            if (place.span.from > span.to) break
+            if (place.span.to < span.from || place.span.width <= 0) continue
+            val from = columnOf(place.span.from, span, columns)
+            val to = columnOf(place.span.to, span, columns)
+            val rank = place.severity.ordinal + 1
+            for (column in from..to) if (worst[column] < rank) worst[column] = rank
+        }
+        for (column in 1..columns) if (column == columns || worst[column] != worst[column - 1]) runEnds[runCount++] = column
+    }
+
+    private fun columnOf(x: Double, span: Span, columns: Int) =
+        floor((x - span.from) / span.width * columns).coerceIn(0.0, columns - 1.0).toInt()
+
+    private companion object {
+        /** So many pixels, as they look, are between two lines. */
+        const val APART = 9
+        const val FIRST_MARKS = 16
+    }
+}

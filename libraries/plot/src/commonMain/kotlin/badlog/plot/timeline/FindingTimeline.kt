@@ -1,0 +1,57 @@
+package badlog.plot.timeline
+
+import badlog.analysis.Span
+import badlog.recording.Severity
+import kotlin.math.abs
+
+/** A place on the x axis, [span], at which [finding] was found; a moment has no width. */
+public class FindingPlace<F>(public val finding: F, public val severity: Severity, public val span: Span)
+
+/**
+ * The findings of a recording by their places on the x axis.
+ *
+ * @param severityOf how bad a finding is.
+ * @param placesOf everywhere it was found, the place to look at first before the others; empty when it is about the whole log.
+ */
+public class FindingTimeline<F>(all: List<F>, private val severityOf: (F) -> Severity, placesOf: (F) -> List<Span>) {
+    /** All places of all of them, in the order of x. */
+    public val places: List<FindingPlace<F>> =
+        all.flatMap { finding -> placesOf(finding).map { FindingPlace(finding, severityOf(finding), it) } }.sortedBy { it.span.from }
+
+    /** The worst first, and of one severity in the order of x; those about the whole log come before those with a place. */
+    public val worstFirst: List<F> = all.map { it to (placesOf(it).firstOrNull()?.from ?: Double.NEGATIVE_INFINITY) }
+        .sortedWith(compareBy({ -severityOf(it.first).ordinal }, { it.second })).map { it.first }
+
+    /** How many are of [severity]. */
+    public fun count(severity: Severity): Int = worstFirst.count { severityOf(it) == severity }
+
+    /** Those with a place that is no further than [distance] from [x], or lasts over it, the worst first. */
+    public fun at(x: Double, distance: Double): List<F> {
+        val found = places.filter { x >= it.span.from - distance && x <= it.span.to + distance }.mapTo(HashSet()) { it.finding }
+        return if (found.isEmpty()) emptyList() else worstFirst.filter { it in found }
+    }
+
+    /**
+     * The one whose mark, where a place in [visible] begins, is no further than [reach] from [x]: of the nearest the worst. Else the
+     * worst of those that last over x, or end no further than half the reach from it; null for none.
+     */
+    public fun pointedAt(x: Double, reach: Double, visible: Span): F? {
+        val nearest = places.filter { it.span.from in visible && abs(it.span.from - x) <= reach }
+            .minWithOrNull(compareBy({ abs(it.span.from - x) }, { -it.severity.ordinal }))
+        return if (nearest != null) nearest.finding else at(x, reach / 2).firstOrNull()
+    }
+
+    /**
+     * The place [steps] after that of [current] which begins at [x], where the cursor still is; else the first after x, or with a
+     * negative number the last before it. Beyond the ends the last or the first; null without any. An x that is NaN is no place.
+     */
+    public fun beside(current: F?, x: Double, steps: Int): FindingPlace<F>? {
+        val index = places.indexOfFirst { it.finding == current && it.span.from == x }
+        val next = when {
+            index >= 0 -> index + steps
+            steps > 0 -> steps - 1 + if (x.isNaN()) 0 else places.count { it.span.from <= x }
+            else -> steps + if (x.isNaN()) places.size else places.count { it.span.from < x }
+        }
+        return places.getOrNull(next.coerceIn(0, maxOf(0, places.size - 1)))
+    }
+}
