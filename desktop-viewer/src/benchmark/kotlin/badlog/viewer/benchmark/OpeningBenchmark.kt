@@ -23,7 +23,8 @@ internal fun main(args: Array<String>) {
         val warmUp = window.viewer.scope.launch { warmUpGraphs(window.folders) }
         window.measure { warmUp.isCompleted }
         val millis = window.measure({ window.viewer.loader.open(file) }) {
-            window.viewer.current.recording != null && window.viewer.graphs.plots.areReady(window.viewer.compared.drawn, window.viewer.view.viewport.visible)
+            window.viewer.current.recording != null &&
+                window.viewer.graphs.plots.areReady(window.viewer.compared.drawn, window.viewer.view.viewport.visible)
         }
         val peak = peakMegabytes()
         if (args.size > 1) window.save(Path.of(args[1]))

@@ -24,21 +24,17 @@ import badlog.viewer.recording.CurrentRecording
 import badlog.viewer.view.AxisView
 
 /** What the keyboard does as on an exported page. */
-internal fun actionCommands(
-    current: CurrentRecording,
-    view: AxisView,
-    formulas: FormulaStore,
-    findings: LogFindings,
-): List<Command> = Action.entries.map { action ->
-    Command(action) {
-        when (action) {
-            Action.NEW_FORMULA -> formulas.write()
-            Action.NEXT_FINDING -> findings.step(1)
-            Action.PREVIOUS_FINDING -> findings.step(-1)
-            else -> move(action, current, view)
+internal fun actionCommands(current: CurrentRecording, view: AxisView, formulas: FormulaStore, findings: LogFindings): List<Command> =
+    Action.entries.map { action ->
+        Command(action) {
+            when (action) {
+                Action.NEW_FORMULA -> formulas.write()
+                Action.NEXT_FINDING -> findings.step(1)
+                Action.PREVIOUS_FINDING -> findings.step(-1)
+                else -> move(action, current, view)
+            }
         }
     }
-}
 
 /** What [action] does with the cursor and the visible range. */
 private fun move(action: Action, current: CurrentRecording, view: AxisView) = when (action) {

@@ -85,7 +85,9 @@ private fun Body(panels: Panels, isNarrow: Boolean, panes: Panes) {
     val all = Modifier.fillMaxSize()
     when {
         !isNarrow -> WideBody(panels, panes)
+
         panels.main != MainView.GRAPHS -> panes.main(all)
+
         // One part at a time, where there is no room for more.
         else -> when (panels.front) {
             FrontPart.LOGS -> panes.logs(all)
@@ -124,7 +126,9 @@ private fun MainPane(viewer: Viewer, modifier: Modifier) = with(viewer) {
                 CompareBar(current, compared)
                 GraphPane(graphs, Modifier.weight(1f).fillMaxWidth())
             }
+
             MainView.LOGS -> LogTable(library, settings, shownLogs(), logActions, Modifier.fillMaxSize())
+
             MainView.STATISTICS -> StatisticsTable(
                 statistics,
                 library.state.entries,

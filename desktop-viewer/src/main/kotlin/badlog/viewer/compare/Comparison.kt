@@ -76,7 +76,11 @@ internal enum class Alignment(val title: String, val hint: String, val layoutNam
     START("Start", "Every log begins where the open one begins.", "START"),
 
     /** The first moment at which the robot was enabled; the first x where nothing tells. */
-    ENABLED("Enabled", "The robot is first enabled at the same place in all; a log that does not tell begins with the open one.", "ENABLED"),
+    ENABLED(
+        "Enabled",
+        "The robot is first enabled at the same place in all; a log that does not tell begins with the open one.",
+        "ENABLED",
+    ),
 
     /** The x that was logged. */
     NONE("No alignment", "Every log stands at the x it was logged with.", "AS_LOGGED"),

@@ -1,6 +1,5 @@
 package badlog.viewer.graph
 
-import badlog.plot.board.defaultBoard
 import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
@@ -13,6 +12,7 @@ import androidx.compose.ui.input.pointer.PointerEventPass
 import androidx.compose.ui.input.pointer.PointerEventType
 import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.platform.LocalFocusManager
+import badlog.plot.board.defaultBoard
 import badlog.viewer.playback.PlayerFrames
 import badlog.viewer.theme.LocalPalette
 

@@ -26,11 +26,7 @@ internal fun Modifier.overviewPointer(scene: GraphScene): Modifier = pointerInpu
     }
 }
 
-private class OverviewPointer(
-    private val scope: AwaitPointerEventScope,
-    private val view: AxisView,
-    private val gestures: PlotGestures,
-) {
+private class OverviewPointer(private val scope: AwaitPointerEventScope, private val view: AxisView, private val gestures: PlotGestures) {
     private val clicks = DoubleClick()
     private var drag: OverviewDrag? = null
 

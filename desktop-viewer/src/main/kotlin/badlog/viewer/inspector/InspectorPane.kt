@@ -43,7 +43,16 @@ import java.awt.datatransfer.StringSelection
 
 /** The panel at the right: events, values, problems, statistics, findings. */
 @Composable
-internal fun InspectorPane(current: CurrentRecording, compared: ComparedRecordings, board: GraphBoard, view: AxisView, events: FilteredEvents, findings: LogFindings, panels: WindowPanels, modifier: Modifier = Modifier) {
+internal fun InspectorPane(
+    current: CurrentRecording,
+    compared: ComparedRecordings,
+    board: GraphBoard,
+    view: AxisView,
+    events: FilteredEvents,
+    findings: LogFindings,
+    panels: WindowPanels,
+    modifier: Modifier = Modifier,
+) {
     val tab = panels.state.inspector ?: return
     Column(modifier.background(LocalPalette.current.surface)) {
         Row(

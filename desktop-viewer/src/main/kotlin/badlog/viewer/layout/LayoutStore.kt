@@ -122,7 +122,13 @@ internal class LayoutStore(
 
     // All that changes a layout; compared by the parts themselves, so that to look costs nothing.
     private fun arrangement() = listOf(
-        current.recording, board.state, view.viewport.visible, view.selection, compared.state, panels.state, formulas.definitions,
+        current.recording,
+        board.state,
+        view.viewport.visible,
+        view.selection,
+        compared.state,
+        panels.state,
+        formulas.definitions,
     )
 
     private suspend fun save() {

@@ -23,11 +23,8 @@ import kotlin.time.Duration.Companion.milliseconds
  * @param cache where what is known of folders is kept.
  * @param settings remember which folders were opened.
  */
-internal class Library(
-    private val scope: CoroutineScope,
-    private val cache: Path,
-    private val settings: SettingsStore,
-) : Part<LibraryState>(LibraryState()) {
+internal class Library(private val scope: CoroutineScope, private val cache: Path, private val settings: SettingsStore) :
+    Part<LibraryState>(LibraryState()) {
     private var job: Job? = null
     private var indexing: Indexing? = null
     private val mutableProgress = MutableStateFlow<IndexProgress?>(null)

@@ -45,7 +45,13 @@ import badlog.viewer.theme.ToolButton
 
 /** The list of logs at the left. */
 @Composable
-internal fun LibraryPane(library: Library, settings: SettingsStore, shown: ShownLogs, actions: LibraryActions, modifier: Modifier = Modifier) {
+internal fun LibraryPane(
+    library: Library,
+    settings: SettingsStore,
+    shown: ShownLogs,
+    actions: LibraryActions,
+    modifier: Modifier = Modifier,
+) {
     Column(modifier.background(LocalPalette.current.surface)) {
         LibraryHead(library, settings, actions)
         HorizontalDivider()

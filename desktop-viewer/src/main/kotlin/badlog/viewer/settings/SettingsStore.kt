@@ -63,11 +63,8 @@ internal class SettingsFile(private val file: Path) {
  * @param file keeps it from one start to the next.
  * @param kept what [file] holds.
  */
-internal class SettingsStore(
-    private val file: SettingsFile,
-    private val notices: Notices,
-    private val kept: Settings = Settings(),
-) : Part<Settings>(kept) {
+internal class SettingsStore(private val file: SettingsFile, private val notices: Notices, private val kept: Settings = Settings()) :
+    Part<Settings>(kept) {
     /** Writes each change a moment after it was made, until cancelled. */
     @OptIn(FlowPreview::class)
     suspend fun autosave() = snapshotFlow { state }.dropWhile { it == kept }.debounce(QUIET_MILLIS).collectLatest { settings ->

@@ -1,7 +1,7 @@
 package badlog.viewer.topic
 
-import badlog.viewer.board.GraphBoard
 import badlog.plot.board.Board
+import badlog.viewer.board.GraphBoard
 import badlog.viewer.panels.InspectorTab
 import badlog.viewer.panels.WindowPanels
 import badlog.viewer.recording.CurrentRecording

@@ -74,7 +74,19 @@ import kotlinx.coroutines.withContext
  */
 @OptIn(ExperimentalComposeUiApi::class)
 @Composable
-internal fun SignalLine(current: CurrentRecording, board: GraphBoard, view: AxisView, events: FilteredEvents, formulas: FormulaStore, topics: TopicListing, panels: WindowPanels, open: OpenRecording, row: SignalRow, rows: List<TopicRow>, place: Int?) {
+internal fun SignalLine(
+    current: CurrentRecording,
+    board: GraphBoard,
+    view: AxisView,
+    events: FilteredEvents,
+    formulas: FormulaStore,
+    topics: TopicListing,
+    panels: WindowPanels,
+    open: OpenRecording,
+    row: SignalRow,
+    rows: List<TopicRow>,
+    place: Int?,
+) {
     val palette = LocalPalette.current
     val signal = row.signal
     val isSelected = signal.name in topics.state.selected

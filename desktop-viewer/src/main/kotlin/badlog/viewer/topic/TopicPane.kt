@@ -55,7 +55,17 @@ import kotlinx.coroutines.withContext
 
 /** The topics of the open recording by folder. */
 @Composable
-internal fun TopicPane(current: CurrentRecording, compared: ComparedRecordings, board: GraphBoard, view: AxisView, events: FilteredEvents, formulas: FormulaStore, topics: TopicListing, panels: WindowPanels, modifier: Modifier = Modifier) {
+internal fun TopicPane(
+    current: CurrentRecording,
+    compared: ComparedRecordings,
+    board: GraphBoard,
+    view: AxisView,
+    events: FilteredEvents,
+    formulas: FormulaStore,
+    topics: TopicListing,
+    panels: WindowPanels,
+    modifier: Modifier = Modifier,
+) {
     Column(modifier.background(LocalPalette.current.surface)) {
         val list = topics.state
         val open = current.recording
@@ -81,7 +91,18 @@ private fun Hint(text: String) {
 }
 
 @Composable
-private fun Rows(current: CurrentRecording, compared: ComparedRecordings, board: GraphBoard, view: AxisView, events: FilteredEvents, formulas: FormulaStore, topics: TopicListing, panels: WindowPanels, open: OpenRecording, modifier: Modifier) {
+private fun Rows(
+    current: CurrentRecording,
+    compared: ComparedRecordings,
+    board: GraphBoard,
+    view: AxisView,
+    events: FilteredEvents,
+    formulas: FormulaStore,
+    topics: TopicListing,
+    panels: WindowPanels,
+    open: OpenRecording,
+    modifier: Modifier,
+) {
     val query = topics.state.query
     val folded = topics.state.folded
     val rows by produceState<List<TopicRow>?>(null, open, query, folded) {

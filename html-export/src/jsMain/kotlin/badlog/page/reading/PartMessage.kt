@@ -63,7 +63,13 @@ internal object PartMessage {
         val skipped = message.skipped as Int
         val compressed = Uint8Array(decoded.buffer, decoded.byteOffset + skipped, message.until as Int - skipped)
         // All parts but the last end in a flush; an empty last block makes whole streams of them.
-        val pieces: Array<dynamic> = if (message.isLast as Boolean) arrayOf(compressed) else arrayOf(compressed, Uint8Array(arrayOf<Byte>(3, 0)))
+        val pieces: Array<dynamic> = if (message.isLast as Boolean) {
+            arrayOf(
+                compressed,
+            )
+        } else {
+            arrayOf(compressed, Uint8Array(arrayOf<Byte>(3, 0)))
+        }
         message.base64 = null
         val stream: dynamic = js("new DecompressionStream('deflate-raw')")
         val writer = stream.writable.getWriter()

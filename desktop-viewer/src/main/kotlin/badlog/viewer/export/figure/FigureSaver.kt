@@ -1,9 +1,9 @@
 package badlog.viewer.export.figure
 
-import badlog.file.writeAtomically
 import androidx.compose.foundation.layout.size
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.setValue
+import badlog.file.writeAtomically
 import badlog.plot.board.BoardGraph
 import badlog.viewer.compare.ComparedRecordings
 import badlog.viewer.files.FileChoice

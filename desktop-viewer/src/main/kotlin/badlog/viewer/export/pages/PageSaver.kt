@@ -60,10 +60,12 @@ internal class PageSaver(
         val made = pages.made
         when {
             made.size == 1 -> notices.say("Saved ${made.single()}.", openAction(made.single(), scope, notices))
+
             made.isNotEmpty() -> {
                 val folder = made.first().parent
                 notices.say("Saved ${made.size} pages in $folder.", openAction(folder, scope, notices))
             }
+
             pages.failures.isEmpty() -> notices.complain("No logs found in the folder; open one that has some.")
         }
         if (pages.failures.isEmpty()) return

@@ -34,7 +34,7 @@ internal class SourceFile(
 
 /** All Kotlin and Java under [root], but for what builds left behind. */
 internal fun sourcesUnder(root: File): List<SourceFile> = root.walk()
-    .onEnter { it == root || it.name !in setOf("build", "node_modules") && !it.name.startsWith('.') }
+    .onEnter { it == root || (it.name !in setOf("build", "node_modules") && !it.name.startsWith('.')) }
     .filter { it.extension == "kt" || it.extension == "java" }
     .mapNotNull { sourceOf(it, it.relativeTo(root).invariantSeparatorsPath) }
     .sortedBy { it.path }
