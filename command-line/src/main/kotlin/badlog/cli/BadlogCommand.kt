@@ -63,11 +63,11 @@ internal class BadlogCommand(val arguments: List<String>) : CoreCliktCommand(NAM
     }
 
     override fun help(context: Context): String = paragraph(
-        "Works on the logs of robots: bags, WPILOGs and CSV files, also gzipped, also damaged. The content decides what a file is, " +
+        "Works on robot logs: bags, WPILOGs and CSV files, gzipped and damaged ones too. The content decides what a file is, " +
             "never its name. No log is ever changed.",
     )
 
-    override fun helpEpilog(context: Context): String = paragraph("“$NAME help cut” tells more about cut, and so on. $EXIT_CODES")
+    override fun helpEpilog(context: Context): String = paragraph("“$NAME help cut” lists the options of cut. $EXIT_CODES")
 
     override fun run() = Unit
 
@@ -87,9 +87,9 @@ internal class BadlogCommand(val arguments: List<String>) : CoreCliktCommand(NAM
 
 /** `badlog help cut`: says what `badlog cut --help` says. */
 internal class HelpCommand : CoreCliktCommand("help") {
-    private val command by argument("COMMAND").optional().help("The sub-command that is wondered about.")
+    private val command by argument("COMMAND").optional().help("The sub-command to explain.")
 
-    override fun help(context: Context): String = "Says what a sub-command does."
+    override fun help(context: Context): String = "Explains a sub-command."
 
     override fun run() {
         val root = currentContext.parent?.command as CoreCliktCommand

@@ -119,7 +119,7 @@ class BrokenFilesSpec : FunSpec({
             val ended = badlogJson("info", folder, folder / "missing.bag")
             ended.code shouldBe ExitCode.SALVAGED
             status(ended) shouldContainExactly listOf("whole", "whole", "salvaged", "skipped", "failed")
-            badlog("info", folder).err shouldBe "1 file is no log and was skipped.\n"
+            badlog("info", folder).err shouldBe "1 file is not a log and was skipped.\n"
         }
     }
 

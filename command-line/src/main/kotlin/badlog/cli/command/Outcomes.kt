@@ -3,9 +3,10 @@ package badlog.cli.command
 import badlog.cli.console.Console
 import badlog.cli.console.Spelling
 import badlog.cli.input.LogInput
+import badlog.cli.text.jsonOf
+import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonObject
-import kotlinx.serialization.json.JsonPrimitive
 import java.nio.file.Path
 
 /**
@@ -38,7 +39,7 @@ internal class Outcomes(private val command: String, private val console: Consol
     /** Nothing could be done with [file], for the reason of [message]. */
     fun failed(file: Path, message: String) {
         failed++
-        if (isJson) line(file, "failed", mapOf("error" to JsonPrimitive(message))) else console.warn(message)
+        if (isJson) line(file, "failed", jsonOf(ErrorJson(message))) else console.warn(message)
     }
 
     /** [input] cannot be read, for the reason of [message]; [isNoLog] when it is something else than a log. */
@@ -62,11 +63,11 @@ internal class Outcomes(private val command: String, private val console: Consol
     /** Says what there is to say about all; how the program ends. */
     fun end(): ExitCode {
         if (!isJson) {
-            if (skipped == 1) console.warn("1 file is no log and was skipped.")
-            if (skipped > 1) console.warn("$skipped files are no logs and were skipped.")
+            if (skipped == 1) console.warn("1 file is not a log and was skipped.")
+            if (skipped > 1) console.warn("$skipped files are not logs and were skipped.")
         }
         val done = whole + salvaged
-        if (done + failed == 0) console.warn("No log was found. Name a log, or the folder it is in.")
+        if (done + failed == 0) console.warn("No logs found. Name a log, or the folder it is in.")
         return when {
             done == 0 -> ExitCode.NOTHING
             salvaged + failed > 0 || isIncomplete -> ExitCode.SALVAGED
@@ -85,15 +86,16 @@ internal class Outcomes(private val command: String, private val console: Consol
     }
 
     private fun line(file: Path, status: String, rest: Map<String, JsonElement>) {
-        val start = mapOf(
-            "command" to JsonPrimitive(command),
-            "file" to JsonPrimitive(file.toString()),
-            "status" to JsonPrimitive(status),
-        )
-        console.say(asciiOf(JsonObject(start + rest).toString()))
+        console.say(asciiOf(JsonObject(jsonOf(LineJson(command, file.toString(), status)) + rest).toString()))
     }
 
     private companion object {
         const val ASCII = 0x7F
     }
 }
+
+@Serializable
+private class LineJson(private val command: String, private val file: String, private val status: String)
+
+@Serializable
+private class ErrorJson(private val error: String)

@@ -63,7 +63,7 @@ internal abstract class SubCommand(
         val name = unknown.substringBefore('=')
         val names = registeredOptions().flatMap { it.names }
         if (name.startsWith("--") && ' ' !in name) throw NoSuchOption(name, currentContext.suggestTypoCorrection(name, names))
-        throw UsageError("there is no option “$unknown”; put -- before it when it is none")
+        throw UsageError("there is no option “$unknown”; put -- before it if it is a name")
     }
 
     final override fun help(context: Context): String =
@@ -74,7 +74,7 @@ internal abstract class SubCommand(
 
 /** What every help text ends with. */
 internal const val EXIT_CODES: String =
-    "Exit code: 0 all is whole, 3 something was salvaged or left out, 1 nothing could be done, 2 wrong usage."
+    "Exit code: 0 success, 3 some data was lost or left out, 1 nothing could be done, 2 wrong usage."
 
 /** [text] in lines that fit a terminal, with room for the margin that help texts have. */
 internal fun paragraph(text: String): String = wrapped("", text, width = HELP_WIDTH)

@@ -19,22 +19,22 @@ internal class ConvertCommand :
     SubCommand(
         "convert",
         "Writes logs in another format.",
-        "Every number is kept to its last bit; what the format has no place for is listed. A WPILOG has no rows: a bag or CSV " +
+        "Every number is kept to its last bit; what the format cannot hold is listed. A WPILOG has no rows: a bag or CSV " +
             "made of it has the last value of each topic in each row. Without --out, match.csv stands beside match.bag. A name " +
             "that ends in .gz is compressed.",
     ) {
     private val to by option("--to").choice(LogFormat.entries.associateBy { it.option }, metavar = "FORMAT")
-        .help("${LogFormat.entries.joinToString { it.option }}; unless the name after --out tells it.")
+        .help("${LogFormat.entries.joinToString { it.option }}; default: from the name after --out.")
     private val output by OutputOptions()
     private val isGzip by option("-z", "--gzip").flag().help("Compress the results, with .gz at their names.")
     private val xTopic by option("--x", metavar = "TOPIC").help("Make this topic the x axis of the bag.")
     private val period by option("--period", metavar = "SECONDS").double()
-        .help("How far apart the rows of a WPILOG are; usually ${Rows.USUAL_PERIOD}.")
+        .help("Seconds between the rows of a WPILOG; default: ${Rows.DEFAULT_PERIOD}.")
         .validate { if (!(it > 0 && it.isFinite())) fail("must be above 0") }
     private val rowsAt by option("--rows-at", metavar = "TOPIC")
         .help("Make the rows of a WPILOG at this topic's times.")
     private val isChangesOnly by option("--changes-only")
-        .flag().help("Leave out of a WPILOG what repeats the sample before.")
+        .flag().help("Leave out of a WPILOG what repeats the previous sample.")
     private val virtual by VirtualTopicOption()
 
     override fun makeTask(): Task {

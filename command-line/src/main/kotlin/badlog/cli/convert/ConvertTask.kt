@@ -11,24 +11,24 @@ import badlog.cli.input.Failure
 import badlog.cli.input.FileName
 import badlog.cli.input.LogInput
 import badlog.cli.input.readLog
-import badlog.cli.output.LeftOut
 import badlog.cli.output.LogFormat
+import badlog.cli.output.Omissions
 import badlog.cli.output.OutputPlan
 import badlog.cli.output.copyBeginning
 import badlog.cli.output.writeLog
-import badlog.cli.recover.Losses
+import badlog.cli.recover.Damage
 import badlog.cli.text.counted
-import badlog.cli.text.json
+import badlog.cli.text.jsonOf
 import badlog.cli.text.lossLines
 import badlog.cli.text.undefinedLines
 import badlog.cli.text.wrapped
 import badlog.expression.withVirtualTopics
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
-import badlog.report.undefinedJson
+import badlog.report.UndefinedJson
 import badlog.report.withX
 import badlog.terminal.Progress
-import kotlinx.serialization.json.JsonPrimitive
+import kotlinx.serialization.Serializable
 import java.nio.file.Path
 
 /**
@@ -51,7 +51,7 @@ internal class ConvertTask(
     private val isChangesOnly: Boolean,
     private val isJson: Boolean,
 ) : Task {
-    private class WithRows(val recording: Recording, val leftOut: LeftOut)
+    private class WithRows(val recording: Recording, val leftOut: Omissions)
 
     override fun run(console: Console): ExitCode = LogLoop("convert", console, isJson).run(paths, ::convert)
 
@@ -62,7 +62,7 @@ internal class ConvertTask(
         }
         val with = LogView.of(read).withVirtualTopics(virtualTopics)
         val all = with.view.recording
-        val fit = if (format.hasRows) withRows(all, input.file) else WithRows(all, LeftOut())
+        val fit = if (format.hasRows) withRows(all, input.file) else WithRows(all, Omissions())
         val recording = fit.recording
         val name = FileName.of(input.file)
         val converted = name.with(format.ending, isGzip || name.isGzip)
@@ -76,26 +76,26 @@ internal class ConvertTask(
         val text = listOf("${input.file} -> $target", wrapped("  ", count + leftOut.tail, INDENT)) + leftOut.lines +
             undefinedLines(with.errors) +
             lossLines(recording.problems)
-        val json = mapOf(
-            "output" to JsonPrimitive(target.toString()),
-            "format" to JsonPrimitive(format.option),
-            "rows" to JsonPrimitive(recording.rowCount),
-            "samples" to JsonPrimitive(recording.sampleCount),
-            "leftOut" to json(leftOut.all),
-            "undefined" to undefinedJson(with.errors),
+        val json = ConvertJson(
+            target.toString(),
+            format.option,
+            recording.rowCount,
+            recording.sampleCount,
+            leftOut.all,
+            with.errors.map(::UndefinedJson),
         )
-        return Outcome(recording.isSalvaged, text.joinToString("\n"), json)
+        return Outcome(recording.isSalvaged, text.joinToString("\n"), jsonOf(json))
     }
 
-    private fun write(file: Path, recording: Recording, target: Path, progress: Progress): LeftOut {
-        val lostBytes = Losses(recording).bytesAtEnd
+    private fun write(file: Path, recording: Recording, target: Path, progress: Progress): Omissions {
+        val lostBytes = Damage(recording).bytesAtEnd
         val staysAsItIs = recording.format == RecordingFormat.WPILOG && !format.hasRows && !isChangesOnly && virtualTopics.isEmpty()
         if (!staysAsItIs || lostBytes == null) {
             return writeLog(recording, format, target, changesOnly = isChangesOnly, progress = progress)
         }
         // A WPILOG of our own has the fields of structs, not the structs.
         copyBeginning(file, lostBytes, target, progress)
-        return LeftOut()
+        return Omissions()
     }
 
     private fun withRows(read: Recording, file: Path): WithRows {
@@ -103,9 +103,9 @@ internal class ConvertTask(
         val times = if (hasRows) null else rows.timesIn(read, file)
         val recording = if (times == null) withRowsOnly(read) else resampled(read, times)
         val leftOut = if (times == null) {
-            LeftOut(listOfNotNull(LeftOut.thing(read.topics.size - recording.topics.size, "calculated topic")))
+            Omissions(listOfNotNull(Omissions.thing(read.topics.size - recording.topics.size, "calculated topic")))
         } else {
-            rowLosses(read, times)
+            rowOmissions(read, times)
         }
         return WithRows(if (xTopic == null) recording else recording.withX(xTopic, file), leftOut)
     }
@@ -121,3 +121,13 @@ internal class ConvertTask(
         const val INDENT = 4
     }
 }
+
+@Serializable
+private class ConvertJson(
+    private val output: String,
+    private val format: String,
+    private val rows: Int,
+    private val samples: Long,
+    private val leftOut: List<String>,
+    private val undefined: List<UndefinedJson>,
+)

@@ -3,7 +3,7 @@ package badlog.cli.convert
 import badlog.analysis.periodicTimes
 import badlog.analysis.timesOf
 import badlog.cli.input.Failure
-import badlog.cli.output.LeftOut
+import badlog.cli.output.Omissions
 import badlog.cli.text.counted
 import badlog.recording.Recording
 import badlog.recording.Topic
@@ -14,7 +14,7 @@ import java.nio.file.Path
 /**
  * At which times a log without rows gets them.
  *
- * @param period how far apart, in seconds; null for [USUAL_PERIOD].
+ * @param period how far apart, in seconds; null for [DEFAULT_PERIOD].
  * @param topic the topic at whose times they are instead, or null.
  */
 internal class Rows(private val period: Double?, private val topic: String?) {
@@ -27,7 +27,7 @@ internal class Rows(private val period: Double?, private val topic: String?) {
     fun timesIn(recording: Recording, file: Path): DoubleArray {
         if (topic != null) return timesOf(recording, recording.topicCalled(topic, file) { "to make rows at" })
         return try {
-            periodicTimes(recording, period ?: USUAL_PERIOD)
+            periodicTimes(recording, period ?: DEFAULT_PERIOD)
         } catch (e: IllegalArgumentException) {
             throw Failure("$file: ${e.message} Choose a longer --period.")
         }
@@ -35,18 +35,18 @@ internal class Rows(private val period: Double?, private val topic: String?) {
 
     companion object {
         /** A robot's loop. */
-        const val USUAL_PERIOD = 0.02
+        const val DEFAULT_PERIOD = 0.02
     }
 }
 
 /** What of [recording], whose topics have times of their own, is not told by rows at [times]. */
-internal fun rowLosses(recording: Recording, times: DoubleArray): LeftOut {
+internal fun rowOmissions(recording: Recording, times: DoubleArray): Omissions {
     val between = recording.topics.sumOf { samplesBetween(it, times) }
     val topics = recording.topics
-    return LeftOut(
+    return Omissions(
         listOfNotNull(
             if (between == 0L) null else counted(between, "sample") + " between rows",
-            LeftOut.thing(topics.count { it.type.isNotEmpty() }, "type"),
+            Omissions.thing(topics.count { it.type.isNotEmpty() }, "type"),
             topicsText("the metadata", topics.count { it.metadata.isNotEmpty() }),
             topicsText("the bytes", topics.count { it.type == "raw" || it.type.startsWith("proto:") }),
         ),

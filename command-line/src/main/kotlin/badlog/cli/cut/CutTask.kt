@@ -10,21 +10,20 @@ import badlog.cli.input.Failure
 import badlog.cli.input.FileName
 import badlog.cli.input.LogInput
 import badlog.cli.input.readLog
-import badlog.cli.output.LeftOut
 import badlog.cli.output.LogFormat
+import badlog.cli.output.Omissions
 import badlog.cli.output.OutputPlan
 import badlog.cli.output.writeLog
+import badlog.cli.text.StretchJson
 import badlog.cli.text.XTime
 import badlog.cli.text.counted
 import badlog.cli.text.grouped
-import badlog.cli.text.json
+import badlog.cli.text.jsonOf
 import badlog.cli.text.lossLines
 import badlog.cli.text.wrapped
 import badlog.recording.RecordingFormat
 import badlog.terminal.Progress
-import kotlinx.serialization.json.JsonArray
-import kotlinx.serialization.json.JsonObject
-import kotlinx.serialization.json.JsonPrimitive
+import kotlinx.serialization.Serializable
 import java.nio.file.Path
 
 /**
@@ -53,7 +52,7 @@ internal class CutTask(
         val format = plan.file?.let(LogFormat::ofName) ?: LogFormat.of(view.recording)
         val leftOut = writeLog(part.recording, format, target, part.rows, progress = progress)
         val text = text(view, "${input.file} -> $target", part, leftOut)
-        return Outcome(view.recording.isSalvaged, text, json(view, target, part) + mapOf("leftOut" to json(leftOut.all)))
+        return Outcome(view.recording.isSalvaged, text, jsonOf(json(view, target, part, leftOut)))
     }
 
     private fun partOf(view: LogView): CutPart {
@@ -61,7 +60,7 @@ internal class CutTask(
         return if (view.recording.format == RecordingFormat.WPILOG) samplePart(view, spans) else rowPart(view, spans)
     }
 
-    private fun text(view: LogView, title: String, part: CutPart, leftOut: LeftOut): String {
+    private fun text(view: LogView, title: String, part: CutPart, leftOut: Omissions): String {
         val unit = view.xAxis.unit
         val lines = part.spans.take(LISTED).map { "  from ${XTime.text(it.from, unit)} to ${XTime.text(it.to, unit)}" }
         val more = if (part.spans.size > LISTED) listOf("  and ${part.spans.size - LISTED} more") else emptyList()
@@ -74,13 +73,14 @@ internal class CutTask(
         return (head + lines + more + leftOut.lines + lossLines(view.problems)).joinToString("\n")
     }
 
-    private fun json(view: LogView, target: Path, part: CutPart) = mapOf(
-        "output" to JsonPrimitive(target.toString()),
-        "rows" to JsonPrimitive(part.rowCount),
-        "ofRows" to JsonPrimitive(view.recording.rowCount),
-        "samples" to JsonPrimitive(part.sampleCount),
-        "ofSamples" to JsonPrimitive(view.recording.sampleCount),
-        "parts" to JsonArray(part.spans.map { JsonObject(mapOf("from" to json(it.from), "to" to json(it.to))) }),
+    private fun json(view: LogView, target: Path, part: CutPart, leftOut: Omissions) = CutJson(
+        target.toString(),
+        part.rowCount,
+        view.recording.rowCount,
+        part.sampleCount,
+        view.recording.sampleCount,
+        part.spans.map { StretchJson(it.from, it.to) },
+        leftOut.all,
     )
 
     private companion object {
@@ -88,3 +88,14 @@ internal class CutTask(
         const val INDENT = 4
     }
 }
+
+@Serializable
+private class CutJson(
+    private val output: String,
+    private val rows: Int,
+    private val ofRows: Int,
+    private val samples: Long,
+    private val ofSamples: Long,
+    private val parts: List<StretchJson>,
+    private val leftOut: List<String>,
+)

@@ -31,7 +31,7 @@ internal class EnabledChoice(private val margin: Double) : PartChoice {
         val spans = view.enabledSpans()
         if (spans.isEmpty()) {
             throw Failure(
-                "it does not tell when the robot was enabled: no topic is called Enabled, or it never is true, or x goes backwards.",
+                "it does not show when the robot was enabled: it has no topic Enabled, or that is never true, or x goes backwards.",
             )
         }
         return spans.map { Span(it.span.from - margin, it.span.to + margin) }

@@ -13,6 +13,7 @@ import badlog.cli.search.Search
 import badlog.cli.search.SearchException
 import badlog.cli.text.counted
 import badlog.cli.text.json
+import badlog.cli.text.jsonOf
 import badlog.cli.text.lossLines
 import badlog.cli.text.undefinedLines
 import badlog.cli.text.wrapped
@@ -22,10 +23,10 @@ import badlog.file.requireRegularFile
 import badlog.html.ExportException
 import badlog.html.HtmlExporter
 import badlog.html.protocol.PageAdditions
-import badlog.report.failureJson
+import badlog.report.HookFailureJson
+import badlog.report.SkippedJson
+import badlog.report.UndefinedJson
 import badlog.report.page.hookParts
-import badlog.report.skippedJson
-import badlog.report.undefinedJson
 import badlog.rules.FolderRules
 import badlog.rules.SkippedRule
 import badlog.rules.skippedFor
@@ -116,9 +117,9 @@ internal class ExportTask(
             "rulesProblem" to JsonPrimitive(folder?.problem),
             "findings" to JsonPrimitive(found.count),
             "findingsError" to JsonPrimitive(found.unreadable),
-            "notAsked" to JsonArray(skipped.map(::skippedJson)),
-            "undefined" to undefinedJson(undefined),
-            "hookFailures" to JsonArray(found.failures.map { (hook, failure) -> failureJson(hook, failure.message) }),
+            "notAsked" to JsonArray(skipped.map { jsonOf(SkippedJson(it)) }),
+            "undefined" to JsonArray(undefined.map { jsonOf(UndefinedJson(it)) }),
+            "hookFailures" to JsonArray(found.failures.map { (hook, failure) -> jsonOf(HookFailureJson(hook, failure.message)) }),
             "problems" to JsonArray(report.recording.problems.map { json(it) }),
         )
         val isIncomplete = found.failures.isNotEmpty() || found.unreadable != null || folder?.problem != null || told.isNotEmpty()

@@ -9,11 +9,12 @@ import badlog.cli.command.Task
 import badlog.cli.command.VirtualTopicOption
 import badlog.cli.command.cacheFolder
 import badlog.cli.console.Console
+import badlog.cli.text.jsonOf
 import badlog.expression.syntax.ExpressionErrorKind
 import badlog.report.Find
+import badlog.report.FindJson
 import badlog.report.FindResult
 import badlog.report.Reply
-import badlog.report.findJson
 import badlog.report.findText
 import badlog.report.undefinedTexts
 import com.github.ajalt.clikt.parameters.arguments.argument
@@ -29,13 +30,13 @@ internal class FindCommand :
     SubCommand(
         "find",
         "Asks a question of every log.",
-        "The question is an expression, such as 'min(System/Battery Voltage) < 7'. Answers are kept in the user's cache folder, so " +
+        "The question is an expression, such as 'min(System/Battery Voltage) < 7'. Answers are cached in the user's folder for that, so " +
             "that a log that has not changed is not read again.",
     ) {
     private val question by argument("QUESTION").help("An expression over the topics of a log.")
     private val virtual by VirtualTopicOption()
-    private val xTopic by option("--x", metavar = "TOPIC").help("Take this topic as x axis, which CSV does not tell.")
-    private val isFresh by option("--no-cache").flag().help("Read every log, and keep nothing.")
+    private val xTopic by option("--x", metavar = "TOPIC").help("Use this topic as x axis; CSV does not name one.")
+    private val isFresh by option("--no-cache").flag().help("Read every log again, and store no results.")
 
     override val words: List<String> get() = super.words + question
 
@@ -82,7 +83,7 @@ internal class FindTask(
             val result = resultOf.getValue(file)
             when (val reply = result.reply) {
                 is Reply.Unreadable -> outcomes.unreadable(input, reply.message, reply.isNoLog)
-                else -> outcomes.done(input.file, Outcome(result.isSalvaged, "", findJson(result)))
+                else -> outcomes.done(input.file, Outcome(result.isSalvaged, "", jsonOf(FindJson(result))))
             }
         }
         return outcomes.end()

@@ -9,9 +9,10 @@ import badlog.cli.command.Task
 import badlog.cli.command.VirtualTopicOption
 import badlog.cli.console.Console
 import badlog.cli.input.readLog
+import badlog.cli.text.jsonOf
 import badlog.expression.withVirtualTopics
+import badlog.report.NamedTopics
 import badlog.report.UndefinedTopic
-import badlog.report.undefinedJson
 import badlog.report.undefinedTexts
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.flag
@@ -24,15 +25,15 @@ import java.nio.file.Path
 internal class InfoCommand :
     SubCommand(
         "info",
-        "Says what is in logs.",
-        "Of one log it tells the match, the x axis, values, topics and problems; of several, one line each. HZ is samples per " +
-            "second. A log is held in memory while it is looked at, 8 bytes a number.",
+        "Shows what is in logs.",
+        "Of one log: match, x axis, values, topics and problems; of several, one line each. HZ is samples per " +
+            "second. A WPILOG is held in memory while it is read, 8 bytes a number.",
     ) {
     private val showsTopics by option("--topics").flag().help("Show the topics, of several logs too.")
     private val showsAttributes by option("--attributes").flag().help("Show the topics with their attributes.")
     private val showsValues by option("--values").flag().help("Show the values, of several logs too.")
     private val showsProblems by option("--problems").flag().help("Show the problems, of several logs too.")
-    private val xTopic by option("--x", metavar = "TOPIC").help("Take this topic as x axis, which CSV does not tell.")
+    private val xTopic by option("--x", metavar = "TOPIC").help("Use this topic as x axis; CSV does not name one.")
     private val virtual by VirtualTopicOption()
 
     override fun makeTask(): Task {
@@ -65,7 +66,7 @@ internal enum class InfoPart {
 }
 
 /**
- * Says what is in logs.
+ * Shows what is in logs.
  *
  * @param parts what to show; empty for all of one log, and for one line of each of several.
  * @param xTopic the topic to take as x axis, or null.
@@ -84,9 +85,10 @@ internal class InfoTask(
         var isFirst = true
         val undefined = ArrayList<List<UndefinedTopic>>()
         val code = LogLoop("info", console, isJson).run(paths) { input, progress ->
-            val recording = readLog(input.file, progress, xTopic)
+            val numbers = StreamedNumbers(NamedTopics(virtualTopics, xTopic))
+            val recording = readLog(input.file, progress, xTopic, numbers)
             val with = LogView.of(recording).withVirtualTopics(virtualTopics)
-            val summary = LogSummary(input.file, Files.size(input.file), with.view)
+            val summary = LogSummary(input.file, Files.size(input.file), with.view, numbers)
             val text = when {
                 isJson -> ""
                 isOverview -> (if (isFirst) OverviewText.titles() + "\n" else "") + OverviewText.line(summary)
@@ -94,7 +96,7 @@ internal class InfoTask(
             }
             isFirst = false
             undefined += with.errors.map(::UndefinedTopic)
-            val json = if (isJson) infoJson(summary) + mapOf("undefined" to undefinedJson(with.errors)) else emptyMap()
+            val json = if (isJson) jsonOf(InfoJson(summary, with.errors)) else emptyMap()
             Outcome(recording.isSalvaged, text, json)
         }
         if (!isJson) undefinedTexts(undefined).forEach(console::say)

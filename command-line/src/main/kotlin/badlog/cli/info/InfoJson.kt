@@ -1,66 +1,100 @@
 package badlog.cli.info
 
 import badlog.analysis.Units
-import badlog.cli.text.json
-import kotlinx.serialization.json.JsonArray
-import kotlinx.serialization.json.JsonElement
-import kotlinx.serialization.json.JsonObject
-import kotlinx.serialization.json.JsonPrimitive
+import badlog.analysis.XAxis
+import badlog.cli.text.JsonNumber
+import badlog.cli.text.ProblemJson
+import badlog.expression.ExpressionError
+import badlog.recording.CellCounts
+import badlog.recording.Value
+import badlog.report.UndefinedJson
+import kotlinx.serialization.Serializable
 
 /** All about one log, for a program. */
-internal fun infoJson(summary: LogSummary): Map<String, JsonElement> {
-    val view = summary.view
-    val recording = view.recording
-    return mapOf(
-        "format" to JsonPrimitive(recording.format.name.lowercase()),
-        "bytes" to JsonPrimitive(summary.bytes),
-        "match" to JsonPrimitive(view.title),
-        "rows" to JsonPrimitive(recording.rowCount),
-        "x" to JsonObject(
-            mapOf(
-                "name" to JsonPrimitive(view.xAxis.name),
-                "topic" to JsonPrimitive(view.xAxis.topic?.name),
-                "unit" to JsonPrimitive(unitOf(view.xAxis.unit)),
-                "from" to json(summary.range?.start),
-                "to" to json(summary.range?.endInclusive),
-                "seconds" to json(summary.seconds),
-            ),
-        ),
-        "values" to JsonArray(
-            recording.values.map { JsonObject(mapOf("name" to JsonPrimitive(it.name), "text" to JsonPrimitive(it.text))) },
-        ),
-        "topics" to JsonArray(summary.topics.map(::topicJson)),
-        "problems" to JsonArray(view.problems.map { json(it) }),
+@Serializable
+internal class InfoJson private constructor(
+    private val format: String,
+    private val bytes: Long,
+    private val match: String?,
+    private val rows: Int,
+    private val x: AxisJson,
+    private val values: List<ValueJson>,
+    private val topics: List<TopicJson>,
+    private val problems: List<ProblemJson>,
+    private val undefined: List<UndefinedJson>,
+) {
+    /** Of a log to which virtual topics could not be added for the reasons [errors]. */
+    constructor(summary: LogSummary, errors: List<ExpressionError>) : this(
+        summary.view.recording.format.name.lowercase(),
+        summary.bytes,
+        summary.view.title,
+        summary.view.recording.rowCount,
+        AxisJson(summary.view.xAxis, summary),
+        summary.view.recording.values.map(::ValueJson),
+        summary.topics.map(::TopicJson),
+        summary.view.problems.map(::ProblemJson),
+        errors.map(::UndefinedJson),
     )
 }
 
-private fun topicJson(summary: TopicSummary): JsonElement {
-    val topic = summary.topic
-    val counts = topic.counts
-    return JsonObject(
-        mapOf(
-            "name" to JsonPrimitive(topic.name),
-            "unit" to JsonPrimitive(unitOf(topic.unit)),
-            "kind" to JsonPrimitive(topic.kind.name.lowercase()),
-            "sparse" to JsonPrimitive(topic.isSparse),
-            "attributes" to json(topic.attributes),
-            "count" to JsonPrimitive(summary.count),
-            "rate" to json(summary.rate),
-            "min" to json(summary.min),
-            "max" to json(summary.max),
-            "texts" to JsonPrimitive(topic.texts.dictionary.size),
-            "gaps" to JsonPrimitive(summary.gaps),
-            "cells" to JsonObject(
-                mapOf(
-                    "numbers" to JsonPrimitive(counts.numbers),
-                    "notFinite" to JsonPrimitive(counts.notFinite),
-                    "truthValues" to JsonPrimitive(counts.truthValues),
-                    "texts" to JsonPrimitive(counts.texts),
-                    "empty" to JsonPrimitive(counts.empty),
-                ),
-            ),
-        ),
+@Serializable
+private class AxisJson(
+    private val name: String,
+    private val topic: String?,
+    private val unit: String?,
+    private val from: JsonNumber?,
+    private val to: JsonNumber?,
+    private val seconds: JsonNumber?,
+) {
+    constructor(axis: XAxis, summary: LogSummary) :
+        this(axis.name, axis.topic?.name, unitOf(axis.unit), summary.range?.start, summary.range?.endInclusive, summary.seconds)
+}
+
+@Serializable
+private class ValueJson(private val name: String, private val text: String) {
+    constructor(value: Value) : this(value.name, value.text)
+}
+
+@Serializable
+private class TopicJson(
+    private val name: String,
+    private val unit: String?,
+    private val kind: String,
+    private val sparse: Boolean,
+    private val attributes: List<String>,
+    private val count: Int,
+    private val rate: JsonNumber?,
+    private val min: JsonNumber,
+    private val max: JsonNumber,
+    private val texts: Int,
+    private val gaps: Int?,
+    private val cells: CellsJson,
+) {
+    constructor(summary: TopicSummary) : this(
+        summary.topic.name,
+        unitOf(summary.topic.unit),
+        summary.topic.kind.name.lowercase(),
+        summary.topic.isSparse,
+        summary.topic.attributes,
+        summary.count,
+        summary.rate,
+        summary.min,
+        summary.max,
+        summary.topic.texts.dictionary.size,
+        summary.gaps,
+        CellsJson(summary.topic.counts),
     )
+}
+
+@Serializable
+private class CellsJson(
+    private val numbers: Int,
+    private val notFinite: Int,
+    private val truthValues: Int,
+    private val texts: Int,
+    private val empty: Int,
+) {
+    constructor(counts: CellCounts) : this(counts.numbers, counts.notFinite, counts.truthValues, counts.texts, counts.empty)
 }
 
 private fun unitOf(unit: String): String? = unit.takeUnless(Units::isNone)

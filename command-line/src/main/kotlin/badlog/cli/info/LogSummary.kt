@@ -11,8 +11,9 @@ import java.nio.file.Path
  * What there is to say about one log.
  *
  * @property bytes the size of its file.
+ * @param numbers what is known of numbers that [view] does not hold.
  */
-internal class LogSummary(val file: Path, val bytes: Long, val view: LogView) {
+internal class LogSummary(val file: Path, val bytes: Long, val view: LogView, numbers: StreamedNumbers) {
     /** The smallest and the largest x, or null without any. */
     val range: ClosedFloatingPointRange<Double>? = view.xAxis.range
 
@@ -23,7 +24,7 @@ internal class LogSummary(val file: Path, val bytes: Long, val view: LogView) {
     val seconds: Double? get() = range?.let { range -> secondsPerX?.times(range.endInclusive - range.start) }
 
     /** Each topic, in the order of the file. */
-    val topics: List<TopicSummary> = view.recording.topics.map { TopicSummary.of(it, view.xAxis, secondsPerX) }
+    val topics: List<TopicSummary> = view.recording.topics.map { TopicSummary.of(it, numbers.of(it), view.xAxis, secondsPerX) }
 }
 
 /**
@@ -47,37 +48,20 @@ internal class TopicSummary private constructor(
     val hasTexts: Boolean get() = isText(topic.kind)
 
     companion object {
-        /** Looks at all samples of [topic] over [xAxis], whose unit is [secondsPerX] seconds. */
-        fun of(topic: Topic, xAxis: XAxis, secondsPerX: Double?): TopicSummary {
+        /** Of [topic] with [numbers], over [xAxis], whose unit is [secondsPerX] seconds. */
+        fun of(topic: Topic, numbers: NumberSummary, xAxis: XAxis, secondsPerX: Double?): TopicSummary {
             val x = topic.times ?: xAxis.positions
             val isText = isText(topic.kind)
-            var min = Double.POSITIVE_INFINITY
-            var max = Double.NEGATIVE_INFINITY
-            var numbers = 0
-            var first = -1
-            var last = -1
-            val samples = topic.samples
-            for (row in samples.indices) {
-                val number = samples[row]
-                if (!number.isFinite()) continue
-                if (first < 0) first = row
-                last = row
-                numbers++
-                if (number < min) min = number
-                if (number > max) max = number
-            }
-            if (isText) {
-                first = topic.texts.rows.firstOrNull() ?: -1
-                last = topic.texts.rows.lastOrNull() ?: -1
-            }
-            val count = if (isText) topic.texts.size else numbers
+            val first = if (isText) topic.texts.rows.firstOrNull() ?: -1 else numbers.first
+            val last = if (isText) topic.texts.rows.lastOrNull() ?: -1 else numbers.last
+            val count = if (isText) topic.texts.size else numbers.count
             val hasGaps = !isText && topic.kind != TopicKind.EMPTY && !topic.isSparse
             return TopicSummary(
                 topic = topic,
                 count = count,
                 rate = secondsPerX?.let { rate(count, x, first, last, it) },
-                min = if (numbers > 0) min else Double.NaN,
-                max = if (numbers > 0) max else Double.NaN,
+                min = if (numbers.count > 0) numbers.min else Double.NaN,
+                max = if (numbers.count > 0) numbers.max else Double.NaN,
                 gaps = if (hasGaps) topic.counts.gaps else null,
             )
         }

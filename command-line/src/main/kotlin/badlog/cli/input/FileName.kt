@@ -26,18 +26,18 @@ internal class FileName private constructor(val stem: String, val ending: String
     fun fitting(): FileName {
         // What is no log has another ending, such as that of a page.
         val other = "." + stem.substringAfterLast('.', "")
-        if (other.length == 1 || other.length > LONGEST_ENDING || stem.encodeToByteArray().size <= MOST_BYTES) {
-            return FileName(startOfBytes(stem, MOST_BYTES), ending, isGzip)
+        if (other.length == 1 || other.length > MAX_ENDING || stem.encodeToByteArray().size <= MAX_BYTES) {
+            return FileName(startOfBytes(stem, MAX_BYTES), ending, isGzip)
         }
-        return FileName(startOfBytes(stem.removeSuffix(other), MOST_BYTES) + other, ending, isGzip)
+        return FileName(startOfBytes(stem.removeSuffix(other), MAX_BYTES) + other, ending, isGzip)
     }
 
     override fun toString(): String = with(ending)
 
     companion object {
         /** File systems allow 255 in all, of which endings and numbers need some. */
-        private const val MOST_BYTES = 220
-        private const val LONGEST_ENDING = 6
+        private const val MAX_BYTES = 220
+        private const val MAX_ENDING = 6
         private const val GZIP = ".gz"
 
         /** The name of [path]. */

@@ -2,6 +2,7 @@ package badlog.cli.input
 
 import badlog.file.readRecording
 import badlog.formats.LOG_FORMATS
+import badlog.recording.NumberSinks
 import badlog.recording.ProblemKind
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
@@ -12,13 +13,14 @@ import java.nio.file.Path
 /**
  * Reads [file] with its samples, and with the topic [xTopic] as x axis when it is not null.
  *
+ * @param sinks where the numbers of topics go that the recording is not to have.
  * @throws NotALog when there is nothing to show.
  * @throws badlog.report.TopicException when there is no such topic.
  * @throws Failure when the beginning of a WPILOG is lost.
  * @throws badlog.file.UnreadableFileException when it cannot be read.
  */
-internal fun readLog(file: Path, progress: Progress, xTopic: String? = null): Recording {
-    val recording = readRecording(file, LOG_FORMATS, progress = progress::advanced)
+internal fun readLog(file: Path, progress: Progress, xTopic: String? = null, sinks: NumberSinks = NumberSinks.RECORDING): Recording {
+    val recording = readRecording(file, LOG_FORMATS, sinks = sinks, progress = progress::advanced)
     recording.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }?.let { throw NotALog("$file: ${it.message}") }
     if (isFormerWpilog(file, recording)) {
         throw Failure(

@@ -24,7 +24,7 @@ internal class MergeCommand :
     private val isForced by option("--force").flag().help("Replace the file if it exists, but never a log that is read.")
     private val appends by option("--append").flag().help("Put all one after the other, whatever their topics.")
     private val joins by option("--join").flag().help("Put all side by side, whatever their topics.")
-    private val xTopic by option("--x", metavar = "TOPIC").help("Take this topic as x axis, in every log that has rows.")
+    private val xTopic by option("--x", metavar = "TOPIC").help("Use this topic as x axis in every log that has rows.")
 
     override fun makeTask(): Task {
         if (appends && joins) throw UsageError("--append and --join exclude each other")

@@ -1,43 +1,41 @@
 package badlog.cli.merge
 
 import badlog.cli.command.Outcome
-import badlog.cli.output.LeftOut
+import badlog.cli.output.Omissions
+import badlog.cli.text.JsonNumber
 import badlog.cli.text.counted
 import badlog.cli.text.grouped
-import badlog.cli.text.json
+import badlog.cli.text.jsonOf
 import badlog.cli.text.shortNumber
 import badlog.cli.text.wrapped
 import badlog.recording.RecordingFormat
-import kotlinx.serialization.json.JsonArray
-import kotlinx.serialization.json.JsonElement
-import kotlinx.serialization.json.JsonObject
-import kotlinx.serialization.json.JsonPrimitive
+import kotlinx.serialization.Serializable
 import java.nio.file.Path
 
 /** What to say about [merge], which was written to [target] without [leftOut]. */
-internal fun mergeOutcome(merge: Merged, target: Path, leftOut: LeftOut): Outcome {
+internal fun mergeOutcome(merge: Merged, target: Path, leftOut: Omissions): Outcome {
     val recording = merge.recording
     val parts = merge.groups.flatMap { it.parts }
     val salvaged = parts.filter { it.recording.isSalvaged }
-        .map { wrapped("  salvaged: ", "${it.file}; badlog info tells what is lost", INDENT) }
+        .map { wrapped("  salvaged: ", "${it.file}; badlog info shows what is lost", INDENT) }
     val text = listOf("-> $target") + textLines(merge, leftOut) + leftOut.lines + salvaged
     val repeated = merge.groups.sumOf { it.repeated }
     val hasRows = recording.format != RecordingFormat.WPILOG
-    val json = mapOf(
-        "rows" to JsonPrimitive(recording.rowCount),
-        "samples" to JsonPrimitive(recording.sampleCount),
-        "topics" to JsonPrimitive(recording.topics.size),
-        "logs" to JsonArray(merge.groups.map { group -> json(group.parts.map { it.file.toString() }) }),
-        "overlaps" to JsonArray(merge.groups.flatMap { it.overlaps }.map(::overlapJson)),
-        "repeatedRows" to JsonPrimitive(if (hasRows) repeated else 0),
-        "repeatedSamples" to JsonPrimitive(if (hasRows) 0 else repeated),
-        "renamed" to JsonArray(merge.renamed.map(::renamingJson)),
-        "leftOut" to json(leftOut.all),
+    val json = MergeJson(
+        rows = recording.rowCount,
+        samples = recording.sampleCount,
+        topics = recording.topics.size,
+        logs = merge.groups.map { group -> group.parts.map { it.file.toString() } },
+        overlaps = merge.groups.flatMap { it.overlaps }.map(::OverlapJson),
+        repeatedRows = if (hasRows) repeated else 0,
+        repeatedSamples = if (hasRows) 0 else repeated,
+        renamed = merge.renamed.map(::RenamingJson),
+        leftOut = leftOut.all,
     )
-    return Outcome(parts.any { it.recording.isSalvaged }, text.joinToString("\n"), json)
+    return Outcome(parts.any { it.recording.isSalvaged }, text.joinToString("\n"), jsonOf(json))
 }
 
-private fun textLines(merge: Merged, leftOut: LeftOut): List<String> = buildList {
+private fun textLines(merge: Merged, leftOut: Omissions): List<String> = buildList {
     val recording = merge.recording
     val noun = if (recording.format == RecordingFormat.WPILOG) "sample" else "row"
     val count = if (recording.format == RecordingFormat.WPILOG) recording.sampleCount else recording.rowCount.toLong()
@@ -63,21 +61,29 @@ private fun textLines(merge: Merged, leftOut: LeftOut): List<String> = buildList
 
 private fun rangeOf(part: LogPart): String = if (part.firstX.isNaN()) "" else " (${shortNumber(part.firstX)} to ${shortNumber(part.lastX)})"
 
-private fun overlapJson(overlap: Overlap): JsonElement = JsonObject(
-    mapOf(
-        "logs" to json(listOf(overlap.one.file.toString(), overlap.other.file.toString())),
-        "from" to json(overlap.from),
-        "to" to json(overlap.to),
-    ),
+@Serializable
+private class MergeJson(
+    private val rows: Int,
+    private val samples: Long,
+    private val topics: Int,
+    private val logs: List<List<String>>,
+    private val overlaps: List<OverlapJson>,
+    private val repeatedRows: Int,
+    private val repeatedSamples: Int,
+    private val renamed: List<RenamingJson>,
+    private val leftOut: List<String>,
 )
 
-private fun renamingJson(renaming: Renaming): JsonElement = JsonObject(
-    mapOf(
-        "log" to JsonPrimitive(renaming.part.file.toString()),
-        "from" to JsonPrimitive(renaming.from),
-        "to" to JsonPrimitive(renaming.to),
-    ),
-)
+@Serializable
+private class OverlapJson(private val logs: List<String>, private val from: JsonNumber, private val to: JsonNumber) {
+    constructor(overlap: Overlap) :
+        this(listOf(overlap.one.file.toString(), overlap.other.file.toString()), overlap.from, overlap.to)
+}
+
+@Serializable
+private class RenamingJson(private val log: String, private val from: String, private val to: String) {
+    constructor(renaming: Renaming) : this(renaming.part.file.toString(), renaming.from, renaming.to)
+}
 
 private const val INDENT = 4
 private const val LISTED = 10

@@ -43,7 +43,7 @@ internal enum class LogFormat(val ending: String, private val recordingFormat: R
         changesOnly: Boolean,
         progress: (done: Long, total: Long) -> Unit,
         sink: (ByteArray, Int) -> Unit,
-    ): LeftOut = if (hasRows) {
+    ): Omissions = if (hasRows) {
         writeRows(recording, recordingFormat, runs, progress, sink)
     } else {
         writeSamples(recording, runs, changesOnly, progress, sink)
@@ -80,4 +80,4 @@ internal fun writeSamples(
     changesOnly: Boolean,
     progress: (done: Long, total: Long) -> Unit,
     sink: (ByteArray, Int) -> Unit,
-): LeftOut = LeftOut(omissions = WpilogWriter(recording.part(runs), changesOnly).write(progress, sink))
+): Omissions = Omissions(omissions = WpilogWriter(recording.part(runs), changesOnly).write(progress, sink))

@@ -27,7 +27,7 @@ internal fun writeLog(
     runs: List<IntRange> = listOf(0 until recording.rowCount),
     changesOnly: Boolean = false,
     progress: Progress,
-): LeftOut {
+): Omissions {
     format.require(recording, target)
     return newLog(target) { stream ->
         format.write(recording, runs, changesOnly, progress::advanced) { bytes, size -> stream.write(bytes, 0, size) }

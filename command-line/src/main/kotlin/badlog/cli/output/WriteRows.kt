@@ -12,7 +12,7 @@ internal fun writeRows(
     runs: List<IntRange>,
     progress: (done: Long, total: Long) -> Unit,
     sink: (ByteArray, Int) -> Unit,
-): LeftOut {
+): Omissions {
     val writer = RecordingWriter(recording, format)
     val total = runs.sumOf { it.count() }.toLong()
     var headerSize = 0
@@ -32,16 +32,16 @@ internal fun writeRows(
         }
         done += run.count()
     }
-    return if (format == RecordingFormat.CSV) leftOutOfCsv(recording) else LeftOut()
+    return if (format == RecordingFormat.CSV) omissionsOfCsv(recording) else Omissions()
 }
 
-private fun leftOutOfCsv(recording: Recording): LeftOut {
+private fun omissionsOfCsv(recording: Recording): Omissions {
     val topics = recording.topics
-    return LeftOut(
+    return Omissions(
         listOfNotNull(
-            LeftOut.thing(topics.count { !Units.isNone(it.unit) }, "unit"),
-            LeftOut.thing(topics.sumOf { it.attributes.size }, "attribute"),
-            LeftOut.thing(recording.values.size, "value"),
+            Omissions.thing(topics.count { !Units.isNone(it.unit) }, "unit"),
+            Omissions.thing(topics.sumOf { it.attributes.size }, "attribute"),
+            Omissions.thing(recording.values.size, "value"),
         ),
     )
 }

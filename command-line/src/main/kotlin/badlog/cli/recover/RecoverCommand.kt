@@ -10,8 +10,8 @@ import badlog.cli.input.Failure
 import badlog.cli.input.FileName
 import badlog.cli.input.LogInput
 import badlog.cli.input.readLog
-import badlog.cli.output.LeftOut
 import badlog.cli.output.LogFormat
+import badlog.cli.output.Omissions
 import badlog.cli.output.OutputOptions
 import badlog.cli.output.OutputPlan
 import badlog.cli.output.copyBeginning
@@ -28,9 +28,9 @@ import java.nio.file.Path
 internal class RecoverCommand :
     SubCommand(
         "recover",
-        "Writes a clean log from a damaged one, and says what was lost.",
-        "Without --out, the clean log of match.bag is match.recovered.bag, and whole logs are left alone; with it, whole logs " +
-            "get their copy, too. Each result is read again to see that it is whole.",
+        "Writes a clean log from a damaged one, and reports what was lost.",
+        "Without --out, the clean log of match.bag is match.recovered.bag, and undamaged logs are left alone; with it, they " +
+            "are copied too. Each result is read again to verify it.",
     ) {
     private val output by OutputOptions()
 
@@ -43,25 +43,25 @@ internal class RecoverTask(private val paths: List<Path>, private val plan: Outp
 
     private fun recover(input: LogInput, progress: Progress): Outcome {
         val recording = readLog(input.file, progress)
-        val losses = Losses(recording)
-        if (!plan.isGiven && !losses.isDamaged) return losses.outcome(input.file, target = null, LeftOut())
-        if (recording.topics.isEmpty() || (losses.isDamaged && recording.sampleCount == 0L)) {
+        val damage = Damage(recording)
+        if (!plan.isGiven && !damage.isDamaged) return damage.outcome(input.file, target = null, Omissions())
+        if (recording.topics.isEmpty() || (damage.isDamaged && recording.sampleCount == 0L)) {
             val reason = recording.problems.firstOrNull()?.message.orEmpty()
             throw Failure("${input.file}: nothing can be recovered. $reason".trim())
         }
         val target = plan.place(input, FileName.of(input.file).marked("recovered"), input.file.fileName.toString())
-        val leftOut = write(input.file, recording, losses, target, progress)
+        val leftOut = write(input.file, recording, damage, target, progress)
         requireSame(recording, target)
-        return losses.outcome(input.file, target, leftOut)
+        return damage.outcome(input.file, target, leftOut)
     }
 
-    private fun write(file: Path, recording: Recording, losses: Losses, target: Path, progress: Progress): LeftOut {
+    private fun write(file: Path, recording: Recording, damage: Damage, target: Path, progress: Progress): Omissions {
         val format = LogFormat.of(recording)
-        val lostBytes = losses.bytesAtEnd
+        val lostBytes = damage.bytesAtEnd
         if (format.hasRows || lostBytes == null) return writeLog(recording, format, target, progress = progress)
         // A WPILOG of our own has the fields of structs, not the structs.
         copyBeginning(file, lostBytes, target, progress)
-        return LeftOut()
+        return Omissions()
     }
 }
 

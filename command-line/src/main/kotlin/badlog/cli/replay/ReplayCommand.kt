@@ -14,13 +14,14 @@ import badlog.cli.input.NotALog
 import badlog.cli.input.Position
 import badlog.cli.input.position
 import badlog.cli.input.readLog
+import badlog.cli.text.jsonOf
 import badlog.cli.text.shortNumber
 import badlog.cli.text.undefinedLines
 import badlog.expression.withVirtualTopics
 import badlog.replay.ReplayOptions
 import badlog.replay.ReplayServer
 import badlog.replay.UnavailablePortException
-import badlog.report.undefinedJson
+import badlog.report.UndefinedJson
 import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.default
@@ -31,26 +32,26 @@ import com.github.ajalt.clikt.parameters.options.validate
 import com.github.ajalt.clikt.parameters.types.double
 import com.github.ajalt.clikt.parameters.types.int
 import com.github.ajalt.clikt.parameters.types.restrictTo
-import kotlinx.serialization.json.JsonPrimitive
+import kotlinx.serialization.Serializable
 import java.nio.file.Path
 
 /** `badlog replay`. */
 internal class ReplayCommand :
     SubCommand(
         "replay",
-        "Shows a log to dashboards again, in real time.",
-        "It is an NT4 server on this computer, as a robot is; Ctrl+C ends it. docs/replay.md tells how dashboards connect.",
+        "Replays a log to dashboards, in real time.",
+        "It is an NT4 server on this computer, like a robot's; Ctrl+C ends it. docs/replay.md shows how dashboards connect.",
         logHelp = "The log.",
     ) {
-    private val port by option("--port", metavar = "N").int().restrictTo(0..MOST_PORT).default(ReplayOptions.USUAL_PORT)
-        .help("The port; ${ReplayOptions.USUAL_PORT} unless told.")
+    private val port by option("--port", metavar = "N").int().restrictTo(0..MAX_PORT).default(ReplayOptions.DEFAULT_PORT)
+        .help("Port; default: ${ReplayOptions.DEFAULT_PORT}.")
     private val speed by option("--speed", metavar = "FACTOR").double().default(1.0)
-        .help("How fast: 2 is twice as fast as it was.")
+        .help("Speed: 2 is twice real time; default: 1.")
         .validate { if (!(it > 0 && it.isFinite())) fail("must be above 0") }
-    private val isLooping by option("--loop").flag().help("Begin again at the end.")
-    private val from by option("--from", metavar = "X").position().help("Begin there on the x axis, 90 or 1:30.")
-    private val to by option("--to", metavar = "X").position().help("End there on the x axis.")
-    private val xTopic by option("--x", metavar = "TOPIC").help("Take this topic as x axis, which CSV does not tell.")
+    private val isLooping by option("--loop").flag().help("Start over at the end.")
+    private val from by option("--from", metavar = "X").position().help("Start at this x, 90 or 1:30.")
+    private val to by option("--to", metavar = "X").position().help("End at this x.")
+    private val xTopic by option("--x", metavar = "TOPIC").help("Use this topic as x axis; CSV does not name one.")
     private val virtual by VirtualTopicOption()
 
     override fun makeTask(): Task {
@@ -59,7 +60,7 @@ internal class ReplayCommand :
     }
 
     private companion object {
-        const val MOST_PORT = 65_535
+        const val MAX_PORT = 65_535
     }
 }
 
@@ -88,7 +89,7 @@ internal class ReplayTask(
             val options = ReplayOptions(port = port, speed = speed, isLooping = isLooping, range = rangeOn(with.view))
             ReplayServer(with.view, options).use { server ->
                 server.start()
-                val json = mapOf("port" to JsonPrimitive(server.port), "undefined" to undefinedJson(with.errors))
+                val json = jsonOf(ReplayJson(server.port, with.errors.map(::UndefinedJson)))
                 outcomes.done(file, Outcome(recording.isSalvaged, "$file is served on port ${server.port}; Ctrl+C ends it.", json))
                 play(server, console)
             }
@@ -134,3 +135,6 @@ internal class ReplayTask(
         const val LOOK_MILLIS = 200L
     }
 }
+
+@Serializable
+private class ReplayJson(private val port: Int, private val undefined: List<UndefinedJson>)

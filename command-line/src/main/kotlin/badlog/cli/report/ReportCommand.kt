@@ -17,16 +17,16 @@ internal class ReportCommand :
     SubCommand(
         "report",
         "Runs rules over every log.",
-        "Without --rules, those that badlog brings along: brownouts, slow loops, gaps, flat sensors and the like.",
+        "Without --rules, the built-in rules: brownouts, slow loops, gaps, flat sensors and the like.",
     ) {
     private val search by SearchOptions()
     private val virtual by VirtualTopicOption()
     private val isCsv by option("--csv").flag().help("Print a line of CSV for each finding.")
     private val folder by option("--out", metavar = "DIR").path()
-        .help("Also make the logs' pages there, and an index.html.")
-    private val isForced by option("--force").flag().help("Replace what badlog did not make, but no log.")
-    private val xTopic by option("--x", metavar = "TOPIC").help("Take this topic as x axis, which CSV does not tell.")
-    private val isFresh by option("--no-cache").flag().help("Read every log, and keep nothing.")
+        .help("Also write a page per log and an index.html there.")
+    private val isForced by option("--force").flag().help("Replace files that badlog did not make, but never a log.")
+    private val xTopic by option("--x", metavar = "TOPIC").help("Use this topic as x axis; CSV does not name one.")
+    private val isFresh by option("--no-cache").flag().help("Read every log again, and store no results.")
 
     override fun makeTask(): Task {
         if (isCsv && isJson) throw UsageError("choose one of --csv and --json")

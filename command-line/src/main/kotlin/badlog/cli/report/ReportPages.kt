@@ -6,8 +6,7 @@ import badlog.report.LogReport
 import badlog.report.ReportResult
 import badlog.report.hook.HookOutcome
 import badlog.report.page.ReportFolder
-import kotlinx.serialization.json.JsonElement
-import kotlinx.serialization.json.JsonPrimitive
+import kotlinx.serialization.Serializable
 import java.nio.file.Path
 
 /**
@@ -40,8 +39,7 @@ internal class ReportPages(private val folder: ReportFolder) {
     fun failureOf(log: LogReport): String? = failures[log]
 
     /** What a program is told about the page of [log]. */
-    fun json(log: LogReport): Map<String, JsonElement> =
-        mapOf("output" to JsonPrimitive(pages[log]?.toString()), "outputError" to JsonPrimitive(failures[log]))
+    fun json(log: LogReport): PageJson = PageJson(pages[log]?.toString(), failures[log])
 
     /** Writes the index of [result], unless there is no log to be in it. */
     fun finish(result: ReportResult, outcomes: Outcomes) {
@@ -53,3 +51,7 @@ internal class ReportPages(private val folder: ReportFolder) {
         }
     }
 }
+
+/** Where the page of a log is, or why there is none. */
+@Serializable
+internal class PageJson(private val output: String?, private val outputError: String?)

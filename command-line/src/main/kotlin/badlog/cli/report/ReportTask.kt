@@ -8,14 +8,15 @@ import badlog.cli.command.Task
 import badlog.cli.console.Console
 import badlog.cli.search.Search
 import badlog.cli.search.SearchException
+import badlog.cli.text.jsonOf
 import badlog.html.ExportException
 import badlog.report.LogReport
 import badlog.report.Report
+import badlog.report.ReportJson
 import badlog.report.ReportResult
 import badlog.report.notesOf
 import badlog.report.page.ReportFolder
 import badlog.report.reportCsv
-import badlog.report.reportJson
 import badlog.report.reportText
 import badlog.rules.BUILT_IN
 import badlog.rules.FolderRules
@@ -88,7 +89,7 @@ internal class ReportTask(
 
     private fun tell(log: LogReport, pages: ReportPages?, outcomes: Outcomes, console: Console) {
         val failure = pages?.failureOf(log)
-        val json = reportJson(log) + pages?.json(log).orEmpty()
+        val json = jsonOf(ReportJson(log)) + pages?.let { jsonOf(it.json(log)) }.orEmpty()
         outcomes.done(log.file.path, Outcome(log.isSalvaged || log.hookFailures.isNotEmpty() || failure != null, "", json))
         if (failure != null && form != ReportForm.JSON) console.warn(failure)
     }

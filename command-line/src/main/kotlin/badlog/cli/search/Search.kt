@@ -59,7 +59,7 @@ internal class Search(
     } catch (e: UnreadableFileException) {
         throw SearchException(e.message)
     } catch (_: CharacterCodingException) {
-        throw SearchException("$file is not in UTF-8, as rules have to be; save it so in your editor.")
+        throw SearchException("$file is not UTF-8 text; save it as UTF-8 in your editor.")
     }
 
     companion object {

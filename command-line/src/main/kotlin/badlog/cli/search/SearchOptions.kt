@@ -28,12 +28,12 @@ internal class SearchOptions : OptionGroup() {
         }
     }.multiple().help("Run this program for each log, see docs/hooks.md.")
     private val hookSeconds by option("--hook-seconds", metavar = "N").double()
-        .help("How long a hook may take for a log; usually ${HookRunner.USUAL_TIME_LIMIT.inWholeSeconds}.")
+        .help("Seconds a hook may take per log; default: ${HookRunner.DEFAULT_TIME_LIMIT.inWholeSeconds}.")
         .validate { if (!(it > 0)) fail("must be above 0") }
 
     /** What they ask for, where logs also have the topics of [virtualTopics]. */
     fun search(virtualTopics: List<String>): Search {
-        val limit = hookSeconds?.seconds ?: HookRunner.USUAL_TIME_LIMIT
+        val limit = hookSeconds?.seconds ?: HookRunner.DEFAULT_TIME_LIMIT
         if (isWithoutRules && rules != null) throw UsageError("--rules and --no-rules exclude each other")
         return Search(rules, isWithoutRules, hooks.map { HookRunner(it, limit) }, virtualTopics)
     }

@@ -2,38 +2,76 @@ package badlog.cli.text
 
 import badlog.recording.Loss
 import badlog.recording.Problem
-import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.KSerializer
+import kotlinx.serialization.Serializable
+import kotlinx.serialization.descriptors.PrimitiveKind
+import kotlinx.serialization.descriptors.PrimitiveSerialDescriptor
+import kotlinx.serialization.encoding.Decoder
+import kotlinx.serialization.encoding.Encoder
+import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonEncoder
 import kotlinx.serialization.json.JsonNull
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
+import kotlinx.serialization.json.encodeToJsonElement
+import kotlinx.serialization.json.jsonObject
 
-/** [number] as JSON, which has neither NaN nor infinities: null. Whole numbers are written as such. */
-internal fun json(number: Double?): JsonElement = when {
-    number == null || !number.isFinite() -> JsonNull
-    number == Math.rint(number) && Math.abs(number) < WHOLE -> JsonPrimitive(number.toLong())
-    else -> JsonPrimitive(number)
+/** [value], whose class says what programs get, as JSON. */
+internal inline fun <reified T> jsonOf(value: T): JsonObject = Json.encodeToJsonElement(value).jsonObject
+
+/** A number that is written without a fraction where it has none, and as null where JSON has no number for it. */
+internal typealias JsonNumber =
+    @Serializable(with = JsonNumberSerializer::class)
+    Double
+
+internal object JsonNumberSerializer : KSerializer<Double> {
+    override val descriptor = PrimitiveSerialDescriptor("badlog.JsonNumber", PrimitiveKind.DOUBLE)
+
+    override fun serialize(encoder: Encoder, value: Double) = (encoder as JsonEncoder).encodeJsonElement(elementOf(value))
+
+    override fun deserialize(decoder: Decoder): Double = decoder.decodeDouble()
+
+    private fun elementOf(number: Double): JsonElement = when {
+        !number.isFinite() -> JsonNull
+        number == Math.rint(number) && Math.abs(number) < WHOLE -> JsonPrimitive(number.toLong())
+        else -> JsonPrimitive(number)
+    }
+
+    private const val WHOLE = 1e15
 }
 
-/** Each of [texts] as JSON. */
-internal fun json(texts: List<String>): JsonElement = JsonArray(texts.map(::JsonPrimitive))
+/** A [Problem], the same for every sub-command. */
+@Serializable
+internal class ProblemJson(
+    private val kind: String,
+    private val severity: String,
+    private val message: String,
+    private val line: Int?,
+    private val topic: String?,
+    private val count: Int,
+    private val lost: LossJson,
+) {
+    constructor(problem: Problem) : this(
+        problem.kind.name,
+        problem.severity.name.lowercase(),
+        problem.message,
+        problem.line,
+        problem.topic,
+        problem.count,
+        LossJson(problem.loss),
+    )
+}
 
-/** [problem] as JSON, the same for every sub-command. */
-internal fun json(problem: Problem): JsonElement = JsonObject(
-    mapOf(
-        "kind" to JsonPrimitive(problem.kind.name),
-        "severity" to JsonPrimitive(problem.severity.name.lowercase()),
-        "message" to JsonPrimitive(problem.message),
-        "line" to JsonPrimitive(problem.line),
-        "topic" to JsonPrimitive(problem.topic),
-        "count" to JsonPrimitive(problem.count),
-        "lost" to json(problem.loss),
-    ),
-)
+/** How much is lost. */
+@Serializable
+internal class LossJson(private val rows: Int, private val cells: Int, private val bytes: Long) {
+    constructor(loss: Loss) : this(loss.rows, loss.cells, loss.bytes)
+}
 
-/** [loss] as JSON. */
-internal fun json(loss: Loss): JsonElement = JsonObject(
-    mapOf("rows" to JsonPrimitive(loss.rows), "cells" to JsonPrimitive(loss.cells), "bytes" to JsonPrimitive(loss.bytes)),
-)
+/** A stretch of the x axis. */
+@Serializable
+internal class StretchJson(private val from: JsonNumber, private val to: JsonNumber)
 
-private const val WHOLE = 1e15
+/** [problem] as JSON. */
+internal fun json(problem: Problem): JsonElement = jsonOf(ProblemJson(problem))

@@ -1,13 +1,20 @@
 package badlog.cli.info
 
+import badlog.analysis.LogView
 import badlog.cli.BAG
 import badlog.cli.CUT_BAG
+import badlog.cli.ROOT
 import badlog.cli.SAMPLES
 import badlog.cli.badlog
 import badlog.cli.badlogJson
 import badlog.cli.command.ExitCode
 import badlog.cli.inFolder
+import badlog.cli.text.jsonOf
 import badlog.cli.with
+import badlog.file.readRecording
+import badlog.formats.LOG_FORMATS
+import badlog.recording.NumberSinks
+import badlog.report.NamedTopics
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe
@@ -20,6 +27,7 @@ import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
 import kotlin.io.path.div
+import kotlin.io.path.listDirectoryEntries
 
 class InfoSpec : FunSpec({
     fun topic(json: JsonObject, name: String) = json.getValue("topics").jsonArray.first { it.jsonObject["name"]?.jsonPrimitive?.content == name }.jsonObject
@@ -47,6 +55,18 @@ class InfoSpec : FunSpec({
             topic(json, "Log").getValue("gaps") shouldBe JsonNull
             json.getValue("match").jsonPrimitive.content shouldBe "Match 42"
             json.getValue("x").jsonObject.getValue("to").jsonPrimitive.content shouldBe "0.08"
+        }
+    }
+
+    test("a log tells the same of itself whether or not its numbers are kept") {
+        val folders = listOf(SAMPLES, ROOT / "core/conformance")
+        for (file in folders.flatMap { it.listDirectoryEntries("*.{bag,csv,bag.gz}") }) {
+            fun json(needed: NumberSinks): JsonObject {
+                val numbers = StreamedNumbers(needed)
+                val view = LogView.of(readRecording(file, LOG_FORMATS, sinks = numbers))
+                return jsonOf(InfoJson(LogSummary(file, 0, view, numbers), emptyList()))
+            }
+            json(NamedTopics(emptyList())) shouldBe json(NumberSinks.RECORDING)
         }
     }
 

@@ -93,7 +93,7 @@ class ReportSpec : FunSpec({
             fun said(rules: Path) = badlog("report", log, "--rules", rules).also { it.code shouldBe ExitCode.USAGE }.err
             said(folder / "nix.toml") shouldContain "There is no file"
             said(folder) shouldContain "is a folder"
-            said(folder.with("latin.toml", byteArrayOf(0x23, 0xE4.toByte()))) shouldContain "not in UTF-8"
+            said(folder.with("latin.toml", byteArrayOf(0x23, 0xE4.toByte()))) shouldContain "is not UTF-8 text"
         }
     }
 

@@ -113,8 +113,8 @@ internal class BadlogHtml(
     }
 
     private fun sayWhatIsMissing() {
-        if (skipped == 1) err.println("1 file is no log and was skipped.")
-        if (skipped > 1) err.println("$skipped files are no logs and were skipped.")
+        if (skipped == 1) err.println("1 file is not a log and was skipped.")
+        if (skipped > 1) err.println("$skipped files are not logs and were skipped.")
         if (made.isEmpty() && failed == 0) {
             err.println("There is no page: no log was found. Name a log, or the folder it is in.")
         }

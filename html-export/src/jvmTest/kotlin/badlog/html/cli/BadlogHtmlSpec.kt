@@ -133,7 +133,7 @@ class BadlogHtmlSpec : FunSpec({
             ended.code shouldBe ExitCode.WHOLE
             (folder / "out").names() shouldContainExactly
                 listOf("A.html", "b.bag.html", "c.csv.html", "log.bag1519.html", "z.gz.html")
-            ended.err shouldBe "1 file is no log and was skipped.\n"
+            ended.err shouldBe "1 file is not a log and was skipped.\n"
         }
     }
 

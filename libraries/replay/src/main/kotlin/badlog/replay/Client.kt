@@ -18,7 +18,7 @@ internal class Client(
     private val reader = RequestReader(ignore)
     private val subscriptions = Subscriptions(signals)
     private val ownTopics = OwnTopics(firstId = signals.size)
-    private val outbox = Outbox(signals.size, MOST_WAITING)
+    private val outbox = Outbox(signals.size, MAX_WAITING)
     private val announced = BitSet()
 
     fun receive(text: String) {
@@ -51,7 +51,7 @@ internal class Client(
     /** Sends what is due; nothing while the client has not taken what was sent before. */
     fun flush(nowMicros: Long) {
         if (outbox.isEmpty || wire.isBusy) return
-        frames.of(outbox.take(nowMicros, MOST_AT_ONCE, subscriptions.periodMicros)).forEach(wire::send)
+        frames.of(outbox.take(nowMicros, MAX_AT_ONCE, subscriptions.periodMicros)).forEach(wire::send)
     }
 
     private fun offer(update: Update) {
@@ -59,8 +59,8 @@ internal class Client(
     }
 
     private fun subscribe(request: Request.Subscribe, answers: MutableList<JsonObject>) {
-        if (subscriptions.nameCount + request.names.size > MOST_NAMES) {
-            return ignore("subscriptions to more than $MOST_NAMES names")
+        if (subscriptions.nameCount + request.names.size > MAX_NAMES) {
+            return ignore("subscriptions to more than $MAX_NAMES names")
         }
         val matches = subscriptions.add(request)
         outbox.retain(subscriptions::wantsValues)
@@ -79,8 +79,8 @@ internal class Client(
             announced.set(signal)
             return announcement(signal, request.id)
         }
-        if (ownTopics.size < MOST_NAMES) return ownTopics.publish(request)
-        ignore("more than $MOST_NAMES published topics")
+        if (ownTopics.size < MAX_NAMES) return ownTopics.publish(request)
+        ignore("more than $MAX_NAMES published topics")
         return null
     }
 
@@ -90,8 +90,8 @@ internal class Client(
     }
 
     private companion object {
-        const val MOST_NAMES = 20_000
-        const val MOST_AT_ONCE = 20_000
-        const val MOST_WAITING = 100_000
+        const val MAX_NAMES = 20_000
+        const val MAX_AT_ONCE = 20_000
+        const val MAX_WAITING = 100_000
     }
 }

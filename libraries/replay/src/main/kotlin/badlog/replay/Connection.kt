@@ -37,7 +37,7 @@ internal class Connection(private val socket: WebSocket, val protocol: SubProtoc
 
     private companion object {
         const val GOING_AWAY = 1001
-        const val LONGEST_NAME = 100
+        const val MAX_NAME = 100
 
         fun nameIn(path: String): String {
             val name = path.substringBefore('?').removePrefix("/nt/")
@@ -46,7 +46,26 @@ internal class Connection(private val socket: WebSocket, val protocol: SubProtoc
             } catch (_: IllegalArgumentException) {
                 name
             }
-            return readable.filterNot { it.isISOControl() }.take(LONGEST_NAME)
+            return readable.filterNot { it.isISOControl() }.take(MAX_NAME)
         }
     }
+}
+
+/** The way to one client. Nothing here waits: what cannot go out at once is kept until it can. */
+internal interface Wire {
+    /** Whether something is still kept, because the client reads more slowly than it is written to. */
+    val isBusy: Boolean
+
+    fun send(text: String)
+
+    fun send(binary: ByteBuffer)
+}
+
+/** The subprotocols of NT4 that a client may ask for, the best one first. */
+internal enum class SubProtocol(val id: String) {
+    V4_1("v4.1.networktables.first.wpi.edu"),
+    V4_0("networktables.first.wpi.edu"),
+
+    /** For nothing but questions for the time. */
+    TIME_ONLY("rtt.networktables.first.wpi.edu"),
 }

@@ -36,7 +36,7 @@ internal class Player(val signals: List<Signal>, val playhead: Playhead) {
         var next = played[signal]
         if (next == samples.size || samples.x[next] > stretch.to) return
         val end = signals[signal].countUntil(stretch.to)
-        next = maxOf(next, end - MOST_OF_A_SIGNAL)
+        next = maxOf(next, end - MAX_OF_A_SIGNAL)
         while (next < end) {
             val micros = stretch.nanosAt(samples.x[next]) / NANOS_PER_MICRO
             updates += Update(signal, next++, micros)
@@ -49,6 +49,13 @@ internal class Player(val signals: List<Signal>, val playhead: Playhead) {
         const val NANOS_PER_MICRO = 1000
 
         /** More are not told of at once, as when a laptop wakes after an hour: the earliest are left out. */
-        const val MOST_OF_A_SIGNAL = 10_000
+        const val MAX_OF_A_SIGNAL = 10_000
     }
 }
+
+/**
+ * A value that is to be sent: sample [index] of the signal numbered [signal].
+ *
+ * @property micros when it began to hold, in the server's time.
+ */
+internal class Update(val signal: Int, val index: Int, val micros: Long)

@@ -63,7 +63,7 @@ internal class Playhead(
 
     /** Jumps to [position], or to that end of the range which is nearer to it. */
     fun seek(position: Double, nowNanos: Long) {
-        require(!position.isNaN()) { "A replay cannot go to a position that is no number." }
+        require(!position.isNaN()) { "A replay needs a number as position." }
         anchor(position.coerceIn(range), nowNanos)
         reported = anchorPosition
         isFresh = true
@@ -111,4 +111,21 @@ internal class Playhead(
 internal fun requireSpeed(speed: Double): Double {
     require(speed > 0 && speed.isFinite()) { "A replay's speed is a number above 0, 1 for real time, not $speed." }
     return speed
+}
+
+/**
+ * A part of a recording that was played without a jump: what stands after [from] and not after [to].
+ *
+ * @property isFresh whether the playhead jumped to [from], so that what holds there is news.
+ */
+internal class Stretch(
+    val from: Double,
+    val to: Double,
+    val isFresh: Boolean,
+    private val anchorPosition: Double,
+    private val anchorNanos: Long,
+    private val unitsPerNano: Double,
+) {
+    /** When the playhead was at [position]. */
+    fun nanosAt(position: Double): Long = anchorNanos + ((position - anchorPosition) / unitsPerNano).roundToLong()
 }

@@ -2,8 +2,11 @@ package badlog.replay
 
 import badlog.analysis.LogView
 import badlog.analysis.Series
+import badlog.analysis.Units
+import badlog.analysis.XAxis
 import badlog.recording.Topic
 import badlog.recording.TopicKind
+import badlog.text.UniqueNames
 
 /** The topics of [view]'s recording, then its values below `Values/`, as NetworkTables shows them. */
 internal fun signalsOf(view: LogView, prefix: String): List<Signal> {
@@ -46,3 +49,18 @@ internal fun rangeOf(signals: List<Signal>): ClosedFloatingPointRange<Double> {
     val ranges = signals.mapNotNull { it.samples.range }.filter { it.start.isFinite() }
     return if (ranges.isEmpty()) 0.0..0.0 else ranges.minOf { it.start }..ranges.maxOf { it.endInclusive }
 }
+
+/** Names of a recording as NetworkTables has them: `/Folder/Name`, each once, all below [prefix] if there is one. */
+internal class TopicNames(prefix: String) {
+    private val start = prefix.trim('/').let { if (it.isEmpty()) "/" else "/$it/" }
+    private val names = UniqueNames()
+
+    /** A name that no other call gives. What a log took from NetworkTables, `NT:/…`, gets its name of then back. */
+    fun nameOf(name: String): String = names.give(start + name.removePrefix("NT:").trimStart('/'))
+}
+
+/** A recording without a time is played as if its robot had logged every 20 ms, which is what robots do. */
+private const val ROWS_PER_SECOND = 50.0
+
+/** How far [axis] goes in a second. An x that is neither time nor index is taken for seconds. */
+internal fun unitsPerSecond(axis: XAxis): Double = Units.secondsIn(axis.unit)?.let { 1 / it } ?: if (axis.isIndex) ROWS_PER_SECOND else 1.0

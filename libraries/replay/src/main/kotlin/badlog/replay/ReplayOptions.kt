@@ -5,7 +5,7 @@ import java.net.InetAddress
 /**
  * How a recording is replayed.
  *
- * @property port where dashboards connect; 0 for any that is free. Most dashboards know only [USUAL_PORT].
+ * @property port where dashboards connect; 0 for any that is free. Most dashboards know only [DEFAULT_PORT].
  * @property address the network at which dashboards may connect: this computer alone, unless told otherwise.
  * @property speed how many seconds of the recording pass in a second; above 0.
  * @property isLooping whether it begins anew when it has come to the end.
@@ -14,7 +14,7 @@ import java.net.InetAddress
  * @throws IllegalArgumentException when one of them is out of its range.
  */
 public class ReplayOptions(
-    public val port: Int = USUAL_PORT,
+    public val port: Int = DEFAULT_PORT,
     public val address: InetAddress = InetAddress.getLoopbackAddress(),
     public val speed: Double = 1.0,
     public val isLooping: Boolean = false,
@@ -31,6 +31,6 @@ public class ReplayOptions(
 
     public companion object {
         /** The port of NetworkTables 4. */
-        public const val USUAL_PORT: Int = 5810
+        public const val DEFAULT_PORT: Int = 5810
     }
 }

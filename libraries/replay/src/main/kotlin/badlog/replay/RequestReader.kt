@@ -50,7 +50,7 @@ internal class RequestReader(private val ignore: (String) -> Unit) {
         val id = params["subuid"].number() ?: return null
         val names = (params["topics"] as? JsonArray)?.map { it.text() ?: return null } ?: return null
         val options = params["options"] as? JsonObject ?: JsonObject(emptyMap())
-        val seconds = (options["periodic"] as? JsonPrimitive)?.doubleOrNull?.takeIf { it >= 0 } ?: USUAL_SECONDS
+        val seconds = (options["periodic"] as? JsonPrimitive)?.doubleOrNull?.takeIf { it >= 0 } ?: DEFAULT_SECONDS
         fun isSet(option: String) = (options[option] as? JsonPrimitive)?.booleanOrNull == true
         return Request.Subscribe(
             id,
@@ -79,7 +79,7 @@ internal class RequestReader(private val ignore: (String) -> Unit) {
 
     private companion object {
         /** How often a value is sent to a client that does not say. */
-        const val USUAL_SECONDS = 0.1
+        const val DEFAULT_SECONDS = 0.1
     }
 }
 
@@ -98,4 +98,30 @@ private fun isDeep(json: String): Boolean {
         i++
     }
     return false
+}
+
+/** What a client asks for. */
+internal sealed interface Request {
+    /**
+     * @property names whole names, or how names begin where [isPrefix].
+     * @property periodMicros how often a value may be sent at most.
+     * @property isAll whether every sample is wanted, not only the latest of each period.
+     * @property isTopicsOnly whether no values are wanted.
+     */
+    class Subscribe(
+        val id: Long,
+        val names: List<String>,
+        val periodMicros: Long,
+        val isAll: Boolean,
+        val isTopicsOnly: Boolean,
+        val isPrefix: Boolean,
+    ) : Request
+
+    class Unsubscribe(val id: Long) : Request
+
+    class Publish(val id: Long, val name: String, val type: String, val properties: JsonObject) : Request
+
+    class Unpublish(val id: Long) : Request
+
+    class SetProperties(val name: String, val update: JsonObject) : Request
 }

@@ -9,6 +9,7 @@ import org.java_websocket.protocols.Protocol
 import org.java_websocket.server.WebSocketServer
 import org.msgpack.core.MessagePackException
 import java.io.IOException
+import java.net.BindException
 import java.net.InetSocketAddress
 import java.nio.ByteBuffer
 import java.util.concurrent.CompletableFuture
@@ -63,7 +64,7 @@ internal class SocketServer(
 
     override fun onMessage(socket: WebSocket, text: String) {
         val connection = heard(socket) ?: return
-        if (connection.protocol == SubProtocol.TIME_ONLY) return ignored.add(connection.name, "text where only the time is told")
+        if (connection.protocol == SubProtocol.TIME_ONLY) return ignored.add(connection.name, "text where only the time is sent")
         listener.received(connection, text)
         endIfFlooded(socket, connection)
     }
@@ -96,13 +97,34 @@ internal class SocketServer(
 
     /** A client that asks and asks and never reads the answers would fill the memory. */
     private fun endIfFlooded(socket: WebSocket, connection: Connection) {
-        if ((socket as WebSocketImpl).outQueue.size > MOST_FRAMES) connection.end("It does not read its answers.")
+        if ((socket as WebSocketImpl).outQueue.size > MAX_FRAMES) connection.end("It does not read its answers.")
     }
 
     private companion object {
         const val BINDING_SECONDS = 10L
-        const val MOST_FRAMES = 4_000
-        const val LONGEST_FRAME = 1 shl 20
-        val NT4 = Draft_6455(emptyList(), SubProtocol.entries.map { Protocol(it.id) }, LONGEST_FRAME)
+        const val MAX_FRAMES = 4_000
+        const val MAX_FRAME = 1 shl 20
+        val NT4 = Draft_6455(emptyList(), SubProtocol.entries.map { Protocol(it.id) }, MAX_FRAME)
     }
 }
+
+/** What a [SocketServer] tells of its connections; of one connection nothing at the same time. */
+internal interface Listener {
+    fun opened(connection: Connection)
+
+    fun received(connection: Connection, text: String)
+
+    fun closed(connection: Connection)
+}
+
+/** The port of a replay cannot be opened. The message is one sentence that says why and what to do. */
+public class UnavailablePortException internal constructor(address: InetSocketAddress, cause: Exception) :
+    IOException(
+        if (cause is BindException && "in use" in cause.message.orEmpty()) {
+            "Port ${address.port} is taken, by a robot simulation or another replay perhaps: " +
+                "end that program, or choose another port."
+        } else {
+            "Port ${address.port} of ${address.address.hostAddress} cannot be opened (${cause.message}): choose another."
+        },
+        cause,
+    )

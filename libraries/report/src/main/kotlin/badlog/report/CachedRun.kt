@@ -1,6 +1,7 @@
 package badlog.report
 
 import badlog.file.LogFile
+import badlog.report.hook.withShutdownHook
 
 /** What was found out about a file; [isLasting] when it stays so as long as the file is the same. */
 internal class CachedResult<out R>(val result: R, val isLasting: Boolean)
@@ -22,7 +23,7 @@ internal fun <R : Any> runCached(
         }
     }
     try {
-        orAtProgramEnd({ cache?.save() }) {
+        withShutdownHook({ cache?.save() }) {
             FolderRun().forEach(files, remembering) { file, result ->
                 cache?.saveNowAndThen()
                 each(file, result)

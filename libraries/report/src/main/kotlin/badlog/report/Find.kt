@@ -24,10 +24,11 @@ public class Find(
     private val cache: Path? = null,
     private val xTopic: String? = null,
 ) {
-    private val parsed = LruCache<Vocabulary, ParsedExpression>(MOST_VOCABULARIES) { Expression.parse(question, it) }
+    private val named = NamedTopics(virtualTopics + question, xTopic)
+    private val parsed = LruCache<Vocabulary, ParsedExpression>(MAX_VOCABULARIES) { Expression.parse(question, it) }
 
     /** What is wrong with the question whatever a log has, such as a parenthesis that is never closed; null when nothing seems to be. */
-    public val mistake: Reply.NotAsked? = mistakeForAnyLog(question)?.let(::notAsked)
+    public val mistake: Reply.NotAsked? = errorForEveryLog(question)?.let(::notAsked)
 
     @Serializable
     internal class Stored(
@@ -63,10 +64,9 @@ public class Find(
         return results
     }
 
-    private fun ask(file: LogFile): CachedResult<Stored> = if (mistake != null) {
-        CachedResult(Stored(null, mistake), isLasting = false)
-    } else {
-        LogContent.examined(file, virtualTopics, xTopic, ::ask)
+    private fun ask(file: LogFile): CachedResult<Stored> {
+        if (mistake != null) return CachedResult(Stored(null, mistake), isLasting = false)
+        return LogContent.examined(file, virtualTopics, xTopic, named, ::ask)
     }
 
     private fun ask(content: LogContent): CachedResult<Stored> = when (content) {
@@ -83,12 +83,12 @@ public class Find(
     }
 
     private companion object {
-        const val MOST_SPANS = 100
-        const val MOST_VOCABULARIES = 64
+        const val MAX_SPANS = 100
+        const val MAX_VOCABULARIES = 64
 
         fun answered(answer: Answer) = Reply.Answered(
             answer.outcome,
-            answer.spans.take(MOST_SPANS),
+            answer.spans.take(MAX_SPANS),
             answer.times,
             answer.quantities,
             answer.time,

@@ -3,59 +3,57 @@ package badlog.report
 import badlog.analysis.Span
 import badlog.expression.ExpressionError
 import badlog.expression.Quantity
-import kotlinx.serialization.json.JsonArray
-import kotlinx.serialization.json.JsonElement
-import kotlinx.serialization.json.JsonNull
-import kotlinx.serialization.json.JsonPrimitive
-import kotlinx.serialization.json.addJsonObject
-import kotlinx.serialization.json.buildJsonArray
-import kotlinx.serialization.json.buildJsonObject
-import kotlinx.serialization.json.put
+import kotlinx.serialization.Serializable
 
-/** What came of a question to a log that can be read, for other programs. Of what is not known, and of unknown numbers, null is told. */
-public fun findJson(result: FindResult): Map<String, JsonElement> = buildJsonObject {
-    val answered = result.reply as? Reply.Answered
-    val refused = result.reply as? Reply.NotAsked
-    put("match", result.title)
-    put("outcome", answered?.outcome?.name?.lowercase() ?: "not_asked")
-    put("time", number(answered?.time))
-    put("timeUnit", answered?.timeUnit)
-    put("figures", JsonArray(answered?.figures.orEmpty().map(::figureJson)))
-    put("spans", spansJson(answered?.spans.orEmpty()))
-    put("spanCount", answered?.spanCount)
-    put("reason", refused?.kind?.name?.lowercase())
-    put("topic", refused?.topic)
-    put("message", refused?.message)
-    put("undefined", jsonOf(result.undefined))
+/** What came of a question to a log that can be read, as other programs get it. What is not known, or not finite, is null. */
+@Serializable
+public class FindJson private constructor(
+    private val match: String?,
+    private val outcome: String,
+    private val time: Double?,
+    private val timeUnit: String?,
+    private val figures: List<QuantityJson>,
+    private val spans: List<SpanJson>,
+    private val spanCount: Int?,
+    private val reason: String?,
+    private val topic: String?,
+    private val message: String?,
+    private val undefined: List<UndefinedJson>,
+) {
+    private constructor(result: FindResult, answered: Reply.Answered?, refused: Reply.NotAsked?) : this(
+        match = result.title,
+        outcome = answered?.outcome?.name?.lowercase() ?: "not_asked",
+        time = finite(answered?.time),
+        timeUnit = answered?.timeUnit,
+        figures = answered?.quantities.orEmpty().map(::QuantityJson),
+        spans = answered?.spans.orEmpty().map(::SpanJson),
+        spanCount = answered?.spanCount,
+        reason = refused?.kind?.name?.lowercase(),
+        topic = refused?.topic,
+        message = refused?.message,
+        undefined = result.undefined.map(::UndefinedJson),
+    )
+
+    public constructor(result: FindResult) : this(result, result.reply as? Reply.Answered, result.reply as? Reply.NotAsked)
 }
 
-private fun figureJson(figure: Quantity): JsonElement = buildJsonObject {
-    put("name", figure.name)
-    put("value", number(figure.value))
-    put("unit", figure.unit)
-    put("time", number(figure.time))
+@Serializable
+internal class QuantityJson(private val name: String, private val value: Double?, private val unit: String, private val time: Double?) {
+    constructor(quantity: Quantity) : this(quantity.name, finite(quantity.value), quantity.unit, finite(quantity.time))
 }
 
-internal fun spansJson(spans: List<Span>): JsonArray = buildJsonArray {
-    for (span in spans) {
-        addJsonObject {
-            put("from", number(span.from))
-            put("to", number(span.to))
-        }
-    }
+@Serializable
+internal class SpanJson(private val from: Double?, private val to: Double?) {
+    constructor(span: Span) : this(finite(span.from), finite(span.to))
 }
 
-/** The virtual topics that a log could not be given, by the [errors] in their definitions, for other programs. */
-public fun undefinedJson(errors: List<ExpressionError>): JsonElement = jsonOf(errors.map(::UndefinedTopic))
+/** A virtual topic that a log could not be given, as other programs get it. */
+@Serializable
+public class UndefinedJson private constructor(private val definition: String, private val message: String) {
+    public constructor(topic: UndefinedTopic) : this(topic.definition, topic.message)
 
-internal fun jsonOf(topics: List<UndefinedTopic>): JsonArray = buildJsonArray {
-    for (topic in topics) {
-        addJsonObject {
-            put("definition", topic.definition)
-            put("message", topic.message)
-        }
-    }
+    public constructor(error: ExpressionError) : this(UndefinedTopic(error))
 }
 
 /** JSON has no number for what is not finite. */
-internal fun number(value: Double?): JsonPrimitive = if (value != null && value.isFinite()) JsonPrimitive(value) else JsonNull
+internal fun finite(value: Double?): Double? = value?.takeIf { it.isFinite() }

@@ -5,6 +5,7 @@ import badlog.expression.Outcome
 import badlog.expression.Quantity
 import badlog.expression.syntax.ExpressionErrorKind
 import badlog.file.LogFile
+import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 
 /**
@@ -33,7 +34,7 @@ public sealed interface Reply {
      * @property outcome whether it holds.
      * @property spans when it holds, at most the first hundred.
      * @property spanCount how often it holds.
-     * @property figures the numbers that tell most.
+     * @property quantities the numbers that were compared.
      * @property time where to look first; NaN when nothing tells.
      * @property timeUnit the unit of all times, empty where x has none.
      */
@@ -45,7 +46,8 @@ public sealed interface Reply {
             Span,
             >,
         public val spanCount: Int,
-        public val figures: List<
+        @SerialName("figures")
+        public val quantities: List<
             @Serializable(with = QuantitySerializer::class)
             Quantity,
             >,

@@ -35,7 +35,7 @@ private val TABLE = TextTable(listOf("Match", "File", "Time", "Value").map { Tex
 internal fun isFound(result: FindResult): Boolean = when (val reply = result.reply) {
     is Reply.Answered -> when (reply.outcome) {
         Outcome.HOLDS -> true
-        Outcome.NO_QUESTION -> reply.figures.any { !it.value.isNaN() }
+        Outcome.NO_QUESTION -> reply.quantities.any { !it.value.isNaN() }
         else -> false
     }
 
@@ -46,7 +46,7 @@ private fun summaryOf(results: List<FindResult>, found: Int): List<String> {
     val lines = ArrayList<String>()
     lines += "Found in $found of ${count(results.size, "log")}."
     val unknown = results.count { (it.reply as? Reply.Answered)?.outcome == Outcome.UNKNOWN }
-    if (unknown > 0) lines += "In ${count(unknown, "log")} it is not known, since samples are missing."
+    if (unknown > 0) lines += "Unknown in ${count(unknown, "log")}, since samples are missing."
     val notAsked = results.mapNotNull { it.reply as? Reply.NotAsked }
     val isAnswered = results.any { it.reply is Reply.Answered }
     val (missing, others) = notAsked.partition { it.kind == ExpressionErrorKind.UNKNOWN_TOPIC }
@@ -58,7 +58,7 @@ private fun summaryOf(results: List<FindResult>, found: Int): List<String> {
     if (lacking.isNotEmpty()) lines += "${have(lacking.size)} not all topics of the question."
     // Where no log has the topic it may be a typing error, of which the message knows more.
     if (missing.isNotEmpty() && !isAnswered) lines += missing[0].pointed
-    mistaken.groupBy { it.pointed }.forEach { (pointed, replies) -> lines += "Not asked of ${count(replies.size, "log")}: $pointed" }
+    mistaken.groupBy { it.pointed }.forEach { (pointed, replies) -> lines += "Skipped for ${count(replies.size, "log")}: $pointed" }
     lines += undefinedTexts(results.filter { it.reply !is Reply.Unreadable }.map { it.undefined })
     return lines
 }
@@ -67,8 +67,8 @@ private fun have(logs: Int) = "${count(logs, "log")} ${if (logs == 1) "has" else
 
 private fun valueText(reply: Reply.Answered): String {
     val times = if (reply.spanCount > 1) " (${reply.spanCount} times)" else ""
-    val figures = reply.figures
-    return (if (figures.size == 1) figures[0].text else figures.joinToString { it.toString() }.ifEmpty { "yes" }) + times
+    val quantities = reply.quantities
+    return (if (quantities.size == 1) quantities[0].text else quantities.joinToString { it.toString() }.ifEmpty { "yes" }) + times
 }
 
 internal fun count(number: Int, thing: String): String = "$number $thing${if (number == 1) "" else "s"}"

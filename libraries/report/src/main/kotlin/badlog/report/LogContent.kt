@@ -6,6 +6,7 @@ import badlog.file.LogFile
 import badlog.file.UnreadableFileException
 import badlog.file.readRecording
 import badlog.formats.LOG_FORMATS
+import badlog.recording.NumberSinks
 import badlog.recording.ProblemKind
 import badlog.recording.Recording
 
@@ -29,8 +30,8 @@ internal sealed interface LogContent {
     class None(val message: String, val isNoLog: Boolean) : LogContent
 
     companion object {
-        private fun of(file: LogFile, definitions: List<String>, xTopic: String?): LogContent = try {
-            val recording = readRecording(file.path, LOG_FORMATS)
+        private fun of(file: LogFile, definitions: List<String>, xTopic: String?, sinks: NumberSinks): LogContent = try {
+            val recording = readRecording(file.path, LOG_FORMATS, sinks = sinks)
             val problem = recording.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
             if (problem != null) {
                 None(problem.message, isNoLog = true)
@@ -44,13 +45,20 @@ internal sealed interface LogContent {
         }
 
         /**
-         * What [work] makes of [file], read with the topics of [definitions], and with [xTopic] as x axis if it is not null.
+         * What [work] makes of [file], read with the topics of [definitions], and with [xTopic] as x axis if it is not null; [sinks] says
+         * which numbers are needed.
          * Whatever fails, fails for this file alone: [work] is then given a [None] that says so.
          *
          * @throws InterruptedException when the thread was interrupted.
          */
-        fun <R> examined(file: LogFile, definitions: List<String>, xTopic: String? = null, work: (LogContent) -> R): R = try {
-            work(of(file, definitions, xTopic))
+        fun <R> examined(
+            file: LogFile,
+            definitions: List<String>,
+            xTopic: String? = null,
+            sinks: NumberSinks = NumberSinks.RECORDING,
+            work: (LogContent) -> R,
+        ): R = try {
+            work(of(file, definitions, xTopic, sinks))
         } catch (_: OutOfMemoryError) {
             work(tooLarge())
         } catch (e: InterruptedException) {
@@ -62,7 +70,7 @@ internal sealed interface LogContent {
         }
 
         private fun failed(e: Throwable) =
-            None("badlog failed here, by a defect of its own ($e); please report it, with the file if you may.", isNoLog = false)
+            None("badlog failed here because of a defect of its own ($e); please report it, with the file if you can.", isNoLog = false)
 
         private fun tooLarge() = None("There is not enough memory for it; give the program more, or cut the file.", isNoLog = false)
 

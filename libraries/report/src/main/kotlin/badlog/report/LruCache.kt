@@ -1,9 +1,9 @@
 package badlog.report
 
-/** What [make] makes, kept for the [most] keys that were asked for last. Safe for several threads; may make the same twice. */
-internal class LruCache<K : Any, V : Any>(private val most: Int, private val make: (K) -> V) {
+/** What [make] makes, kept for the [max] keys that were used last. Safe for several threads; may make the same twice. */
+internal class LruCache<K : Any, V : Any>(private val max: Int, private val make: (K) -> V) {
     private val kept = object : LinkedHashMap<K, V>(16, 0.75f, true) {
-        override fun removeEldestEntry(eldest: Map.Entry<K, V>) = size > most
+        override fun removeEldestEntry(eldest: Map.Entry<K, V>) = size > max
     }
 
     operator fun get(key: K): V {

@@ -2,41 +2,57 @@ package badlog.report
 
 import badlog.rules.Finding
 import badlog.rules.SkippedRule
-import kotlinx.serialization.json.JsonArray
-import kotlinx.serialization.json.JsonElement
-import kotlinx.serialization.json.buildJsonObject
-import kotlinx.serialization.json.put
+import kotlinx.serialization.Serializable
 
-/** What was found in a log that can be read, and what was not looked for there, for other programs. Unknown numbers are null. */
-public fun reportJson(log: LogReport): Map<String, JsonElement> = buildJsonObject {
-    put("match", log.title)
-    put("findings", JsonArray(log.findings.map(::findingJson)))
-    put("notAsked", JsonArray(log.skipped.map(::skippedJson)))
-    put("undefined", jsonOf(log.undefined))
-    put("hookFailures", JsonArray(log.hookFailures.map { failureJson(it.hook, it.message) }))
+/** What was found in a log that can be read, and what was skipped there, as other programs get it. Unknown numbers are null. */
+@Serializable
+public class ReportJson private constructor(
+    private val match: String?,
+    private val findings: List<FindingJson>,
+    private val notAsked: List<SkippedJson>,
+    private val undefined: List<UndefinedJson>,
+    private val hookFailures: List<HookFailureJson>,
+) {
+    public constructor(log: LogReport) : this(
+        log.title,
+        log.findings.map(::FindingJson),
+        log.skipped.map(::SkippedJson),
+        log.undefined.map(::UndefinedJson),
+        log.hookFailures.map { HookFailureJson(it.hook, it.message) },
+    )
 }
 
-/** A hook that failed for a log, with the reason, for other programs. */
-public fun failureJson(hook: String, message: String): JsonElement = buildJsonObject {
-    put("hook", hook)
-    put("message", message)
+@Serializable
+internal class FindingJson(
+    private val rule: String,
+    private val severity: String,
+    private val topic: String?,
+    private val text: String,
+    private val time: Double?,
+    private val timeUnit: String,
+    private val spans: List<SpanJson>,
+    private val spanCount: Int,
+    private val isOfHook: Boolean,
+) {
+    constructor(finding: Finding) : this(
+        finding.rule,
+        finding.severity.name.lowercase(),
+        finding.topic,
+        finding.text,
+        finite(finding.time),
+        finding.timeUnit,
+        finding.spans.map(::SpanJson),
+        finding.spanCount,
+        finding.isOfHook,
+    )
 }
 
-private fun findingJson(finding: Finding): JsonElement = buildJsonObject {
-    put("rule", finding.rule)
-    put("severity", finding.severity.name.lowercase())
-    put("topic", finding.topic)
-    put("text", finding.text)
-    put("time", number(finding.time))
-    put("timeUnit", finding.timeUnit)
-    put("spans", spansJson(finding.spans))
-    put("spanCount", finding.spanCount)
-    put("isOfHook", finding.isOfHook)
+/** A rule that was skipped, as other programs get it. */
+@Serializable
+public class SkippedJson private constructor(private val rule: String, private val message: String, private val isMistake: Boolean) {
+    public constructor(skipped: SkippedRule) : this(skipped.rule, skipped.message, skipped.isMistake)
 }
 
-/** A rule that was skipped, for other programs. */
-public fun skippedJson(skipped: SkippedRule): JsonElement = buildJsonObject {
-    put("rule", skipped.rule)
-    put("message", skipped.message)
-    put("isMistake", skipped.isMistake)
-}
+/** A hook that failed for a log, and why, as other programs get it. */
+@Serializable
+public class HookFailureJson(private val hook: String, private val message: String)

@@ -28,7 +28,7 @@ internal class ResultCache<R : Any>(
     private val folder: Path,
     question: String,
     results: KSerializer<R>,
-    private val pause: Duration = USUAL_PAUSE,
+    private val pause: Duration = DEFAULT_PAUSE,
 ) {
     private val file =
         folder.resolve("$PREFIX${HexFormat.of().formatHex(digest("$BADLOG_VERSION\n$VERSION\n$question"), 0, 16)}$SUFFIX")
@@ -76,7 +76,7 @@ internal class ResultCache<R : Any>(
     }
 
     private fun write() {
-        while (known.size > MOST_FILES) known.remove(known.keys.first())
+        while (known.size > MAX_FILES) known.remove(known.keys.first())
         try {
             Files.createDirectories(folder)
             val body = JSON.encodeToString(serializer, known.values.toList()).encodeToByteArray()
@@ -101,7 +101,7 @@ internal class ResultCache<R : Any>(
 
     private fun load() {
         try {
-            if (Files.notExists(file) || Files.size(file) > MOST_BYTES) return
+            if (Files.notExists(file) || Files.size(file) > MAX_BYTES) return
             val bytes = Files.readAllBytes(file)
             if (bytes.size < DIGEST) return
             val body = bytes.copyOfRange(DIGEST, bytes.size)
@@ -117,19 +117,19 @@ internal class ResultCache<R : Any>(
     /** So that not every question ever asked stays. */
     private fun dropOldest() {
         val files = Files.newDirectoryStream(folder, "$PREFIX*$SUFFIX").use { it.toList() }
-        files.sortedByDescending { Files.getLastModifiedTime(it) }.drop(MOST_QUESTIONS).forEach(Files::deleteIfExists)
+        files.sortedByDescending { Files.getLastModifiedTime(it) }.drop(MAX_QUESTIONS).forEach(Files::deleteIfExists)
     }
 
     private companion object {
         /** To be raised when the same file and question may come to something else than before. */
         const val VERSION = 5
-        val USUAL_PAUSE = 10.seconds
+        val DEFAULT_PAUSE = 10.seconds
         const val PREFIX = "report-"
         const val SUFFIX = ".cache"
         const val DIGEST = 32
-        const val MOST_FILES = 20_000
-        const val MOST_BYTES = 1L shl 28
-        const val MOST_QUESTIONS = 100
+        const val MAX_FILES = 20_000
+        const val MAX_BYTES = 1L shl 28
+        const val MAX_QUESTIONS = 100
         val JSON = Json { allowSpecialFloatingPointValues = true }
 
         fun keyOf(file: LogFile) = file.path.toAbsolutePath().normalize().toString()

@@ -71,12 +71,12 @@ class FindSpec : FunSpec({
         inFolder { folder ->
             folder.put("1.bag", batteryBag(6.0))
             folder.put("2.bag", batteryBag(6.0, name = "Volts"))
-            val (first, second) = Find("Battery Voltage < 7").over(logsIn(folder)).map(::findJson)
+            val (first, second) = Find("Battery Voltage < 7").over(logsIn(folder)).map { jsonOf(FindJson(it)) }
             first.getValue("outcome").jsonPrimitive.content shouldBe "holds"
             first.getValue("figures").jsonArray[0].jsonObject.getValue("value").jsonPrimitive.content shouldBe "6.0"
             second.getValue("outcome").jsonPrimitive.content shouldBe "not_asked"
             second.getValue("topic").jsonPrimitive.content shouldBe "Battery Voltage"
-            val infinite = findJson(Find("Battery Voltage / 0").over(logsIn(folder))[0]).getValue("figures").jsonArray[0]
+            val infinite = jsonOf(FindJson(Find("Battery Voltage / 0").over(logsIn(folder))[0])).getValue("figures").jsonArray[0]
             infinite.jsonObject.getValue("value") shouldBe JsonNull
         }
     }
@@ -95,7 +95,7 @@ class FindSpec : FunSpec({
             val cache = folder.resolve("cache")
             val one = folder.put("logs/1.bag", batteryBag(6.0))
             val two = folder.put("logs/2.bag", batteryBag(8.0, match = 2))
-            fun ask(question: String = "min(Battery Voltage) < 7") = Find(question, cache = cache).over(logsIn(folder.resolve("logs"))).map { (it.reply as? Reply.Answered)?.figures?.single()?.toString() }
+            fun ask(question: String = "min(Battery Voltage) < 7") = Find(question, cache = cache).over(logsIn(folder.resolve("logs"))).map { (it.reply as? Reply.Answered)?.quantities?.single()?.toString() }
             val first = ask()
             spoil(one)
             ask() shouldBe first
@@ -168,7 +168,7 @@ class FindSpec : FunSpec({
             val cache = folder.resolve("cache")
             folder.put("logs/1.bag", batteryBag(6.0))
             val files = logsIn(folder.resolve("logs"))
-            fun ask() = Find("min(Battery Voltage) < 7", cache = cache).over(files).map { (it.reply as Reply.Answered).figures.single().toString() }
+            fun ask() = Find("min(Battery Voltage) < 7", cache = cache).over(files).map { (it.reply as Reply.Answered).quantities.single().toString() }
             val first = ask()
             val kept = Files.list(cache).use { it.toList() }.single()
             val bytes = Files.readAllBytes(kept)

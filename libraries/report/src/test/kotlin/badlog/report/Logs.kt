@@ -3,6 +3,10 @@ package badlog.report
 import badlog.file.FolderScan
 import badlog.file.LogFile
 import badlog.file.NaturalOrder
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.encodeToJsonElement
+import kotlinx.serialization.json.jsonObject
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.createDirectories
@@ -50,3 +54,6 @@ internal fun spoil(file: Path) {
     Files.write(file, ByteArray(Files.size(file).toInt()) { 1 })
     Files.setLastModifiedTime(file, time)
 }
+
+/** [value] as other programs get it. */
+internal inline fun <reified T> jsonOf(value: T): JsonObject = Json.encodeToJsonElement(value).jsonObject

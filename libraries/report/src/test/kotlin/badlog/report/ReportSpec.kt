@@ -15,9 +15,7 @@ import io.kotest.matchers.ints.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldEndWith
-import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.jsonArray
-import kotlinx.serialization.json.jsonObject
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.exists
@@ -214,7 +212,7 @@ class ReportSpec : FunSpec({
             val result = Report(rules("min(Battery Voltage) < 7"), listOf(hook)).over(logsIn(folder))
             result.logs.single().findings.size shouldBe 1
             reportText(result) shouldContain "1.bag, hook “h”: The hook ended with the exit code 1 and said: no numpy."
-            reportJson(result.logs.single()).getValue("hookFailures").jsonArray.size shouldBe 1
+            jsonOf(ReportJson(result.logs.single())).getValue("hookFailures").jsonArray.size shouldBe 1
         }
     }
 
@@ -278,7 +276,7 @@ class ReportSpec : FunSpec({
             folder.put("1.bag", batteryBag(6.0))
             folder.put("2.bag", batteryBag(12.0))
             folder.put("3.bag", batteryBag(12.0, name = "Volts"))
-            val logs = Report(rules("min(Battery Voltage) < 7")).over(logsIn(folder)).logs.map(::reportJson)
+            val logs = Report(rules("min(Battery Voltage) < 7")).over(logsIn(folder)).logs.map { jsonOf(ReportJson(it)) }
             logs.map { it.getValue("findings").jsonArray.size } shouldContainExactly listOf(1, 0, 0)
             logs.map { it.getValue("notAsked").jsonArray.size } shouldContainExactly listOf(0, 0, 1)
         }

@@ -36,7 +36,7 @@ public class TextTable(private val columns: List<Column>, private val width: Int
         val widths = wanted.toMutableList()
         val last = widths.lastIndex
         fun excess() = widths.sum() + GAP.length * last - width
-        widths[last] = (widths[last] - maxOf(0, excess())).coerceAtLeast(minOf(LEAST_LAST, widths[last]))
+        widths[last] = (widths[last] - maxOf(0, excess())).coerceAtLeast(minOf(MIN_LAST, widths[last]))
         while (excess() > 0) widths[(0 until last).maxBy { widths[it] }]--
         return widths
     }
@@ -63,7 +63,7 @@ public class TextTable(private val columns: List<Column>, private val width: Int
             return startOf(text, most - 1 - end) + "…" + endOf(text, end)
         }
 
-        private const val LEAST_LAST = 30
+        private const val MIN_LAST = 30
         private const val GAP = "  "
     }
 }

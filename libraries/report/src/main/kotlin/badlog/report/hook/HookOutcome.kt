@@ -3,6 +3,7 @@ package badlog.report.hook
 import badlog.analysis.Span
 import badlog.recording.Recording
 import badlog.rules.Finding
+import java.io.IOException
 
 /**
  * What came of a hook for one recording: [result], or [failure] that says why there is none.
@@ -31,3 +32,9 @@ public class HookOutcome private constructor(public val hook: String, public val
         }
     }
 }
+
+/**
+ * A hook gave nothing that can be used. The message says what went wrong and what to do, with the last that the program wrote to its
+ * standard error.
+ */
+public class HookException internal constructor(override val message: String, cause: Throwable? = null) : IOException(message, cause)

@@ -20,14 +20,14 @@ internal object HookOutput {
         val root = try {
             Json.parseToJsonElement(text)
         } catch (e: SerializationException) {
-            throw IllegalArgumentException("The hook printed no JSON: ${e.message.orEmpty().lineSequence().first().take(MOST_QUOTED)}.")
+            throw IllegalArgumentException("The hook printed no JSON: ${e.message.orEmpty().lineSequence().first().take(MAX_QUOTED)}.")
         }
         val members = membersOf(root, "the output", setOf("values", "findings", "series", "figures"))
         return HookResult(
             values = (members["values"] ?: JsonObject(emptyMap())).let(::values),
-            findings = items(members, "findings", MOST_FINDINGS, ::finding),
-            series = items(members, "series", MOST_SERIES, ::series),
-            figures = items(members, "figures", MOST_FIGURES, ::figure),
+            findings = items(members, "findings", MAX_FINDINGS, ::finding),
+            series = items(members, "series", MAX_SERIES, ::series),
+            figures = items(members, "figures", MAX_FIGURES, ::figure),
         )
     }
 
@@ -40,7 +40,7 @@ internal object HookOutput {
             when (text[at]) {
                 '"' -> isInText = !isInText
                 '\\' -> at++
-                '[', '{' -> if (!isInText) require(++depth <= MOST_DEPTH) { "What the hook printed is nested too deeply." }
+                '[', '{' -> if (!isInText) require(++depth <= MAX_DEPTH) { "What the hook printed is nested too deeply." }
                 ']', '}' -> if (!isInText) depth--
             }
             at++
@@ -49,25 +49,25 @@ internal object HookOutput {
 
     private fun values(json: JsonElement): Map<String, String> {
         require(json is JsonObject) { "“values” has to be an object of texts and numbers, not ${kindOf(json)}." }
-        require(json.size <= MOST_VALUES) { "There are ${json.size} values; $MOST_VALUES are the most." }
+        require(json.size <= MAX_VALUES) { "There are ${json.size} values; $MAX_VALUES are the most." }
         return json.mapValues { (name, value) ->
             require(value is JsonPrimitive && value !is JsonNull) {
-                "The value “${name.take(MOST_NAME)}” has to be a text or a number, not ${kindOf(value)}."
+                "The value “${name.take(MAX_NAME)}” has to be a text or a number, not ${kindOf(value)}."
             }
-            limited(value.content, MOST_TEXT, "The value “${name.take(MOST_NAME)}”")
+            limited(value.content, MAX_TEXT, "The value “${name.take(MAX_NAME)}”")
         }
     }
 
     private fun finding(json: JsonElement, where: String): HookFinding {
         val members = membersOf(json, where, setOf("severity", "text", "time", "until"))
-        val severity = text(members, "severity", where, MOST_NAME, "warning")
+        val severity = text(members, "severity", where, MAX_NAME, "warning")
         val time = numberIn(members, "time", where)
         val until = numberIn(members, "until", where)
         require(until.isNaN() || until >= time) { "In $where “until” has to be a time not before “time”." }
         return HookFinding(
             Severity.entries.find { it.name.lowercase() == severity }
                 ?: throw IllegalArgumentException("In $where “severity” has to be error, warning or note, not “$severity”."),
-            text(members, "text", where, MOST_TEXT),
+            text(members, "text", where, MAX_TEXT),
             time,
             until,
         )
@@ -79,20 +79,20 @@ internal object HookOutput {
         val y = numbers(members, "y", where, areGapsAllowed = true)
         require(x.size == y.size) { "In $where “x” has ${x.size} numbers and “y” has ${y.size}; they have to be as many." }
         for (i in 1 until x.size) require(x[i] >= x[i - 1]) { "In $where “x” goes back at number ${i + 1}; it has to be sorted." }
-        return HookSeries(text(members, "name", where, MOST_NAME), text(members, "unit", where, MOST_NAME, ""), Series(x, y))
+        return HookSeries(text(members, "name", where, MAX_NAME), text(members, "unit", where, MAX_NAME, ""), Series(x, y))
     }
 
     private fun figure(json: JsonElement, where: String): HookFigure {
         val members = membersOf(json, where, setOf("title", "svg", "png"))
-        val title = text(members, "title", where, MOST_NAME)
+        val title = text(members, "title", where, MAX_NAME)
         require(("svg" in members) != ("png" in members)) { "In $where there has to be either “svg” or “png”." }
         if ("svg" in members) {
-            val svg = text(members, "svg", where, MOST_FIGURE)
+            val svg = text(members, "svg", where, MAX_FIGURE)
             require(beginsAsSvg(svg)) { "In $where “svg” has to be an SVG picture that begins with <svg." }
             return HookFigure(title, "image/svg+xml", picture(svg.encodeToByteArray(), "In $where “svg”"))
         }
         val png = try {
-            Base64.getMimeDecoder().decode(text(members, "png", where, MOST_BASE64))
+            Base64.getMimeDecoder().decode(text(members, "png", where, MAX_BASE64))
         } catch (_: IllegalArgumentException) {
             throw IllegalArgumentException("In $where “png” has to be Base64.")
         }
@@ -101,7 +101,7 @@ internal object HookOutput {
     }
 
     private fun picture(bytes: ByteArray, what: String): ByteArray {
-        require(bytes.size <= MOST_FIGURE) { "$what has ${bytes.size} bytes; $MOST_FIGURE are the most." }
+        require(bytes.size <= MAX_FIGURE) { "$what has ${bytes.size} bytes; $MAX_FIGURE are the most." }
         return bytes
     }
 
@@ -115,7 +115,7 @@ internal object HookOutput {
     private fun membersOf(json: JsonElement, where: String, known: Set<String>): JsonObject {
         require(json is JsonObject) { "What the hook printed is not as it has to be: $where is ${kindOf(json)}, not an object." }
         val unknown = json.keys.firstOrNull { it !in known } ?: return json
-        throw IllegalArgumentException("In $where there is “${unknown.take(MOST_NAME)}”; it may have ${known.joinToString()}.")
+        throw IllegalArgumentException("In $where there is “${unknown.take(MAX_NAME)}”; it may have ${known.joinToString()}.")
     }
 
     private fun text(members: JsonObject, key: String, where: String, most: Int, absent: String? = null): String {
@@ -140,7 +140,7 @@ internal object HookOutput {
     private fun numbers(members: JsonObject, key: String, where: String, areGapsAllowed: Boolean): DoubleArray {
         val json = members[key]
         require(json is JsonArray) { "In $where “$key” has to be a list of numbers${if (areGapsAllowed) " and nulls" else ""}." }
-        require(json.size <= MOST_SAMPLES) { "In $where “$key” has ${json.size} numbers; $MOST_SAMPLES are the most." }
+        require(json.size <= MAX_SAMPLES) { "In $where “$key” has ${json.size} numbers; $MAX_SAMPLES are the most." }
         return DoubleArray(json.size) { index ->
             val item = json[index]
             if (areGapsAllowed && item is JsonNull) {
@@ -160,21 +160,21 @@ internal object HookOutput {
         json is JsonArray -> "a list"
         json is JsonNull -> "null"
         (json as JsonPrimitive).isString -> "a text"
-        else -> json.content.take(MOST_NAME)
+        else -> json.content.take(MAX_NAME)
     }
 
-    private const val MOST_QUOTED = 120
-    private const val MOST_DEPTH = 10
-    private const val MOST_NAME = 200
-    private const val MOST_TEXT = 10_000
-    private const val MOST_VALUES = 1000
-    private const val MOST_FINDINGS = 10_000
-    private const val MOST_SERIES = 100
-    private const val MOST_SAMPLES = 1_000_000
-    private const val MOST_FIGURES = 50
-    private const val MOST_FIGURE = 4 shl 20
+    private const val MAX_QUOTED = 120
+    private const val MAX_DEPTH = 10
+    private const val MAX_NAME = 200
+    private const val MAX_TEXT = 10_000
+    private const val MAX_VALUES = 1000
+    private const val MAX_FINDINGS = 10_000
+    private const val MAX_SERIES = 100
+    private const val MAX_SAMPLES = 1_000_000
+    private const val MAX_FIGURES = 50
+    private const val MAX_FIGURE = 4 shl 20
 
     // Three bytes are four characters, and there may be line breaks.
-    private const val MOST_BASE64 = MOST_FIGURE / 2 * 3
+    private const val MAX_BASE64 = MAX_FIGURE / 2 * 3
     private val PNG = byteArrayOf(0x89.toByte(), 'P'.code.toByte(), 'N'.code.toByte(), 'G'.code.toByte(), 13, 10, 26, 10)
 }

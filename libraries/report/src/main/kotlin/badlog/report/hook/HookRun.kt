@@ -10,8 +10,8 @@ import kotlin.time.Duration
 
 /** A hook that runs as [process], and is given the rows of [recording]. Ends with [close], which may be called again by any thread. */
 internal class HookRun(private val process: Process, private val recording: Recording, private val timeLimit: Duration) : AutoCloseable {
-    private val output = PipeReader(process.inputStream, MOST_OUTPUT, keepsEnd = false)
-    private val errors = PipeReader(process.errorStream, MOST_ERRORS, keepsEnd = true)
+    private val output = PipeReader(process.inputStream, MAX_OUTPUT, keepsEnd = false)
+    private val errors = PipeReader(process.errorStream, MAX_ERRORS, keepsEnd = true)
     private val started = ConcurrentHashMap.newKeySet<ProcessHandle>()
     private val end = System.nanoTime() + timeLimit.inWholeNanoseconds
     private val leftMillis get() = (end - System.nanoTime()) / 1_000_000
@@ -25,13 +25,13 @@ internal class HookRun(private val process: Process, private val recording: Reco
         while (!process.waitFor(minOf(POLL, maxOf(1, leftMillis)), TimeUnit.MILLISECONDS)) {
             // What a program started can no longer be found when it has ended itself.
             process.descendants().forEach(started::add)
-            if (output.isTooLong) fail("The hook printed more than ${MOST_OUTPUT shr 20} MB.")
+            if (output.isTooLong) fail("The hook printed more than ${MAX_OUTPUT shr 20} MB.")
             if (leftMillis <= 0) fail("The hook took longer than $timeLimit and was stopped.")
         }
         if (!output.join(leftMillis) || !errors.join(leftMillis)) {
             fail("The hook ended, but something it started took longer than $timeLimit and was stopped.")
         }
-        if (output.isTooLong) fail("The hook printed more than ${MOST_OUTPUT shr 20} MB.")
+        if (output.isTooLong) fail("The hook printed more than ${MAX_OUTPUT shr 20} MB.")
         val code = process.exitValue()
         if (code != 0) throw HookException("The hook ended with the exit code $code${lastError(" and said")}.")
         return try {
@@ -44,7 +44,7 @@ internal class HookRun(private val process: Process, private val recording: Reco
     /** What the program said last of what went wrong, after [intro]; empty when it said nothing. */
     private fun lastError(intro: String): String {
         val line = errors.text().lines().lastOrNull { it.isNotBlank() && it.trim() != R_ENDED } ?: return ""
-        return "$intro: ${line.trim().trimEnd('.').take(MOST_QUOTED)}"
+        return "$intro: ${line.trim().trimEnd('.').take(MAX_QUOTED)}"
     }
 
     private fun fail(message: String, cause: Throwable? = null): Nothing {
@@ -75,9 +75,9 @@ internal class HookRun(private val process: Process, private val recording: Reco
 
     private companion object {
         const val POLL = 50L
-        const val MOST_OUTPUT = 64 shl 20
-        const val MOST_ERRORS = 64 shl 10
-        const val MOST_QUOTED = 300
+        const val MAX_OUTPUT = 64 shl 20
+        const val MAX_ERRORS = 64 shl 10
+        const val MAX_QUOTED = 300
 
         /** What R says last of all, whatever went wrong. */
         const val R_ENDED = "Execution halted"

@@ -7,7 +7,6 @@ import badlog.bag.BagTopic
 import badlog.bag.BagValue
 import badlog.bag.headerText
 import badlog.recording.Recording
-import badlog.report.orAtProgramEnd
 import badlog.rules.HookCommand
 import java.io.File
 import java.io.IOException
@@ -30,7 +29,7 @@ import kotlin.time.Duration.Companion.seconds
  */
 public class HookRunner(
     public val command: List<String>,
-    public val timeLimit: Duration = USUAL_TIME_LIMIT,
+    public val timeLimit: Duration = DEFAULT_TIME_LIMIT,
     public val name: String = nameOf(command),
     public val folder: Path? = null,
 ) {
@@ -61,7 +60,7 @@ public class HookRunner(
             }
         }
         try {
-            return orAtProgramEnd(::end) {
+            return withShutdownHook(::end) {
                 val rows = inRows(recording)
                 Files.writeString(header, headerOf(rows))
                 HookRun(start(header), rows, timeLimit).also(running::set).result()
@@ -101,11 +100,11 @@ public class HookRunner(
 
     public companion object {
         /** How long a program may take where nobody says otherwise. */
-        public val USUAL_TIME_LIMIT: Duration = 30.seconds
+        public val DEFAULT_TIME_LIMIT: Duration = 30.seconds
 
         /** The program of [hook], which a file of rules in [folder] names. */
         public fun of(hook: HookCommand, folder: Path?): HookRunner =
-            HookRunner(hook.command, hook.timeLimit ?: USUAL_TIME_LIMIT, hook.name ?: nameOf(hook.command), folder)
+            HookRunner(hook.command, hook.timeLimit ?: DEFAULT_TIME_LIMIT, hook.name ?: nameOf(hook.command), folder)
 
         // The first argument that looks like a file's name is the script, as in `python3 -u tools/analyse.py`.
         private fun nameOf(command: List<String>): String {

@@ -92,7 +92,7 @@ public class ReportFolder(
     }
 
     private fun pageName(log: LogReport): String {
-        val base = startOfBytes(LogName.of(log.file.name).stem, MOST_BYTES)
+        val base = startOfBytes(LogName.of(log.file.name).stem, MAX_BYTES)
         return freeName(base, ".html") { taken.add(it.lowercase()) }
     }
 
@@ -101,7 +101,7 @@ public class ReportFolder(
         const val HEAD = 16_384
 
         /** File systems allow 255, and a page has a longer name while it is written. */
-        const val MOST_BYTES = 180
+        const val MAX_BYTES = 180
 
         fun realPath(file: Path): Path = try {
             file.toRealPath()

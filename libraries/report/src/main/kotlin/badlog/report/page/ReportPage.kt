@@ -37,8 +37,8 @@ public fun reportPage(result: ReportResult, title: String = "Report", pageOf: (L
     val names = shortNames(result.logs.map { it.file })
     val withFindings = result.logs.filter { it.findings.isNotEmpty() }
     if (withFindings.isNotEmpty()) appendTable(out, withFindings, names, pageOf)
-    appendList(out, "Not looked for", notesOf(result))
-    appendList(out, "Not read", result.logs.mapNotNull { log -> log.unreadable?.let { "${names[log.file]}: $it" } })
+    appendList(out, "Skipped", notesOf(result))
+    appendList(out, "Unreadable", result.logs.mapNotNull { log -> log.unreadable?.let { "${names[log.file]}: $it" } })
     val clean = result.logs.filter { it.findings.isEmpty() && it.unreadable == null }
     appendLogs(out, clean, names, pageOf)
     out.append("</body>\n</html>\n")

@@ -11,7 +11,7 @@ import badlog.wpilog.Omission
  * @param things what is not there, each as a short text such as `38 units`.
  * @param omissions what a WPILOG cannot carry.
  */
-internal class LeftOut(private val things: List<String> = emptyList(), private val omissions: List<Omission> = emptyList()) {
+internal class Omissions(private val things: List<String> = emptyList(), private val omissions: List<Omission> = emptyList()) {
     /** What follows the count of what was written. */
     val tail: String get() = if (things.isEmpty()) "" else "; without ${things.joinToString()}"
 
@@ -28,7 +28,7 @@ internal class LeftOut(private val things: List<String> = emptyList(), private v
             topic + omission.what.removeSuffix(".") + (if (omission.count > 1) " (${grouped(omission.count.toLong())})" else "") + "."
         }
 
-    operator fun plus(other: LeftOut) = LeftOut(things + other.things, omissions + other.omissions)
+    operator fun plus(other: Omissions) = Omissions(things + other.things, omissions + other.omissions)
 
     private fun placeOf(alike: List<Omission>): String {
         val count = alike.sumOf { it.count.toLong() }

@@ -1,9 +1,11 @@
 package badlog.cli.recover
 
 import badlog.cli.command.Outcome
-import badlog.cli.output.LeftOut
+import badlog.cli.output.Omissions
+import badlog.cli.text.LossJson
+import badlog.cli.text.ProblemJson
 import badlog.cli.text.counted
-import badlog.cli.text.json
+import badlog.cli.text.jsonOf
 import badlog.cli.text.problemLines
 import badlog.recording.Loss
 import badlog.recording.Problem
@@ -11,12 +13,11 @@ import badlog.recording.ProblemKind
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
 import badlog.recording.Severity
-import kotlinx.serialization.json.JsonArray
-import kotlinx.serialization.json.JsonPrimitive
+import kotlinx.serialization.Serializable
 import java.nio.file.Path
 
 /** What a damaged log has lost, and what was mended in it. */
-internal class Losses(private val recording: Recording) {
+internal class Damage(private val recording: Recording) {
     private val problems: List<Problem> =
         recording.problems.filter { it.severity == Severity.ERROR || it.kind in MENDED }
 
@@ -35,20 +36,20 @@ internal class Losses(private val recording: Recording) {
     private val hasRows: Boolean = recording.format != RecordingFormat.WPILOG
 
     /** What to say about [file], whose clean log is [target], which has no place for [leftOut], or which needs none. */
-    fun outcome(file: Path, target: Path?, leftOut: LeftOut): Outcome {
-        val json = mapOf(
-            "output" to JsonPrimitive(target?.toString()),
-            "rows" to JsonPrimitive(recording.rowCount),
-            "samples" to JsonPrimitive(recording.sampleCount),
-            "lost" to json(total),
-            "lostMore" to JsonPrimitive(isOpenEnded),
-            "problems" to JsonArray(problems.map { json(it) }),
-            "leftOut" to json(leftOut.all),
+    fun outcome(file: Path, target: Path?, leftOut: Omissions): Outcome {
+        val json = RecoverJson(
+            target?.toString(),
+            recording.rowCount,
+            recording.sampleCount,
+            LossJson(total),
+            isOpenEnded,
+            problems.map(::ProblemJson),
+            leftOut.all,
         )
-        return Outcome(recording.isSalvaged, text(file, target, leftOut), json)
+        return Outcome(recording.isSalvaged, text(file, target, leftOut), jsonOf(json))
     }
 
-    private fun text(file: Path, target: Path?, leftOut: LeftOut): String {
+    private fun text(file: Path, target: Path?, leftOut: Omissions): String {
         val lines = ArrayList<String>()
         lines += if (target == null) "$file: whole; nothing to recover" else "$file -> $target"
         val kept = if (hasRows) counted(recording.rowCount.toLong(), "row") else counted(recording.sampleCount, "sample")
@@ -84,3 +85,14 @@ internal class Losses(private val recording: Recording) {
         val OPEN_ENDED = setOf(ProblemKind.GZIP_CUT)
     }
 }
+
+@Serializable
+private class RecoverJson(
+    private val output: String?,
+    private val rows: Int,
+    private val samples: Long,
+    private val lost: LossJson,
+    private val lostMore: Boolean,
+    private val problems: List<ProblemJson>,
+    private val leftOut: List<String>,
+)

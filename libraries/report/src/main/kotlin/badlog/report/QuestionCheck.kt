@@ -12,9 +12,9 @@ import badlog.expression.syntax.ExpressionErrorKind
  * What is wrong with [question] whatever topics a log has, or null. What topics might be called is guessed, so some mistakes still
  * only show when a log is asked; but none is told that a usual name could make right.
  */
-internal fun mistakeForAnyLog(question: String): ExpressionError? {
+internal fun errorForEveryLog(question: String): ExpressionError? {
     val guessed = ArrayList<Signal>()
-    repeat(MOST_NAMES) {
+    repeat(MAX_NAMES) {
         val error = read(question, guessed) as? ExpressionError ?: return null
         if (error.kind != ExpressionErrorKind.UNKNOWN_TOPIC) return error.takeIf { isForAnyLog(it, guessed) }
         guessed += Signal(nameIn(error), SignalKind.NUMBER, "")
@@ -46,4 +46,4 @@ private fun nameIn(error: ExpressionError): String {
 private const val QUOTES = "\"'`"
 
 /** Far more than a question asks about. */
-private const val MOST_NAMES = 100
+private const val MAX_NAMES = 100

@@ -17,7 +17,7 @@ import io.kotest.property.arbitrary.element
 import io.kotest.property.arbitrary.string
 import io.kotest.property.checkAll
 
-class QuestionMistakeSpec : FunSpec({
+class QuestionCheckSpec : FunSpec({
     val mistakes = mapOf(
         "" to "Something is missing here",
         "min(Battery Voltage < 7" to "This parenthesis is never closed",
@@ -30,7 +30,7 @@ class QuestionMistakeSpec : FunSpec({
     )
     for ((question, message) in mistakes) {
         test("“${question.take(40)}” is wrong whatever a log has") {
-            mistakeForAnyLog(question).shouldNotBeNull().message shouldContain message
+            errorForEveryLog(question).shouldNotBeNull().message shouldContain message
         }
     }
 
@@ -46,14 +46,14 @@ class QuestionMistakeSpec : FunSpec({
     for ((question, name) in names) {
         test("“$question” is right for a log that has such a topic") {
             Expression.parse(question, Vocabulary(listOf(Signal(name, SignalKind.NUMBER, "")))).shouldBeInstanceOf<Expression>()
-            mistakeForAnyLog(question) shouldBe null
+            errorForEveryLog(question) shouldBe null
         }
     }
 
     test("whatever is asked, there is an answer, and never that a topic is unknown") {
         val pieces = Arb.element("ab /().<>=-'\",3sx".map { Codepoint(it.code) })
         checkAll(1000, Arb.string(0, 20, pieces)) { question ->
-            (mistakeForAnyLog(question)?.kind != ExpressionErrorKind.UNKNOWN_TOPIC).shouldBeTrue()
+            (errorForEveryLog(question)?.kind != ExpressionErrorKind.UNKNOWN_TOPIC).shouldBeTrue()
         }
     }
 

@@ -1,0 +1,43 @@
+package badlog.cli.info
+
+import badlog.recording.NumberSink
+import badlog.recording.NumberSinks
+import badlog.recording.Topic
+
+/** What there is to say about the numbers of a topic; the finite ones count. */
+internal class NumberSummary : NumberSink {
+    var count = 0
+        private set
+
+    /** The row, or the sample, of the first number; -1 without any. */
+    var first = -1
+        private set
+    var last = -1
+        private set
+    var min = Double.POSITIVE_INFINITY
+        private set
+    var max = Double.NEGATIVE_INFINITY
+        private set
+
+    override fun add(row: Int, number: Double) {
+        if (!number.isFinite()) return
+        if (first < 0) first = row
+        last = row
+        count++
+        if (number < min) min = number
+        if (number > max) max = number
+    }
+}
+
+/** Sums up the numbers of a log while it is read, so that it needs no memory for those that are not [needed] otherwise. */
+internal class StreamedNumbers(private val needed: NumberSinks) : NumberSinks {
+    private val summaries = HashMap<String, NumberSummary>()
+
+    override fun of(name: String, attributes: List<String>): NumberSink? =
+        if (needed.of(name, attributes) == null) null else summaries.getOrPut(name, ::NumberSummary)
+
+    /** Of [topic], from its samples where it has them. */
+    fun of(topic: Topic): NumberSummary = summaries[topic.name] ?: NumberSummary().also { summary ->
+        topic.samples.forEachIndexed(summary::add)
+    }
+}

@@ -1,0 +1,40 @@
+package badlog.report
+
+import badlog.recording.NumberSink
+import badlog.recording.NumberSinks
+
+/**
+ * Drops the numbers of topics that none of some expressions can name, so that a question costs no memory for them. What stays is
+ * rather too much: each topic whose path ends in something that the expressions hold in any case of letters, the x axis, and
+ * where they speak of `enabled` or `autonomous`, what may show that.
+ *
+ * @param expressions questions, and definitions of virtual topics.
+ * @param xTopic the topic to take as x axis, or null.
+ */
+public class NamedTopics(expressions: List<String>, private val xTopic: String? = null) : NumberSinks {
+    private val text = expressions.joinToString("\n", transform = ::folded)
+    private val needsEnabled = "enabled" in text || "autonomous" in text
+
+    override fun of(name: String, attributes: List<String>): NumberSink? = if (isNeeded(name, attributes)) null else NumberSink.NONE
+
+    private fun isNeeded(name: String, attributes: List<String>): Boolean =
+        isNamed(name) || attributes.any { it.contains(X_AXIS, ignoreCase = true) } || name.equals(xTopic, ignoreCase = true) ||
+            (needsEnabled && folded(name).let { folded -> MODES.any { it in folded } })
+
+    /** By the last part of its path, which every way to write it holds; a quote in it would be written twice. */
+    private fun isNamed(name: String): Boolean {
+        val end = name.substring(name.lastIndexOf('/', name.length - 2) + 1)
+        return folded(end) in text || end.any { it in QUOTES }
+    }
+
+    private companion object {
+        const val X_AXIS = "xaxis"
+        const val QUOTES = "\"`'"
+
+        /** What the names of topics hold that tell when a robot was enabled. */
+        val MODES = listOf("enabled", "auto", "fmscontroldata")
+
+        // Character by character, as expressions compare names.
+        fun folded(text: String) = String(CharArray(text.length) { text[it].lowercaseChar() })
+    }
+}
