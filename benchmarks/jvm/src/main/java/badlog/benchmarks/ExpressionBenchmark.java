@@ -7,7 +7,7 @@ import badlog.expression.Answer;
 import badlog.expression.Expression;
 import badlog.expression.LogViewSignals;
 import badlog.expression.ParsedExpression;
-import badlog.expression.Vocabulary;
+import badlog.expression.signals.Vocabulary;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
