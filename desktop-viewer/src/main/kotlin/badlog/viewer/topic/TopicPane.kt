@@ -126,7 +126,10 @@ private fun Rows(
                         topics.change { toggledFolder(row.path) }
                     }
 
-                    is SignalRow -> SignalLine(current, board, view, events, formulas, topics, panels, open, row, listed, places[row.signal.name])
+                    is SignalRow -> {
+                        val place = places[row.signal.name]
+                        SignalLine(current, board, view, events, formulas, topics, panels, open, row, listed, place)
+                    }
                 }
             }
         }
