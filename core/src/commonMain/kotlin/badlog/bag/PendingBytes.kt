@@ -5,8 +5,8 @@ import badlog.text.LF
 import badlog.text.NUL
 
 /** What of a file has arrived and is not read yet: [bytes] from [start] until [end]. */
-internal class PendingBytes {
-    var bytes = ByteArray(2 * PIECE)
+internal class PendingBytes(room: Int = 2 * PIECE) {
+    var bytes = ByteArray(room)
         private set
     var start = 0
         private set

@@ -13,7 +13,7 @@ import badlog.text.TextDecoder
  */
 public class RowBatchParser(readsDecimalComma: BooleanArray, private val keepSamples: Boolean = true) {
     private val decoder = TextDecoder()
-    private val pending = PendingBytes()
+    private val pending = PendingBytes(room = 0)
     private val columns = Array(readsDecimalComma.size) { ColumnBuilder("", readsDecimalComma[it], keepSamples, decoder) }
     private val cells = RowCells(columns.size)
     private val cellReader = CellReader()

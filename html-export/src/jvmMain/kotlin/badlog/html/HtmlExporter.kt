@@ -6,6 +6,7 @@ import badlog.file.withGzipCut
 import badlog.formats.LOG_FORMATS
 import badlog.html.protocol.PageAdditions
 import badlog.recording.ProblemKind
+import badlog.recording.RecordingFormat
 import badlog.terminal.Progress
 import java.io.ByteArrayInputStream
 import java.io.InputStream
@@ -85,7 +86,7 @@ public class HtmlExporter(private val attachments: List<Path> = emptyList(), pri
                 throw ExportException.NotARecording(input, "$input: ${problem.message}")
             }
             writer.additions(additions)
-            writer.end(name, embedded, head.isGzip)
+            writer.end(name, embedded, head.isGzip, hasRows = recording.format != RecordingFormat.WPILOG)
             file.commit()
             ExportReport(page, recording, embedded.originalBytes, embedded.inflatedBytes)
         }

@@ -49,10 +49,10 @@ internal class PageWriter(private val out: OutputStream, private val parts: Page
         text("</script>\n")
     }
 
-    /** Everything after the additions, about the recording that came from the file [name]. */
-    fun end(name: String, file: EmbeddedFile, isGzip: Boolean) {
+    /** Everything after the additions, about the recording that came from the file [name]; only one that [hasRows] is read in parts. */
+    fun end(name: String, file: EmbeddedFile, isGzip: Boolean, hasRows: Boolean) {
         val cut = if (file.isCut) ",\"cut\":true" else ""
-        val listed = if (file.parts.size > MIN_PARTS) ",\"parts\":${file.parts.joinToString(",", "[", "]")}" else ""
+        val listed = if (hasRows && file.parts.size > MIN_PARTS) ",\"parts\":${file.parts.joinToString(",", "[", "]")}" else ""
         text(
             "<script type=\"application/json\" id=\"about\">{\"name\":${inScript(quotedJson(name))}," +
                 "\"original\":\"${if (isGzip) "gzip" else "raw"}\",\"inflatedBytes\":${file.inflatedBytes}$cut$listed," +

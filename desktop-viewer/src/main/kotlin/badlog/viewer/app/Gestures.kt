@@ -14,7 +14,7 @@ internal val GESTURES = GRAPH_GESTURES + listOf(
     HelpLine("Topics", "Drag", "Takes the topic, or all selected ones, to a graph."),
     HelpLine("Topics", "Right click", "Says what else can be done with it."),
     HelpLine("Events", "Click", "Takes the cursor to the event."),
-    HelpLine("Findings", "Point at a diamond, click", "Shows the finding, and takes the cursor there."),
+    HelpLine("Findings", "Point at a mark, click", "Shows the finding, and takes the cursor there."),
     HelpLine("Statistics table", "Click a heading", "Sorts by it; again, the other way round."),
     HelpLine("Statistics table", "Double-click a row", "Opens its log."),
 )

@@ -13,12 +13,14 @@ import java.nio.file.Path
  * @property list them; null while the rules have not been run.
  * @property selected the one that a person went to last, or null.
  * @property pointed the one under the pointer, or null.
+ * @property pointedPlace where on x the pointer is on it; NaN where it points at its line in a list.
  * @property timesAsked how often a person wanted the rules to be run again.
  */
 internal data class Findings(
     val list: FindingList? = null,
     val selected: Finding? = null,
     val pointed: Finding? = null,
+    val pointedPlace: Double = Double.NaN,
     val timesAsked: Int = 0,
 ) {
     /** The one whose time is shaded in the graphs, or null. */
@@ -50,6 +52,10 @@ internal class FindingList(
     /** They by their places on x. */
     val timeline: FindingTimeline<Finding> = FindingTimeline(all, { it.severity }, ::placesOf)
 
+    /** Where the place of [finding] begins that is nearest to [x]. */
+    fun placeNear(finding: Finding, x: Double): Double = timeline.places.filter { it.finding === finding }
+        .minByOrNull { maxOf(it.span.from - x, x - it.span.to, 0.0) }?.span?.from ?: finding.time
+
     /** The severity of the worst; null when there is none. */
     val worst: Severity? = all.maxOfOrNull { it.severity }
 
@@ -57,9 +63,8 @@ internal class FindingList(
     fun like(finding: Finding): Finding? = all.find { it.rule == finding.rule && it.topic == finding.topic }
 }
 
-/** Everywhere [finding] was found, the place to look at first before the others; empty when it is about the whole log. */
+/** Everywhere [finding] was found; empty when it is about the whole log. */
 private fun placesOf(finding: Finding): List<Span> = when {
     !finding.time.isFinite() -> emptyList()
-    finding.spans.any { it.from == finding.time } -> finding.spans
-    else -> listOf(Span(finding.time, finding.time)) + finding.spans
+    else -> finding.spans.ifEmpty { listOf(Span(finding.time, finding.time)) }
 }

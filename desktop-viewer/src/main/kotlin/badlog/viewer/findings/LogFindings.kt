@@ -52,8 +52,8 @@ internal class LogFindings(
     /** Runs the rules once more. */
     fun runAgain() = change { copy(timesAsked = timesAsked + 1) }
 
-    /** The pointer is on [finding], or on none. */
-    fun point(finding: Finding?) = change { copy(pointed = finding) }
+    /** The pointer is on [finding], or on none; on its mark at [place]. */
+    fun point(finding: Finding?, place: Double = Double.NaN) = change { copy(pointed = finding, pointedPlace = place) }
 
     /** Takes the cursor and the view to [place], where [finding] was found, and shades its time; one of the whole log is only selected. */
     fun goTo(finding: Finding, place: Double = finding.time) {

@@ -42,7 +42,8 @@ internal fun FindingLabel(scene: GraphScene, modifier: Modifier) {
                     val label = measurable.measure(constraints.copy(minWidth = 0, maxWidth = most))
                     layout(constraints.maxWidth, label.height) {
                         val isPointed = finding == scene.findings.state.pointed
-                        val place = if (isPointed) finding.time else scene.view.cursor ?: finding.time
+                        val pointed = scene.findings.state.pointedPlace.takeIf { it.isFinite() }
+                        val place = (if (isPointed) pointed else scene.view.cursor) ?: finding.time
                         val x = pixelOf(place, scene.view.viewport.visible, constraints.maxWidth.toFloat()).toInt()
                         label.place((x - label.width / 2).coerceIn(0, constraints.maxWidth - label.width), 0)
                     }

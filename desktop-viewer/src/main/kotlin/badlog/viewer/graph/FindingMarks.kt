@@ -36,7 +36,7 @@ private fun DrawScope.drawGlyph(x: Float, severity: Severity, palette: Palette) 
     val middle = size.height - reach - density
     val colour = palette.findingColor(severity)
     val stroke = Stroke(1.5f * density)
-    if (glyph == FindingGlyph.RING) {
+    if (glyph.isHollow) {
         val center = Offset(x, middle)
         drawCircle(palette.surface, reach - density, center)
         drawCircle(colour, reach - density, center, style = stroke)

@@ -43,11 +43,13 @@ private fun Modifier.findingPointer(scene: GraphScene): Modifier = pointerInput(
             val change = event.changes.first()
             val x = visible.from + change.position.x / size.width * visible.width
             val reach = REACH * density / size.width * visible.width
-            val found = scene.findings.state.list?.timeline?.pointedAt(x, reach, visible)
+            val list = scene.findings.state.list
+            val found = list?.timeline?.pointedAt(x, reach, visible)
+            val place = if (found == null) Double.NaN else list.placeNear(found, x)
             when (event.type) {
-                PointerEventType.Enter, PointerEventType.Move -> scene.findings.point(found)
+                PointerEventType.Enter, PointerEventType.Move -> scene.findings.point(found, place)
                 PointerEventType.Exit -> scene.findings.point(null)
-                PointerEventType.Release -> if (found != null) scene.findings.goTo(found)
+                PointerEventType.Release -> if (found != null) scene.findings.goTo(found, place)
                 else -> Unit
             }
         }

@@ -15,7 +15,7 @@ import badlog.plot.gesture.OverviewDrag
 import badlog.viewer.view.AxisView
 import badlog.viewer.view.PlotGesture
 
-/** Lets the pointer move and resize the visible part over the overview, or choose a new one; a click brings it there. */
+/** Lets the pointer move and resize the visible part over the overview, or select a new one; a click brings it there. */
 internal fun Modifier.overviewPointer(scene: GraphScene): Modifier = pointerInput(scene) {
     awaitPointerEventScope {
         val pointer = OverviewPointer(this, scene.view, scene.gestures)
@@ -63,7 +63,7 @@ private class OverviewPointer(private val scope: AwaitPointerEventScope, private
         view.drag(null)
         if (drag.hasMoved) return
         val isSecond = clicks.isSecond((change.position.x / scope.density).toDouble(), change.uptimeMillis.toDouble())
-        view.change { if (isSecond) view.viewport.reset() else drag.clicked(x) }
+        view.change { if (isSecond) reset() else drag.clicked(x) }
     }
 
     private fun scroll(event: PointerEvent, change: PointerInputChange, x: Double): Boolean {

@@ -73,7 +73,7 @@ internal fun StatisticsPanel(compared: ComparedRecordings, board: GraphBoard, vi
     }
 }
 
-private class Asked(val drawn: List<DrawnRecording>, val names: List<String>, val isSelection: Boolean, val span: Span)
+private data class Asked(val drawn: List<DrawnRecording>, val names: List<String>, val isSelection: Boolean, val span: Span)
 
 private fun askedFor(compared: ComparedRecordings, board: GraphBoard, view: AxisView): Asked {
     val selection = view.selection

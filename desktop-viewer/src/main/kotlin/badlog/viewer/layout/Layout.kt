@@ -76,7 +76,7 @@ internal data class LayoutComparison(
     val offsets: Map<String, Double> = emptyMap(),
 )
 
-/** Which parts of the window a [Layout] opens; means what [badlog.viewer.app.Panels] means, by the names of its values. */
+/** Which parts of the window a [Layout] opens; means what [badlog.viewer.panels.Panels] means, by the names of its values. */
 @Serializable
 internal data class LayoutPanels(
     val library: Boolean = true,

@@ -7,7 +7,7 @@ import badlog.plot.text.roundedText
 import badlog.plot.text.withUnit
 
 /**
- * What [signal] saysat [position], or at its end for null: a number with its unit or the name of a state; `–` for a gap.
+ * What [signal] says at [position], or at its end for null: a number with its unit or the name of a state; `–` for a gap.
  * A logged number is exact, a calculated one without the digits that a calculation makes up.
  */
 internal fun valueText(signal: Signal, position: Double?): String {

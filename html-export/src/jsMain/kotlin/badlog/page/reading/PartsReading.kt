@@ -76,7 +76,7 @@ internal class PartsReading private constructor(
         onProgress(takenBytes / about.inflatedBytes)
         when {
             taken == count -> finish()
-            taken > 0 && parser.readsDecimalComma == null -> fail("The header is longer than a part.")
+            taken > 0 && parser.readsDecimalComma == null -> fail("No rows begin in the first part.")
             message.part == 0 -> repeat(AHEAD) { workers.forEach(::send) }
             else -> send(worker)
         }

@@ -19,7 +19,7 @@ import kotlin.js.Promise
 internal class Reading(private val about: About, private val element: Element, private val onProgress: (Double) -> Unit) {
     /** Starts, and promises the recording. */
     fun start(): Promise<Recording> = PartsReading.start(about, element, onProgress)
-        // Whatever was wrong with the parts: the whole stream tells it.
+        // Whatever was wrong with the parts shows when the whole stream is read.
         ?.then({ it }, { readWhole() }).unsafeCast<Promise<Recording>?>()
         ?: readWhole()
 

@@ -3,7 +3,6 @@ package badlog.page.rules
 import badlog.analysis.LogView
 import badlog.analysis.enabledTopics
 import badlog.recording.Recording
-import badlog.recording.Topic
 import badlog.rules.LogFindings
 import badlog.rules.LogShape
 import badlog.rules.RuleProgram
@@ -23,7 +22,11 @@ internal class RuleSearch(private val view: LogView, private val rules: RuleSet,
 
     /** One rule after the other on the page itself; a timer between two lets it draw and answer. */
     private fun runHere(onFindings: (LogFindings) -> Unit, onFailure: (String) -> Unit) {
-        val asked = RuleProgram(rules, LogShape.of(view)).run(view, file).iterator()
+        val asked = try {
+            RuleProgram(rules, LogShape.of(view)).run(view, file).iterator()
+        } catch (problem: Throwable) {
+            return onFailure(problem.message ?: problem.toString())
+        }
         var found = LogFindings(emptyList(), emptyList())
         fun next() {
             try {
@@ -48,10 +51,8 @@ internal class RuleSearch(private val view: LogView, private val rules: RuleSet,
 internal fun samplesFor(rules: RuleSet, view: LogView): Recording {
     val names = RuleProgram(rules, LogShape.of(view)).topics
     val others = view.enabledTopics() + listOfNotNull(view.xAxis.topic)
-    val topics = view.recording.topics.map { topic -> if (topic.name in names || topic in others) topic else topic.withoutSamples() }
-    return view.recording.run { Recording(format, headerLine, values, topics, rowCount, problems) }
+    val topics = view.recording.topics.map { topic -> if (topic.name in names || topic in others) topic else topic.copy(samples = NO_SAMPLES) }
+    return view.recording.copy(topics = topics)
 }
-
-private fun Topic.withoutSamples() = Topic(name, unit, attributes, NO_SAMPLES, texts, counts, times, type, metadata)
 
 private val NO_SAMPLES = DoubleArray(0)

@@ -36,7 +36,7 @@ internal object RulesWorker {
      *
      * @param onFindings gets what [rules] found.
      * @param onFailure gets why there is nothing.
-     * @param onForbidden is called where the browser's rules for pages on a disk forbid workers.
+     * @param onForbidden is called where no worker can do it, as on pages on a disk in some browsers.
      */
     fun ask(
         view: LogView,
@@ -55,10 +55,16 @@ internal object RulesWorker {
             worker.terminate()
             val answer: dynamic = event.data
             val found = if (jsTypeOf(answer) == "string") logFindingsOf(answer as String) else null
-            if (found == null) onFailure(answer.failure as String? ?: "") else onFindings(found)
+            if (found == null) onFailure(answer.failure as String? ?: "their result cannot be read") else onFindings(found)
         }
-        val recording = RecordingMessage.of(samplesFor(rules, view))
-        worker.postMessage(json("recording" to recording, "rules" to rules.toJson(), "file" to file))
+        try {
+            val recording = RecordingMessage.of(samplesFor(rules, view))
+            worker.postMessage(json("recording" to recording, "rules" to rules.toJson(), "file" to file))
+        } catch (_: Throwable) {
+            // There is no room for a copy; the page itself needs none.
+            worker.terminate()
+            onForbidden()
+        }
     }
 
     /** Does the worker's work. */

@@ -9,6 +9,7 @@ import badlog.recording.Severity
 import badlog.rules.FolderRules
 import badlog.terminal.Progress
 import badlog.terminal.ProgressBar
+import badlog.terminal.printable
 import java.io.PrintStream
 import java.nio.file.Files
 import java.nio.file.Path
@@ -59,7 +60,7 @@ internal class BadlogHtml(
         val export = exporterOf(arguments.attachments)
         jobs.forEachIndexed { index, job ->
             val label = (if (jobs.size > 1) "${index + 1}/${jobs.size} " else "") + job.input.fileName
-            make(job, additions(job, arguments), export, ProgressBar(label, err, isTerminal))
+            make(job, { additions(job, arguments) }, export, ProgressBar(label, err, isTerminal))
         }
         sayWhatIsMissing()
         if (arguments.opensPage) openNewest(jobs)
@@ -73,14 +74,14 @@ internal class BadlogHtml(
     private fun additions(job: ExportJob, arguments: Arguments): PageAdditions {
         if (!arguments.hasRules) return PageAdditions()
         val rules = rulesOfFolder.getOrPut(job.input.toAbsolutePath().normalize().parent) {
-            FolderRules.of(job.input).also { rules -> rules.problem?.let(err::println) }
+            FolderRules.of(job.input).also { rules -> rules.problem?.lines()?.forEach { err.println(printable(it)) } }
         }
         return PageAdditions(rules = rules.rules, rulesProblem = rules.problem)
     }
 
-    private fun make(job: ExportJob, additions: PageAdditions, export: Export, bar: ProgressBar) {
+    private fun make(job: ExportJob, additions: () -> PageAdditions, export: Export, bar: ProgressBar) {
         try {
-            val report = bar.use { export(job.input, job.page, additions, it) }
+            val report = bar.use { export(job.input, job.page, additions(), it) }
             made += report
             out.println(report.page)
             saySalvaged(job, report)
@@ -108,7 +109,7 @@ internal class BadlogHtml(
         val losses = report.recording.problems.filter { it.severity == Severity.ERROR }
         val first = losses.firstOrNull() ?: return
         val line = first.line?.let { " (line $it)" }.orEmpty()
-        val others = if (losses.size > 1) " The page tells ${losses.size - 1} more." else ""
+        val others = if (losses.size > 1) " The page lists ${losses.size - 1} more." else ""
         err.println("${job.input}: salvaged. ${first.message}$line$others")
     }
 

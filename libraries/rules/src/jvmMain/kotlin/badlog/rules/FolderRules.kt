@@ -25,13 +25,15 @@ public class FolderRules private constructor(public val rules: RuleSet, public v
                 ?: return FolderRules(RuleSet.BUILT_IN, null, null)
             val problem = try {
                 if (Files.size(file) <= MAX_BYTES) return FolderRules(RulesFile.parse(Files.readString(file)).rules, file, null)
-                "It is larger than 1 MB."
+                "It is larger than 1 MB; take out what is not a rule."
             } catch (e: RulesException) {
                 e.message
+            } catch (_: StackOverflowError) {
+                "It is nested too deeply; a list of texts needs one pair of brackets."
             } catch (_: CharacterCodingException) {
                 "It is not in UTF-8; save it so in your editor."
             } catch (_: IOException) {
-                "It cannot be read."
+                "It cannot be read; check its permissions."
             }
             return FolderRules(RuleSet.BUILT_IN, null, "The built-in rules are used instead of $file: $problem")
         }

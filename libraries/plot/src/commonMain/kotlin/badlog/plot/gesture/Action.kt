@@ -105,6 +105,6 @@ public val GRAPH_GESTURES: List<HelpLine> = listOf(
     HelpLine("On the graphs", "Shift+drag", "Moves along."),
     HelpLine("On the graphs", "Alt+drag", "Zooms y of this graph."),
     HelpLine("On the graphs", "Double click", "Shows everything again."),
-    HelpLine("On the overview", "Drag", "Moves what is visible, or an edge of it; beside it, chooses a new part."),
+    HelpLine("On the overview", "Drag", "Moves what is visible, or an edge of it; beside it, selects a new part."),
     HelpLine("On the overview", "Click", "Brings what is visible there."),
 )

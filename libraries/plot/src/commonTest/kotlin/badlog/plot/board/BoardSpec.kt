@@ -28,7 +28,8 @@ class BoardSpec : FunSpec({
         Arb.string(1..8, Codepoint.alphanumeric()),
         Arb.element("Arm/Angle", "t=1", "a,b;c", "~0041", "+", "Größe [m]", "\uD800", "\u2028", "角度", "\"quoted\"", "null", "\n"),
     )
-    val range = arbitrary { Span(Arb.numericDouble(-1e9, 1e9).bind(), 2e9) }
+    // Adding zero makes 0 of -0, whose sign JavaScript does not write.
+    val range = arbitrary { Span(Arb.numericDouble(-1e9, 1e9).bind() + 0.0, 2e9) }
     val graph = arbitrary {
         BoardGraph(
             id = 0,
