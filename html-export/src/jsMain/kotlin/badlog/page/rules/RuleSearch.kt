@@ -51,7 +51,9 @@ internal class RuleSearch(private val view: LogView, private val rules: RuleSet,
 internal fun samplesFor(rules: RuleSet, view: LogView): Recording {
     val names = RuleProgram(rules, LogShape.of(view)).topics
     val others = view.enabledTopics() + listOfNotNull(view.xAxis.topic)
-    val topics = view.recording.topics.map { topic -> if (topic.name in names || topic in others) topic else topic.copy(samples = NO_SAMPLES) }
+    val topics = view.recording.topics.map { topic ->
+        if (topic.name in names || topic in others) topic else topic.copy(samples = NO_SAMPLES)
+    }
     return view.recording.copy(topics = topics)
 }
 
