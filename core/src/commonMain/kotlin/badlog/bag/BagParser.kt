@@ -24,12 +24,14 @@ import badlog.text.TextDecoder
  */
 public class BagParser(private val expectedBytes: Long = 0, private val keepSamples: Boolean = true) : LogParser {
     private var sinks = NumberSinks.RECORDING
+    private var expectedLines = 0L
     private var forAll: (count: Int, work: (Int) -> Unit) -> Unit = { count, work -> repeat(count, work) }
 
     /**
      * A parser that leaves to [forAll] what takes long in each column.
      *
      * @param sinks where the numbers of topics go that the recording is not to have; texts and counts are in it all the same.
+     * @param expectedLines how many lines the file will have, if known; spares columns from growing at all. 0 when it is not known.
      * @param forAll calls its function for each number from 0 until the first argument, in any order, on several threads where
      *   there are some, and returns when all calls have.
      */
@@ -37,10 +39,12 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
         expectedBytes: Long,
         keepSamples: Boolean,
         sinks: NumberSinks,
+        expectedLines: Long = 0,
         forAll: (count: Int, work: (Int) -> Unit) -> Unit = { count, work -> repeat(count, work) },
     ) : this(expectedBytes, keepSamples) {
         this.sinks = sinks
         this.forAll = forAll
+        this.expectedLines = expectedLines
     }
 
     private val decoder = TextDecoder()
@@ -124,6 +128,7 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
         sinks,
         endsInNewline = header.line != null,
         expectedBytes,
+        expectedLines,
         forAll,
     )
 

@@ -16,6 +16,7 @@ internal class RowReader(
     sinks: NumberSinks,
     endsInNewline: Boolean,
     private val expectedBytes: Long,
+    private val expectedLines: Long,
     private val forAll: (count: Int, work: (Int) -> Unit) -> Unit,
 ) {
     private val columns = Array(layout.columnNames.size) { index ->
@@ -84,7 +85,10 @@ internal class RowReader(
         val passed = pending.passed - passedBefore
         if (passed >= expectedBytes) return
         val likely = (rows * (expectedBytes.toDouble() / passed) * SPARE).toLong() + 1
-        roomyRows = minOf(likely, rows * MAX_GROWTH, Int.MAX_VALUE.toLong()).toInt()
+        val counted = rows + expectedLines - (pending.line - 1)
+        // Lines may be empty: their number is believed where their length agrees.
+        val room = if (counted in rows..2 * likely) counted else minOf(likely, rows * MAX_GROWTH)
+        roomyRows = minOf(room, Int.MAX_VALUE.toLong()).toInt()
         forAll(columns.size) { columns[it].expect(roomyRows) }
     }
 

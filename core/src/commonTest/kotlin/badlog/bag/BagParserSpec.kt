@@ -1,5 +1,6 @@
 package badlog.bag
 
+import badlog.recording.NumberSinks
 import badlog.recording.ProblemKind
 import badlog.recording.RecordingFormat
 import badlog.recording.TopicKind
@@ -54,6 +55,15 @@ class BagParserSpec : FunSpec({
             val parser = BagParser(expectedBytes = expected)
             val rows = (0 until 500).joinToString("") { "$it,${it * 2}\n" }
             parser.accept("a,b\n$rows".encodeToByteArray())
+            parser.finish().topics[1].samples.toList() shouldBe List(500) { it * 2.0 }
+        }
+    }
+
+    test("an expected number of lines that is wrong only costs memory") {
+        val bytes = ("a,b\n" + (0 until 500).joinToString("") { "$it,${it * 2}\n" }).encodeToByteArray()
+        for (lines in listOf(1L, 100L, 501L, 502L, 900L, 10_000_000L)) {
+            val parser = BagParser(bytes.size.toLong(), keepSamples = true, NumberSinks.RECORDING, expectedLines = lines)
+            parser.accept(bytes)
             parser.finish().topics[1].samples.toList() shouldBe List(500) { it * 2.0 }
         }
     }

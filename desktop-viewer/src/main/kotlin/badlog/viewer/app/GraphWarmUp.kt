@@ -4,6 +4,7 @@ import androidx.compose.ui.ImageComposeScene
 import androidx.compose.ui.unit.Density
 import badlog.analysis.LogView
 import badlog.bag.BagParser
+import badlog.bag.RowBatchParser
 import badlog.plot.board.defaultBoard
 import badlog.plot.range.Viewport
 import badlog.viewer.recording.OpenRecording
@@ -13,6 +14,8 @@ import kotlinx.coroutines.coroutineScope
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.withContext
 import java.nio.file.Path
+import kotlin.math.roundToInt
+import kotlin.math.sin
 
 /**
  * Draws a few small graphs that nobody sees. The first graphs of a program take half a second longer than the next, because their
@@ -25,7 +28,12 @@ internal suspend fun warmUpGraphs(folders: UserFolders): Unit = coroutineScope {
         parser.accept(BAG_HEADER.encodeToByteArray())
         // So many rows that Java takes the trouble to translate the parser for this processor.
         val rows = BAG_ROWS.encodeToByteArray()
-        repeat(REPEATS) { parser.accept(rows) }
+        parser.accept(rows)
+        val batches = RowBatchParser(checkNotNull(parser.readsDecimalComma))
+        repeat(REPEATS) {
+            parser.accept(checkNotNull(batches.parse(rows, 0, rows.size)))
+            parser.accept(rows)
+        }
         OpenRecording(Path.of("warm-up.bag"), LogView.of(parser.finish()))
     }
     val viewer = Viewer(this, folders)
@@ -52,7 +60,7 @@ private const val HEIGHT = 480
 private const val FRAMES = 10
 private const val FRAME_MILLIS = 10L
 
-private const val REPEATS = 60
+private const val REPEATS = 30
 
 /** A little of everything: numbers, states, events, and a robot that is enabled. */
 private val BAG_HEADER = buildString {
@@ -67,10 +75,26 @@ private val BAG_HEADER = buildString {
     append('\n')
 }
 
+private val SCALES = intArrayOf(9_000, 900, 3_000_000, 120_000)
+
+// As robots write them: whole and broken, negative and small numbers, words, events in quotes, empty cells. Code that has met only
+// one kind would be translated for that kind, and once more at the first real log.
 private val BAG_ROWS = buildString {
     repeat(1000) { row ->
-        append("${row / 100.0},${row % 7},${if (row % 500 < 200) "LOW" else "HIGH"},${row > 100},${if (row % 900 == 7) "said" else ""}")
-        repeat(NUMBERS) { append(",${row * 0.37 - it}") }
+        val event = if (row % 90 == 7) "\"said, at $row\"" else ""
+        append("${row / 100.0},${row % 7},${if (row % 500 < 200) "LOW" else "HIGH"},${row > 100},$event")
+        repeat(NUMBERS) {
+            val wave = (sin(row * 0.1 + it) * SCALES[it % SCALES.size]).roundToInt()
+            append(
+                if (it % 5 == 0) {
+                    ",$wave"
+                } else if (row % 200 == it) {
+                    ","
+                } else {
+                    ",${wave / 10_000.0}"
+                },
+            )
+        }
         append('\n')
     }
 }

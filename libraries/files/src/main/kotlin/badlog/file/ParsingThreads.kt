@@ -21,10 +21,11 @@ import java.util.concurrent.atomic.AtomicInteger
  */
 internal class ParsingThreads(
     formats: List<LogFormat>,
-    expectedBytes: Long,
+    private val expectedBytes: Long,
     private val keepSamples: Boolean,
     private val pieceSize: Int = PIECE_SIZE,
-    sinks: NumberSinks = NumberSinks.RECORDING,
+    private val sinks: NumberSinks = NumberSinks.RECORDING,
+    private val expectedLines: Long = 0,
 ) : AutoCloseable {
     private class Piece(size: Int) {
         val bytes = ByteArray(size)
@@ -34,7 +35,7 @@ internal class ParsingThreads(
     }
 
     private var bag: BagParser? = null
-    private val parser = RecordingParser(formats, keepSamples) { BagParser(expectedBytes, keepSamples, sinks, ::forAll).also { bag = it } }
+    private val parser = RecordingParser(formats, keepSamples) { bagParser().also { bag = it } }
     private val batching = pool("badlog-rows", CORES)
     private val putting = pool("badlog-parse", 1)
     private val inFlight = ArrayDeque<Piece>()
@@ -95,6 +96,8 @@ internal class ParsingThreads(
         val batch = await(batching)
         if (batch == null || bag?.accept(batch) != true) parser.accept(piece.bytes, 0, piece.size)
     }
+
+    private fun bagParser() = BagParser(expectedBytes, keepSamples, sinks, expectedLines, ::forAll)
 
     private fun awaitFirst(): Piece = inFlight.removeFirst().also { await(it.parsing) }
 

@@ -51,16 +51,19 @@ public fun readRecording(
                 if (untilLastLineEnd) recording.without(ProblemKind.RECORD_CUT) else recording
             }
 
-            else -> threads(end).use { parsing ->
-                pieces.forEach(until, parsing::accept)
-                parsing.finish()
+            else -> {
+                val lines = if (keepSamples) reading(file) { countLines(channel, end) } else 0
+                ParsingThreads(formats, end, keepSamples, sinks = sinks, expectedLines = lines).use { parsing ->
+                    pieces.forEach(until, parsing::accept)
+                    parsing.finish()
+                }
             }
         }
     }
 }
 
-/** Smaller files are read before other threads have begun. */
-private const val MIN_PARALLEL = 1L shl 20
+/** Smaller files are read before Java has translated for each of several threads what one needs. */
+private const val MIN_PARALLEL = 64L shl 20
 
 private fun readPlain(pieces: FilePieces, until: Long, parser: RecordingParser): Recording {
     pieces.forEach(until) { bytes, size -> parser.accept(bytes, 0, size) }
