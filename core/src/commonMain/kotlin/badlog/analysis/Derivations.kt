@@ -1,16 +1,16 @@
 package badlog.analysis
 
 /**
- * The differences of neighbours, `y[i+1] - y[i]`, each at the middle of `x[i]` and `x[i+1]`. Has one sample fewer than the
- * series. A gap where one of the neighbours has no finite value.
+ * The differences of neighbors, `y[i+1] - y[i]`, each at the middle of `x[i]` and `x[i+1]`. Has one sample fewer than the
+ * series. A gap where one of the neighbors has no finite value.
  */
-public fun Series.delta(): Series = betweenNeighbours { i -> y[i + 1] - y[i] }
+public fun Series.delta(): Series = betweenNeighbors { i -> y[i + 1] - y[i] }
 
 /**
- * The slopes between neighbours, `(y[i+1] - y[i]) / (x[i+1] - x[i])`, each at the middle of `x[i]` and `x[i+1]`. Has one
- * sample fewer than the series. A gap where one of the neighbours has no finite value, and where x does not go forward.
+ * The slopes between neighbors, `(y[i+1] - y[i]) / (x[i+1] - x[i])`, each at the middle of `x[i]` and `x[i+1]`. Has one
+ * sample fewer than the series. A gap where one of the neighbors has no finite value, and where x does not go forward.
  */
-public fun Series.derivative(): Series = betweenNeighbours { i ->
+public fun Series.derivative(): Series = betweenNeighbors { i ->
     val run = x[i + 1] - x[i]
     val slope = if (run > 0) (y[i + 1] - y[i]) / run else Double.NaN
     if (slope.isFinite()) slope else Double.NaN
@@ -30,7 +30,7 @@ public fun Series.integral(): Series {
     return Series(x, sums)
 }
 
-private inline fun Series.betweenNeighbours(value: (Int) -> Double): Series {
+private inline fun Series.betweenNeighbors(value: (Int) -> Double): Series {
     val count = maxOf(0, size - 1)
     val middles = DoubleArray(count)
     val values = DoubleArray(count)

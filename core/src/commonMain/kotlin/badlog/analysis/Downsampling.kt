@@ -67,7 +67,7 @@ public class Downsampling(private val series: Series) {
         return end
     }
 
-    // Gallops from the column's start: neighbouring columns end near each other, so this beats a search of everything.
+    // Gallops from the column's start: neighboring columns end near each other, so this beats a search of everything.
     private fun firstAtOrAfter(position: Double, from: Int, until: Int): Int {
         val x = series.x
         var low = from

@@ -9,7 +9,7 @@ import kotlin.math.sqrt
  * @property gaps how many have none.
  * @property mean the arithmetic mean of the samples, not weighted by time.
  * @property standardDeviation of a sample, dividing by `count - 1`; NaN for fewer than two values.
- * @property percentile5 the value below which 5 % lie, interpolated linearly between neighbours (type 7 of Hyndman and
+ * @property percentile5 the value below which 5 % lie, interpolated linearly between neighbors (type 7 of Hyndman and
  *   Fan, as NumPy and spreadsheets do).
  * @property median the same for 50 %.
  * @property percentile95 the same for 95 %.
@@ -87,7 +87,7 @@ public fun Series.statistics(from: Double = Double.NEGATIVE_INFINITY, to: Double
 
 /**
  * The percentiles of the first [count] of [values], which are not NaN and change their places: interpolated linearly between
- * neighbours, see [SeriesStatistics.percentile5]. NaN without values.
+ * neighbors, see [SeriesStatistics.percentile5]. NaN without values.
  */
 internal class Percentiles(private val values: DoubleArray, private val count: Int) {
     /** The value below which 5 % lie. */

@@ -113,14 +113,14 @@ public enum class TopicKind {
 
 /**
  * How many cells of a topic held what. The first five add up to the topic's [size][Topic.size], so every cell is accounted
- * for. Where topics have times of their own, a sample is a cell and a neighbouring sample a neighbouring row.
+ * for. Where topics have times of their own, a sample is a cell and a neighboring sample a neighboring row.
  *
  * @property numbers finite numbers.
  * @property notFinite `NaN` and infinities that were written as such.
  * @property truthValues `true` and `false`.
  * @property texts any other text.
  * @property empty nothing, `null`, or a cell that its row lacks.
- * @property gaps into how many runs of neighbouring rows the cells without a number fall.
+ * @property gaps into how many runs of neighboring rows the cells without a number fall.
  */
 public data class CellCounts(
     public val numbers: Int,

@@ -17,11 +17,11 @@ class DerivationsSpec : FunSpec({
     // Worked out by hand: y = 1, 3, 2, 2 at x = 0, 1, 3, 4.
     val worked = series(0.0 to 1.0, 1.0 to 3.0, 3.0 to 2.0, 4.0 to 2.0)
 
-    test("delta is the difference of neighbours at their middle") {
+    test("delta is the difference of neighbors at their middle") {
         worked.delta().pairs() shouldBe listOf(0.5 to 2.0, 2.0 to -1.0, 3.5 to 0.0)
     }
 
-    test("derivative is the slope between neighbours at their middle") {
+    test("derivative is the slope between neighbors at their middle") {
         worked.derivative().pairs() shouldBe listOf(0.5 to 2.0, 2.0 to -0.5, 3.5 to 0.0)
     }
 

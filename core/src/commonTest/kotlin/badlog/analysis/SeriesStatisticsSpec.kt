@@ -89,7 +89,7 @@ class SeriesStatisticsSpec : FunSpec({
         statistics.last shouldBe 5.0
     }
 
-    test("samples that are neighbours only because x left the range between them have no area") {
+    test("samples that are neighbors only because x left the range between them have no area") {
         val there = Series(doubleArrayOf(0.0, 1.0, 2.0, 10.0, 3.0, 4.0), DoubleArray(6) { 1.0 })
         there.statistics(0.0, 5.0).integral shouldBe 3.0
     }

@@ -24,7 +24,7 @@ class HeaderJsonSpec : FunSpec({
     }
 
     test("unknown keys survive being read and written again") {
-        val line = """{"topics":[{"name":"A","unit":"V","attrs":[],"colour":"red","limits":[1,2.5]}],""" +
+        val line = """{"topics":[{"name":"A","unit":"V","attrs":[],"color":"red","limits":[1,2.5]}],""" +
             """"values":[{"name":"v","value":"1","source":{"file":null}}],"version":3,"more":{"a":[true,"x"]}}"""
         val header = readHeader(line)!!
         header.unknown shouldBe mapOf("version" to "3", "more" to """{"a":[true,"x"]}""")

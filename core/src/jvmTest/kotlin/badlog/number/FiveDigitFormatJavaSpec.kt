@@ -110,7 +110,7 @@ class FiveDigitFormatJavaSpec : FunSpec({
         repeat(100_000) { expectJava((random.nextLong() ushr random.nextInt(47)).toDouble()) }
     }
 
-    test("equals Java for powers of two and ten and their neighbours") {
+    test("equals Java for powers of two and ten and their neighbors") {
         for (exponent in -1074..1023) expectJavaAround(2.0.pow(exponent), 4)
         for (exponent in -323..308) {
             expectJavaAround("1e$exponent".toDouble(), 4)

@@ -5,7 +5,7 @@ import java.util.concurrent.Future
 import java.util.zip.Deflater
 
 /**
- * One piece of a file on its way into a gzip stream. It is deflated without its neighbours, so several are at a time,
+ * One piece of a file on its way into a gzip stream. It is deflated without its neighbors, so several are at a time,
  * but knows the bytes before it as a dictionary and ends on a byte, so the pieces one after another are one deflate
  * stream. A piece that knows none begins a part of the stream that can be inflated by itself.
  *

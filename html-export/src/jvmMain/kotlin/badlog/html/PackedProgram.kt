@@ -27,7 +27,7 @@ internal fun packed(text: String): ByteArray {
  * The one script that a page has in plain text. The policy knows the hashes of program and style, so the browser takes what this
  * unpacks only while it is the very text that the exporter packed.
  */
-internal const val UNPACKING = """/* Unpacks the program of this page, which holds uPlot (MIT licence) and parts of Kotlin's standard library
+internal const val UNPACKING = """/* Unpacks the program of this page, which holds uPlot (MIT license) and parts of Kotlin's standard library
 (copyright JetBrains s.r.o., Apache License 2.0); their notices stand in it. */
 (() => {
   const fail = text => {

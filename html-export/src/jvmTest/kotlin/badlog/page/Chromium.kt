@@ -68,7 +68,7 @@ internal object Chromium {
     // The browser writes for a moment after it has said that it is over.
     private fun delete(folder: Path) {
         var tries = 0
-        while (!folder.toFile().deleteRecursively() && tries++ < MOST_TRIES) Thread.sleep(PAUSE_MILLISECONDS)
+        while (!folder.toFile().deleteRecursively() && tries++ < MAX_TRIES) Thread.sleep(PAUSE_MILLISECONDS)
     }
 
     private fun present(program: Path?, name: String): Path = checkNotNull(program) { "BADLOG_BROWSER=required, but $name is not on the PATH." }
@@ -80,6 +80,6 @@ internal object Chromium {
         }
     }
 
-    private const val MOST_TRIES = 40
+    private const val MAX_TRIES = 40
     private const val PAUSE_MILLISECONDS = 50L
 }

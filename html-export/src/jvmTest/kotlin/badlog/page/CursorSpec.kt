@@ -43,7 +43,7 @@ internal class CursorSpec : PageSpec({
         }
     }
 
-    browserTest("a lone spike among 100,000 samples is drawn, and its value and its neighbours' can be read") {
+    browserTest("a lone spike among 100,000 samples is drawn, and its value and its neighbors' can be read") {
         onPage(page) {
             graph("Spike").steepest() shouldBe (SPIKE_ROW / (ROWS - 1.0) plusOrMinus 0.002)
             graph("Spike").hover(SPIKE_ROW / (ROWS - 1.0))

@@ -62,7 +62,7 @@ internal class DerivedGraphSpec : PageSpec({
 
     /** The highest and the lowest place of the line, as shares of the frame from its top. */
     fun OpenPage.heights(name: String): Pair<Double, Double> {
-        val rows = graph(name).picture.rowsOf(colour("--line-0"))
+        val rows = graph(name).picture.rowsOf(color("--line-0"))
         val drawn = rows.indices.filter { rows[it] > 0 }
         return drawn.first().toDouble() / rows.size to drawn.last().toDouble() / rows.size
     }

@@ -22,9 +22,9 @@ internal class EventSpec : PageSpec({
         )
     }
 
-    /** How many pixels around a place of the graph have the colour of events. */
+    /** How many pixels around a place of the graph have the color of events. */
     fun OpenPage.eventPixels(across: Double): Int {
-        val columns = graph("Angle").picture.columnsOf(colour("--event"))
+        val columns = graph("Angle").picture.columnsOf(color("--event"))
         val middle = (columns.size * across).toInt()
         return columns.subList(middle - 6, middle + 6).sum()
     }
@@ -82,7 +82,7 @@ internal class EventSpec : PageSpec({
             }
         }
         onPage(TestPages.of(bag)) {
-            val columns = graph("Angle").picture.columnsOf(colour("--event"))
+            val columns = graph("Angle").picture.columnsOf(color("--event"))
             val error = (columns.size * 0.503).toInt()
             columns.subList(error - 1, error + 2).max() shouldBeGreaterThan 20
             columns.subList(error - 8, error - 4).max() shouldBeLessThan 10

@@ -74,17 +74,17 @@ internal class FindingSpec : PageSpec({
         browserTest("each is marked at the foot of a graph, where no event is, ${if (isDark) "dark" else "light"}") {
             onPage(page, Screen.WIDE.copy(isDark = isDark)) {
                 val picture = graph("Angle").picture
-                fun pixels(colour: String, across: Double): Int {
+                fun pixels(shade: String, across: Double): Int {
                     val middle = (picture.width * across).toInt()
-                    return picture.columnsOf(colour(colour)).subList(middle - 6, middle + 6).sum()
+                    return picture.columnsOf(color(shade)).subList(middle - 6, middle + 6).sum()
                 }
                 pixels("--error", 0.8) shouldBeGreaterThan 20
                 pixels("--warning", 0.5) shouldBeGreaterThan 20
                 pixels("--error", 0.3) shouldBe 0
-                val rows = picture.rowsOf(colour("--error"))
+                val rows = picture.rowsOf(color("--error"))
                 rows.drop(10).dropLast(20).max() shouldBeLessThan 3
                 rows.takeLast(12).max() shouldBeGreaterThan 6
-                val foot = picture.rowsOf(colour("--warning")).takeLast(4).max()
+                val foot = picture.rowsOf(color("--warning")).takeLast(4).max()
                 foot shouldBeGreaterThan (picture.width * 0.14).toInt()
             }
         }

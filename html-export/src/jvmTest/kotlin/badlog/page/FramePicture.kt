@@ -10,26 +10,26 @@ internal class FramePicture private constructor(private val image: BufferedImage
     val width: Int get() = image.width
     val height: Int get() = image.height
 
-    /** For each pixel column, how many of its pixels have the [colour]. */
-    fun columnsOf(colour: Int): List<Int> = List(width) { x -> (0 until height).count { y -> isLike(x, y, colour) } }
+    /** For each pixel column, how many of its pixels have the [color]. */
+    fun columnsOf(color: Int): List<Int> = List(width) { x -> (0 until height).count { y -> isLike(x, y, color) } }
 
-    /** For each pixel row, from the top, how many of its pixels have the [colour]. */
-    fun rowsOf(colour: Int): List<Int> = List(height) { y -> (0 until width).count { x -> isLike(x, y, colour) } }
+    /** For each pixel row, from the top, how many of its pixels have the [color]. */
+    fun rowsOf(color: Int): List<Int> = List(height) { y -> (0 until width).count { x -> isLike(x, y, color) } }
 
     /** How opaque the picture is at the shares [across] and [down] of its size: from 0, nothing drawn, to 255. */
     fun opacityAt(across: Double, down: Double): Int = image.getRGB((width * across).toInt(), (height * down).toInt()) ushr 24
 
-    private fun isLike(x: Int, y: Int, colour: Int): Boolean {
+    private fun isLike(x: Int, y: Int, color: Int): Boolean {
         val pixel = image.getRGB(x, y)
         if (pixel ushr 24 <= FAINTEST) return false
-        return (0..16 step 8).all { abs((pixel shr it and 255) - (colour shr it and 255)) < NEAR }
+        return (0..16 step 8).all { abs((pixel shr it and 255) - (color shr it and 255)) < NEAR }
     }
 
     companion object {
         // Fainter pixels are the edges of what was drawn.
         private const val FAINTEST = 60
 
-        // So near in each of red, green and blue, a colour is the same one.
+        // So near in each of red, green and blue, a color is the same one.
         private const val NEAR = 40
 
         /** The part of the picture [png] that begins at ([left], [top]) and has the size [width] times [height]. */

@@ -112,10 +112,10 @@ internal class GraphOnPage(private val page: OpenPage, private val name: String)
     /** Its whole canvas as text, to be compared with another one. */
     val canvas: String get() = page.script("return arguments[0].querySelector('canvas').toDataURL()", card) as String
 
-    /** For each pixel column of the frame, how many of its pixels have the colour of line [index]. */
-    fun lineColumns(index: Int = 0): List<Int> = picture.columnsOf(page.colour("--line-$index"))
+    /** For each pixel column of the frame, how many of its pixels have the color of line [index]. */
+    fun lineColumns(index: Int = 0): List<Int> = picture.columnsOf(page.color("--line-$index"))
 
-    /** How many pixels of the canvas have the colour of line [index]. */
+    /** How many pixels of the canvas have the color of line [index]. */
     fun pixelsOfLine(index: Int): Int = lineColumns(index).sum()
 
     /** Where on x line [index] rises or falls the most, as a share of the frame's width. */

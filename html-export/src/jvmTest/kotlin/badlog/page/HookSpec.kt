@@ -16,9 +16,9 @@ private const val SVG = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0
 
 internal class HookSpec : PageSpec({
     val hook = HookPart(
-        "tools/analyse.py",
+        "tools/analyze.py",
         values = listOf(Value("Energy", "1.7 Ah"), Value("10", "b"), Value("9", "a")),
-        findings = listOf(finding("tools/analyse.py", Severity.WARNING, "it sags", 6.0, Double.NaN)),
+        findings = listOf(finding("tools/analyze.py", Severity.WARNING, "it sags", 6.0, Double.NaN)),
         series = listOf(
             PageSeries("Fit", "V", Series(doubleArrayOf(0.0, 10.0), doubleArrayOf(0.0, 20.0))),
             PageSeries("Nothing", "", Series(DoubleArray(0), DoubleArray(0))),
@@ -33,11 +33,11 @@ internal class HookSpec : PageSpec({
     browserTest("a hook's section says where it comes from, and shows values, lines and pictures") {
         val page = TestPages.of(stepBag(graphs = 1), additions = PageAdditions(hooks = listOf(hook, failed)))
         onPage(page, script = "window.alarms = 0; window.alert = () => { window.alarms++ }") {
-            texts(".hook .folder-name") shouldBe listOf("From the hook tools/analyse.py")
+            texts(".hook .folder-name") shouldBe listOf("From the hook tools/analyze.py")
             texts(".hook-note").single() shouldContain "not logged by the robot"
             texts(".hook .values dt") shouldBe listOf("Energy", "10", "9")
             texts(".hook .graph-title").take(2) shouldBe listOf("[ Fit ]", "[ Nothing ]")
-            texts(".hook .origin").toSet() shouldBe setOf("from tools/analyse.py")
+            texts(".hook .origin").toSet() shouldBe setOf("from tools/analyze.py")
             element(".picture img").getDomAttribute("alt") shouldBe "Energy"
             script("document.querySelector('.picture').scrollIntoView()")
             await("the picture") { number("return document.querySelector('.picture img').naturalWidth") > 0 }
@@ -61,7 +61,7 @@ internal class HookSpec : PageSpec({
 
     browserTest("what a hook found is among the findings, and why it failed among the problems") {
         onPage(TestPages.of(stepBag(graphs = 1), additions = PageAdditions(hooks = listOf(hook, failed)))) {
-            texts(".finding-source") shouldBe listOf("tools/analyse.py")
+            texts(".finding-source") shouldBe listOf("tools/analyze.py")
             element(".problem-list").isDisplayed shouldBe true
             texts(".problem-text").single() shouldBe "The hook slow.R failed: it took longer than 30 s"
         }

@@ -26,7 +26,7 @@ internal class KeyboardSpec : PageSpec({
     val page by lazy { TestPages.of(bag) }
     val pageWithAll by lazy {
         val findings = List(8) { finding("Rule", Severity.WARNING, "found", it.toDouble(), Double.NaN) }
-        val hook = HookPart("analyse.py", values = listOf(Value("Energy", "1.7")))
+        val hook = HookPart("analyze.py", values = listOf(Value("Energy", "1.7")))
         TestPages.of(bag, additions = PageAdditions(listOf("Twice = Angle * 2", "Bad ="), findings = findings, hooks = listOf(hook)))
     }
 

@@ -48,14 +48,14 @@ internal class LaneSpec : PageSpec({
         }
         onPage(TestPages.of(bag)) {
             val picture = graph("Browned Out").picture
-            picture.columnsOf(colour("--line-1")).max() shouldBeGreaterThan picture.height / 2
+            picture.columnsOf(color("--line-1")).max() shouldBeGreaterThan picture.height / 2
         }
     }
 
     browserTest("the brownouts of a match can be seen among all of it") {
         onPage(TestPages.ofSample("qualification-42.bag")) {
             val picture = graph("System/Browned Out").scrollTo().picture
-            val columns = picture.columnsOf(colour("--line-1"))
+            val columns = picture.columnsOf(color("--line-1"))
             // From 93.7 to 97.4 s of some 156 s.
             val seen = columns.indices.filter { columns[it] > picture.height / 2 }
             seen.size shouldBeGreaterThan 5

@@ -62,8 +62,8 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
             return from.toDouble()..to.toDouble()
         }
 
-    /** The colour that the style sheet calls [name] in the theme of now. */
-    fun colour(name: String): Int {
+    /** The color that the style sheet calls [name] in the theme of now. */
+    fun color(name: String): Int {
         val style = "getComputedStyle(document.documentElement).getPropertyValue(arguments[0])"
         return (script("return $style.trim()", name) as String).removePrefix("#").toInt(radix = 16)
     }
@@ -90,7 +90,7 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
     fun await(what: String, isSo: () -> Boolean) {
         val end = System.nanoTime() + PATIENCE_NANOSECONDS
         while (!isSo()) {
-            check(System.nanoTime() < end) { "Waited in vain for $what. The page shows:\n${text.take(MOST_TEXT)}" }
+            check(System.nanoTime() < end) { "Waited in vain for $what. The page shows:\n${text.take(MAX_TEXT)}" }
             Thread.sleep(POLL_MILLISECONDS)
         }
     }
@@ -165,7 +165,7 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
         private const val PATIENCE_NANOSECONDS = 15_000_000_000
         private const val POLL_MILLISECONDS = 15L
         private const val POINTER_MILLISECONDS = 10L
-        private const val MOST_TEXT = 1000
+        private const val MAX_TEXT = 1000
 
         /** Opens [file]. */
         fun open(file: Path, screen: Screen, script: String?): OpenPage {

@@ -14,21 +14,21 @@ internal class PicturesSpec : PageSpec({
     val match = "qualification-42.bag"
 
     for (isDark in listOf(false, true)) {
-        val colours = if (isDark) "dark" else "light"
-        browserTest("a match on a wide screen, $colours") {
+        val colors = if (isDark) "dark" else "light"
+        browserTest("a match on a wide screen, $colors") {
             onPage(TestPages.ofSample(match), Screen.WIDE.copy(isDark = isDark)) {
-                keepScreenshot("wide-$colours")
+                keepScreenshot("wide-$colors")
                 graph("System/Battery Voltage").scrollTo().hover(0.6)
-                keepScreenshot("wide-$colours-cursor")
+                keepScreenshot("wide-$colors-cursor")
             }
         }
 
-        browserTest("a match on a phone, $colours") {
+        browserTest("a match on a phone, $colors") {
             onPage(TestPages.ofSample(match), Screen.PHONE.copy(isDark = isDark)) {
-                keepScreenshot("phone-$colours")
+                keepScreenshot("phone-$colors")
                 graph("System/Battery Voltage").scrollTo()
                 press(Keys.ARROW_RIGHT)
-                keepScreenshot("phone-$colours-cursor")
+                keepScreenshot("phone-$colors-cursor")
             }
         }
     }
@@ -41,9 +41,9 @@ internal class PicturesSpec : PageSpec({
         val svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 300 100\">" +
             "<path d=\"M5 90L150 20L295 60\" fill=\"none\" stroke=\"black\"/></svg>"
         val hook = HookPart(
-            "analyse.py",
+            "analyze.py",
             values = listOf(Value("Energy", "1.69 Ah")),
-            findings = listOf(finding("analyse.py", Severity.WARNING, "it sags", 60.0, 75.0)),
+            findings = listOf(finding("analyze.py", Severity.WARNING, "it sags", 60.0, 75.0)),
             series = listOf(PageSeries("Fit", "V", Series(doubleArrayOf(0.0, 150.0), doubleArrayOf(12.6, 11.4)))),
             figures = listOf(PageFigure("Energy", "image/svg+xml", base64(svg.encodeToByteArray()))),
         )

@@ -58,7 +58,7 @@ internal class ThemeSpec : PageSpec({
         }
     }
 
-    browserTest("the page follows when the system changes, and its graphs are drawn in the new colours") {
+    browserTest("the page follows when the system changes, and its graphs are drawn in the new colors") {
         onPage(TestPages.of(stepBag(graphs = 3))) {
             val light = graph("Step 1").canvas
             show(Screen.WIDE.copy(isDark = true))

@@ -42,7 +42,7 @@ internal fun rowsIn(positions: DoubleArray, spans: List<Span>): BitSet {
     return rows
 }
 
-/** The rows that are set, as runs of neighbours. */
+/** The rows that are set, as runs of neighbors. */
 internal fun BitSet.runs(): List<IntRange> = buildList {
     var from = nextSetBit(0)
     while (from >= 0) {

@@ -11,7 +11,7 @@ internal class JoinedRows(private val groups: List<AppendedRows>) {
     init {
         val next = IntArray(groups.size)
         while (groups.indices.any { next[it] < groups[it].size }) {
-            val x = leastX(next)
+            val x = minX(next)
             var isAlone = false
             for (group in groups.indices) {
                 val isNext = next[group] < groups[group].size && !isAlone && isSame(groups[group].x(next[group]), x)
@@ -32,7 +32,7 @@ internal class JoinedRows(private val groups: List<AppendedRows>) {
     }
 
     /** NaN when a row without x is next, which shares its row with none. */
-    private fun leastX(next: IntArray): Double {
+    private fun minX(next: IntArray): Double {
         var least = Double.POSITIVE_INFINITY
         for (group in groups.indices) {
             if (next[group] == groups[group].size) continue

@@ -50,12 +50,12 @@ internal class NewestLog(
         if (loader.isReading) return
         val newest = when {
             isComplete -> library.state.newest
-            since.elapsedNow() > PATIENCE && current.recording == null -> queue.newestKnown().firstOrNull { !it.isGrey }
+            since.elapsedNow() > PATIENCE && current.recording == null -> queue.newestKnown().firstOrNull { !it.isGray }
             else -> null
         } ?: return
         if (newest.file == shown || !mayChange()) return
         if (current.recording != null) {
-            if (newest.isGrey) return
+            if (newest.isGray) return
             notices.say("${newest.title} is new, and is shown now.")
         }
         shown = newest.file

@@ -23,7 +23,7 @@ internal fun windowStateOf(place: WindowPlace?, screens: List<Rectangle> = scree
     return WindowState(
         placement = if (place?.isMaximized == true) WindowPlacement.Maximized else WindowPlacement.Floating,
         position = if (place != null && seenOn != null) WindowPosition(place.x.dp, place.y.dp) else WindowPosition.PlatformDefault,
-        size = DpSize(width.within(LEAST_WIDTH, screen?.width).dp, height.within(LEAST_HEIGHT, screen?.height).dp),
+        size = DpSize(width.within(MIN_WIDTH, screen?.width).dp, height.within(MIN_HEIGHT, screen?.height).dp),
     )
 }
 
@@ -57,5 +57,5 @@ private fun usablePart(screen: GraphicsConfiguration): Rectangle {
 
 private const val USUAL_WIDTH = 1400
 private const val USUAL_HEIGHT = 860
-private const val LEAST_WIDTH = 320
-private const val LEAST_HEIGHT = 240
+private const val MIN_WIDTH = 320
+private const val MIN_HEIGHT = 240

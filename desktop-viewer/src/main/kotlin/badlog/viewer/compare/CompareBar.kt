@@ -91,7 +91,7 @@ internal fun CompareBar(current: CurrentRecording, compared: ComparedRecordings)
     }
 }
 
-/** One of the recordings that are compared: its colour and name, and where it stands against the open one. */
+/** One of the recordings that are compared: its color and name, and where it stands against the open one. */
 @Composable
 internal fun ComparedChip(compared: ComparedRecordings, open: OpenRecording, drawn: DrawnRecording, color: Color) {
     val palette = LocalPalette.current

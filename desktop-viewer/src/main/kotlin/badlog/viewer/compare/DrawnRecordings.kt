@@ -32,5 +32,5 @@ internal fun shortLabel(label: String, letters: Int): String {
     return label.take(letters - 1 - end).trimEnd() + "…" + label.takeLast(end).trimStart()
 }
 
-/** The colour of the recording that is number [index] among those drawn, while several are compared. */
+/** The color of the recording that is number [index] among those drawn, while several are compared. */
 internal fun Palette.colorOf(index: Int): Color = line(index)

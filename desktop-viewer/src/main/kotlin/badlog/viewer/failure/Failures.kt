@@ -58,10 +58,10 @@ internal class FailureLog(cache: Path) {
     fun add(failure: Throwable): Boolean {
         val trace = failure.stackTraceToString()
         if (trace in known) return true
-        if (known.size >= MOST) return false
+        if (known.size >= MAX_KNOWN) return false
         try {
             Files.createDirectories(file.parent)
-            if (Files.exists(file) && Files.size(file) > LARGEST) Files.delete(file)
+            if (Files.exists(file) && Files.size(file) > MAX_BYTES) Files.delete(file)
             Files.writeString(file, "${place()}\n$trace\n", StandardOpenOption.CREATE, StandardOpenOption.APPEND)
         } catch (_: IOException) {
             return false
@@ -76,7 +76,7 @@ internal class FailureLog(cache: Path) {
 
     private companion object {
         /** One that fails in each frame must not fill the disk. */
-        const val MOST = 50
-        const val LARGEST = 1L shl 20
+        const val MAX_KNOWN = 50
+        const val MAX_BYTES = 1L shl 20
     }
 }

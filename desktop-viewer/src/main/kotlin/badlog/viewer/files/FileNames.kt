@@ -7,11 +7,11 @@ import java.nio.file.Path
 internal fun fileNameOf(text: String): String = text.map { if (it.isISOControl() || it in FORBIDDEN) '-' else it }
     .joinToString("")
     .trim(' ', '.')
-    .take(LONGEST)
+    .take(MAX_LENGTH)
     .ifEmpty { "badlog" }
 
 /** The name of [file] without what tells its format. */
 internal fun stemOf(file: Path): String = fileNameOf(LogName.of(file.fileName.toString()).stem)
 
 private const val FORBIDDEN = "\\/:*?\"<>|"
-private const val LONGEST = 120
+private const val MAX_LENGTH = 120

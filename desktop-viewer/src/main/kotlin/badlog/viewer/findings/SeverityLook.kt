@@ -7,14 +7,14 @@ import badlog.viewer.theme.Palette
 /** What the window calls a finding that is so bad. */
 internal val Severity.word: String get() = name.lowercase()
 
-/** The colour of a finding's mark. */
+/** The color of a finding's mark. */
 internal fun Palette.findingColor(severity: Severity): Color = when (severity) {
     Severity.ERROR -> error
     Severity.WARNING -> warning
     Severity.NOTE -> muted
 }
 
-/** The colour behind a finding's word. */
+/** The color behind a finding's word. */
 internal fun Palette.findingSoft(severity: Severity): Color = when (severity) {
     Severity.ERROR -> errorSoft
     Severity.WARNING -> warningSoft

@@ -24,7 +24,7 @@ import badlog.viewer.graph.plot.laneTop
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Palette
 
-/** What stands beside a plot: the numbers of its axes, with a colour where only one line belongs to it, and its lanes' names. */
+/** What stands beside a plot: the numbers of its axes, with a color where only one line belongs to it, and its lanes' names. */
 @Composable
 internal fun YAxes(scene: GraphScene, state: PlotState, modifier: Modifier) {
     val palette = LocalPalette.current
@@ -43,7 +43,7 @@ internal fun YAxes(scene: GraphScene, state: PlotState, modifier: Modifier) {
                 drawNumbers(axis, picture, letters, styleOf(picture, 1, style, palette)) { right + margin }
             }
             picture.lanes.forEachIndexed { index, lane ->
-                val name = lane.line.signal.title.take(MOST_LETTERS)
+                val name = lane.line.signal.title.take(MAX_LETTERS)
                 val text = letters.measure(
                     name,
                     style,
@@ -59,10 +59,10 @@ internal fun YAxes(scene: GraphScene, state: PlotState, modifier: Modifier) {
     )
 }
 
-/** Two axes are told apart by the colours of their lines. */
+/** Two axes are told apart by the colors of their lines. */
 private fun styleOf(picture: PlotPicture, axis: Int, style: TextStyle, palette: Palette): TextStyle {
     val lines = picture.lines.filter { it.axis == axis }
-    return if (picture.axes.size > 1 && lines.size == 1) style.copy(color = palette.line(lines.single().line.colour)) else style
+    return if (picture.axes.size > 1 && lines.size == 1) style.copy(color = palette.line(lines.single().line.color)) else style
 }
 
 private fun DrawScope.drawNumbers(
@@ -75,7 +75,7 @@ private fun DrawScope.drawNumbers(
     val last = axis.ticks.texts.lastIndex
     axis.ticks.texts.forEachIndexed { index, number ->
         // The unit stands once, at the top, where it is short enough.
-        val hasUnit = index == last && axis.unit.isNotEmpty() && number.length + axis.unit.length < MOST_WITH_UNIT
+        val hasUnit = index == last && axis.unit.isNotEmpty() && number.length + axis.unit.length < MAX_WITH_UNIT
         val text = letters.measure(if (hasUnit) "$number ${axis.unit}" else number, style)
         val y = axis.pixelOf(axis.ticks.values[index], picture.plotHeight) - text.size.height / 2
         // What would stand half outside moves in.
@@ -85,22 +85,22 @@ private fun DrawScope.drawNumbers(
 
 /** The lines behind a plot, at the ticks of the left axis and those of x. */
 internal fun DrawScope.drawGrid(picture: PlotPicture, visible: Span, palette: Palette) {
-    // Of the text's colour, so that it shows on shaded ground as well.
-    val colour = palette.text.copy(alpha = GRID_OPACITY)
+    // Of the text's color, so that it shows on shaded ground as well.
+    val color = palette.text.copy(alpha = GRID_OPACITY)
     picture.axes.firstOrNull()?.let { axis ->
         for (value in axis.ticks.values) {
             val y = axis.pixelOf(value, picture.plotHeight)
-            drawLine(colour, Offset(0f, y), Offset(size.width, y))
+            drawLine(color, Offset(0f, y), Offset(size.width, y))
         }
     }
     for (value in Ticks.ofX(visible, size.width.toDp().value.toDouble()).values) {
         val x = pixelOf(value, visible, size.width)
-        drawLine(colour, Offset(x, 0f), Offset(x, size.height))
+        drawLine(color, Offset(x, 0f), Offset(x, size.height))
     }
 }
 
 private const val GRID_OPACITY = 0.08f
 private const val TEXTS = 64
 private const val MARGIN = 6
-private const val MOST_LETTERS = 40
-private const val MOST_WITH_UNIT = 9
+private const val MAX_LETTERS = 40
+private const val MAX_WITH_UNIT = 9

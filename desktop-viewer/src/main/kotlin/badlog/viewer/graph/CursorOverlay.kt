@@ -83,7 +83,7 @@ private fun DrawScope.drawSamples(picture: PlotPicture, cursor: Double, visible:
         val y = picture.axes[line.axis].pixelOf(value, picture.plotHeight)
         if (y < 0 || y > picture.plotHeight) continue
         drawCircle(palette.surface, (DOT + 1) * density, Offset(x, y))
-        drawCircle(palette.line(line.line.colour), DOT * density, Offset(x, y))
+        drawCircle(palette.line(line.line.color), DOT * density, Offset(x, y))
     }
 }
 

@@ -12,21 +12,21 @@ import badlog.viewer.theme.Palette
 internal fun DrawScope.drawEnabled(enabled: List<EnabledSpan>, visible: Span, palette: Palette) {
     for (stretch in enabled) {
         if (stretch.span.to < visible.from || stretch.span.from > visible.to) continue
-        drawBand(stretch.span, visible, enabledColour(stretch.isAutonomous, palette))
+        drawBand(stretch.span, visible, enabledColor(stretch.isAutonomous, palette))
     }
 }
 
 /** Shades [span] where [visible] is seen. */
-internal fun DrawScope.drawBand(span: Span, visible: Span, colour: Color) {
+internal fun DrawScope.drawBand(span: Span, visible: Span, color: Color) {
     val left = pixelOf(span.from, visible, size.width).coerceIn(0f, size.width)
     val right = pixelOf(span.to, visible, size.width).coerceIn(0f, size.width)
-    if (right > left) drawRect(colour, Offset(left, 0f), Size(right - left, size.height))
+    if (right > left) drawRect(color, Offset(left, 0f), Size(right - left, size.height))
 }
 
 /** Where [x] stands on [width] pixels that show [visible]. */
 internal fun pixelOf(x: Double, visible: Span, width: Float): Float = ((x - visible.from) / visible.width * width).toFloat()
 
-private fun enabledColour(isAutonomous: Boolean, palette: Palette): Color {
+private fun enabledColor(isAutonomous: Boolean, palette: Palette): Color {
     val base = if (isAutonomous) palette.line(4) else palette.line(2)
     return base.copy(alpha = if (palette.isDark) 0.10f else 0.07f)
 }

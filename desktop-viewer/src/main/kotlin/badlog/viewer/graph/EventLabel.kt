@@ -31,7 +31,7 @@ internal fun EventLabel(scene: GraphScene) {
     val palette = LocalPalette.current
     BoxWithConstraints(Modifier.fillMaxWidth().padding(start = GraphScene.LEFT_GUTTER, end = scene.rightGutter)) {
         Text(
-            shown.text.take(MOST_LETTERS),
+            shown.text.take(MAX_LETTERS),
             Modifier
                 .layout { measurable, constraints ->
                     val label = measurable.measure(constraints.copy(minWidth = 0, maxWidth = constraints.maxWidth / 2))
@@ -56,4 +56,4 @@ internal fun EventLabel(scene: GraphScene) {
 /** Which part of the screen's width may lie between the cursor and the event it reads. */
 private const val REACH = 0.008
 private const val SIDE = 8
-private const val MOST_LETTERS = 400
+private const val MAX_LETTERS = 400

@@ -60,7 +60,7 @@ internal fun FindingLabel(scene: GraphScene, modifier: Modifier) {
                 maxLines = 1,
                 overflow = TextOverflow.Ellipsis,
             )
-            Text(finding.text.take(MOST_LETTERS), fontSize = 12.sp, maxLines = 4, overflow = TextOverflow.Ellipsis)
+            Text(finding.text.take(MAX_LETTERS), fontSize = 12.sp, maxLines = 4, overflow = TextOverflow.Ellipsis)
         }
     }
 }
@@ -68,4 +68,4 @@ internal fun FindingLabel(scene: GraphScene, modifier: Modifier) {
 private fun isAt(finding: Finding, cursor: Double?) = finding.time == cursor || finding.spans.any { it.from == cursor }
 
 private const val WIDEST = 420
-private const val MOST_LETTERS = 600
+private const val MAX_LETTERS = 600

@@ -34,12 +34,12 @@ private fun DrawScope.drawGlyph(x: Float, severity: Severity, palette: Palette) 
     val glyph = FindingGlyph.of(severity)
     val reach = FindingGlyph.SIZE.toFloat() * density
     val middle = size.height - reach - density
-    val colour = palette.findingColor(severity)
+    val color = palette.findingColor(severity)
     val stroke = Stroke(1.5f * density)
     if (glyph.isHollow) {
         val center = Offset(x, middle)
         drawCircle(palette.surface, reach - density, center)
-        drawCircle(colour, reach - density, center, style = stroke)
+        drawCircle(color, reach - density, center, style = stroke)
         return
     }
     val path = Path()
@@ -49,22 +49,22 @@ private fun DrawScope.drawGlyph(x: Float, severity: Severity, palette: Palette) 
         if (at == 0) path.moveTo(cornerX, cornerY) else path.lineTo(cornerX, cornerY)
     }
     path.close()
-    drawPath(path, colour)
+    drawPath(path, color)
     drawPath(path, palette.surface, style = Stroke(density))
 }
 
 /** Shades when [finding] holds over the whole height, between broken lines where there is room for them. */
 internal fun DrawScope.drawShownFinding(finding: Finding, visible: Span, palette: Palette) {
-    val colour = palette.findingColor(finding.severity)
+    val color = palette.findingColor(finding.severity)
     val broken = PathEffect.dashPathEffect(floatArrayOf(4 * density, 3 * density))
     fun edge(at: Double) {
         if (at !in visible) return
         val x = pixelOf(at, visible, size.width)
-        drawLine(colour.copy(alpha = EDGE_OPACITY), Offset(x, 0f), Offset(x, size.height), density, pathEffect = broken)
+        drawLine(color.copy(alpha = EDGE_OPACITY), Offset(x, 0f), Offset(x, size.height), density, pathEffect = broken)
     }
     for (span in finding.spans) {
-        drawBand(span, visible, colour.copy(alpha = BAND_OPACITY))
-        val isWide = span.width / visible.width * size.width >= LEAST_WIDTH * density
+        drawBand(span, visible, color.copy(alpha = BAND_OPACITY))
+        val isWide = span.width / visible.width * size.width >= MIN_WIDTH * density
         if (isWide) edge(span.to)
         edge(span.from)
     }
@@ -75,4 +75,4 @@ private const val BAR = 3
 private const val BAR_OPACITY = 0.55f
 private const val BAND_OPACITY = 0.12f
 private const val EDGE_OPACITY = 0.6f
-private const val LEAST_WIDTH = 6
+private const val MIN_WIDTH = 6

@@ -43,7 +43,7 @@ internal fun GraphCard(scene: GraphScene, spec: BoardGraph, height: Int) {
             GraphHeader(
                 scene,
                 spec,
-                maxLines = if (height < ROOMY) 1 else MOST_HEADER_LINES,
+                maxLines = if (height < ROOMY) 1 else MAX_HEADER_LINES,
                 Modifier.receivesSignals(scene) { names -> scene.board.change { withGraph(names, before = spec.id) } },
             )
             GraphPlot(
@@ -76,4 +76,4 @@ private fun GraphButtons(scene: GraphScene, spec: BoardGraph, isHovered: Boolean
 }
 
 private const val ROOMY = 110
-private const val MOST_HEADER_LINES = 3
+private const val MAX_HEADER_LINES = 3

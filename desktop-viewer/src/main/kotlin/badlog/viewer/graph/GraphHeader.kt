@@ -36,12 +36,12 @@ internal fun GraphHeader(scene: GraphScene, spec: BoardGraph, maxLines: Int, mod
         GraphTitle(spec.title)
         // The only signal of a graph is what the graph is called.
         val isAlone = lines.distinctBy { it.signal.name }.size == 1 && lines.first().signal.name.endsWith(plain(spec.title))
-        for (line in lines.take(MOST_ENTRIES)) {
+        for (line in lines.take(MAX_ENTRIES)) {
             LegendEntry(scene, spec, line, hasName = !isAlone)
         }
         if (lines.isEmpty()) Text("not in this log", color = LocalPalette.current.muted, fontSize = 12.sp)
-        if (lines.size > MOST_ENTRIES) {
-            Text("and ${lines.size - MOST_ENTRIES} more", color = LocalPalette.current.muted, fontSize = 12.sp)
+        if (lines.size > MAX_ENTRIES) {
+            Text("and ${lines.size - MAX_ENTRIES} more", color = LocalPalette.current.muted, fontSize = 12.sp)
         }
     }
 }
@@ -49,7 +49,7 @@ internal fun GraphHeader(scene: GraphScene, spec: BoardGraph, maxLines: Int, mod
 @Composable
 private fun GraphTitle(title: String) {
     val palette = LocalPalette.current
-    val folder = title.substringBeforeLast('/', "").takeLast(MOST_FOLDER_LETTERS)
+    val folder = title.substringBeforeLast('/', "").takeLast(MAX_FOLDER_LETTERS)
     Row {
         Text(
             buildAnnotatedString {
@@ -66,5 +66,5 @@ private fun GraphTitle(title: String) {
 /** A title as the signal's name has it. */
 private fun plain(title: String) = title.substringAfterLast('/').removePrefix("[ ").removeSuffix(" ]")
 
-private const val MOST_ENTRIES = 24
-private const val MOST_FOLDER_LETTERS = 60
+private const val MAX_ENTRIES = 24
+private const val MAX_FOLDER_LETTERS = 60

@@ -2,7 +2,7 @@ package badlog.viewer.graph
 
 import badlog.plot.board.BoardGraph
 import badlog.viewer.graph.plot.LANE_HEIGHT
-import badlog.viewer.graph.plot.MOST_LINES
+import badlog.viewer.graph.plot.MAX_LINES
 
 /**
  * How high each of [graphs] is, in dp. Lanes have the height they need, and who has a height of its own has that. Other graphs of
@@ -12,7 +12,7 @@ import badlog.viewer.graph.plot.MOST_LINES
  */
 internal fun graphHeights(graphs: List<BoardGraph>, lanes: List<Int>, room: Int, chosen: Int, fit: Boolean): List<Int> {
     val natural = lanes.mapIndexed { i, count ->
-        if (count == 0) graphs[i].height ?: 0 else HEADER_HEIGHT + minOf(count, MOST_LINES) * LANE_HEIGHT + LANES_MARGIN
+        if (count == 0) graphs[i].height ?: 0 else HEADER_HEIGHT + minOf(count, MAX_LINES) * LANE_HEIGHT + LANES_MARGIN
     }
     val others = natural.count { it == 0 }
     val shared = if (others == 0) 0 else (room - natural.sum()) / others

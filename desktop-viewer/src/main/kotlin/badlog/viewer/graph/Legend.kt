@@ -37,7 +37,7 @@ import badlog.viewer.graph.plot.DrawnLine
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 
-/** A line's colour, name where it [hasName], and its value under the cursor. */
+/** A line's color, name where it [hasName], and its value under the cursor. */
 @Composable
 internal fun LegendEntry(scene: GraphScene, spec: BoardGraph, line: DrawnLine, hasName: Boolean) {
     val palette = LocalPalette.current
@@ -49,7 +49,7 @@ internal fun LegendEntry(scene: GraphScene, spec: BoardGraph, line: DrawnLine, h
         verticalAlignment = Alignment.CenterVertically,
     ) {
         if (line.signal.states == null) {
-            Spacer(Modifier.size(10.dp, 3.dp).background(palette.line(line.colour), RoundedCornerShape(2.dp)))
+            Spacer(Modifier.size(10.dp, 3.dp).background(palette.line(line.color), RoundedCornerShape(2.dp)))
         }
         val name = listOfNotNull(
             line.signal.title.takeIf {

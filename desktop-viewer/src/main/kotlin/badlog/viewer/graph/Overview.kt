@@ -97,7 +97,7 @@ private fun DrawScope.drawWindow(scene: GraphScene, palette: Palette) {
 
 private fun DrawScope.drawVisible(visible: Span, full: Span, palette: Palette) {
     val middle = visible.from + visible.width / 2
-    val least = LEAST_WIDTH * density
+    val least = MIN_WIDTH * density
     val center = pixelOf(middle, full, size.width)
     val half = maxOf(pixelOf(visible.to, full, size.width) - center, least / 2)
     val left = center - half
@@ -120,5 +120,5 @@ private fun DrawScope.drawVisible(visible: Span, full: Span, palette: Palette) {
 }
 
 private const val HEIGHT = 48
-private const val LEAST_WIDTH = 5
+private const val MIN_WIDTH = 5
 private const val SHADE_OPACITY = 0.65f

@@ -79,7 +79,7 @@ private class PlotPointer(
             gestures.hover(xAt(at))
             return
         }
-        if (!isDragging && (at - start).getDistance() >= DragKind.LEAST_DISTANCE * scope.density) {
+        if (!isDragging && (at - start).getDistance() >= DragKind.MIN_DISTANCE * scope.density) {
             isDragging = true
             gestures.begin(kind, id, xAt(start), yAt(start))
         }

@@ -63,7 +63,7 @@ internal fun XAxisBar(scene: GraphScene) {
 private fun DrawScope.drawPlaces(visible: Span, title: String, letters: TextMeasurer, style: TextStyle, palette: Palette) {
     drawLine(palette.border, Offset.Zero, Offset(size.width, 0f))
     val name = letters.measure(
-        title.take(MOST_LETTERS),
+        title.take(MAX_LETTERS),
         style,
         TextOverflow.Ellipsis,
         softWrap = false,
@@ -82,14 +82,14 @@ private fun DrawScope.drawPlaces(visible: Span, title: String, letters: TextMeas
     }
 }
 
-/** Where the cursor stands, in words; framed by the accent's colour while it is pinned. */
+/** Where the cursor stands, in words; framed by the accent's color while it is pinned. */
 private fun DrawScope.drawFlag(x: Float, text: String, isPinned: Boolean, letters: TextMeasurer, style: TextStyle, palette: Palette) {
     val layout = letters.measure(text, style, softWrap = false, maxLines = 1)
     val margin = GAP * density / 2
     val width = layout.size.width + 2 * margin
     val left = (x - width / 2).coerceIn(0f, maxOf(0f, size.width - width))
-    val colour = if (isPinned) palette.accent else palette.cursor
-    drawRoundRect(colour, Offset(left, 1f), Size(width, size.height - 3 * density), CornerRadius(3 * density))
+    val color = if (isPinned) palette.accent else palette.cursor
+    drawRoundRect(color, Offset(left, 1f), Size(width, size.height - 3 * density), CornerRadius(3 * density))
     drawText(layout, topLeft = Offset(left + margin, (size.height - 2 * density - layout.size.height) / 2))
 }
 
@@ -97,4 +97,4 @@ private const val HEIGHT = 24
 private const val TEXTS = 64
 private const val TICK = 4
 private const val GAP = 12
-private const val MOST_LETTERS = 60
+private const val MAX_LETTERS = 60

@@ -166,10 +166,10 @@ internal fun EventTopics(events: FilteredEvents, logs: List<EventLog>) {
         ToolButton("Events of all topics", text = "All", isOn = chosen.isEmpty()) {
             events.change { copy(topics = emptySet()) }
         }
-        for (log in logs.take(MOST)) {
+        for (log in logs.take(MAX_TOPICS)) {
             ToolButton(
                 "Events of ${log.name}",
-                text = log.title.take(LONGEST),
+                text = log.title.take(MAX_TITLE_LENGTH),
                 isOn = log.name in chosen,
                 modifier = Modifier.widthIn(max = 180.dp),
             ) { events.change { toggled(log.name) } }
@@ -178,8 +178,8 @@ internal fun EventTopics(events: FilteredEvents, logs: List<EventLog>) {
 }
 
 /** Of more topics than these the search finds the events. */
-private const val MOST = 40
-private const val LONGEST = 40
+private const val MAX_TOPICS = 40
+private const val MAX_TITLE_LENGTH = 40
 
 /** Writes the times of a recording's events: as they were logged, and in minutes since the robot was enabled. */
 internal class EventTimes(recording: OpenRecording) {

@@ -197,7 +197,7 @@ internal fun PointedText(text: String) {
         LaunchedEffect(place, scroll.maxValue) { scroll.scrollTo((scroll.maxValue * placeOfCarets(place)).toInt()) }
         // A line that was broken would not stand above its carets.
         Text(
-            place.take(MOST_LETTERS),
+            place.take(MAX_LETTERS),
             Modifier.horizontalScroll(scroll),
             fontFamily = FontFamily.Monospace,
             fontSize = 11.sp,
@@ -211,4 +211,4 @@ internal fun PointedText(text: String) {
 private fun placeOfCarets(text: String): Float =
     text.lastIndexOf(' ').minus(text.lastIndexOf('\n')).toFloat() / text.lines().maxOf { it.length }.coerceAtLeast(1)
 
-private const val MOST_LETTERS = 2000
+private const val MAX_LETTERS = 2000

@@ -22,7 +22,7 @@ internal class RangeStatistics(val span: Span, val xUnit: String, val isSelectio
  * What one signal does.
  *
  * @property recording the label of its recording; empty while only one is drawn.
- * @property place of that recording among those drawn, which is that of its colour.
+ * @property place of that recording among those drawn, which is that of its color.
  * @property figures what is shown of it, in its order: a name, and a number or a state with its unit.
  */
 internal class SignalStatistics(val signal: String, val unit: String, val recording: String, val place: Int, val figures: List<Figure>)

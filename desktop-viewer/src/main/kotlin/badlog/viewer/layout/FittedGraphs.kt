@@ -16,8 +16,8 @@ internal class FittedGraphs(val graphs: Board, val missing: List<String>, val dr
     val sentence: String?
         get() {
             if (missing.isEmpty()) return null
-            val names = missing.take(MOST_NAMES).joinToString { "“${it.take(LONGEST_NAME)}”" }
-            val more = if (missing.size > MOST_NAMES) " and ${missing.size - MOST_NAMES} more" else ""
+            val names = missing.take(MAX_NAMES).joinToString { "“${it.take(MAX_NAME_LENGTH)}”" }
+            val more = if (missing.size > MAX_NAMES) " and ${missing.size - MAX_NAMES} more" else ""
             return when (dropped.size) {
                 0 -> "Topics not in this log: $names$more."
                 1 -> "1 graph hidden: topics not in this log ($names$more)."
@@ -26,8 +26,8 @@ internal class FittedGraphs(val graphs: Board, val missing: List<String>, val dr
         }
 
     private companion object {
-        const val MOST_NAMES = 3
-        const val LONGEST_NAME = 60
+        const val MAX_NAMES = 3
+        const val MAX_NAME_LENGTH = 60
     }
 }
 

@@ -19,7 +19,7 @@ import java.nio.file.Path
 internal fun readLayout(file: Path): Layout {
     val name = file.fileName
     val layout = try {
-        if (Files.size(file) > LARGEST) throw IOException("$name is too large to be a layout; choose a file that badlog has saved.")
+        if (Files.size(file) > MAX_BYTES) throw IOException("$name is too large to be a layout; choose a file that badlog has saved.")
         JSON.decodeFromString<Layout>(Files.readString(file))
     } catch (e: SerializationException) {
         throw IOException("$name is no layout, or is damaged; choose a file that badlog has saved.", e)
@@ -44,7 +44,7 @@ internal fun writeLayout(file: Path, layout: Layout) {
     writeAtomically(file) { it.write(text.encodeToByteArray()) }
 }
 
-private const val LARGEST = 16L shl 20
+private const val MAX_BYTES = 16L shl 20
 
 private val JSON = Json {
     ignoreUnknownKeys = true

@@ -43,7 +43,7 @@ internal data class LibraryState(
         get() {
             val readable = entries.filter { it.isReadable }
             val logs = readable.filter { LogName.of(it.fileName).isOnlyOfLogs }.ifEmpty { readable }
-            return logs.filter { !it.isGrey }.maxWithOrNull(AGE) ?: logs.maxWithOrNull(AGE)
+            return logs.filter { !it.isGray }.maxWithOrNull(AGE) ?: logs.maxWithOrNull(AGE)
         }
 
     /** Another [folder], of which nothing is known yet, listed as this one was. */
@@ -59,7 +59,7 @@ internal data class LibraryState(
     /** Sorts by [column]; the other way round when that is so already. */
     fun sorted(column: LogColumn): LibraryState = copy(listing = listing.sorted(column))
 
-    /** Leaves out what is greyed, or not. */
+    /** Leaves out what is grayed, or not. */
     fun hidingEmpty(hides: Boolean): LibraryState = copy(listing = listing.copy(hidesEmpty = hides))
 
     /** The log that is [steps] further down the list than the selected one; the first or last where the list ends. */
@@ -99,7 +99,7 @@ internal data class Listing(
     val visible: List<LogEntry> by lazy {
         val query = Query(filter)
         entries
-            .filter { it.content != Content.NO_LOG && !(hidesEmpty && it.isGrey) && isFound(it, query) }
+            .filter { it.content != Content.NO_LOG && !(hidesEmpty && it.isGray) && isFound(it, query) }
             .sortedWith(order())
     }
 

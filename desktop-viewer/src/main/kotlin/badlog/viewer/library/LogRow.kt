@@ -61,7 +61,7 @@ internal fun LogRow(
     Row(
         Modifier
             .fillMaxWidth()
-            .background(rowColour(palette, isOpen, isSelected, isHovered))
+            .background(rowColor(palette, isOpen, isSelected, isHovered))
             .hoverable(interactions)
             .clickable(onClickLabel = "Open", onClick = onOpen)
             .semantics {
@@ -97,14 +97,14 @@ internal fun LogRow(
 private fun RowPreview(entry: LogEntry, previews: Previews, palette: Palette) {
     val range = previews.range ?: return
     val topic = remember(entry, previews) { previews.of(entry) } ?: return
-    val colour = if (entry.isGrey) palette.muted.copy(alpha = 0.5f) else palette.accent
-    PreviewCurve(topic, range, colour, Modifier.fillMaxWidth().padding(top = 3.dp).height(16.dp))
+    val color = if (entry.isGray) palette.muted.copy(alpha = 0.5f) else palette.accent
+    PreviewCurve(topic, range, color, Modifier.fillMaxWidth().padding(top = 3.dp).height(16.dp))
 }
 
 private fun rowTitle(entry: LogEntry, palette: Palette): AnnotatedString = buildAnnotatedString {
-    val colour = if (entry.isGrey) palette.muted else palette.text
-    val weight = if (entry.isGrey) FontWeight.Normal else FontWeight.SemiBold
-    withStyle(SpanStyle(colour, fontWeight = weight)) { append(entry.title) }
+    val color = if (entry.isGray) palette.muted else palette.text
+    val weight = if (entry.isGray) FontWeight.Normal else FontWeight.SemiBold
+    withStyle(SpanStyle(color, fontWeight = weight)) { append(entry.title) }
     if (entry.match.match != null) entry.match.event?.let { withStyle(SpanStyle(palette.muted)) { append("  $it") } }
 }
 
@@ -118,16 +118,16 @@ private fun rowFacts(entry: LogEntry, palette: Palette): AnnotatedString = build
     durationText(entry)?.let { append(" · $it") }
     batteryText(entry)?.let {
         append(" · ")
-        withStyle(SpanStyle(batteryColour(entry, palette, palette.muted))) { append(it) }
+        withStyle(SpanStyle(batteryColor(entry, palette, palette.muted))) { append(it) }
     }
 }
 
 /** Red where the robot came near a brownout, else [usual]. */
-internal fun batteryColour(entry: LogEntry, palette: Palette, usual: Color): Color =
+internal fun batteryColor(entry: LogEntry, palette: Palette, usual: Color): Color =
     if ((entry.batteryMinimum ?: Double.MAX_VALUE) < BROWNOUT_NEAR) palette.error else usual
 
 /** What lies behind a row. */
-internal fun rowColour(palette: Palette, isOpen: Boolean, isSelected: Boolean, isHovered: Boolean): Color = when {
+internal fun rowColor(palette: Palette, isOpen: Boolean, isSelected: Boolean, isHovered: Boolean): Color = when {
     isOpen || isSelected -> palette.accentSoft
     isHovered -> palette.raised
     else -> Color.Transparent
@@ -152,16 +152,16 @@ internal fun CheckBox(description: String, isChecked: Boolean, onCheck: () -> Un
     }
 }
 
-/** A dot in the alliance's colour. */
+/** A dot in the alliance's color. */
 @Composable
 internal fun AllianceMark(entry: LogEntry) {
     val palette = LocalPalette.current
-    val colour = when (entry.match.alliance) {
+    val color = when (entry.match.alliance) {
         "Red" -> if (palette.isDark) Color(0xFFFF6B60) else Color(0xFFD0342C)
         "Blue" -> if (palette.isDark) Color(0xFF5AA9FF) else Color(0xFF1F66D0)
         else -> return
     }
-    Tip("${entry.match.alliance} alliance") { Box(Modifier.size(8.dp).background(colour, CircleShape)) }
+    Tip("${entry.match.alliance} alliance") { Box(Modifier.size(8.dp).background(color, CircleShape)) }
 }
 
 /** How many problems matter; nothing when none does. */
@@ -170,7 +170,7 @@ internal fun ProblemBadge(entry: LogEntry) {
     val text = problemText(entry) ?: return
     val palette = LocalPalette.current
     val isError = entry.problems.errors > 0 || !entry.isReadable
-    val colour = if (isError) palette.error else palette.warning
+    val color = if (isError) palette.error else palette.warning
     Tip(problemSentence(entry)) {
         Row(
             Modifier
@@ -179,8 +179,8 @@ internal fun ProblemBadge(entry: LogEntry) {
             horizontalArrangement = Arrangement.spacedBy(3.dp),
             verticalAlignment = Alignment.CenterVertically,
         ) {
-            Icon(Icons.Warning, contentDescription = null, Modifier.size(11.dp), colour)
-            if (entry.isReadable) Text(text, color = colour, fontSize = 11.sp, lineHeight = 16.sp)
+            Icon(Icons.Warning, contentDescription = null, Modifier.size(11.dp), color)
+            if (entry.isReadable) Text(text, color = color, fontSize = 11.sp, lineHeight = 16.sp)
         }
     }
 }

@@ -111,7 +111,7 @@ internal fun TableRow(
         Modifier
             .fillMaxWidth()
             .height(28.dp)
-            .background(rowColour(palette, isOpen = false, isSelected = isSelected, isHovered = isHovered))
+            .background(rowColor(palette, isOpen = false, isSelected = isSelected, isHovered = isHovered))
             .hoverable(interactions)
             .pointerInput(Unit) { detectTapGestures(onPress = { select() }, onDoubleTap = { open() }) }
             .semantics {
@@ -129,7 +129,7 @@ internal fun TableRow(
         }
         for (column in LogColumn.entries) {
             if (column == LogColumn.FILE) RowPreview(entry, previews, palette)
-            val color = cellColour(entry, column, palette)
+            val color = cellColor(entry, column, palette)
             Text(
                 cellText(entry, column, folder),
                 Modifier.width(widthOf(column, spare)).padding(horizontal = 8.dp),
@@ -151,7 +151,7 @@ private fun RowPreview(entry: LogEntry, previews: Previews, palette: Palette) {
     ) {
         val range = previews.range
         val topic = remember(entry, previews) { previews.of(entry) }
-        if (entry.isGrey) {
+        if (entry.isGray) {
             Text(entry.content.saying, color = palette.muted, fontSize = 12.sp, maxLines = 1, overflow = TextOverflow.Ellipsis)
         } else if (range != null && topic != null) {
             PreviewCurve(topic, range, palette.accent, Modifier.fillMaxWidth().height(20.dp))
@@ -165,10 +165,10 @@ private fun cellText(entry: LogEntry, column: LogColumn, folder: Path?): String 
     else -> entry.file.toString()
 }
 
-private fun cellColour(entry: LogEntry, column: LogColumn, palette: Palette): Color {
-    val usual = if (entry.isGrey) palette.muted else palette.text
+private fun cellColor(entry: LogEntry, column: LogColumn, palette: Palette): Color {
+    val usual = if (entry.isGray) palette.muted else palette.text
     return when {
-        column == LogColumn.BATTERY -> batteryColour(entry, palette, usual)
+        column == LogColumn.BATTERY -> batteryColor(entry, palette, usual)
         column != LogColumn.PROBLEMS -> usual
         entry.problems.errors > 0 || !entry.isReadable -> palette.error
         else -> palette.warning

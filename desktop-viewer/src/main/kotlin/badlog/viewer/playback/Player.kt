@@ -34,7 +34,7 @@ internal class Player(private val current: CurrentRecording, private val view: A
     fun advance(seconds: Double) {
         val open = current.recording ?: return change { copy(isPlaying = false) }
         // A machine that was asleep must not jump to the end.
-        val distance = seconds.coerceIn(0.0, LONGEST_STEP) * state.speed * perSecond(open.view.xAxis, view.viewport.full)
+        val distance = seconds.coerceIn(0.0, MAX_STEP) * state.speed * perSecond(open.view.xAxis, view.viewport.full)
         val step = state.advanced(view.cursor, distance, range)
         view.placeCursor(step.cursor)
         change { step.playback }
@@ -50,7 +50,7 @@ internal class Player(private val current: CurrentRecording, private val view: A
     }
 
     private companion object {
-        const val LONGEST_STEP = 0.25
+        const val MAX_STEP = 0.25
         const val LEAD = 0.1
     }
 }

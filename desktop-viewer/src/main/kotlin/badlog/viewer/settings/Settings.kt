@@ -23,10 +23,10 @@ internal data class Settings(
     val window: WindowPlace? = null,
 ) {
     /** Remembers that [folder] was opened. */
-    fun opened(folder: String): Settings = copy(recentFolders = (listOf(folder) + (recentFolders - folder)).take(MOST_RECENT))
+    fun opened(folder: String): Settings = copy(recentFolders = (listOf(folder) + (recentFolders - folder)).take(MAX_RECENT))
 
     companion object {
-        private const val MOST_RECENT = 10
+        private const val MAX_RECENT = 10
     }
 }
 

@@ -35,11 +35,11 @@ internal class Notices {
 
     private fun add(text: String, isError: Boolean, action: NoticeAction?) {
         mutable.removeAll { it.text == text }
-        while (mutable.size >= MOST) mutable.removeAt(0)
+        while (mutable.size >= MAX_NOTICES) mutable.removeAt(0)
         mutable += Notice(++lastId, text, isError, action)
     }
 
     private companion object {
-        const val MOST = 3
+        const val MAX_NOTICES = 3
     }
 }

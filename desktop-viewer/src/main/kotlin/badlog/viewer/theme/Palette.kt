@@ -9,7 +9,7 @@ import badlog.plot.color.Shade
 import badlog.plot.color.lineColor
 import badlog.plot.color.stateOpacity
 
-/** The colours of a theme, see [Shade]; the same as those of an exported page. */
+/** The colors of a theme, see [Shade]; the same as those of an exported page. */
 @Immutable
 internal class Palette private constructor(val isDark: Boolean) {
     val page: Color = of(Shade.PAGE)
@@ -30,10 +30,10 @@ internal class Palette private constructor(val isDark: Boolean) {
     val stateText: Color = of(Shade.STATE_TEXT)
     private val lines = List(LINE_COLORS) { opaque(lineColor(it, isDark)) }
 
-    /** The colour of line [index], from 0; further ones begin again. */
+    /** The color of line [index], from 0; further ones begin again. */
     fun line(index: Int): Color = lines[index.mod(LINE_COLORS)]
 
-    /** The colour of a lane in state [index], from 0: a line's colour, quiet enough for text upon it. */
+    /** The color of a lane in state [index], from 0: a line's color, quiet enough for text upon it. */
     fun state(index: Int): Color = line(index).copy(alpha = stateOpacity(isDark).toFloat()).compositeOver(surface)
 
     private fun of(shade: Shade) = opaque(shade.of(isDark))
@@ -51,5 +51,5 @@ internal class Palette private constructor(val isDark: Boolean) {
     }
 }
 
-/** The colours of the theme of now. */
+/** The colors of the theme of now. */
 internal val LocalPalette = staticCompositionLocalOf { Palette.LIGHT }

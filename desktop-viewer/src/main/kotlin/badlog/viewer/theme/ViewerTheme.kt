@@ -15,11 +15,11 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import kotlinx.serialization.Serializable
 
-/** Which colours the window has. */
+/** Which colors the window has. */
 @Serializable
 internal enum class Theme { SYSTEM, LIGHT, DARK }
 
-/** Gives [content] the colours of [theme], and small letters: much is to be seen at once. */
+/** Gives [content] the colors of [theme], and small letters: much is to be seen at once. */
 @Composable
 internal fun ViewerTheme(theme: Theme, content: @Composable () -> Unit) {
     val isDark = when (theme) {

@@ -70,7 +70,7 @@ import kotlinx.coroutines.withContext
  * A signal of the list of topics. A click draws it, with Ctrl or Shift it chooses; a drag takes it to a graph, with all that are
  * selected where it is one of them.
  *
- * @param place of the colour of its line in the first graph that draws it, null when none does.
+ * @param place of the color of its line in the first graph that draws it, null when none does.
  */
 @OptIn(ExperimentalComposeUiApi::class)
 @Composable
@@ -166,7 +166,7 @@ private fun menuOf(board: GraphBoard, formulas: FormulaStore, topics: TopicListi
     ) + row.signal.definition?.let { formulaMenu(formulas, it) }.orEmpty()
 }
 
-/** What sort of signal it is, or the colour of its line where one is drawn at [place] of a graph. */
+/** What sort of signal it is, or the color of its line where one is drawn at [place] of a graph. */
 @Composable
 internal fun KindMark(signal: Signal, isEvents: Boolean, place: Int?) {
     val palette = LocalPalette.current

@@ -114,7 +114,7 @@ private fun Rows(
         return
     }
     val graphs = board.state
-    // As graphs colour their lines: of several recordings each line has a colour for each.
+    // As graphs color their lines: of several recordings each line has a color for each.
     val recordings = compared.drawn.size
     val places = remember(graphs, recordings) { graphs.placesOfLines().mapValues { it.value * recordings } }
     val state = rememberLazyListState()

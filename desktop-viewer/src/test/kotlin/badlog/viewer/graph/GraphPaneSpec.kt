@@ -30,8 +30,8 @@ class GraphPaneSpec : FunSpec({
             val line = Palette.LIGHT.line(0)
             val middle = plot.height / 2
             val seen = (0 until plot.width).filter { x ->
-                val colour = plot[x, middle]
-                abs(colour.red - line.red) + abs(colour.green - line.green) + abs(colour.blue - line.blue) < 0.9f
+                val color = plot[x, middle]
+                abs(color.red - line.red) + abs(color.green - line.green) + abs(color.blue - line.blue) < 0.9f
             }
             seen.isNotEmpty() shouldBe true
             seen.all { abs(it - plot.width / 2) <= 2 } shouldBe true

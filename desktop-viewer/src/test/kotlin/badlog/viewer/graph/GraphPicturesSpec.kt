@@ -15,7 +15,7 @@ import io.kotest.matchers.ints.shouldBeGreaterThan
 /** Pictures for a person to look at, under `build/pictures`; the tests tell that the lines of the graphs are in them. */
 @OptIn(ExperimentalTestApi::class)
 class GraphPicturesSpec : FunSpec({
-    test("a match in light colours") {
+    test("a match in light colors") {
         val viewer = viewerOf(sample("qualification-42.bag"))
         viewer.view.placeCursor(93.7)
         runDesktopComposeUiTest(1100, 860) {
@@ -25,7 +25,7 @@ class GraphPicturesSpec : FunSpec({
         }
     }
 
-    test("the middle of a match in dark colours, with a selection and two axes") {
+    test("the middle of a match in dark colors, with a selection and two axes") {
         val viewer = viewerOf(sample("qualification-42.bag"))
         val names = listOf("System/Battery Voltage", "PDP/Total Current", "Drivetrain/Gear")
         viewer.board.replace(Board().withGraph(names).withGraph(names.take(1)).withGraph(listOf("Elevator/Position")))
@@ -49,7 +49,7 @@ class GraphPicturesSpec : FunSpec({
     }
 })
 
-/** Expects much of the [palette]'s background, and enough of its first [lines] colours to be lines. */
+/** Expects much of the [palette]'s background, and enough of its first [lines] colors to be lines. */
 private fun ImageBitmap.shouldShow(palette: Palette, lines: Int) {
     val pixels = toPixelMap().buffer.map { Color(it) }.groupingBy { it }.eachCount()
     pixels.getOrDefault(palette.surface, 0) shouldBeGreaterThan width * height / 5

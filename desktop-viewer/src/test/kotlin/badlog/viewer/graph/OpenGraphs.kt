@@ -54,7 +54,7 @@ internal fun bagOf(count: Int, unit: String = "V", value: (Int) -> Double): Stri
     repeat(count) { append("${it / 10.0},${value(it)}\n") }
 }
 
-/** The graphs of [viewer], in light colours. */
+/** The graphs of [viewer], in light colors. */
 @Composable
 internal fun TestGraphs(viewer: Viewer, theme: Theme = Theme.LIGHT) {
     ViewerTheme(theme) { GraphPane(viewer.graphs, Modifier.fillMaxSize()) }

@@ -111,7 +111,7 @@ class LayoutSpec : FunSpec({
     test("unknown keys and unknown panels of a newer program are passed over") {
         val file = Files.writeString(
             home.resolve("newer.json"),
-            """{"badlog-layout":1,"colour":"red","graphs":[{"title":"A","lines":["Arm/Angle"],"log":true}],"panels":{"main":"MAP"}}""",
+            """{"badlog-layout":1,"color":"red","graphs":[{"title":"A","lines":["Arm/Angle"],"log":true}],"panels":{"main":"MAP"}}""",
         )
         val viewer = viewerOver()
         viewer.layouts.apply(readLayout(file))

@@ -162,7 +162,7 @@ class LibrarySpec : FunSpec({
             val entries = viewer.library.state.entries.associateBy { it.fileName }
             entries.getValue("random.bag").trouble.shouldNotBeNull()
             entries.getValue("half.bag.gz").content shouldBe Content.SOMETHING
-            entries.getValue("empty.bag").isGrey shouldBe true
+            entries.getValue("empty.bag").isGray shouldBe true
             entries.getValue("inside.bag").content shouldBe Content.SOMETHING
         }
     }

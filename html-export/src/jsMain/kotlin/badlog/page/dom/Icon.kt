@@ -24,7 +24,7 @@ internal enum class Icon(private val path: String) {
     CLOSE("M4 4l8 8M12 4l-8 8"),
     ;
 
-    /** A new picture of this icon, in the colour of the text around it. */
+    /** A new picture of this icon, in the color of the text around it. */
     fun draw(): Element {
         val picture = document.createElementNS(SVG, "svg")
         picture.setAttribute("viewBox", "0 0 16 16")

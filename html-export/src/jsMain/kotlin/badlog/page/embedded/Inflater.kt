@@ -137,7 +137,7 @@ internal class Inflater(private val input: ByteArray, private val sink: (ByteArr
         var value = 0
         var first = 0
         var index = 0
-        for (length in 1..HuffmanCode.LONGEST) {
+        for (length in 1..HuffmanCode.MAX_LENGTH) {
             value = value or take(1)
             val count = code.counts[length]
             if (value - count < first) return code.symbols[index + value - first]

@@ -32,13 +32,13 @@ internal fun drawFindingMarks(context: CanvasRenderingContext2D, frame: PlotFram
         context.fillRect(left, frame.bottom - FOOT * ratio, width, FOOT * ratio)
     }
     for (i in 0 until marks.size) {
-        val colour = scene.palette.severity(marks.severityOf(i))
+        val color = scene.palette.severity(marks.severityOf(i))
         val pixel = frame.left + marks.pixelOf(i)
-        context.strokeStyle = colour
+        context.strokeStyle = color
         context.lineWidth = ratio
         if (marks.hasLine(i)) drawLine(context, pixel, frame, ratio)
         val glyph = FindingGlyph.of(marks.severityOf(i))
-        context.fillStyle = if (glyph.isHollow) scene.palette[Shade.SURFACE] else colour
+        context.fillStyle = if (glyph.isHollow) scene.palette[Shade.SURFACE] else color
         if (glyph.isHollow) context.lineWidth = RING * ratio
         drawGlyph(context, glyph, pixel, frame.bottom - (FindingGlyph.SIZE + 1) * ratio, FindingGlyph.SIZE * ratio)
     }

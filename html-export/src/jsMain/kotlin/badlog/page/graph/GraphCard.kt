@@ -114,7 +114,7 @@ internal class GraphCard(val graph: Graph, private val scene: Scene, origin: Str
 
     private fun resetY() = shown?.let { showY(it) { chosen = null } }
 
-    /** Draws the graph again with the colours of now. */
+    /** Draws the graph again with the colors of now. */
     fun repaint() {
         if (plot == null) return
         leave()

@@ -59,7 +59,7 @@ internal class GraphDeck(private val scene: Scene) {
         part(card)
     }
 
-    /** Draws everything again with the colours and the screen of now. */
+    /** Draws everything again with the colors and the screen of now. */
     fun repaint() {
         for (card in near) card.repaint()
     }

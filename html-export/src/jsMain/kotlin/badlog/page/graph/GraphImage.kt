@@ -43,11 +43,11 @@ internal fun saveGraphImage(graph: Graph, scene: Scene, isShown: BooleanArray, p
 
 // Slashes make folders, and some systems allow none of the others in a name.
 private fun fileNameOf(name: String): String =
-    name.map { if (it < ' ' || it in "\\/:*?\"<>|") '_' else it }.joinToString("").take(LONGEST_NAME).trim() + ".png"
+    name.map { if (it < ' ' || it in "\\/:*?\"<>|") '_' else it }.joinToString("").take(MAX_NAME_LENGTH).trim() + ".png"
 
 private const val HEAD = 50
 private const val MARGIN = 12.0
 private const val TITLE_LINE = 22.0
 private const val LEGEND_LINE = 42.0
 private const val SWATCH = 10.0
-private const val LONGEST_NAME = 120
+private const val MAX_NAME_LENGTH = 120

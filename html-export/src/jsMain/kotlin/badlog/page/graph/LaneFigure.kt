@@ -14,7 +14,7 @@ import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D
 import kotlin.math.ceil
 
-/** States as lanes of coloured blocks over x, each with its text where that fits. */
+/** States as lanes of colored blocks over x, each with its text where that fits. */
 internal class LaneFigure(private val graph: Graph, private val palette: Palette, private val isShown: BooleanArray, end: Double) :
     Figure {
     private val runs = graph.series.map { StateRuns(it.data, end) }
@@ -48,7 +48,7 @@ internal class LaneFigure(private val graph: Graph, private val palette: Palette
         context.asDynamic().textAlign = "left"
         runs.forEachIndexed { index, run ->
             if (!isShown[index]) return@forEachIndexed
-            blocks.place(run, span, frame.width, ceil(LaneLook.SHORTEST * ratio).toInt())
+            blocks.place(run, span, frame.width, ceil(LaneLook.MIN_BLOCK * ratio).toInt())
             val names = graph.series[index].states.orEmpty()
             for (block in 0 until blocks.size) drawBlock(context, block, names, lane * index, lane - GAP * ratio)
         }
@@ -59,7 +59,7 @@ internal class LaneFigure(private val graph: Graph, private val palette: Palette
         val left = blocks.left[block]
         val width = blocks.right[block] - left
         val state = blocks.states[block]
-        // The quiet colours let through what is below them, as the longer block that a short one interrupts.
+        // The quiet colors let through what is below them, as the longer block that a short one interrupts.
         context.clearRect(left, top, width, height)
         context.fillStyle = when (LaneTone.of(names, state, width / window.devicePixelRatio)) {
             LaneTone.OFF -> palette[Shade.STATE_OFF]

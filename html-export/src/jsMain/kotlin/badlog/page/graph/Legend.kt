@@ -16,7 +16,7 @@ import badlog.plot.text.unitText
 import org.w3c.dom.HTMLElement
 
 /**
- * The lines of a graph by name and colour, each with its value at the cursor, read from the samples themselves.
+ * The lines of a graph by name and color, each with its value at the cursor, read from the samples themselves.
  * Pressing one hides its line.
  *
  * @param isShown for each series whether its line is drawn.

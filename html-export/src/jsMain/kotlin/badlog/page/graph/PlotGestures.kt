@@ -88,7 +88,7 @@ internal class PlotGestures(
             return
         }
         val y = event.clientY.toDouble()
-        if (!hasMoved && abs(if (kind == DragKind.ZOOM_Y) y - startY else x - startX) < DragKind.LEAST_DISTANCE) return
+        if (!hasMoved && abs(if (kind == DragKind.ZOOM_Y) y - startY else x - startX) < DragKind.MIN_DISTANCE) return
         if (!hasMoved && kind == DragKind.PAN) range.change { remembered() }
         hasMoved = true
         when (kind) {

@@ -112,7 +112,7 @@ internal class LogPage(
         )
     }
 
-    /** Draws everything that has colours of its own again. */
+    /** Draws everything that has colors of its own again. */
     fun repaint() {
         deck.repaint()
         zoomBar.repaint()
@@ -144,12 +144,12 @@ internal class LogPage(
     /** Scrolls to the first graph where none is on the screen, so that the cursor is seen. */
     private fun showAnyGraph() {
         val boxes = folders.cards.map { it.element to it.element.getBoundingClientRect() }.filter { it.second.height > 0 }
-        if (boxes.any { (_, box) -> box.bottom > LEAST_SEEN && box.top < window.innerHeight - LEAST_SEEN }) return
+        if (boxes.any { (_, box) -> box.bottom > MIN_VISIBLE && box.top < window.innerHeight - MIN_VISIBLE }) return
         boxes.firstOrNull()?.first?.bringIntoSight()
     }
 
     private companion object {
         /** So many pixels of a graph are enough to see its cursor. */
-        const val LEAST_SEEN = 120
+        const val MIN_VISIBLE = 120
     }
 }

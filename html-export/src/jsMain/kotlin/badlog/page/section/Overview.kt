@@ -49,7 +49,7 @@ internal class Overview(private val scene: Scene) {
         update()
     }
 
-    /** Draws the marks of the events and findings, in the colours of now. */
+    /** Draws the marks of the events and findings, in the colors of now. */
     fun drawMarks() {
         val ratio = window.devicePixelRatio
         val width = element.clientWidth * ratio

@@ -45,7 +45,7 @@ internal class ProblemStrip(private val view: LogView, private val additions: Li
     }
 
     init {
-        open(errors + additions.size in 1..MOST_OPENED)
+        open(errors + additions.size in 1..MAX_OPENED)
     }
 
     private fun summary(): String {
@@ -108,6 +108,6 @@ internal class ProblemStrip(private val view: LogView, private val additions: Li
     }
 
     private companion object {
-        const val MOST_OPENED = 5
+        const val MAX_OPENED = 5
     }
 }

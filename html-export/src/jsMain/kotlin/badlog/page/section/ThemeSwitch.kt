@@ -8,15 +8,15 @@ import badlog.page.view.Palette
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
-/** Light, dark, or as the system has it; remembered. [onChange] is called after each change of colours. */
+/** Light, dark, or as the system has it; remembered. [onChange] is called after each change of colors. */
 internal class ThemeSwitch(private val onChange: () -> Unit) {
     private enum class Theme(val icon: Icon, val text: String) {
-        AUTO(Icon.AUTO, "Colours: as the system"),
-        LIGHT(Icon.SUN, "Colours: light"),
-        DARK(Icon.MOON, "Colours: dark"),
+        AUTO(Icon.AUTO, "Colors: as the system"),
+        LIGHT(Icon.SUN, "Colors: light"),
+        DARK(Icon.MOON, "Colors: dark"),
     }
 
-    /** The colours of now. */
+    /** The colors of now. */
     val palette: Palette = Palette()
 
     private var theme = Theme.entries.firstOrNull { it.name == Remembered["theme"] } ?: Theme.AUTO

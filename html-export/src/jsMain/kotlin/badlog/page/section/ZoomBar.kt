@@ -61,7 +61,7 @@ internal class ZoomBar(private val scene: Scene, ways: List<HTMLElement>) {
         update()
     }
 
-    /** Draws what it draws with the colours of now. */
+    /** Draws what it draws with the colors of now. */
     fun repaint() = overview.drawMarks()
 
     private fun zoom(steps: Int) = scene.range.change { zoomed(steps, scene.cursor.x) }

@@ -8,20 +8,20 @@ import badlog.recording.Severity
 import kotlinx.browser.document
 import org.w3c.dom.HTMLElement
 
-/** The colours of the theme of now, as canvases and the style sheet write them. */
+/** The colors of the theme of now, as canvases and the style sheet write them. */
 internal class Palette(var isDark: Boolean = false) {
-    /** The colour of line [index], from 0. */
+    /** The color of line [index], from 0. */
     fun line(index: Int): String = hex(lineColor(index, isDark))
 
-    /** The colour of a block in state [index], from 0: a line's colour, quiet enough for text upon it. */
+    /** The color of a block in state [index], from 0: a line's color, quiet enough for text upon it. */
     fun state(index: Int): String = line(index) + hexOpacity(stateOpacity(isDark))
 
-    /** The colour of what is of [severity]. */
+    /** The color of what is of [severity]. */
     fun severity(severity: Severity): String = this[SEVERITIES[severity.ordinal]]
 
     operator fun get(shade: Shade): String = hex(shade.of(isDark))
 
-    /** Gives the colours to the style sheet. */
+    /** Gives the colors to the style sheet. */
     fun apply() {
         val root = document.documentElement.unsafeCast<HTMLElement>()
         root.setAttribute("data-theme", if (isDark) "dark" else "light")

@@ -45,8 +45,8 @@ internal class Playhead(
 
     fun position(nowNanos: Long): Double {
         if (!isPlaying) return anchorPosition
-        val travelled = travelled(nowNanos)
-        return range.start + if (isLooping) travelled - floor(travelled / length) * length else minOf(travelled, length)
+        val traveled = traveled(nowNanos)
+        return range.start + if (isLooping) traveled - floor(traveled / length) * length else minOf(traveled, length)
     }
 
     fun isAtEnd(nowNanos: Long): Boolean = !isLooping && position(nowNanos) >= range.endInclusive
@@ -81,7 +81,7 @@ internal class Playhead(
      */
     fun advance(nowNanos: Long, visit: (Stretch) -> Unit) {
         if (isPlaying && isLooping) {
-            val laps = floor(travelled(nowNanos) / length)
+            val laps = floor(traveled(nowNanos) / length)
             if (laps >= 1) {
                 visit(stretchTo(range.endInclusive))
                 val lapBegan = anchorNanos + ((laps * length - (anchorPosition - range.start)) / unitsPerNano).roundToLong()
@@ -100,7 +100,7 @@ internal class Playhead(
         return stretch
     }
 
-    private fun travelled(nowNanos: Long) = anchorPosition - range.start + (nowNanos - anchorNanos) * unitsPerNano
+    private fun traveled(nowNanos: Long) = anchorPosition - range.start + (nowNanos - anchorNanos) * unitsPerNano
 
     private fun anchor(position: Double, nowNanos: Long) {
         anchorPosition = position

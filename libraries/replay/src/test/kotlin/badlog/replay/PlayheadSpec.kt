@@ -37,7 +37,7 @@ class PlayheadSpec : FunSpec({
         }
     }
 
-    test("A loop is the remainder of what was travelled, however often it was asked") {
+    test("A loop is the remainder of what was traveled, however often it was asked") {
         checkAll(200, SPEEDS, Arb.list(Arb.int(0..5_000), 0..50)) { speed, steps ->
             val playhead = playhead(2.0..5.0, speed, isLooping = true).apply { play(0) }
             var now = 0L

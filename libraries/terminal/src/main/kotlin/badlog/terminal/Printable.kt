@@ -1,7 +1,7 @@
 package badlog.terminal
 
 /**
- * [text] on one line, without what would move a terminal's cursor, change its colours or turn the direction of writing: names and texts
+ * [text] on one line, without what would move a terminal's cursor, change its colors or turn the direction of writing: names and texts
  * come from files. Control characters become blanks. What nobody would see, such as characters without width, becomes `�`.
  */
 public fun printable(text: String): String {

@@ -72,7 +72,7 @@ class Driver(seed: Long, private val orders: List<Order>) {
         is Task.DriveTo -> approach(task.x, task.y, 0.0, 0.88, drivetrain)
     }
 
-    /** Turns to (x, y) and drives until it is [short] metres away, with [most] throttle. */
+    /** Turns to (x, y) and drives until it is [short] meters away, with [most] throttle. */
     private fun approach(x: Double, y: Double, short: Double, most: Double, drivetrain: Drivetrain) {
         val dx = x - drivetrain.x
         val dy = y - drivetrain.y

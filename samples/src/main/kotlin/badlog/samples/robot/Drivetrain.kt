@@ -2,7 +2,7 @@ package badlog.samples.robot
 
 import kotlin.math.abs
 
-/** Six wheels, four motors, two gears: the robot on the field. Metres, seconds, radians; x runs along the field. */
+/** Six wheels, four motors, two gears: the robot on the field. Meters, seconds, radians; x runs along the field. */
 class Drivetrain(var x: Double, var y: Double, var heading: Double) {
     var leftOutput = 0.0
     var rightOutput = 0.0
@@ -23,7 +23,7 @@ class Drivetrain(var x: Double, var y: Double, var heading: Double) {
     val leftVelocity get() = speed - turnRate * HALF_TRACK
     val rightVelocity get() = speed + turnRate * HALF_TRACK
 
-    // Motor radians per metre.
+    // Motor radians per meter.
     private val gearing get() = (if (isHighGear) HIGH_RATIO else LOW_RATIO) / (WHEEL_DIAMETER / 2)
 
     fun load(left: List<Load>, right: List<Load>, volts: Double) {

@@ -2,7 +2,7 @@ package badlog.samples.robot
 
 import kotlin.math.abs
 
-/** An elevator on two motors that follows a profile with feed-forward and a proportional gain. Metres. */
+/** An elevator on two motors that follows a profile with feed-forward and a proportional gain. Meters. */
 class Elevator(private val gain: Double = GAIN) {
     val profile = MotionProfile(REST, maxVelocity = 1.4, maxAcceleration = 3.5)
     var position = REST

@@ -20,7 +20,7 @@ class RoboRio(private val noise: Noise) {
         brownoutSeconds = if (isBrownedOut) brownoutSeconds + seconds else 0.0
         if (batteryVolts < BROWNOUT_VOLTS) {
             isBrownedOut = true
-        } else if (batteryVolts > RECOVERY_VOLTS && brownoutSeconds > SHORTEST_BROWNOUT) {
+        } else if (batteryVolts > RECOVERY_VOLTS && brownoutSeconds > MIN_BROWNOUT) {
             isBrownedOut = false
         }
     }
@@ -36,6 +36,6 @@ class RoboRio(private val noise: Noise) {
     companion object {
         const val BROWNOUT_VOLTS = 6.75
         private const val RECOVERY_VOLTS = 7.5
-        private const val SHORTEST_BROWNOUT = 0.16
+        private const val MIN_BROWNOUT = 0.16
     }
 }

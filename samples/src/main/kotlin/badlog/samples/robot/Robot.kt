@@ -94,7 +94,7 @@ class Robot(seed: Long, val battery: Battery, val drivetrain: Drivetrain, pressu
 /**
  * What elevator, arm and rollers do together.
  *
- * @property height where the elevator goes, in metres.
+ * @property height where the elevator goes, in meters.
  * @property angle where the arm goes, in degrees.
  * @property rollers the output of the intake's rollers, negative for out.
  */

@@ -28,11 +28,11 @@ internal fun partOf(recording: OpenRecording, span: Span): Cut {
     val to = minOf(span.to, range.endInclusive)
     if (!(from <= to)) return Cut(whole, IntRange.EMPTY)
     // Many topics over many hours would need more memory than there is.
-    val mostRows = MOST_CELLS / (whole.topics.size + 1.0)
-    val period = generateSequence(PERIOD) { it * 2 }.first { (to - from) / it < mostRows }
+    val maxRows = MAX_CELLS / (whole.topics.size + 1.0)
+    val period = generateSequence(PERIOD) { it * 2 }.first { (to - from) / it < maxRows }
     val periodic = floor((to - from) / period + ROUNDING).toInt() + 1
     val (densest, count) = whole.topics.map { it to countWithin(it, from, to) }.maxBy { it.second }
-    if (count > periodic && count < mostRows) {
+    if (count > periodic && count < maxRows) {
         val times = timesOf(whole, densest).filter { it in from..to }.toDoubleArray()
         return Cut(resampled(whole, times), times.indices, ", one at each sample of “${densest.name}”$HELD")
     }
@@ -57,7 +57,7 @@ private const val HELD = ", each with the last values before it"
 
 /** In s. */
 private const val PERIOD = 0.02
-private const val MOST_CELLS = 40e6
+private const val MAX_CELLS = 40e6
 
 // Of the last step of a period that divides the range.
 private const val ROUNDING = 1e-9

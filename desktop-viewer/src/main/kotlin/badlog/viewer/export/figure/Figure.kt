@@ -34,18 +34,18 @@ internal class FigureFrame(
     val lines: List<FigureLine>,
     val lanes: List<FigureLane>,
 ) {
-    /** What its legend says: each line's label, and its colour. */
-    val legend: List<Pair<String, String>> get() = lines.map { it.label to it.colour }
+    /** What its legend says: each line's label, and its color. */
+    val legend: List<Pair<String, String>> get() = lines.map { it.label to it.color }
 }
 
 /**
  * A line of a [FigureFrame].
  *
  * @property label what the legend calls it.
- * @property colour its colour, as `#rrggbb`.
+ * @property color its color, as `#rrggbb`.
  * @property strokes its points, x and y as they were logged, but x moved by the recording's offset.
  */
-internal class FigureLine(val label: String, val colour: String, val strokes: Strokes)
+internal class FigureLine(val label: String, val color: String, val strokes: Strokes)
 
 /**
  * A lane of a [FigureFrame].
@@ -55,8 +55,8 @@ internal class FigureLine(val label: String, val colour: String, val strokes: St
  */
 internal class FigureLane(val label: String, val blocks: List<FigureBlock>)
 
-/** A stretch of x, [from] to [to], in the state [name]; [colour] as `#rrggbb`. */
-internal class FigureBlock(val from: Double, val to: Double, val name: String, val colour: String)
+/** A stretch of x, [from] to [to], in the state [name]; [color] as `#rrggbb`. */
+internal class FigureBlock(val from: Double, val to: Double, val name: String, val color: String)
 
 /**
  * What a person may select for a figure.

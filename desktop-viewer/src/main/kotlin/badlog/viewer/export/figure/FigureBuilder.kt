@@ -26,7 +26,7 @@ internal class FigureBuilder(private val recordings: List<DrawnRecording>, priva
     private val frameLetters = width / FRAME_LETTER
 
     /** One line of one recording. */
-    private class Source(val drawn: DrawnRecording, val signal: Signal, val label: String, val colour: Int)
+    private class Source(val drawn: DrawnRecording, val signal: Signal, val label: String, val color: Int)
 
     private class GraphSources(val graph: BoardGraph, val sources: List<Source>)
 
@@ -36,8 +36,8 @@ internal class FigureBuilder(private val recordings: List<DrawnRecording>, priva
         val axis = recordings.first().recording.view.xAxis
         val lineCount = sources.sumOf { graph -> graph.sources.count { it.signal.states == null } }
         val laneCount = sources.sumOf { it.sources.size } - lineCount
-        val columns = PixelColumns(shareOf(MOST_POINTS / POINTS_PER_COLUMN, lineCount))
-        val laneColumns = shareOf(MOST_BLOCKS / BLOCKS_PER_COLUMN, laneCount)
+        val columns = PixelColumns(shareOf(MAX_POINTS / POINTS_PER_COLUMN, lineCount))
+        val laneColumns = shareOf(MAX_BLOCKS / BLOCKS_PER_COLUMN, laneCount)
         return Figure(
             title = plainLine(names.joinToString(" · "), width / TITLE_LETTER),
             xTitle = plainLine(axis.title, NAME_LETTERS),
@@ -46,12 +46,12 @@ internal class FigureBuilder(private val recordings: List<DrawnRecording>, priva
         )
     }
 
-    private fun shareOf(all: Int, count: Int) = (all / maxOf(count, 1)).coerceIn(FEWEST_COLUMNS, maxOf(width, FEWEST_COLUMNS))
+    private fun shareOf(all: Int, count: Int) = (all / maxOf(count, 1)).coerceIn(MIN_COLUMNS, maxOf(width, MIN_COLUMNS))
 
-    // The colours are those of the window.
+    // The colors are those of the window.
     private fun sourcesOf(graph: BoardGraph): List<Source> = drawnLines(graph, recordings).map { line ->
         val place = recordings.indexOfFirst { it.recording === line.recording && it.offset == line.offset }
-        Source(recordings[place], line.signal, labelOf(line.signal, names[place], graph), line.colour)
+        Source(recordings[place], line.signal, labelOf(line.signal, names[place], graph), line.color)
     }
 
     private fun labelOf(signal: Signal, recording: String, graph: BoardGraph): String = when {
@@ -84,7 +84,7 @@ internal class FigureBuilder(private val recordings: List<DrawnRecording>, priva
             if (!(least <= curve.min)) least = if (curve.min.isNaN()) least else curve.min
             if (!(most >= curve.max)) most = if (curve.max.isNaN()) most else curve.max
             val strokes = Strokes().apply { trace(curve, Scale(0.0, 1.0, 1.0, start = offset), Scale.NONE) }
-            FigureLine(source.label, hexOf(Palette.LIGHT.line(source.colour)), strokes)
+            FigureLine(source.label, hexOf(Palette.LIGHT.line(source.color)), strokes)
         }
         val limits = YLimits().apply { fit(least, most, graph.includesZero) }
         val wanted = graph.yRange?.takeIf { isFirst && it.width > 0 }
@@ -127,11 +127,11 @@ internal class FigureBuilder(private val recordings: List<DrawnRecording>, priva
 
     private companion object {
         /** So many points make about one megabyte of SVG. */
-        const val MOST_POINTS = 70_000
+        const val MAX_POINTS = 70_000
         const val POINTS_PER_COLUMN = 4
-        const val MOST_BLOCKS = 4_000
+        const val MAX_BLOCKS = 4_000
         const val BLOCKS_PER_COLUMN = 2
-        const val FEWEST_COLUMNS = 40
+        const val MIN_COLUMNS = 40
         const val TITLE_LETTER = 14
         const val FRAME_LETTER = 11
         const val NAME_LETTERS = 60

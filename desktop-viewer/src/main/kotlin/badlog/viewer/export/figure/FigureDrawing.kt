@@ -21,7 +21,7 @@ import org.jetbrains.letsPlot.scale.scaleXContinuous
 import org.jetbrains.letsPlot.scale.scaleYContinuous
 import org.jetbrains.letsPlot.Figure as LetsPlotFigure
 
-/** What lets-plot draws for [figure], in the sizes of [options]; always in the colours for bright rooms, as paper is. */
+/** What lets-plot draws for [figure], in the sizes of [options]; always in the colors for bright rooms, as paper is. */
 internal fun drawingOf(figure: Figure, options: FigureOptions): LetsPlotFigure {
     val sizes = figure.frames.indices.map { FrameSize.of(figure, it, options) }
     val plots = figure.frames.mapIndexed { i, frame -> plotOf(figure, frame, sizes[i]) }
@@ -48,12 +48,12 @@ private fun plotOf(figure: Figure, frame: FigureFrame, size: FrameSize): Plot {
 
 private fun drawLines(frame: FigureFrame, size: FrameSize): Plot {
     val keys = frame.lines.indices.map { it.toString() }
-    val colours = frame.lines.map { it.colour }
+    val colors = frame.lines.map { it.color }
     val labels = frame.lines.map { unbroken(it.label) }
     val points = LinePoints(frame)
     val legend = if (size.legendRows > 0) guideLegend(nrow = size.legendRows, byRow = true) else "none"
     var plot = letsPlot() +
-        scaleColorManual(colours, breaks = keys, labels = labels, limits = keys, name = "", guide = legend)
+        scaleColorManual(colors, breaks = keys, labels = labels, limits = keys, name = "", guide = legend)
     if (frame.isFilled) {
         val base = 0.0.coerceIn(frame.y.from, frame.y.to)
         val filled = points.strokes + ("base" to List(points.strokes.getValue("x").size) { base })
@@ -64,7 +64,7 @@ private fun drawLines(frame: FigureFrame, size: FrameSize): Plot {
             group = "piece"
             fill = "line"
         }
-        plot += scaleFillManual(colours, breaks = keys, limits = keys, guide = "none")
+        plot += scaleFillManual(colors, breaks = keys, limits = keys, guide = "none")
     }
     plot += geomPath(points.strokes, size = STROKE, sampling = samplingNone, tooltips = null) {
         x = "x"
@@ -89,12 +89,12 @@ private fun drawLanes(figure: Figure, frame: FigureFrame, size: FrameSize): Plot
         "to" to blocks.map { it.second.to },
         "low" to blocks.map { it.first + LANE_GAP },
         "high" to blocks.map { it.first + 1 - LANE_GAP },
-        "colour" to blocks.map { it.second.colour },
+        "color" to blocks.map { it.second.color },
     )
     val letterWidth = LETTER_WIDTH * figure.x.width / size.plotWidth
     val named = blocks.mapNotNull { (lane, block) ->
         val letters = ((block.to - block.from) / letterWidth).toInt() - 1
-        if (block.name.length > letters && letters < FEWEST_LETTERS) null else Triple(lane, block, plainLine(block.name, letters))
+        if (block.name.length > letters && letters < MIN_LETTERS) null else Triple(lane, block, plainLine(block.name, letters))
     }
     val texts = mapOf(
         "at" to named.map { it.second.from + letterWidth / 2 },
@@ -106,7 +106,7 @@ private fun drawLanes(figure: Figure, frame: FigureFrame, size: FrameSize): Plot
         xmax = "to"
         ymin = "low"
         ymax = "high"
-        fill = "colour"
+        fill = "color"
     }
     val names = geomText(texts, hjust = "left", size = NAME_SIZE, color = hexOf(Palette.LIGHT.text), sampling = samplingNone) {
         x = "at"
@@ -129,7 +129,7 @@ private const val NAME_SIZE = 4.6
 
 /** How wide a letter of a state's name is on average, in pixels. */
 private const val LETTER_WIDTH = 6.2
-private const val FEWEST_LETTERS = 5
+private const val MIN_LETTERS = 5
 
 /**
  * The points of [frame]'s lines as columns: `x`, `y`, the number of their `line` as a text, and of their `piece`.

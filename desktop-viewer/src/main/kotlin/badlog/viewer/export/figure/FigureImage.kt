@@ -39,7 +39,7 @@ private fun withMargin(svg: String): String {
  */
 internal fun imageOf(svg: String, width: Int, scale: Int): BufferedImage {
     val height = ROOT.find(svg)?.groupValues?.get(3)?.toDouble() ?: 0.0
-    if (height * width * scale * scale > MOST_PIXELS) {
+    if (height * width * scale * scale > MAX_PIXELS) {
         throw IOException("So many graphs make a picture that is too large; select fewer of them, or SVG.")
     }
     val rendering = Rendering()
@@ -61,7 +61,7 @@ private class Rendering : ImageTranscoder() {
 }
 
 private const val MARGIN = 14
-private const val MOST_PIXELS = 60_000_000
+private const val MAX_PIXELS = 60_000_000
 private val ROOT = Regex("""<svg([^>]*?)width="([\d.]+)" height="([\d.]+)"([^>]*)>""")
 private val PATH = Regex(""" d="[^"]*"""")
 private val LONG_NUMBER = Regex("""-?\d+\.\d{3,}(E-?\d+)?""")

@@ -5,7 +5,7 @@ import badlog.analysis.StateRuns
 import badlog.plot.lane.LaneBlocks
 import badlog.plot.lane.LaneTone
 import badlog.viewer.compare.DrawnRecording
-import badlog.viewer.graph.plot.laneColour
+import badlog.viewer.graph.plot.laneColor
 import badlog.viewer.recording.Signal
 import badlog.viewer.theme.Palette
 
@@ -15,18 +15,18 @@ internal fun figureBlocks(signal: Signal, drawn: DrawnRecording, x: Span, column
     val runs = StateRuns(signal.series, drawn.recording.span.to)
     val own = Span(x.from - drawn.offset, x.to - drawn.offset)
     val column = x.width / columns
-    val blocks = LaneBlocks().apply { place(runs, own, columns.toDouble(), SHORTEST) }
+    val blocks = LaneBlocks().apply { place(runs, own, columns.toDouble(), MIN_BLOCK) }
     return List(blocks.size) { i ->
         val tone = LaneTone.of(names, blocks.states[i], blocks.right[i] - blocks.left[i])
         FigureBlock(
             from = x.from + blocks.left[i] * column,
             to = x.from + blocks.right[i] * column,
             name = plainLine(names.getOrElse(blocks.states[i]) { "?" }, NAME_LETTERS),
-            colour = hexOf(laneColour(tone, blocks.states[i], Palette.LIGHT)),
+            color = hexOf(laneColor(tone, blocks.states[i], Palette.LIGHT)),
         )
     }
 }
 
 /** In columns, each of which is one to four points of the figure wide. */
-private const val SHORTEST = 1
+private const val MIN_BLOCK = 1
 private const val NAME_LETTERS = 60

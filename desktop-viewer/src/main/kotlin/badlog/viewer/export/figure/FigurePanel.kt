@@ -60,7 +60,7 @@ private fun GraphChoice(graphs: List<BoardGraph>, selected: Set<Int>, onChange: 
         ToolButton("Select no graph", text = "None") { onChange(emptySet()) }
     }
     Column(Modifier.heightIn(max = 220.dp).verticalScroll(rememberScrollState())) {
-        for (graph in graphs.take(MOST_OFFERED)) {
+        for (graph in graphs.take(MAX_OFFERED)) {
             val isSelected = graph.id in selected
             Row(
                 Modifier
@@ -93,4 +93,4 @@ private val HEIGHTS = listOf(100, 150, 240)
 private const val SELECTED_FIRST = 6
 
 /** A list of more is not to be read; who wants others takes graphs away in the window first. */
-private const val MOST_OFFERED = 200
+private const val MAX_OFFERED = 200

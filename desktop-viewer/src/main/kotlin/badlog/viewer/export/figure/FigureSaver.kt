@@ -43,7 +43,7 @@ internal class FigureSaver(
     }
 
     /** Copies the picture of the first of [graphs], as many as can be read. */
-    fun copyShown(graphs: List<BoardGraph>) = copy(graphs.take(MOST_COPIED))
+    fun copyShown(graphs: List<BoardGraph>) = copy(graphs.take(MAX_COPIED))
 
     /** Draws [graphs] as a figure of the visible range, and puts its picture onto the [clipboard], the system's. */
     fun copy(graphs: List<BoardGraph>, clipboard: () -> Clipboard = ::systemClipboard) {
@@ -62,7 +62,7 @@ internal class FigureSaver(
         const val LONE_HEIGHT = 320
 
         /** More graphs than these make a picture that nobody can read. */
-        const val MOST_COPIED = 8
+        const val MAX_COPIED = 8
     }
 }
 

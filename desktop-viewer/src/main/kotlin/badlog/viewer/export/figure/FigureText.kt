@@ -20,8 +20,8 @@ internal fun plainLine(text: String, longest: Int): String {
     return "$head…$tail"
 }
 
-/** [colour] as SVG writes it: `#rrggbb`. */
-internal fun hexOf(colour: Color): String = "#%06x".format(colour.toArgb() and 0xFFFFFF)
+/** [color] as SVG writes it: `#rrggbb`. */
+internal fun hexOf(color: Color): String = "#%06x".format(color.toArgb() and 0xFFFFFF)
 
 private val SURROGATES = 0xD800..0xDFFF
 private val NO_LETTERS = 0xFFFE..0xFFFF

@@ -51,11 +51,11 @@ internal class FrameSize(val isFirst: Boolean, val isLast: Boolean, val legendRo
             val frame = figure.frames[index]
             val isFirst = index == 0
             val isLast = index == figure.frames.lastIndex
-            val plotWidth = maxOf(options.width - SIDES, LEAST)
+            val plotWidth = maxOf(options.width - SIDES, MIN_SIDE)
             val isTold = figure.frames.take(index).any { it.legend == frame.legend }
             val rows = if (isTold) 0 else legendRows(frame, plotWidth)
-            val lanes = maxOf(frame.lanes.size * LANE, LEAST_PLOT) + BELOW_LANES
-            val plot = if (frame.lanes.isEmpty()) maxOf(options.graphHeight, LEAST) else lanes
+            val lanes = maxOf(frame.lanes.size * LANE, MIN_LANES) + BELOW_LANES
+            val plot = if (frame.lanes.isEmpty()) maxOf(options.graphHeight, MIN_SIDE) else lanes
             val legend = if (rows > 0) LEGEND + rows * LEGEND_ROW else 0
             val atEnds = (if (isFirst) TITLE else 0) + (if (isLast) X_AXIS else 0)
             return FrameSize(isFirst, isLast, rows, plotWidth, plot + SUBTITLE + legend + atEnds)
@@ -68,10 +68,10 @@ internal class FrameSize(val isFirst: Boolean, val isLast: Boolean, val legendRo
             return (frame.lines.size + perRow - 1) / perRow
         }
 
-        private const val LEAST = 60
+        private const val MIN_SIDE = 60
 
         /** Lets-plot does not draw in less. */
-        private const val LEAST_PLOT = 52
+        private const val MIN_LANES = 52
         private const val SIDES = 110
         private const val LANE = 26
         private const val SUBTITLE = 34

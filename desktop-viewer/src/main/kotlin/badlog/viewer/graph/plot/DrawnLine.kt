@@ -9,20 +9,20 @@ import badlog.viewer.recording.Signal
  * One line on the screen: a signal of a recording.
  *
  * @property offset what is added to the recording's x to stand in the window's.
- * @property colour which of the palette's colours it has, from 0.
+ * @property color which of the palette's colors it has, from 0.
  * @property label what the legend calls it beside the signal's name, where that would not tell; else null.
  */
 internal data class DrawnLine(
     val signal: Signal,
     val recording: OpenRecording,
     val offset: Double,
-    val colour: Int,
+    val color: Int,
     val label: String? = null,
 )
 
 /**
- * The lines of [spec] in every one of [recordings] that has them. Of one recording each line has a colour; of several the
- * colour tells the recording in the first place, the same in all graphs, and further lines have colours of their own.
+ * The lines of [spec] in every one of [recordings] that has them. Of one recording each line has a color; of several the
+ * color tells the recording in the first place, the same in all graphs, and further lines have colors of their own.
  */
 internal fun drawnLines(spec: BoardGraph, recordings: List<DrawnRecording>): List<DrawnLine> {
     val isCompared = recordings.size > 1
@@ -33,7 +33,7 @@ internal fun drawnLines(spec: BoardGraph, recordings: List<DrawnRecording>): Lis
                 signal = signal,
                 recording = drawn.recording,
                 offset = drawn.offset,
-                colour = place * recordings.size + index,
+                color = place * recordings.size + index,
                 label = if (isCompared) drawn.name else null,
             )
         }

@@ -32,7 +32,7 @@ internal fun DrawScope.drawLanes(picture: PlotPicture, visible: Span, palette: P
                 if (right <= left) continue
                 val state = lane.blocks.states[block]
                 val tone = LaneTone.of(lane.states, state, (right - left).toDouble() / made.density)
-                drawRect(laneColour(tone, state, palette), Offset(left, top), Size(right - left, height))
+                drawRect(laneColor(tone, state, palette), Offset(left, top), Size(right - left, height))
                 drawName(lane.states.getOrElse(state) { "?" }, left, right, top, height, palette, letters)
             }
         }
@@ -45,8 +45,8 @@ internal val PlotPicture.laneHeight: Float get() = (request.height - plotHeight)
 /** Where lane [index] begins, in pixels from the graph's top. */
 internal fun PlotPicture.laneTop(index: Int): Float = plotHeight + index * laneHeight
 
-/** The colour of a block in [state] that has [tone]. */
-internal fun laneColour(tone: LaneTone, state: Int, palette: Palette): Color = when (tone) {
+/** The color of a block in [state] that has [tone]. */
+internal fun laneColor(tone: LaneTone, state: Int, palette: Palette): Color = when (tone) {
     LaneTone.OFF -> palette.stateOff
     LaneTone.QUIET -> palette.state(state)
     LaneTone.STRONG -> palette.line(state)
@@ -67,7 +67,7 @@ private fun DrawScope.drawName(
     if (!LaneLook.hasRoom(visibleRoom, isWhole = true) || height < LaneLook.LETTERS * density) return
     val style = TextStyle(color = palette.stateText, fontSize = LaneLook.LETTERS.sp)
     val text = letters.measure(
-        name.take(MOST_LETTERS),
+        name.take(MAX_LETTERS),
         style,
         TextOverflow.Ellipsis,
         softWrap = false,
@@ -79,4 +79,4 @@ private fun DrawScope.drawName(
 }
 
 private const val GAP = 2f
-private const val MOST_LETTERS = 80
+private const val MAX_LETTERS = 80

@@ -27,17 +27,17 @@ internal fun rasterOf(request: PlotRequest, axes: List<YAxis>, lines: List<LineP
 
 private fun drawLine(canvas: Canvas, line: LinePicture, request: PlotRequest, base: Float) {
     val density = request.density
-    val colour = request.palette.line(line.line.colour)
+    val color = request.palette.line(line.line.color)
     val strokes = line.strokes
     Paint().use { paint ->
-        paint.color = colour.toArgb()
+        paint.color = color.toArgb()
         paint.isAntiAlias = true
         paint.mode = PaintMode.STROKE
         // A hairline is many times as fast as any other stroke.
         paint.strokeWidth = if (strokes.isDense) 0f else LINE_WIDTH * density
         for (i in 0 until strokes.count) {
             val stroke = floats(strokes.points, strokes.startOf(i), strokes.endOf(i))
-            if (request.spec.isFilled) fill(canvas, stroke, base, colour)
+            if (request.spec.isFilled) fill(canvas, stroke, base, color)
             // What stands alone between gaps is a dot.
             if (stroke.size > 2) canvas.drawPolygon(stroke, paint)
         }
@@ -49,9 +49,9 @@ private fun drawLine(canvas: Canvas, line: LinePicture, request: PlotRequest, ba
 
 private fun floats(values: DoubleArray, from: Int, until: Int) = FloatArray(until - from) { values[from + it].toFloat() }
 
-private fun fill(canvas: Canvas, stroke: FloatArray, base: Float, colour: Color) {
+private fun fill(canvas: Canvas, stroke: FloatArray, base: Float, color: Color) {
     Paint().use { paint ->
-        paint.color = colour.copy(alpha = FILL_OPACITY).toArgb()
+        paint.color = color.copy(alpha = FILL_OPACITY).toArgb()
         val area = FloatArray(stroke.size + 4)
         area[0] = stroke[0]
         area[1] = base

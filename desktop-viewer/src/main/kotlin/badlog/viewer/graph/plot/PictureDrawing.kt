@@ -16,12 +16,12 @@ internal fun DrawScope.drawLines(picture: PlotPicture, visible: Span) {
     val made = picture.request.visible
     val left = ((made.from - visible.from) / visible.width * size.width).toFloat()
     val right = ((made.to - visible.from) / visible.width * size.width).toFloat()
-    // Of a picture of much more or much less there is nothing to be recognised.
-    if (right - left !in size.width / MOST_STRETCH..size.width * MOST_STRETCH) return
+    // Of a picture of much more or much less there is nothing to be recognized.
+    if (right - left !in size.width / MAX_STRETCH..size.width * MAX_STRETCH) return
     val whole = Rect.makeWH(image.width.toFloat(), image.height.toFloat())
     drawIntoCanvas { canvas ->
         canvas.skiaCanvas.drawImageRect(image, whole, Rect(left, 0f, right, image.height.toFloat()), SamplingMode.DEFAULT, null, true)
     }
 }
 
-private const val MOST_STRETCH = 64
+private const val MAX_STRETCH = 64

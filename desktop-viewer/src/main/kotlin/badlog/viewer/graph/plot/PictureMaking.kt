@@ -8,7 +8,7 @@ import badlog.plot.lane.LaneLook
 import kotlin.math.ceil
 
 /** How many lines and lanes one graph draws; nobody can tell more apart. */
-internal const val MOST_LINES = 64
+internal const val MAX_LINES = 64
 
 /** How high a lane is, in dp, where there is room. */
 internal const val LANE_HEIGHT = 22
@@ -17,7 +17,7 @@ internal const val LANE_HEIGHT = 22
 internal fun makePicture(request: PlotRequest, curves: CurveCache): PlotPicture {
     val (states, numbers) = drawnLines(request.spec, request.recordings)
         .filter { line -> visibleOf(line, request).width.let { it > 0 && it.isFinite() } }
-        .take(MOST_LINES)
+        .take(MAX_LINES)
         .partition { it.signal.states != null }
     val lanesHeight = lanesHeight(request, states.size, hasLines = numbers.isNotEmpty())
     val plotHeight = request.height - lanesHeight
@@ -55,7 +55,7 @@ private fun visibleOf(line: DrawnLine, request: PlotRequest) = Span(request.visi
 
 private fun lanePicture(line: DrawnLine, request: PlotRequest, curves: CurveCache): LanePicture {
     val runs = curves.runs(line.recording, line.signal)
-    val shortest = ceil(LaneLook.SHORTEST * request.density).toInt()
+    val shortest = ceil(LaneLook.MIN_BLOCK * request.density).toInt()
     return LanePicture(
         line = line,
         states = line.signal.states.orEmpty(),

@@ -29,7 +29,7 @@ internal class PlotPicture(
  * @property unit what is counted.
  * @property fitted what the visible samples need.
  * @property shown what is seen of it.
- * @property ticks the places that are labelled.
+ * @property ticks the places that are labeled.
  */
 internal class YAxis(val unit: String, val fitted: Span, val shown: Span, val ticks: Ticks) {
     /** Where [value] stands on a plot [height] pixels high, from its top. */

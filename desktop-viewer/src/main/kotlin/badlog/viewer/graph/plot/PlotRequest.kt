@@ -13,7 +13,7 @@ import badlog.viewer.theme.Palette
  * @property visible the part of x.
  * @property width how many physical pixels that part takes; above 0.
  * @property height how many physical pixels y takes; above 0.
- * @property palette the colours.
+ * @property palette the colors.
  * @property density how many physical pixels a dp has.
  */
 internal data class PlotRequest(

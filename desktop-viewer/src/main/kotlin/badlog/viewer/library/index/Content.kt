@@ -7,7 +7,7 @@ import badlog.recording.Topic
 /**
  * Whether there is anything to see in a file.
  *
- * @property saying what stands beside a log that is greyed; empty for one that is not.
+ * @property saying what stands beside a log that is grayed; empty for one that is not.
  */
 internal enum class Content(val saying: String) {
     /** There is. */

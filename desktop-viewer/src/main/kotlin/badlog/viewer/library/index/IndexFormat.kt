@@ -55,23 +55,23 @@ internal object IndexFormat {
     }
 
     private fun decode(buffer: ByteBuffer): List<LogEntry>? {
-        val texts = Array(buffer.count(leastBytes = 4)) {
-            val bytes = ByteArray(buffer.count(leastBytes = 1))
+        val texts = Array(buffer.count(minBytes = 4)) {
+            val bytes = ByteArray(buffer.count(minBytes = 1))
             buffer.get(bytes)
             bytes.decodeToString()
         }
         val reader = EntryReader(buffer, texts)
-        val entries = List(buffer.count(leastBytes = EntryReader.LEAST_BYTES)) { reader.read() }
+        val entries = List(buffer.count(minBytes = EntryReader.MIN_BYTES)) { reader.read() }
         return entries.takeIf { !buffer.hasRemaining() }
     }
 
     private fun checksum(bytes: ByteArray): Int = CRC32().apply { update(bytes, HEAD, bytes.size - HEAD) }.value.toInt()
 }
 
-/** Reads how many of something follow, each of [leastBytes] or more; so no damaged number asks for more memory than the file. */
-internal fun ByteBuffer.count(leastBytes: Int): Int {
+/** Reads how many of something follow, each of [minBytes] or more; so no damaged number asks for more memory than the file. */
+internal fun ByteBuffer.count(minBytes: Int): Int {
     val count = getInt()
-    require(count >= 0 && count.toLong() * leastBytes <= remaining()) { "$count of something do not fit." }
+    require(count >= 0 && count.toLong() * minBytes <= remaining()) { "$count of something do not fit." }
     return count
 }
 
@@ -182,7 +182,7 @@ internal class EntryReader(private val buffer: ByteBuffer, private val texts: Ar
         private const val TOPIC_BYTES = 4 + 4 + 1 + 2 * 4 + 10 * 8 + PreviewLine.BYTES
 
         /** No entry has fewer bytes. */
-        const val LEAST_BYTES = 4 + 2 * 8 + 4 * 4 + 8 + 1 + 8 + 4 + 8 + 3 * 4 + 1 + 4 + 8 + 4 + 4
+        const val MIN_BYTES = 4 + 2 * 8 + 4 * 4 + 8 + 1 + 8 + 4 + 8 + 3 * 4 + 1 + 4 + 8 + 4 + 4
 
         /** Seconds that are of a year with four digits. */
         private val PLAUSIBLE = -62_000_000_000L..250_000_000_000L

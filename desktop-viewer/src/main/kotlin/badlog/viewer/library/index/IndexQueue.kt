@@ -58,7 +58,7 @@ internal class IndexQueue(cached: Collection<LogEntry> = emptyList()) {
         if (entry.file !in present) return
         known[entry.file] = entry
         // A log that is being written is read again and again, but must not keep the machine busy.
-        notBefore[entry.file] = now + maxOf(SHORTEST_REST, took * REST_PER_READING)
+        notBefore[entry.file] = now + maxOf(MIN_REST, took * REST_PER_READING)
         changes++
     }
 
@@ -104,7 +104,7 @@ internal class IndexQueue(cached: Collection<LogEntry> = emptyList()) {
     }
 
     private companion object {
-        val SHORTEST_REST = 0.9.seconds
+        val MIN_REST = 0.9.seconds
         const val REST_PER_READING = 10
 
         val NEWEST_FIRST: Comparator<LogFile> =

@@ -49,7 +49,7 @@ internal data class LogEntry(
     val isReadable: Boolean get() = trouble == null
 
     /** Whether there is nothing to see in it. */
-    val isGrey: Boolean get() = content != Content.SOMETHING
+    val isGray: Boolean get() = content != Content.SOMETHING
 
     /** The summary of the topic called [name], or null when the log has none. */
     fun topic(name: String): TopicSummary? = topics.firstOrNull { it.name == name }

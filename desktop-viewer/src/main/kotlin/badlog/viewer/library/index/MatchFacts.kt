@@ -29,7 +29,7 @@ internal data class MatchFacts(
                 event = values.meant("event name", "event") ?: named.event,
                 type = values.meant("match type") ?: named.type.takeIf { number == null || number == named.number },
                 number = number ?: named.number,
-                alliance = values.meant("alliance", "alliance color", "alliance colour", "alliance station")?.let(::colour),
+                alliance = values.meant("alliance", "alliance color", "alliance colour", "alliance station")?.let(::color),
             )
         }
     }
@@ -45,7 +45,7 @@ private fun isMeant(text: String) = text.isNotBlank() && text.trim().lowercase()
 
 private val MEANINGLESS = setOf("0", "none", "null", "invalid", "unknown")
 
-private fun colour(text: String) = when {
+private fun color(text: String) = when {
     text.startsWith("red", ignoreCase = true) -> "Red"
     text.startsWith("blue", ignoreCase = true) -> "Blue"
     else -> text

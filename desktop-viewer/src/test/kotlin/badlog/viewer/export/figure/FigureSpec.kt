@@ -54,12 +54,12 @@ class FigureSpec : FunSpec({
         frames[2].lanes.single().label shouldBe "Mode"
     }
 
-    test("several recordings are told apart by a legend, and by colours in the order of the recordings") {
+    test("several recordings are told apart by a legend, and by colors in the order of the recordings") {
         val other = recordingOf(armBag(300).replace("\"8\"", "\"9\""))
         val figure = build(defaultBoard(arm.view).graphs, arm.span, arm, other)
         figure.title shouldBe "Match 8 · Match 9"
-        val colours = listOf(hexOf(Palette.LIGHT.line(0)), hexOf(Palette.LIGHT.line(1)))
-        figure.frames[0].legend shouldBe listOf("Match 8", "Match 9").zip(colours)
+        val colors = listOf(hexOf(Palette.LIGHT.line(0)), hexOf(Palette.LIGHT.line(1)))
+        figure.frames[0].legend shouldBe listOf("Match 8", "Match 9").zip(colors)
         val texts = textsIn(svgOf(figure, options))
         texts.count { it == "Match\u00a09" } shouldBe 1
         figure.frames.last().lanes.map { it.label } shouldBe listOf("Match 8", "Match 9")
@@ -126,14 +126,14 @@ class FigureSpec : FunSpec({
         textsIn(svgOf(line, options)) shouldContain "A"
     }
 
-    test("the picture has the colours of the lines, on white, at twice the size") {
+    test("the picture has the colors of the lines, on white, at twice the size") {
         val svg = svgOf(build(listOf(joint), arm.span, arm), options)
         val image = imageOf(svg, options.width, PICTURE_SCALE)
         image.width shouldBe options.width * 2
-        val colours = image.getRGB(0, 0, image.width, image.height, null, 0, image.width).map { it and 0xFFFFFF }.groupingBy { it }.eachCount()
-        colours.getValue(0xFFFFFF) shouldBeGreaterThan image.width * image.height / 2
-        colours.getValue(0x0B62C4) shouldBeGreaterThan 1000
-        colours.getValue(0xD4501A) shouldBeGreaterThan 1000
+        val colors = image.getRGB(0, 0, image.width, image.height, null, 0, image.width).map { it and 0xFFFFFF }.groupingBy { it }.eachCount()
+        colors.getValue(0xFFFFFF) shouldBeGreaterThan image.width * image.height / 2
+        colors.getValue(0x0B62C4) shouldBeGreaterThan 1000
+        colors.getValue(0xD4501A) shouldBeGreaterThan 1000
     }
 
     test("one line under its own name needs no legend") {

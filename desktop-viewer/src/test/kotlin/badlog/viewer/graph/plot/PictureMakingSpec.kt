@@ -107,12 +107,12 @@ class PictureMakingSpec : FunSpec({
         readingOf(made, made.lines.single().line, null) shouldBe ""
     }
 
-    test("another recording is laid over at its offset, in a colour of its own") {
+    test("another recording is laid over at its offset, in a color of its own") {
         val one = recordingOf(bagOf(11) { it.toDouble() })
         val other = recordingOf(bagOf(11) { it.toDouble() })
         val made = picture(listOf(DrawnRecording(one), DrawnRecording(other, 0.5)), listOf("A/Voltage"), Span(0.0, 1.0))
         made.lines shouldHaveSize 2
-        made.lines.map { it.line.colour } shouldBe listOf(0, 1)
+        made.lines.map { it.line.color } shouldBe listOf(0, 1)
         made.lines[1].points.single()[0] shouldBe (50.0 plusOrMinus 1e-3)
         readingOf(made, made.lines[1].line, 0.7) shouldBe "2 V"
     }

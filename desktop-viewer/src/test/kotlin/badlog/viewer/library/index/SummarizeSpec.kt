@@ -22,7 +22,7 @@ class SummarizeSpec : FunSpec({
 
     fun contentOf(text: String, name: String = "a.bag") = summaryOf(folder.put(name, text)).content
 
-    test("the samples are summarised") {
+    test("the samples are summarized") {
         folder.putSamples()
         val match = summaryOf(folder.resolve("qualification-42.bag"))
         match.title shouldBe "Qualification 42"
@@ -47,7 +47,7 @@ class SummarizeSpec : FunSpec({
         contentOf(bag()) shouldBe Content.SOMETHING
     }
 
-    test("a WPILOG is summarised as a bag is") {
+    test("a WPILOG is summarized as a bag is") {
         val times = List(200) { it * 0.5 }
         val voltage = loggedTopic("NT:/SmartDashboard/BatteryVoltage", *times.map { it to 12.5 - it / 20 }.toTypedArray())
         val values = listOf(Value("Event Name", "OHCL"), Value("Match Number", "7"), Value("Match Type", "Qualification"))
@@ -63,7 +63,7 @@ class SummarizeSpec : FunSpec({
         entry.topic("Gain")!!.preview.has(20) shouldBe true
     }
 
-    test("a WPILOG in which nothing is logged or nothing changes is grey") {
+    test("a WPILOG in which nothing is logged or nothing changes is gray") {
         fun contentOf(vararg topics: Topic) = summaryOf(folder.resolve("empty.wpilog").also { Files.write(it, wpilogOf(topics.toList())) }).content
         contentOf(loggedTopic("Gain")) shouldBe Content.NO_SAMPLES
         contentOf(loggedTopic("Gain", 0.0 to 1.0, 9.0 to 1.0)) shouldBe Content.NOTHING_CHANGES

@@ -45,7 +45,7 @@ private inline fun Column.moments(result: (Double, Double, Int) -> Double): Doub
     return result(mean, squares, count)
 }
 
-/** The value below which [percent] % lie, interpolated between neighbours as in [badlog.analysis.SeriesStatistics]. */
+/** The value below which [percent] % lie, interpolated between neighbors as in [badlog.analysis.SeriesStatistics]. */
 internal fun Column.percentile(percent: Double): Scalar {
     val values = DoubleArray(size)
     var count = 0

@@ -16,7 +16,7 @@ import kotlin.math.round
 internal fun axisTexts(values: DoubleArray, step: Double, letters: Int): List<String> {
     var largest = 0.0
     for (value in values) largest = maxOf(largest, abs(value))
-    val plain = if (step > SMALLEST_PLAIN && largest < LARGEST_PLAIN) plainTexts(values, step) else null
+    val plain = if (step > MIN_PLAIN && largest < MAX_PLAIN) plainTexts(values, step) else null
     if (plain != null && longest(plain) <= letters) return plain
     val exponential = exponentialTexts(values, step, largest)
     val shorter = if (plain == null || longest(exponential) < longest(plain)) exponential else plain
@@ -29,7 +29,7 @@ private fun plainTexts(values: DoubleArray, step: Double): List<String> {
 }
 
 private fun exponentialTexts(values: DoubleArray, step: Double, largest: Double): List<String> {
-    // As many digits as the largest one needs to differ from its neighbours.
+    // As many digits as the largest one needs to differ from its neighbors.
     val digits = if (largest > 0) decimalsOf(step / 10.0.pow(floor(log10(largest)))) else 0
     return values.map { if (it == 0.0) "0" else exponentialDigits(it, digits) }
 }
@@ -49,7 +49,7 @@ internal fun decimalsOf(step: Double): Int {
     return if (isWhole) ofFirst else minOf(ofFirst + 1, MAX_DECIMALS)
 }
 
-private const val LARGEST_PLAIN = 1e15
-private const val SMALLEST_PLAIN = 9e-5
+private const val MAX_PLAIN = 1e15
+private const val MIN_PLAIN = 9e-5
 private const val MAX_DECIMALS = 15
 private const val ROUNDING = 1e-9

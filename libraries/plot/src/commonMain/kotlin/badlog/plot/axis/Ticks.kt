@@ -7,7 +7,7 @@ import kotlin.math.log10
 import kotlin.math.pow
 
 /**
- * The places of an axis that are labelled: multiples of [step], which is 1, 2 or 5 times a power of ten.
+ * The places of an axis that are labeled: multiples of [step], which is 1, 2 or 5 times a power of ten.
  *
  * @property values them, ascending.
  */
@@ -31,7 +31,7 @@ public class Ticks private constructor(public val values: DoubleArray, public va
             if (!(width > 0) || !width.isFinite() || most < 1) return Ticks(DoubleArray(0), 1.0, letters)
             val step = stepFor(width / most)
             val first = ceil(shown.from / step)
-            // Where neighbouring numbers are further apart than the step, there is nothing to count.
+            // Where neighboring numbers are further apart than the step, there is nothing to count.
             val count = (floor(shown.to / step) - first + 1).coerceIn(0.0, most + 1.0).toInt()
             return Ticks(DoubleArray(count) { (first + it) * step + 0.0 }, step, letters)
         }

@@ -34,8 +34,8 @@ public class YLimits {
             to = 1.0
             return
         }
-        val low = (if (includesZero) minOf(least, 0.0) else least).coerceAtLeast(-LARGEST)
-        val high = (if (includesZero) maxOf(most, 0.0) else most).coerceAtMost(LARGEST)
+        val low = (if (includesZero) minOf(least, 0.0) else least).coerceAtLeast(-MAX_MAGNITUDE)
+        val high = (if (includesZero) maxOf(most, 0.0) else most).coerceAtMost(MAX_MAGNITUDE)
         val isFlat = high - low <= abs(high) * FLAT
         val margin = if (isFlat) maxOf(abs(high) * 0.1, if (high == 0.0) 1.0 else 0.0) else (high - low) * MARGIN
         // A line of nothing but 0 would lie on the frame's edge.
@@ -52,6 +52,6 @@ public class YLimits {
     private companion object {
         const val MARGIN = 0.07
         const val FLAT = 1e-12
-        const val LARGEST = 7e307
+        const val MAX_MAGNITUDE = 7e307
     }
 }

@@ -31,7 +31,7 @@ public fun defaultBoard(view: LogView): Board {
     return Board(specs)
 }
 
-/** Each graph by itself, but neighbours that show states together. */
+/** Each graph by itself, but neighbors that show states together. */
 private fun runsOf(graphs: List<Graph>): List<List<Graph>> {
     val runs = ArrayList<MutableList<Graph>>()
     for (graph in graphs) {

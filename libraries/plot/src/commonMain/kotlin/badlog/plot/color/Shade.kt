@@ -1,7 +1,7 @@
 package badlog.plot.color
 
 /**
- * A colour of page and window by what it is for, in the theme for bright rooms and in that for dark ones, as `0xRRGGBB`.
+ * A color of page and window by what it is for, in the theme for bright rooms and in that for dark ones, as `0xRRGGBB`.
  */
 public enum class Shade(private val light: Int, private val dark: Int) {
     /** Behind everything. */
@@ -59,17 +59,17 @@ public enum class Shade(private val light: Int, private val dark: Int) {
     STATE_TEXT(0x1B2330, 0xF2F5F9),
     ;
 
-    /** The colour in the theme for dark rooms, or in that for bright ones. */
+    /** The color in the theme for dark rooms, or in that for bright ones. */
     public fun of(isDark: Boolean): Int = if (isDark) dark else light
 }
 
-/** How many colours lines have; further lines begin again. */
+/** How many colors lines have; further lines begin again. */
 public const val LINE_COLORS: Int = 16
 
-/** The colour of line [index], from 0, as `0xRRGGBB`. */
+/** The color of line [index], from 0, as `0xRRGGBB`. */
 public fun lineColor(index: Int, isDark: Boolean): Int = (if (isDark) DARK_LINES else LIGHT_LINES)[index.mod(LINE_COLORS)]
 
-/** How much of a line's colour a lane has, so that text can be read on it. */
+/** How much of a line's color a lane has, so that text can be read on it. */
 public fun stateOpacity(isDark: Boolean): Double = if (isDark) 0.45 else 0.35
 
 private val LIGHT_LINES = intArrayOf(

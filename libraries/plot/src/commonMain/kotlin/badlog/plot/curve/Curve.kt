@@ -64,22 +64,22 @@ public class Curve(private val series: Series, private val holdsUntil: Double? =
         if (count <= columns.count * SAMPLES_PER_COLUMN) {
             drawSamples(first, end, from, to)
         } else {
-            addNeighbour(first - 1, first, from - (to - from))
+            addNeighbor(first - 1, first, from - (to - from))
             drawColumns(from, to, columns)
-            addNeighbour(end, end - 1, to + (to - from))
+            addNeighbor(end, end - 1, to + (to - from))
         }
         if (holdsUntil != null && end == series.size) addStep(minOf(holdsUntil, to + (to - from)))
     }
 
     private fun drawSamples(first: Int, end: Int, from: Double, to: Double) {
-        addNeighbour(first - 1, first, from - (to - from))
+        addNeighbor(first - 1, first, from - (to - from))
         for (i in first until end) {
             val value = series.y[i]
             addStep(series.x[i])
             addPoint(series.x[i], value)
             see(value)
         }
-        addNeighbour(end, end - 1, to + (to - from))
+        addNeighbor(end, end - 1, to + (to - from))
         if (holdsUntil != null && first > 0) see(series.y[first - 1])
         if (min.isNaN()) for (i in 0 until size) see(y[i])
     }
@@ -89,16 +89,16 @@ public class Curve(private val series: Series, private val holdsUntil: Double? =
         if (holdsUntil != null && size > 0 && !y[size - 1].isNaN()) addPoint(atX, y[size - 1], isCorner = true)
     }
 
-    /** Adds sample [index], which lies out of sight, so that the line to [neighbour] runs out of the frame. */
-    private fun addNeighbour(index: Int, neighbour: Int, limit: Double) {
+    /** Adds sample [index], which lies out of sight, so that the line to [neighbor] runs out of the frame. */
+    private fun addNeighbor(index: Int, neighbor: Int, limit: Double) {
         if (index !in 0 until series.size) return
         val far = series.x[index]
         if (holdsUntil != null) {
-            if (index > neighbour) addStep(minOf(far, limit)) else addPoint(maxOf(far, limit), series.y[index])
+            if (index > neighbor) addStep(minOf(far, limit)) else addPoint(maxOf(far, limit), series.y[index])
             return
         }
-        if (neighbour !in 0 until series.size) return
-        val near = series.x[neighbour]
+        if (neighbor !in 0 until series.size) return
+        val near = series.x[neighbor]
         val isBeyond = if (far < near) far < limit else far > limit
         if (!isBeyond) {
             addPoint(far, series.y[index])
@@ -106,7 +106,7 @@ public class Curve(private val series: Series, private val holdsUntil: Double? =
         }
         // Far away, pixels would be numbers too large to draw with: the line is cut where it is out of sight.
         val share = (limit - near) / (far - near)
-        addPoint(limit, series.y[neighbour] + (series.y[index] - series.y[neighbour]) * share)
+        addPoint(limit, series.y[neighbor] + (series.y[index] - series.y[neighbor]) * share)
     }
 
     // x goes backwards somewhere: the line is drawn in the order of the file, and broken where it would run back.

@@ -55,7 +55,7 @@ public class OverviewDrag(public val before: Viewport, private val start: Double
 
     /** What is seen when it is at [x]. */
     public fun movedTo(x: Double): Viewport {
-        if (!hasMoved && x - start < LEAST * pixel && start - x < LEAST * pixel) return before
+        if (!hasMoved && x - start < MIN_PIXELS * pixel && start - x < MIN_PIXELS * pixel) return before
         hasMoved = true
         val seen: Span = before.visible
         return with(before.remembered()) {
@@ -75,6 +75,6 @@ public class OverviewDrag(public val before: Viewport, private val start: Double
     }
 
     private companion object {
-        const val LEAST = 3
+        const val MIN_PIXELS = 3
     }
 }

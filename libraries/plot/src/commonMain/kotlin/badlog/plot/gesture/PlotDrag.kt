@@ -24,7 +24,7 @@ public enum class DragKind {
         }
 
         /** A pointer that has moved by fewer CSS pixels or dp has not begun a drag. */
-        public const val LEAST_DISTANCE: Double = 4.0
+        public const val MIN_DISTANCE: Double = 4.0
     }
 }
 

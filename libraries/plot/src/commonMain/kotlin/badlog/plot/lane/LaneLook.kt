@@ -1,14 +1,14 @@
 package badlog.plot.lane
 
-/** How a block of a lane is coloured. */
+/** How a block of a lane is colored. */
 public enum class LaneTone {
     /** As good as not at all: where a switch is pressed has to be seen at a glance, so where it is not is quiet. */
     OFF,
 
-    /** In the state's colour, quiet enough for a name upon it. */
+    /** In the state's color, quiet enough for a name upon it. */
     QUIET,
 
-    /** In the state's full colour: nobody sees a few pixels of a quiet one. */
+    /** In the state's full color: nobody sees a few pixels of a quiet one. */
     STRONG,
     ;
 
@@ -27,7 +27,7 @@ public enum class LaneTone {
 /** What all lanes have in common, in pixels as they look: of the page, or of the window's density. */
 public object LaneLook {
     /** How wide the shortest state is. */
-    public const val SHORTEST: Double = 1.5
+    public const val MIN_BLOCK: Double = 1.5
 
     /** How high the letters of a state's name are. */
     public const val LETTERS: Double = 11.0

@@ -27,7 +27,7 @@ public data class Viewport(
     /** Whether [forward] leads somewhere. */
     public val canGoForward: Boolean get() = ahead.isNotEmpty()
 
-    // Narrower, and neighbouring pixels would be the same number.
+    // Narrower, and neighboring pixels would be the same number.
     private val narrowest: Double
         get() = minOf(maxOf(full.width * 1e-9, maxOf(abs(full.from), abs(full.to)) * 1e-12, 1e-300), full.width)
 
@@ -47,7 +47,7 @@ public data class Viewport(
 
     /** Keeps what is seen now for [back]: how a gesture of many steps begins. */
     public fun remembered(): Viewport = copy(
-        history = if (history.lastOrNull() == visible) history else (history + visible).takeLast(LONGEST_HISTORY),
+        history = if (history.lastOrNull() == visible) history else (history + visible).takeLast(MAX_HISTORY),
         ahead = emptyList(),
     )
 
@@ -121,7 +121,7 @@ public data class Viewport(
             return Viewport(Span(from - half, to + half))
         }
 
-        private const val LONGEST_HISTORY = 100
+        private const val MAX_HISTORY = 100
 
         /** How much wider a step of zooming out makes what is visible. */
         private const val ZOOM = 1.5

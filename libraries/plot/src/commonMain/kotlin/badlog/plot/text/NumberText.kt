@@ -17,11 +17,11 @@ public fun exactText(value: Double): String = when {
 
     value == 0.0 -> "0"
 
-    value == floor(value) && abs(value) < LARGEST_PLAIN -> fixedDigits(value, 0)
+    value == floor(value) && abs(value) < MAX_PLAIN -> fixedDigits(value, 0)
 
     else -> {
-        var digits = exponentialDigits(value, FEWEST_EXACT)
-        for (decimals in FEWEST_EXACT + 1..MOST_EXACT) {
+        var digits = exponentialDigits(value, MIN_EXACT_DIGITS)
+        for (decimals in MIN_EXACT_DIGITS + 1..MAX_EXACT_DIGITS) {
             if (digits.toDouble() == value) break
             digits = exponentialDigits(value, decimals)
         }
@@ -35,7 +35,7 @@ public fun roundedText(value: Double): String =
 
 /** [value] with so many [decimals]; as [exactText] has it where it is not finite or 1e15 and more. */
 public fun fixedText(value: Double, decimals: Int): String =
-    if (value.isFinite() && abs(value) < LARGEST_PLAIN) fixedDigits(value, decimals) else exactText(value)
+    if (value.isFinite() && abs(value) < MAX_PLAIN) fixedDigits(value, decimals) else exactText(value)
 
 /** How many decimals tell apart places on an axis of which a screen shows [span]. */
 public fun decimalsFor(span: Double): Int =
@@ -56,7 +56,7 @@ private fun shortened(digits: String): String {
     val exponent = digits.substring(e + 1).toInt()
     val sign = if (digits[0] == '-') "-" else ""
     val mantissa = digits.substring(sign.length, e).trimEnd('0').trimEnd('.')
-    if (exponent !in SMALLEST_EXPONENT until LARGEST_EXPONENT) return "$sign${mantissa}e$exponent"
+    if (exponent !in MIN_EXPONENT until MAX_EXPONENT) return "$sign${mantissa}e$exponent"
     val all = mantissa.replace(".", "")
     return sign + when {
         exponent < 0 -> "0." + "0".repeat(-exponent - 1) + all
@@ -65,13 +65,13 @@ private fun shortened(digits: String): String {
     }
 }
 
-private const val LARGEST_PLAIN = 1e15
-private const val SMALLEST_EXPONENT = -4
-private const val LARGEST_EXPONENT = 15
+private const val MAX_PLAIN = 1e15
+private const val MIN_EXPONENT = -4
+private const val MAX_EXPONENT = 15
 
-// Every decimal number of so many digits, one more than these decimals, is told from its neighbours; two more tell all numbers.
-private const val FEWEST_EXACT = 14
-private const val MOST_EXACT = 16
+// Every decimal number of so many digits, one more than these decimals, is told from its neighbors; two more tell all numbers.
+private const val MIN_EXACT_DIGITS = 14
+private const val MAX_EXACT_DIGITS = 16
 private const val ROUNDED = 5
 private const val DECADES_SEEN = 4
 private const val MAX_DECIMALS = 9

@@ -32,7 +32,7 @@ public fun lengthText(length: Double, axis: XAxis): String {
 
 /** `1:33.7`, `1:02:05.0`: [seconds] in minutes, and hours where there are any. */
 public fun minutesText(seconds: Double, decimals: Int = 1): String {
-    if (!(abs(seconds) < LARGEST_SECONDS)) return exactText(seconds)
+    if (!(abs(seconds) < MAX_SECONDS)) return exactText(seconds)
     val text = fixedText(abs(seconds), decimals)
     val point = text.indexOf('.').let { if (it < 0) text.length else it }
     val whole = text.substring(0, point).toInt()
@@ -47,4 +47,4 @@ private fun twoDigits(number: Int) = if (number < 10) "0$number" else "$number"
 
 private const val SECONDS = 60
 private const val MINUTES = 60
-private const val LARGEST_SECONDS = 2e9
+private const val MAX_SECONDS = 2e9

@@ -8,7 +8,7 @@ import kotlin.math.floor
  * What marks a finding of one severity on the time axis.
  *
  * @property outline its corners, x and y in turn, for a mark that reaches from -1 to 1; y points down. Empty for a circle.
- * @property isHollow whether only its outline has the colour.
+ * @property isHollow whether only its outline has the color.
  */
 public enum class FindingGlyph(public val outline: DoubleArray, public val isHollow: Boolean) {
     /** Of an error. */

@@ -30,7 +30,7 @@ class AxisTextSpec : FunSpec({
         texts(0.0, 2.5e-7, 8, 4).shouldContainExactly("0", "2.5e-7", "5.0e-7", "7.5e-7")
     }
 
-    test("neighbouring ticks differ, and fit, at every magnitude") {
+    test("neighboring ticks differ, and fit, at every magnitude") {
         for (decade in -12..300 step 3) {
             for (factor in listOf(1.0, 2.0, 2.5, 5.0)) {
                 val step = factor * "1e$decade".toDouble()

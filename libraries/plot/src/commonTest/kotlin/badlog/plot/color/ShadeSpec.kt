@@ -5,7 +5,7 @@ import io.kotest.matchers.collections.shouldBeUnique
 import io.kotest.matchers.doubles.shouldBeGreaterThan
 import kotlin.math.pow
 
-/** How far apart two colours are in brightness, from 1 to 21, as the guidelines for accessible pages count it. */
+/** How far apart two colors are in brightness, from 1 to 21, as the guidelines for accessible pages count it. */
 private fun contrast(one: Int, other: Int): Double {
     val brightness = listOf(one, other).map { color ->
         val (red, green, blue) = listOf(16, 8, 0).map { shift ->
@@ -30,7 +30,7 @@ class ShadeSpec : FunSpec({
             contrast(Shade.STATE_TEXT.of(isDark), Shade.STATE_OFF.of(isDark)) shouldBeGreaterThan 7.0
         }
 
-        test("the state of a lane can be read in every colour, in the $theme theme") {
+        test("the state of a lane can be read in every color, in the $theme theme") {
             for (index in 0 until LINE_COLORS) {
                 val ground = Shade.SURFACE.of(isDark)
                 val share = stateOpacity(isDark)
@@ -43,7 +43,7 @@ class ShadeSpec : FunSpec({
             }
         }
 
-        test("no two of the lines' colours are the same, and all are seen on a graph, in the $theme theme") {
+        test("no two of the lines' colors are the same, and all are seen on a graph, in the $theme theme") {
             val colors = List(LINE_COLORS) { lineColor(it, isDark) }
             colors.shouldBeUnique()
             for (color in colors) contrast(color, Shade.SURFACE.of(isDark)) shouldBeGreaterThan 2.5

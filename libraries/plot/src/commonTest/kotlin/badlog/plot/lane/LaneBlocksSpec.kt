@@ -24,7 +24,7 @@ class LaneBlocksSpec : FunSpec({
         blocks(101, 200.0) { if (it < 50) 0 else 1 } shouldBe listOf(Triple(0.0, 100.0, 0), Triple(100.0, 200.0, 1))
     }
 
-    test("a state of one row among 10,000 gets two pixels, over its neighbours") {
+    test("a state of one row among 10,000 gets two pixels, over its neighbors") {
         val blocks = blocks(10_001, 1000.0) { if (it == 6000) 1 else 0 }
         blocks.last() shouldBe Triple(600.0, 602.0, 1)
         blocks.count { it.third == 0 } shouldBe 2

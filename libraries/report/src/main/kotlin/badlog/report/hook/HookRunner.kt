@@ -106,7 +106,7 @@ public class HookRunner(
         public fun of(hook: HookCommand, folder: Path?): HookRunner =
             HookRunner(hook.command, hook.timeLimit ?: DEFAULT_TIME_LIMIT, hook.name ?: nameOf(hook.command), folder)
 
-        // The first argument that looks like a file's name is the script, as in `python3 -u tools/analyse.py`.
+        // The first argument that looks like a file's name is the script, as in `python3 -u tools/analyze.py`.
         private fun nameOf(command: List<String>): String {
             val script = command.drop(1).firstOrNull { !it.startsWith("-") && '.' in it && ' ' !in it && '{' !in it }
             return (script ?: command[0]).substringAfterLast('/').substringAfterLast('\\')

@@ -16,7 +16,7 @@ import java.security.MessageDigest
 import java.util.Base64
 
 /**
- * One page that shows all findings and needs nothing else: no network, no script. It follows the system's light or dark colours.
+ * One page that shows all findings and needs nothing else: no network, no script. It follows the system's light or dark colors.
  *
  * Each finding links to the page of its log at the finding's time, by the fragment `#t=` and the time in the unit of the log's x axis:
  * `Q42.html#t=93.7`.

@@ -49,7 +49,7 @@ private fun python(program: String, limit: Duration = 30.seconds): HookResult = 
 
 class HookRunnerSpec : FunSpec({
     test("the example gives what docs/hooks.md says").config(enabled = HAS_PYTHON) {
-        val hook = HookRunner(commandWords("python3 '${File(ROOT, "docs/hooks/analyse.py")}' {header}"), 30.seconds)
+        val hook = HookRunner(commandWords("python3 '${File(ROOT, "docs/hooks/analyze.py")}' {header}"), 30.seconds)
         val result = hook.run(RECORDING)
         val lines = result.values.map { (name, text) -> "$name: $text" } +
             result.findings.map { "${it.severity.name.lowercase()} at ${it.time}: ${it.text}" } +
@@ -59,7 +59,7 @@ class HookRunnerSpec : FunSpec({
     }
 
     test("the example in R gives values and a picture").config(enabled = HAS_R) {
-        val result = HookRunner(commandWords("Rscript '${File(ROOT, "docs/hooks/analyse.R")}'"), 60.seconds).run(RECORDING)
+        val result = HookRunner(commandWords("Rscript '${File(ROOT, "docs/hooks/analyze.R")}'"), 60.seconds).run(RECORDING)
         result.values["Deviation of Drivetrain/Angle"] shouldBe "587.3"
         result.figures.single().mediaType shouldBe "image/png"
     }

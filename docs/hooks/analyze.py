@@ -1,6 +1,6 @@
 """A hook for badlog: finds the weakest moment of the battery. Needs nothing but Python 3.
 
-Try it by hand:  python3 analyse.py header.json < log.csv
+Try it by hand:  python3 analyze.py header.json < log.csv
 """
 import csv
 import json

@@ -1,6 +1,6 @@
 # A hook for badlog: how much each topic varies. Needs R and the package jsonlite.
 #
-# Try it by hand:  Rscript analyse.R header.json < log.csv
+# Try it by hand:  Rscript analyze.R header.json < log.csv
 library(jsonlite)
 
 arguments <- commandArgs(trailingOnly = TRUE)
