@@ -21,13 +21,13 @@ internal class FramePicture private constructor(private val image: BufferedImage
 
     private fun isLike(x: Int, y: Int, color: Int): Boolean {
         val pixel = image.getRGB(x, y)
-        if (pixel ushr 24 <= FAINTEST) return false
+        if (pixel ushr 24 <= MIN_ALPHA) return false
         return (0..16 step 8).all { abs((pixel shr it and 255) - (color shr it and 255)) < NEAR }
     }
 
     companion object {
         // Fainter pixels are the edges of what was drawn.
-        private const val FAINTEST = 60
+        private const val MIN_ALPHA = 60
 
         // So near in each of red, green and blue, a color is the same one.
         private const val NEAR = 40

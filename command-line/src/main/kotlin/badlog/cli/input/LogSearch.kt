@@ -35,15 +35,15 @@ internal class LogSearch(private val checkpoint: () -> Unit = {}) {
      * @property inputs each log once, in the order of the arguments, and inside a folder in that of their names.
      * @property failures the folders that could not be looked into.
      */
-    class Found(val inputs: List<LogInput>, val failures: List<UnreadableFileException>)
+    class SearchResult(val inputs: List<LogInput>, val failures: List<UnreadableFileException>)
 
     private val inputs = ArrayList<LogInput>()
     private val failures = ArrayList<UnreadableFileException>()
 
     /** Looks below [paths]. To be called once. */
-    fun find(paths: List<Path>): Found {
+    fun find(paths: List<Path>): SearchResult {
         for (path in paths) if (Files.isDirectory(path)) lookInto(path) else inputs += LogInput(path, null)
-        return Found(inputs.distinctBy { identityOf(it.file) }, failures)
+        return SearchResult(inputs.distinctBy { identityOf(it.file) }, failures)
     }
 
     private fun lookInto(folder: Path) {

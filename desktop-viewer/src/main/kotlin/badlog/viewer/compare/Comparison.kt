@@ -47,11 +47,11 @@ internal data class Comparison(
         return if (offset.isFinite()) offset else 0.0
     }
 
-    /** Aligns by [alignment]; by hand, each stays where it stands now. */
-    fun alignedBy(chosen: Alignment, open: OpenRecording?): Comparison {
-        if (chosen != Alignment.MANUAL || alignment == Alignment.MANUAL || open == null) return copy(alignment = chosen)
+    /** Aligns by [wanted]; by hand, each stays where it stands now. */
+    fun alignedBy(wanted: Alignment, open: OpenRecording?): Comparison {
+        if (wanted != Alignment.MANUAL || alignment == Alignment.MANUAL || open == null) return copy(alignment = wanted)
         val offsets = loaded.values.associate { it.file to offsetOf(it, open) } + (open.file to 0.0)
-        return copy(alignment = chosen, handOffsets = offsets)
+        return copy(alignment = wanted, handOffsets = offsets)
     }
 
     /** Moves [file] to [offset] against [open], from now on by hand. An offset that is no number changes nothing. */

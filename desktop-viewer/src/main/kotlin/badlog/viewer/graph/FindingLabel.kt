@@ -38,7 +38,7 @@ internal fun FindingLabel(scene: GraphScene, modifier: Modifier) {
         Column(
             Modifier
                 .layout { measurable, constraints ->
-                    val most = minOf(constraints.maxWidth, WIDEST.dp.roundToPx())
+                    val most = minOf(constraints.maxWidth, MAX_WIDTH.dp.roundToPx())
                     val label = measurable.measure(constraints.copy(minWidth = 0, maxWidth = most))
                     layout(constraints.maxWidth, label.height) {
                         val isPointed = finding == scene.findings.state.pointed
@@ -67,5 +67,5 @@ internal fun FindingLabel(scene: GraphScene, modifier: Modifier) {
 
 private fun isAt(finding: Finding, cursor: Double?) = finding.time == cursor || finding.spans.any { it.from == cursor }
 
-private const val WIDEST = 420
+private const val MAX_WIDTH = 420
 private const val MAX_LETTERS = 600

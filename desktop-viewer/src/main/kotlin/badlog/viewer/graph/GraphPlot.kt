@@ -38,7 +38,7 @@ internal fun GraphPlot(scene: GraphScene, spec: BoardGraph, modifier: Modifier) 
         scene.plots.show(spec.id, true)
         onDispose { scene.plots.show(spec.id, false) }
     }
-    PictureKeeping(state, scene.plots.curves) {
+    PictureEffect(state, scene.plots.curves) {
         val size = state.size
         if (size.width <= 0 || size.height <= 0) {
             null
@@ -57,7 +57,7 @@ internal fun GraphPlot(scene: GraphScene, spec: BoardGraph, modifier: Modifier) 
                 .semantics { contentDescription = "Plot ${spec.title}" }
                 .plotPointer(scene, spec.id) { y, height -> yAt(scene.pictureOf(state), y, height) },
         ) {
-            Figure(scene, state)
+            GraphDrawing(scene, state)
             CursorOverlay(scene, spec.id, state)
         }
     }
@@ -65,7 +65,7 @@ internal fun GraphPlot(scene: GraphScene, spec: BoardGraph, modifier: Modifier) 
 
 /** Everything but what moves with the pointer; a layer of its own, so that it is not drawn again when only that moves. */
 @Composable
-private fun Figure(scene: GraphScene, state: PlotState) {
+private fun GraphDrawing(scene: GraphScene, state: PlotState) {
     val palette = LocalPalette.current
     val letters = rememberTextMeasurer(cacheSize = TEXTS)
     Spacer(

@@ -44,7 +44,7 @@ internal fun Overview(scene: GraphScene) {
     val state = scene.plots.state(OVERVIEW)
     val density = LocalDensity.current.density
     val spec = remember(scene.current.recording) { scene.current.recording?.let(::overviewSpec) }
-    PictureKeeping(state, scene.plots.curves) {
+    PictureEffect(state, scene.plots.curves) {
         val size = state.size
         if (spec == null || size.width <= 0 || size.height <= 0) {
             null

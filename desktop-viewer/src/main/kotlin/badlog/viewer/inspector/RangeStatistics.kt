@@ -23,12 +23,12 @@ internal class RangeStatistics(val span: Span, val xUnit: String, val isSelectio
  *
  * @property recording the label of its recording; empty while only one is drawn.
  * @property place of that recording among those drawn, which is that of its color.
- * @property figures what is shown of it, in its order: a name, and a number or a state with its unit.
+ * @property cells what is shown of it, in its order: a name, and a number or a state with its unit.
  */
-internal class SignalStatistics(val signal: String, val unit: String, val recording: String, val place: Int, val figures: List<Figure>)
+internal class SignalStatistics(val signal: String, val unit: String, val recording: String, val place: Int, val cells: List<StatCell>)
 
 /** A name and what stands beside it; [unit] is `ul` for none. */
-internal class Figure(val name: String, val text: String, val unit: String)
+internal class StatCell(val name: String, val text: String, val unit: String)
 
 /** The statistics of [names] over [span] in each of [drawn]; calculates them all, so not for the window's thread. */
 internal fun rangeStatistics(drawn: List<DrawnRecording>, names: List<String>, span: Span, isSelection: Boolean): RangeStatistics {
@@ -38,34 +38,34 @@ internal fun rangeStatistics(drawn: List<DrawnRecording>, names: List<String>, s
             if (signal.series.size == 0) return@mapIndexedNotNull null
             val statistics = signal.series.statistics(span.from - offset, span.to - offset)
             val states = signal.states.orEmpty()
-            val figures = if (signal.hasFigures) figuresOf(signal, statistics, recording.view.xAxis.unit) else figuresOf(statistics, states)
-            SignalStatistics(name, signal.unit, if (drawn.size > 1) recordingName else "", place, figures)
+            val cells = if (signal.hasFigures) cellsOf(signal, statistics, recording.view.xAxis.unit) else cellsOf(statistics, states)
+            SignalStatistics(name, signal.unit, if (drawn.size > 1) recordingName else "", place, cells)
         }
     }
     val xUnit = drawn.firstOrNull()?.recording?.view?.xAxis?.unit.orEmpty()
     return RangeStatistics(span, xUnit, isSelection, signals)
 }
 
-private fun figuresOf(signal: Signal, statistics: SeriesStatistics, xUnit: String): List<Figure> {
+private fun cellsOf(signal: Signal, statistics: SeriesStatistics, xUnit: String): List<StatCell> {
     val shown = if (statistics.count == 0) listOf(Statistic.SAMPLES, Statistic.GAPS) else Statistic.entries
-    return shown.map { Figure(it.title, it.textOf(statistics, signal.isDerived), it.unitOf(signal.unit, xUnit)) }
+    return shown.map { StatCell(it.title, it.textOf(statistics, signal.isDerived), it.unitOf(signal.unit, xUnit)) }
 }
 
 // What the numbers of states add up to means nothing.
-private fun figuresOf(statistics: SeriesStatistics, states: List<String>) = listOf(
-    Figure("first", stateText(statistics.first, states), Topic.UNITLESS),
-    Figure("last", stateText(statistics.last, states), Topic.UNITLESS),
-    Figure("samples", statistics.count.toString(), Topic.UNITLESS),
+private fun cellsOf(statistics: SeriesStatistics, states: List<String>) = listOf(
+    StatCell("first", stateText(statistics.first, states), Topic.UNITLESS),
+    StatCell("last", stateText(statistics.last, states), Topic.UNITLESS),
+    StatCell("samples", statistics.count.toString(), Topic.UNITLESS),
 )
 
 private fun stateText(value: Double, states: List<String>) = if (value.isNaN()) "–" else states.getOrElse(value.toInt()) { "–" }
 
 /** The statistics as lines of tab-separated cells, as spreadsheets take them; the first line names the columns. */
 internal fun RangeStatistics.toTsv(): String {
-    val columns = signals.flatMap { signal -> signal.figures.map { it.name } }.distinct()
+    val columns = signals.flatMap { signal -> signal.cells.map { it.name } }.distinct()
     val head = listOf("signal", "unit", "recording", "from", "to") + columns
     val lines = signals.map { signal ->
-        val cells = signal.figures.associate { it.name to it.text }
+        val cells = signal.cells.associate { it.name to it.text }
         listOf(signal.signal, signal.unit, signal.recording, exactText(span.from), exactText(span.to)) + columns.map { cells[it].orEmpty() }
     }
     return (listOf(head) + lines).joinToString("\n", postfix = "\n") { line ->

@@ -67,7 +67,7 @@ internal fun StatisticsPanel(compared: ComparedRecordings, board: GraphBoard, vi
         }
         if (known.signals.isEmpty()) PanelHint("No signal is drawn. Click one in the list of topics.")
         Box(Modifier.fillMaxSize()) {
-            LazyColumn(Modifier.fillMaxSize(), state) { items(known.signals) { SignalFigures(it) } }
+            LazyColumn(Modifier.fillMaxSize(), state) { items(known.signals) { SignalCells(it) } }
             VerticalScrollbar(rememberScrollbarAdapter(state), Modifier.align(Alignment.CenterEnd).fillMaxHeight())
         }
     }
@@ -88,7 +88,7 @@ private fun rangeText(statistics: RangeStatistics): String {
 }
 
 @Composable
-private fun SignalFigures(signal: SignalStatistics) {
+private fun SignalCells(signal: SignalStatistics) {
     val palette = LocalPalette.current
     Column(Modifier.fillMaxWidth().padding(start = 12.dp, end = 14.dp, top = 10.dp)) {
         Text(signal.signal, fontWeight = FontWeight.SemiBold, maxLines = 1, overflow = TextOverflow.Ellipsis)
@@ -98,9 +98,9 @@ private fun SignalFigures(signal: SignalStatistics) {
                 Text(signal.recording, color = palette.muted, fontSize = 12.sp, maxLines = 1, overflow = TextOverflow.Ellipsis)
             }
         }
-        for (pair in signal.figures.chunked(2)) {
+        for (pair in signal.cells.chunked(2)) {
             Row(Modifier.fillMaxWidth()) {
-                for (figure in pair) FigureCell(figure, Modifier.weight(1f))
+                for (cell in pair) Cell(cell, Modifier.weight(1f))
                 if (pair.size == 1) Box(Modifier.weight(1f))
             }
         }
@@ -108,9 +108,9 @@ private fun SignalFigures(signal: SignalStatistics) {
 }
 
 @Composable
-private fun FigureCell(figure: Figure, modifier: Modifier) {
+private fun Cell(cell: StatCell, modifier: Modifier) {
     Row(modifier.padding(end = 4.dp)) {
-        Text(figure.name, Modifier.width(54.dp), color = LocalPalette.current.muted, fontSize = 12.sp, maxLines = 1)
-        Text(withUnit(figure.text, figure.unit), Modifier.weight(1f), fontSize = 12.sp, maxLines = 1, overflow = TextOverflow.Ellipsis)
+        Text(cell.name, Modifier.width(54.dp), color = LocalPalette.current.muted, fontSize = 12.sp, maxLines = 1)
+        Text(withUnit(cell.text, cell.unit), Modifier.weight(1f), fontSize = 12.sp, maxLines = 1, overflow = TextOverflow.Ellipsis)
     }
 }

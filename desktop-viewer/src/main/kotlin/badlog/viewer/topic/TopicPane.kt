@@ -163,7 +163,7 @@ internal fun FolderLine(row: FolderRow, query: String, onToggle: () -> Unit) {
 }
 
 /** How far what lies in [depth] folders stands from the edge; deep ones keep room for their names. */
-internal fun indentOf(depth: Int): Dp = (8 + 12 * minOf(depth, DEEPEST)).dp
+internal fun indentOf(depth: Int): Dp = (8 + 12 * minOf(depth, MAX_DEPTH)).dp
 
 /** [text] with what the words of [query] find in it marked. */
 internal fun withMatches(text: String, query: String, palette: Palette): AnnotatedString = buildAnnotatedString {
@@ -180,4 +180,4 @@ internal fun withMatches(text: String, query: String, palette: Palette): Annotat
     }
 }
 
-private const val DEEPEST = 6
+private const val MAX_DEPTH = 6

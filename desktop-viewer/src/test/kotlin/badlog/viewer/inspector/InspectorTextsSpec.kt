@@ -50,14 +50,14 @@ class InspectorTextsSpec : FunSpec({
             Span(1.0, 2.0),
             isSelection = true,
         )
-        fun figures(index: Int) = statistics.signals[index].figures.associate { it.name to it.text }
+        fun cells(index: Int) = statistics.signals[index].cells.associate { it.name to it.text }
         statistics.signals.map { it.signal to it.recording } shouldContainExactly
             listOf("A" to "test.bag", "A" to "other.bag", "Mode" to "test.bag")
-        figures(0)["mean"] shouldBe "4"
-        figures(0)["last − first"] shouldBe "2"
-        figures(0)["integral"] shouldBe "4"
-        figures(1)["max"] shouldBe "6"
-        figures(2) shouldBe mapOf("first" to "o\tn", "last" to "o\tn", "samples" to "2")
+        cells(0)["mean"] shouldBe "4"
+        cells(0)["last − first"] shouldBe "2"
+        cells(0)["integral"] shouldBe "4"
+        cells(1)["max"] shouldBe "6"
+        cells(2) shouldBe mapOf("first" to "o\tn", "last" to "o\tn", "samples" to "2")
         val lines = statistics.toTsv().lines()
         lines.map { it.count { char -> char == '\t' } }.dropLast(1).distinct().size shouldBe 1
         lines[1].split('\t').take(5) shouldContainExactly listOf("A", "V", "test.bag", "1", "2")

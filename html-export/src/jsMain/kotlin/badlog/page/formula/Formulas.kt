@@ -7,7 +7,7 @@ import badlog.expression.LogViewSignals
 import badlog.expression.VirtualTopic
 import badlog.expression.signals.Vocabulary
 import badlog.expression.withVirtualTopics
-import badlog.page.dom.Remembered
+import badlog.page.dom.LocalStorage
 import badlog.plot.formula.Formula
 import badlog.plot.formula.formulasOf
 
@@ -21,7 +21,7 @@ import badlog.plot.formula.formulasOf
  */
 internal class Formulas(logged: LogView, given: List<String>, fileKey: String) {
     private val key = "formulas:$fileKey"
-    private val remembered = Remembered[key].orEmpty().split('\n').filter { it.isNotBlank() && it !in given }.toMutableList()
+    private val remembered = LocalStorage[key].orEmpty().split('\n').filter { it.isNotBlank() && it !in given }.toMutableList()
     private val formulas = ArrayList<Formula>()
 
     /** The recording with the topics that could be calculated. */
@@ -82,6 +82,6 @@ internal class Formulas(logged: LogView, given: List<String>, fileKey: String) {
     }
 
     private fun remember() {
-        Remembered[key] = remembered.joinToString("\n")
+        LocalStorage[key] = remembered.joinToString("\n")
     }
 }

@@ -15,7 +15,7 @@ import org.w3c.dom.HTMLElement
 internal class CursorOverlay(
     private val graph: Graph,
     private val scene: Scene,
-    private val figure: Figure,
+    private val content: PlotContent,
     private val over: HTMLElement,
 ) {
     private val line = over.add("div", "cursor-line")
@@ -60,7 +60,7 @@ internal class CursorOverlay(
 
     private fun place(dot: HTMLElement, index: Int, x: Double, width: Int) {
         val now = scene.range.now
-        val share = figure.heightAt(index, x)
+        val share = content.heightAt(index, x)
         val sampleX = (graph.series[index].dotAt(x) - now.from) / now.width
         dot.isHidden = !(share in 0.0..1.0 && sampleX in 0.0..1.0)
         if (!dot.isHidden) dot.style.transform = "translate(${sampleX * width}px, ${share * over.clientHeight}px)"

@@ -30,7 +30,7 @@ internal class GraphCard(val graph: Graph, private val scene: Scene, origin: Str
     private var overlay: CursorOverlay? = null
     private var resizing: ResizeObserver? = null
     private var statisticsTimer = 0
-    private var shown: Figure? = null
+    private var shown: PlotContent? = null
     private var chosenY: Span? = null
     private lateinit var resetButton: HTMLElement
 
@@ -71,21 +71,21 @@ internal class GraphCard(val graph: Graph, private val scene: Scene, origin: Str
             showEmpty()
             return
         }
-        val figure = if (graph.showsStates) {
-            LaneFigure(graph, scene.palette, isShown, scene.range.full.to)
+        val content = if (graph.showsStates) {
+            LaneContent(graph, scene.palette, isShown, scene.range.full.to)
         } else {
-            LineFigure(graph, scene.palette, isShown, scene.range.full.to)
+            LineContent(graph, scene.palette, isShown, scene.range.full.to)
         }
-        figure.limits.chosen = chosenY
+        content.limits.chosen = chosenY
         host.textContent = ""
-        host.style.height = "${figure.height}px"
-        val drawn = Plot(scene, figure, host, host.clientWidth) { overlay?.update() }
+        host.style.height = "${content.height}px"
+        val drawn = Plot(scene, content, host, host.clientWidth) { overlay?.update() }
         host.add("div", "x-title", scene.xAxis.title).title = scene.xAxis.title
-        val zoomY = { from: Double, to: Double -> showY(figure) { choose(from, to) } }
-        PlotGestures(drawn.over, scene, if (figure.hasYAxis) zoomY else null) { if (chosenY != null) resetY() }
-        overlay = CursorOverlay(graph, scene, figure, drawn.over)
+        val zoomY = { from: Double, to: Double -> showY(content) { choose(from, to) } }
+        PlotGestures(drawn.over, scene, if (content.hasYAxis) zoomY else null) { if (chosenY != null) resetY() }
+        overlay = CursorOverlay(graph, scene, content, drawn.over)
         plot = drawn
-        shown = figure
+        shown = content
         isStale = false
         legend.update(scene.cursor)
         if (!statistics.element.isHidden) updateStatisticsSoon()
@@ -105,9 +105,9 @@ internal class GraphCard(val graph: Graph, private val scene: Scene, origin: Str
         overlay = null
     }
 
-    private fun showY(figure: Figure, change: YLimits.() -> Unit) {
-        figure.limits.change()
-        chosenY = figure.limits.chosen
+    private fun showY(content: PlotContent, change: YLimits.() -> Unit) {
+        content.limits.change()
+        chosenY = content.limits.chosen
         resetButton.isHidden = chosenY == null
         redraw()
     }

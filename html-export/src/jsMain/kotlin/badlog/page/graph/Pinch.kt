@@ -28,7 +28,7 @@ internal class Pinch(private val range: VisibleRange, private val xAt: (Double) 
         if (!isOn || other == null) return isOn
         val oldDistance = abs(before - other)
         val newDistance = abs(x - other)
-        if (oldDistance > CLOSEST && newDistance > CLOSEST) range.change { scaled(oldDistance / newDistance, xAt(other)) }
+        if (oldDistance > MIN_DISTANCE && newDistance > MIN_DISTANCE) range.change { scaled(oldDistance / newDistance, xAt(other)) }
         return true
     }
 
@@ -42,6 +42,6 @@ internal class Pinch(private val range: VisibleRange, private val xAt: (Double) 
 
     private companion object {
         /** Fingers nearer than so many pixels are one. */
-        const val CLOSEST = 10.0
+        const val MIN_DISTANCE = 10.0
     }
 }

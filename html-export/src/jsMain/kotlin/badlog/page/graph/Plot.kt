@@ -11,13 +11,13 @@ import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLElement
 
 /**
- * One drawn graph: a canvas with a frame and axes, and [figure] inside.
+ * One drawn graph: a canvas with a frame and axes, and [content] inside.
  *
  * @param onSize is called when [over] has got its size, and another one.
  */
 internal class Plot(
     private val scene: Scene,
-    private val figure: Figure,
+    private val content: PlotContent,
     host: HTMLElement,
     private var width: Int,
     private val onSize: () -> Unit,
@@ -34,29 +34,29 @@ internal class Plot(
     init {
         prepare()
         val full = scene.range.full
-        val lines = figure.lines(::frameOf)
+        val lines = content.lines(::frameOf)
         val data = Array(lines.size + 1) { arrayOf<Double?>(null, null) }
-        // The lines' paths come from the figure; uPlot only has to know that there is something on either end.
+        // The lines' paths come from the content; uPlot only has to know that there is something on either end.
         data[0] = arrayOf(full.from, full.to)
         uPlot = UPlot(options(lines), data, host)
-        figure.style(uPlot)
+        content.style(uPlot)
     }
 
     /** Draws what is visible now. */
     fun redraw() {
         prepare()
-        figure.style(uPlot)
+        content.style(uPlot)
         val now = scene.range.now
         uPlot.batch { uPlot.setScale("x", json("min" to now.from, "max" to now.to)) }
     }
 
     /** Draws at another width. */
     fun resize(newWidth: Int) {
-        if (newWidth == width || newWidth < NARROWEST) return
+        if (newWidth == width || newWidth < MIN_WIDTH) return
         width = newWidth
         prepare()
         uPlot.batch {
-            uPlot.setSize(json("width" to width, "height" to figure.height))
+            uPlot.setSize(json("width" to width, "height" to content.height))
             val now = scene.range.now
             uPlot.setScale("x", json("min" to now.from, "max" to now.to))
         }
@@ -68,46 +68,46 @@ internal class Plot(
     private fun prepare() {
         val pixels = maxOf(1, ((width - GUTTER - RIGHT) * window.devicePixelRatio).toInt())
         if (columns.count != pixels) columns = PixelColumns(pixels)
-        figure.prepare(scene.range.now, columns)
+        content.prepare(scene.range.now, columns)
     }
 
     private fun frameOf(plot: UPlot): PlotFrame {
         val now = scene.range.now
         val box = plot.bbox
-        val limits = figure.limits
+        val limits = content.limits
         return PlotFrame(box.left, box.top, box.width, box.height, now.from, now.to, limits.from, limits.to)
     }
 
     private fun draw(plot: UPlot) {
         val frame = frameOf(plot)
-        figure.draw(plot.ctx, frame)
+        content.draw(plot.ctx, frame)
         drawFindingMarks(plot.ctx, frame, scene)
         drawEventMarks(plot.ctx, frame, scene)
     }
 
     private fun options(lines: List<dynamic>): dynamic = json(
         "width" to width,
-        "height" to figure.height,
+        "height" to content.height,
         "padding" to arrayOf(TOP, RIGHT, 0, 0),
         "legend" to json("show" to false),
         "cursor" to json("show" to false),
         "select" to json("show" to false),
         "scales" to json(
             "x" to json("time" to false, "range" to { arrayOf(scene.range.now.from, scene.range.now.to) }),
-            "y" to json("range" to { arrayOf(figure.limits.from, figure.limits.to) }),
+            "y" to json("range" to { arrayOf(content.limits.from, content.limits.to) }),
         ),
         "series" to (listOf<dynamic>(json()) + lines).toTypedArray(),
         "axes" to arrayOf(
             axis("x", X_AXIS_HEIGHT) { plot -> Ticks.ofX(scene.range.now, plot.bbox.width / window.devicePixelRatio) },
             axis("y", GUTTER) { plot ->
-                Ticks.ofY(Span(figure.limits.from, figure.limits.to), plot.bbox.height / window.devicePixelRatio)
+                Ticks.ofY(Span(content.limits.from, content.limits.to), plot.bbox.height / window.devicePixelRatio)
             },
         ),
         "hooks" to json("draw" to arrayOf(::draw), "setSize" to arrayOf(onSize)),
     )
 
     private fun axis(scale: String, size: Int, ticksOf: (UPlot) -> Ticks): dynamic {
-        val hasTicks = scale == "x" || figure.hasYAxis
+        val hasTicks = scale == "x" || content.hasYAxis
         return json(
             "scale" to scale,
             "size" to size,
@@ -127,6 +127,6 @@ internal class Plot(
         const val RIGHT = 14
         const val TOP = 6
         const val X_AXIS_HEIGHT = 26
-        const val NARROWEST = 100
+        const val MIN_WIDTH = 100
     }
 }

@@ -4,7 +4,7 @@ import badlog.analysis.Folder
 import badlog.analysis.Graph
 import badlog.analysis.LogView
 import badlog.html.protocol.HookPart
-import badlog.page.dom.Remembered
+import badlog.page.dom.LocalStorage
 import badlog.page.dom.element
 import badlog.page.graph.GraphCard
 import badlog.page.view.Hits
@@ -26,7 +26,7 @@ internal class FolderList(
     private val origin: (Graph) -> String,
 ) {
     private val key = "closed:$fileKey"
-    private val closedBefore = Remembered[key].orEmpty().split('\n')
+    private val closedBefore = LocalStorage[key].orEmpty().split('\n')
     private val own = view.folders.mapTo(ArrayList(), ::sectionOf)
     private val ofHooks = hooks.filter(::hasSection).map { hook ->
         val folder = folderOf(hook)
@@ -94,6 +94,6 @@ internal class FolderList(
     }
 
     private fun remember() {
-        Remembered[key] = sections.filter { it.isClosed }.joinToString("\n") { it.folder.name }
+        LocalStorage[key] = sections.filter { it.isClosed }.joinToString("\n") { it.folder.name }
     }
 }

@@ -12,7 +12,7 @@ import badlog.page.dom.isHidden
 import badlog.page.embedded.About
 import badlog.page.formula.FormulaDialog
 import badlog.page.formula.Formulas
-import badlog.page.graph.GraphDeck
+import badlog.page.graph.VisibleGraphs
 import badlog.page.rules.RuleSearch
 import badlog.page.view.Hits
 import badlog.page.view.Scene
@@ -51,7 +51,7 @@ internal class LogPage(
     private val ways = listOf(search.element, navigation.choice, eventsLink.element, formulaButton)
     private val zoomBar = ZoomBar(scene, ways)
     private val help = HelpOverlay()
-    private val deck = GraphDeck(scene)
+    private val graphs = VisibleGraphs(scene)
     private val findings = FindingList(scene, ::showAnyGraph)
     private val timeLink = TimeLink(scene, ::showAnyGraph)
     private val nothingFound = element("p", "nothing-found", "Nothing matches. Escape clears the search.")
@@ -90,7 +90,7 @@ internal class LogPage(
 
     /** Draws the graphs, and goes to the time that the address names; to be called when [element] is on the page. */
     fun start() {
-        deck.start(folders.cards)
+        graphs.start(folders.cards)
         timeLink.start()
     }
 
@@ -114,7 +114,7 @@ internal class LogPage(
 
     /** Draws everything that has colors of its own again. */
     fun repaint() {
-        deck.repaint()
+        graphs.repaint()
         zoomBar.repaint()
     }
 
@@ -130,14 +130,14 @@ internal class LogPage(
 
     private fun addFormula(definition: String) {
         search.clear()
-        deck.add(folders.add(formulas.add(definition)))
+        graphs.add(folders.add(formulas.add(definition)))
         navigation.list()
     }
 
     private fun removeFormula(definition: String) {
         val name = formulas.nameOf(definition)
         formulas.remove(definition)
-        name?.let(folders::remove)?.let(deck::remove)
+        name?.let(folders::remove)?.let(graphs::remove)
         navigation.list()
     }
 

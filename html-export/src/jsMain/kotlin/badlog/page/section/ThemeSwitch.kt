@@ -1,7 +1,7 @@
 package badlog.page.section
 
 import badlog.page.dom.Icon
-import badlog.page.dom.Remembered
+import badlog.page.dom.LocalStorage
 import badlog.page.dom.addIconButton
 import badlog.page.dom.element
 import badlog.page.view.Palette
@@ -19,7 +19,7 @@ internal class ThemeSwitch(private val onChange: () -> Unit) {
     /** The colors of now. */
     val palette: Palette = Palette()
 
-    private var theme = Theme.entries.firstOrNull { it.name == Remembered["theme"] } ?: Theme.AUTO
+    private var theme = Theme.entries.firstOrNull { it.name == LocalStorage["theme"] } ?: Theme.AUTO
     private val systemIsDark = window.matchMedia("(prefers-color-scheme: dark)")
     private lateinit var button: HTMLElement
 
@@ -38,7 +38,7 @@ internal class ThemeSwitch(private val onChange: () -> Unit) {
 
     private fun choose(chosen: Theme) {
         theme = chosen
-        Remembered["theme"] = theme.name
+        LocalStorage["theme"] = theme.name
         button.textContent = ""
         button.appendChild(theme.icon.draw())
         button.title = theme.text

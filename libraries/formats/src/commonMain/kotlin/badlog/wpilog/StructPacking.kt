@@ -39,12 +39,12 @@ internal class StructPacking {
         }
         leaves += Leaf("/" + field.name, offset, type, bits = field.bits, shift = usedBits, names = field.names)
         usedBits += field.bits
-        return offset <= WIDEST
+        return offset <= MAX_WIDTH
     }
 
     private fun addText(field: StructField): Boolean {
         val count = field.count ?: 1
-        if (count > WIDEST - offset || leaves.size == MAX_LEAVES) return false
+        if (count > MAX_WIDTH - offset || leaves.size == MAX_LEAVES) return false
         leaves += Leaf("/" + field.name, offset, ValueType.CHAR, count)
         offset += count
         return true
@@ -52,7 +52,7 @@ internal class StructPacking {
 
     private inline fun addEach(field: StructField, width: Int, addAt: (path: String, offset: Int) -> Unit): Boolean {
         val count = field.count ?: 1
-        if (width.toLong() * count > WIDEST - offset || (count > MAX_LEAVES - leaves.size && width > 0)) return false
+        if (width.toLong() * count > MAX_WIDTH - offset || (count > MAX_LEAVES - leaves.size && width > 0)) return false
         if (width == 0) return true
         for (i in 0 until count) {
             addAt("/" + field.name + if (field.count == null) "" else "[$i]", offset)
@@ -72,6 +72,6 @@ internal class StructPacking {
 
         /** Each is a topic, and a graph. */
         const val MAX_LEAVES = 1024
-        const val WIDEST = 1 shl 16
+        const val MAX_WIDTH = 1 shl 16
     }
 }

@@ -36,13 +36,13 @@ internal class YAxis(val unit: String, val fitted: Span, val shown: Span, val ti
     fun pixelOf(value: Double, height: Float): Float {
         val pixel = (shown.to - value) / shown.width * height
         // Numbers far out of sight would be too large to draw with.
-        return pixel.coerceIn(-FARTHEST * height, FARTHEST * height).toFloat()
+        return pixel.coerceIn(-MAX_DISTANCE * height, MAX_DISTANCE * height).toFloat()
     }
 
     /** The value at [pixel] from the top of a plot [height] pixels high. */
     fun valueAt(pixel: Float, height: Float): Double = shown.to - pixel / height * shown.width
 
     private companion object {
-        const val FARTHEST = 50.0
+        const val MAX_DISTANCE = 50.0
     }
 }

@@ -43,7 +43,7 @@ internal class Indexing(
     private val running = AtomicInteger()
     private val largeFile = Mutex()
     private var saved = 0
-    private var lastLooked: Looked? = null
+    private var lastLooked: QueueState? = null
 
     private val updateCount = MutableStateFlow(0)
 
@@ -106,12 +106,12 @@ internal class Indexing(
         }
         val isFirst = !hasLooked
         hasLooked = true
-        val now = queue.state().let { Looked(it.changes, it.waiting, trouble) }
+        val now = queue.state().let { QueueState(it.changes, it.waiting, trouble) }
         if (isFirst || now != lastLooked) tellUpdate()
         lastLooked = now
     }
 
-    private data class Looked(val changes: Int, val waiting: Int, val trouble: String?)
+    private data class QueueState(val changes: Int, val waiting: Int, val trouble: String?)
 
     private fun tellUpdate() = updateCount.update { it + 1 }
 

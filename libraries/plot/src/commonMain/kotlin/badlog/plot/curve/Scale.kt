@@ -35,8 +35,8 @@ public class Scale(
 
         /** [span] upwards over [height] pixels, the highest of which is [top]. */
         public fun ofY(span: Span, height: Double, top: Double = 0.0): Scale =
-            Scale(span.to, span.from, height, top, FARTHEST * height + top)
+            Scale(span.to, span.from, height, top, MAX_DISTANCE * height + top)
 
-        private const val FARTHEST = 50.0
+        private const val MAX_DISTANCE = 50.0
     }
 }

@@ -13,20 +13,20 @@ import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
 
 class FindingTimelineSpec : FunSpec({
-    class Found(val name: String, val severity: Severity, vararg val spans: Span)
+    class Finding(val name: String, val severity: Severity, vararg val spans: Span)
 
-    fun timelineOf(all: List<Found>) = FindingTimeline(all, { it.severity }, { it.spans.toList() })
+    fun timelineOf(all: List<Finding>) = FindingTimeline(all, { it.severity }, { it.spans.toList() })
 
-    val late = Found("Late", Severity.NOTE, Span(81.0, 100.0))
-    val whole = Found("Whole", Severity.ERROR)
-    val early = Found("Early", Severity.ERROR, Span(21.0, 30.0), Span(60.0, 60.0))
-    val middle = Found("Middle", Severity.WARNING, Span(51.0, 100.0))
+    val late = Finding("Late", Severity.NOTE, Span(81.0, 100.0))
+    val whole = Finding("Whole", Severity.ERROR)
+    val early = Finding("Early", Severity.ERROR, Span(21.0, 30.0), Span(60.0, 60.0))
+    val middle = Finding("Middle", Severity.WARNING, Span(51.0, 100.0))
     val timeline = timelineOf(listOf(late, whole, early, middle))
     val all = Span(0.0, 100.0)
 
     val found = arbitrary {
         val from = Arb.int(-5..105).bind()
-        Found("", Arb.enum<Severity>().bind(), Span(from.toDouble(), from + Arb.int(0..20).bind().toDouble()))
+        Finding("", Arb.enum<Severity>().bind(), Span(from.toDouble(), from + Arb.int(0..20).bind().toDouble()))
     }
 
     test("the worst comes first, what is about the whole log before what has a place") {
@@ -36,7 +36,7 @@ class FindingTimelineSpec : FunSpec({
     }
 
     test("steps go from place to place, on from the one of before, else from the cursor, and stay at the ends") {
-        fun step(steps: Int, from: Found?, x: Double) = timeline.beside(from, x, steps)?.let { "${it.finding.name} ${it.span.from.toInt()}" }
+        fun step(steps: Int, from: Finding?, x: Double) = timeline.beside(from, x, steps)?.let { "${it.finding.name} ${it.span.from.toInt()}" }
         step(1, null, Double.NaN) shouldBe "Early 21"
         step(-1, null, Double.NaN) shouldBe "Late 81"
         step(1, early, 21.0) shouldBe "Middle 51"

@@ -11,7 +11,7 @@ import org.w3c.dom.Element
 /**
  * All graphs of the page: draws those near the screen, and lets all of them follow the visible range and the cursor.
  */
-internal class GraphDeck(private val scene: Scene) {
+internal class VisibleGraphs(private val scene: Scene) {
     private val cardOf = HashMap<Element, GraphCard>()
     private val near = LinkedHashSet<GraphCard>()
     private val observer = IntersectionObserver({ entries ->

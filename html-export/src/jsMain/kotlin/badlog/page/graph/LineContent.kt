@@ -18,8 +18,8 @@ import org.w3c.dom.CanvasRenderingContext2D
  * @param isShown for each series whether its line is to be drawn; the legend changes it.
  * @param end until where the last value of a series holds, if its values do.
  */
-internal class LineFigure(private val graph: Graph, private val palette: Palette, private val isShown: BooleanArray, end: Double) :
-    Figure {
+internal class LineContent(private val graph: Graph, private val palette: Palette, private val isShown: BooleanArray, end: Double) :
+    PlotContent {
     private val curves = graph.series.map { Curve(it.data, if (it.holds) end else null) }
     private val strokes = curves.map { Strokes() }
 

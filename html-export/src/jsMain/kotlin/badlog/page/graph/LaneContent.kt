@@ -15,8 +15,8 @@ import org.w3c.dom.CanvasRenderingContext2D
 import kotlin.math.ceil
 
 /** States as lanes of colored blocks over x, each with its text where that fits. */
-internal class LaneFigure(private val graph: Graph, private val palette: Palette, private val isShown: BooleanArray, end: Double) :
-    Figure {
+internal class LaneContent(private val graph: Graph, private val palette: Palette, private val isShown: BooleanArray, end: Double) :
+    PlotContent {
     private val runs = graph.series.map { StateRuns(it.data, end) }
     private val blocks = LaneBlocks()
     private var span = Span(0.0, 1.0)

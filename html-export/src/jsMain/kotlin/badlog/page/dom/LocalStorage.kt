@@ -5,7 +5,7 @@ import kotlinx.browser.localStorage
 /**
  * What the browser keeps between two visits. Pages on a disk may be forbidden to keep anything: then nothing is kept.
  */
-internal object Remembered {
+internal object LocalStorage {
     /** What was kept under [key], or null. */
     operator fun get(key: String): String? = try {
         localStorage.getItem("badlog:$key")

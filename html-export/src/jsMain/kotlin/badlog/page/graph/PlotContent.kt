@@ -6,7 +6,7 @@ import badlog.plot.axis.YLimits
 import org.w3c.dom.CanvasRenderingContext2D
 
 /** What a plot shows inside its frame: lines, or lanes of states. */
-internal interface Figure {
+internal interface PlotContent {
     /** How tall the plot is with its axis, in CSS pixels. */
     val height: Int
 

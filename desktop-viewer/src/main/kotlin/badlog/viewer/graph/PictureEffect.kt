@@ -18,7 +18,7 @@ import kotlinx.coroutines.withContext
  * made, only the latest of further requests is kept.
  */
 @Composable
-internal fun PictureKeeping(state: PlotState, curves: CurveCache, request: () -> PlotRequest?) {
+internal fun PictureEffect(state: PlotState, curves: CurveCache, request: () -> PlotRequest?) {
     val latest by rememberUpdatedState(request)
     LaunchedEffect(state, curves) {
         snapshotFlow { latest() }.conflate().collect { wanted ->
