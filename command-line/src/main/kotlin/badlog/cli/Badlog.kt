@@ -19,10 +19,10 @@ internal class Badlog(private val console: Console) {
         return try {
             task.run(console)
         } catch (_: OutOfMemoryError) {
-            console.warn("This is too large for the memory at hand; set JAVA_OPTS=-Xmx8g or so and try again.")
+            console.warn("This is too large for the available memory; set JAVA_OPTS=-Xmx8g or so and try again.")
             ExitCode.NOTHING
         } catch (e: Exception) {
-            console.warn("This is a defect of badlog; please report it (${e.toString().lineSequence().first()}).")
+            console.warn("This is a bug in badlog; report it (${e.toString().lineSequence().first()}).")
             ExitCode.NOTHING
         }
     }

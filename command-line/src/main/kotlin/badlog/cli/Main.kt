@@ -22,7 +22,7 @@ fun main(arguments: Array<String>) {
 
 private fun afterLoss(console: Console, results: ResultStream): ExitCode {
     // Whoever asked for the first line only knows.
-    if (!results.isReaderGone) console.warn("The results cannot be written (${results.failure?.message}); look for a full disk.")
+    if (!results.isReaderGone) console.warn("The results cannot be written (${results.failure?.message}); check whether the disk is full.")
     return ExitCode.NOTHING
 }
 

@@ -141,7 +141,7 @@ class BrokenFilesSpec : FunSpec({
                 if (!Files.isReadable(locked)) {
                     val ended = badlog("info", folder)
                     ended.code shouldBe ExitCode.SALVAGED
-                    ended.err shouldContain "no permission"
+                    ended.err shouldContain "permission denied"
                 }
             } finally {
                 Files.setPosixFilePermissions(locked, PosixFilePermissions.fromString("rwxr-xr-x"))

@@ -56,7 +56,7 @@ internal class LogViewBuilder(private val recording: Recording, private val regi
             if (attribute == null) {
                 plan.report(
                     ProblemKind.UNKNOWN_ATTRIBUTE,
-                    "“${topic.name}” has the attribute “$text”, which nothing here knows; it has no effect.",
+                    "“${topic.name}” has the attribute “$text”, which is unknown and has no effect.",
                 )
             } else {
                 attribute.apply(plan, text.substringAfter(':', "").takeIf { ':' in text })
@@ -76,7 +76,7 @@ internal class LogViewBuilder(private val recording: Recording, private val regi
         for (second in wanted.drop(1)) {
             second.report(
                 ProblemKind.SECOND_X_AXIS,
-                "“${second.topic.name}” wants to be the x axis, but “${wanted[0].topic.name}” already is.",
+                "“${second.topic.name}” has the attribute xaxis, but “${wanted[0].topic.name}” already is the x axis.",
             )
         }
         XAxis.ofOwnTimes(recording)?.let { time ->

@@ -96,7 +96,7 @@ internal class RowReader(
         gaveUp = true
         problems.add(
             ProblemKind.ROW_CUT,
-            "A line of more than $MAX_ROW_BYTES bytes is no row of samples; what follows was not read.",
+            "A line of more than $MAX_ROW_BYTES bytes is not a row of samples; the rest of the file was not read.",
             pending.line,
         )
         return pending.end

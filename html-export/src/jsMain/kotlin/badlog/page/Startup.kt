@@ -88,6 +88,6 @@ internal class Startup {
     private fun failUnexpectedly(problem: Throwable) {
         console.error(problem)
         val reason = problem.message ?: problem.toString()
-        fail("Something went wrong", "$reason. Please report it with the file, if you may share it.")
+        fail("Something went wrong", "$reason. Report it with the file, if you may share it.")
     }
 }

@@ -79,8 +79,8 @@ internal class PageWriter(private val out: OutputStream, private val parts: Page
         const val MIN_PARTS = 3
 
         // The program stands last: a page that was cut never runs it, and a large one only after a while.
-        const val WAITING = "Loading… If this stays, the file is incomplete: copy it again, whole."
-        const val NO_SCRIPT = "This page needs JavaScript to draw. The recording is inside it all the same: allow " +
+        const val WAITING = "Loading… If this stays, the file is incomplete: copy it again."
+        const val NO_SCRIPT = "This page needs JavaScript to draw. The log is inside all the same: allow " +
             "scripts for this file, or open it in another browser."
     }
 }

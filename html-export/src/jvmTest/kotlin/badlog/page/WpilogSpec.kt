@@ -63,7 +63,7 @@ internal class WpilogSpec : PageSpec({
                 visibleRange shouldBe 0.0..4.0
                 texts(".fact") shouldContain "4 s"
                 texts(".event-text span") shouldContain "ERROR: something happened"
-                texts(".info dd") shouldContain "WPILOG: each topic has times of its own"
+                texts(".info dd") shouldContain "WPILOG: each topic has its own times"
                 elements("#download-csv").size shouldBe 0
             }
         }

@@ -52,7 +52,7 @@ internal class LogFile(path: File, val output: BagOutput) {
 
         private fun refused(path: File, failure: Exception, faults: Faults): LogFile? {
             faults.sayOnce("open") {
-                "The log $path cannot be created: ${describe(failure)}. Nothing is logged; choose a folder that " +
+                "The log $path cannot be created: ${describe(failure)}. Nothing is logged; use a folder that " +
                     "exists and can be written to, such as /home/lvuser/logs."
             }
             return null

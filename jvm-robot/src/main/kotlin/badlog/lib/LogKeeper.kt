@@ -37,7 +37,7 @@ internal class LogKeeper(private val session: LogSession, private val options: R
                 sleep(TICK_MILLIS)
             }
         } catch (failure: Throwable) {
-            faults.sayOnce("keeper") { "The log's files are not looked after any more: ${describe(failure)}." }
+            faults.sayOnce("keeper") { "The log's files are no longer managed: ${describe(failure)}." }
         }
     }
 

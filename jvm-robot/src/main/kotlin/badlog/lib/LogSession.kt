@@ -189,7 +189,7 @@ internal class LogSession(private val flushesEachRow: Boolean) {
         if (phase == LogState.CLOSED) {
             "$call is ignored, because the log was closed."
         } else {
-            "$call is ignored until finishInitialization() was called."
+            "$call is ignored until finishInitialization() is called."
         }
     }
 

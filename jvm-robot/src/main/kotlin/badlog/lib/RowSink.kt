@@ -118,8 +118,8 @@ internal class RowSink(private val file: LogFile, private val flushesEachRow: Bo
     }
 
     private fun sayFailed(failure: IOException) = faults.sayOnce("write") {
-        "The log ${file.path} cannot be written: ${describe(failure)}. Rows are lost until it can; see whether " +
-            "the disk is full, or was pulled out."
+        "The log ${file.path} cannot be written: ${describe(failure)}. Rows are lost until it can; check whether " +
+            "the disk is full or was removed."
     }
 
     private fun lose(rows: Int) {

@@ -62,7 +62,7 @@ internal class SyncThread(
         } catch (failure: IOException) {
             faults.counters.failedSyncs.incrementAndGet()
             faults.sayOnce("sync") {
-                "The log ${file.path} could not be brought to the disk: ${describe(failure)}. A cut of power may " +
+                "The log ${file.path} could not be synced to the disk: ${describe(failure)}. A power cut may " +
                     "cost more than the last quarter of a second."
             }
         }
@@ -74,7 +74,7 @@ internal class SyncThread(
         file.isMissing = timesMissing > 1
         if (file.isMissing) {
             faults.sayOnce("missing") {
-                "The log ${file.path} was deleted, or its disk pulled out, while it was written. What is logged from " +
+                "The log ${file.path} was deleted, or its disk was removed, while it was written. What is logged from " +
                     "now on is lost; start the robot program again to begin a new log."
             }
         }

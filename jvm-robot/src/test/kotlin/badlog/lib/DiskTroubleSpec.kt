@@ -165,7 +165,7 @@ class DiskTroubleSpec : FunSpec({
                         counters.rowsMissed shouldBeGreaterThan 0
                         counters.rowsWritten + counters.rowsMissed shouldBe 10 + nanos.size
                     }
-                } shouldContain "was deleted, or its disk pulled out"
+                } shouldContain "was deleted, or its disk was removed"
             }
         }
     }
@@ -180,7 +180,7 @@ class DiskTroubleSpec : FunSpec({
                     run(listOf("umount", "-l", disk.path)).first shouldBe 0
                     slowestOf(log.rowsUntil(LogState.FAILING)) shouldBeLessThan MAX_NANOS
                 }
-            } shouldContain "pulled out"
+            } shouldContain "was removed"
         }
     }
 })

@@ -58,11 +58,11 @@ internal class LogLoop(command: String, private val console: Console, isJson: Bo
 
             is ExportException -> failure.message.orEmpty()
 
-            is OutOfMemoryError -> "$file is too large for the memory at hand; set JAVA_OPTS=-Xmx8g or so and try again."
+            is OutOfMemoryError -> "$file is too large for the available memory; set JAVA_OPTS=-Xmx8g or so and try again."
 
             else -> {
                 val defect = failure.toString().lineSequence().first()
-                "$file: this is a defect of badlog; please report it with the file ($defect)."
+                "$file: this is a bug in badlog; report it with the file ($defect)."
             }
         }
     }

@@ -35,7 +35,7 @@ internal abstract class SubCommand(
     protected val paths: List<Path> by argument("LOG").path().multiple(required = true).help(logHelp)
 
     /** Whether programs read the results. */
-    protected val isJson: Boolean by option("--json").flag().help("Print one JSON object a line, for programs.")
+    protected val isJson: Boolean by option("--json").flag().help("Print one JSON object per line, for programs.")
 
     private val commandLine by requireObject<CommandLine>()
 

@@ -26,7 +26,7 @@ internal class ConvertCommand :
     private val to by option("--to").choice(LogFormat.entries.associateBy { it.option }, metavar = "FORMAT")
         .help("${LogFormat.entries.joinToString { it.option }}; default: from the name after --out.")
     private val output by OutputOptions()
-    private val isGzip by option("-z", "--gzip").flag().help("Compress the results, with .gz at their names.")
+    private val isGzip by option("-z", "--gzip").flag().help("Compress the results, and add .gz to their names.")
     private val xTopic by option("--x", metavar = "TOPIC").help("Make this topic the x axis of the bag.")
     private val period by option("--period", metavar = "SECONDS").double()
         .help("Seconds between the rows of a WPILOG; default: ${Rows.DEFAULT_PERIOD}.")
@@ -34,7 +34,7 @@ internal class ConvertCommand :
     private val rowsAt by option("--rows-at", metavar = "TOPIC")
         .help("Make the rows of a WPILOG at this topic's times.")
     private val isChangesOnly by option("--changes-only")
-        .flag().help("Leave out of a WPILOG what repeats the previous sample.")
+        .flag().help("Leave samples that repeat the previous one out of a WPILOG.")
     private val virtual by VirtualTopicOption()
 
     override fun makeTask(): Task {
@@ -45,7 +45,7 @@ internal class ConvertCommand :
             throw UsageError("--period and --rows-at belong to --to bag and --to csv; a WPILOG has no rows")
         }
         if (!format.hasRows && xTopic != null) throw UsageError("--x belongs to --to bag and --to csv; a WPILOG's x is time")
-        if (format.hasRows && isChangesOnly) throw UsageError("--changes-only belongs to --to wpilog; rows have all topics in each")
+        if (format.hasRows && isChangesOnly) throw UsageError("--changes-only belongs to --to wpilog; each row has all topics")
         val rows = Rows(period, rowsAt)
         return ConvertTask(paths, format, output.plan(paths), isGzip, xTopic, virtual.definitions, rows, isChangesOnly, isJson)
     }

@@ -17,16 +17,16 @@ internal class CutCommand :
         "cut",
         "Writes a part of each log.",
         "Rows, or the samples of a WPILOG, are kept when they meet all of --from, --to, --enabled and --around that are given. A " +
-            "part of a WPILOG begins with what each topic held there. A position is a number in the unit of the x axis, or 1:32.5 " +
-            "in minutes and seconds. Without --out, the part of match.bag is match.cut.bag.",
+            "part of a WPILOG begins with the value that each topic held there. A position is a number in the unit of the x " +
+            "axis, or 1:32.5 in minutes and seconds. Without --out, the part of match.bag is match.cut.bag.",
     ) {
     private val from by option("--from", metavar = "X").position().help("Leave out what comes before this position.")
     private val to by option("--to", metavar = "X").position().help("Leave out what comes after this position.")
-    private val isEnabled by option("--enabled").flag().help("Keep what the robot did while it was enabled.")
+    private val isEnabled by option("--enabled").flag().help("Keep the time while the robot was enabled.")
     private val margin by option("--margin", metavar = "LENGTH").double()
         .help("With --enabled: extra length at both ends; default: 0.")
     private val event by option("--around", metavar = "TEXT")
-        .help("Keep what surrounds events and states with this text.")
+        .help("Keep the time around events and states that contain this text.")
     private val before by option("--before", metavar = "LENGTH").double().help("With --around: length before; default: 5.")
     private val after by option("--after", metavar = "LENGTH").double().help("With --around: length after; default: 5.")
     private val xTopic by option("--x", metavar = "TOPIC").help("Use this topic as x axis.")

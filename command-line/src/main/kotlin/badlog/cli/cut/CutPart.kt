@@ -41,7 +41,7 @@ internal fun rowPart(view: LogView, spans: List<Span>): CutPart {
 /** What to say where no [noun] of [view] lies in what was asked for. */
 internal fun nothingThere(view: LogView, noun: String): Failure {
     val axis = view.xAxis
-    val range = axis.range ?: return Failure("it has no ${noun}s to keep any of.")
+    val range = axis.range ?: return Failure("it has no ${noun}s.")
     val text = "from ${XTime.text(range.start, axis.unit)} to ${XTime.text(range.endInclusive, axis.unit)}"
     return Failure("no $noun lies there; ${axis.name} goes $text.")
 }

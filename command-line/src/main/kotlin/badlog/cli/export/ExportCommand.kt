@@ -16,8 +16,8 @@ internal class ExportCommand :
     SubCommand(
         "export",
         "Makes a web page of each log.",
-        "A page opens from disk and needs nothing else. Without --out, match.bag.html stands beside match.bag. It " +
-            "shows what rules find: those of --rules, else of badlog-rules.toml beside the log, else the built-in ones.",
+        "A page opens from disk and needs nothing else. Without --out, match.bag.html stands beside match.bag. The page " +
+            "runs rules: those of --rules, else of badlog-rules.toml beside the log, else the built-in ones.",
     ) {
     private val output by OutputOptions()
     private val attachments by option("-a", "--attach", metavar = "FILE").path().multiple()

@@ -30,7 +30,7 @@ internal class FindCommand :
     SubCommand(
         "find",
         "Asks a question of every log.",
-        "The question is an expression, such as 'min(System/Battery Voltage) < 7'. Answers are cached in the user's folder for that, so " +
+        "The question is an expression, such as 'min(System/Battery Voltage) < 7'. Answers are cached, so " +
             "that a log that has not changed is not read again.",
     ) {
     private val question by argument("QUESTION").help("An expression over the topics of a log.")

@@ -52,7 +52,7 @@ internal class LogSearch(private val checkpoint: () -> Unit = {}) {
             val files = scan.files.map { it.path }.sortedWith(compareBy(NaturalOrder) { it.toString() })
             files.mapTo(inputs) { LogInput(it, folder) }
             scan.unreadable.mapTo(failures) {
-                UnreadableFileException(it, "$it cannot be read: you have no permission to; ask its owner.")
+                UnreadableFileException(it, "$it cannot be read: permission denied; ask its owner.")
             }
         } catch (e: UnreadableFileException) {
             failures += e

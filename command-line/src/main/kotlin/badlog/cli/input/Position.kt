@@ -17,7 +17,7 @@ internal class Position private constructor(private val text: String, private va
         if (!isClock) return number
         val secondsPerX = Units.secondsIn(axis.unit)
             ?: throw Failure(
-                "$text is a time, but the x axis ${axis.title} has no unit of time; name the topic of time by --x, " +
+                "$text is a time, but the x axis ${axis.title} is not in a unit of time; name the time topic with --x, " +
                     "or give a number.",
             )
         return number / secondsPerX

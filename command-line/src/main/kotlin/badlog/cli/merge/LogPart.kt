@@ -50,7 +50,7 @@ internal class LogPart(val file: Path, val recording: Recording) {
  */
 internal fun LogPart.withOwnTimes(): LogPart {
     if (!hasRows) return this
-    val x = xTopic ?: throw Failure("$file has no x axis, so its rows cannot be placed; name the topic of time with --x.")
+    val x = xTopic ?: throw Failure("$file has no x axis, so its rows cannot be placed; name the time topic with --x.")
     val seconds = Units.secondsIn(x.unit) ?: 1.0.takeIf { Units.isNone(x.unit) }
         ?: throw Failure("$file counts x in ${x.unit}, but a WPILOG in s; these are not one clock.")
     var last = Double.NaN

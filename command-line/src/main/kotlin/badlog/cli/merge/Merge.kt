@@ -91,7 +91,7 @@ internal class Merge(parts: List<LogPart>, mode: MergeMode) {
             throw Failure("${other.file} counts x in ${other.xTopic?.unit}, but ${first.file} in $unit; these are not one clock.")
         }
         if (groups.size == 1 && withoutX.size == parts.size) return
-        throw Failure("${withoutX[0].file} has no x axis, so its rows cannot be placed; name the topic of time with --x.")
+        throw Failure("${withoutX[0].file} has no x axis, so its rows cannot be placed; name the time topic with --x.")
     }
 
     private fun isOther(unit: String, than: String) = unit != than && !Units.isNone(unit) && !Units.isNone(than)

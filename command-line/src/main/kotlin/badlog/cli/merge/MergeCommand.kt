@@ -14,16 +14,16 @@ import com.github.ajalt.clikt.parameters.types.path
 internal class MergeCommand :
     SubCommand(
         "merge",
-        "Makes one log of several of one run.",
-        "Logs with the same topics are put one after the other, in the order of x, and rows that several have only once; logs " +
-            "with different topics side by side, each with rows of its own. All need the same clock as x axis. What has the " +
-            "same name goes into a folder named like its file. With a WPILOG among them, or when the result is one, each topic " +
-            "keeps times of its own. All are held in memory at a time.",
+        "Merges several logs of one run into one.",
+        "Logs with the same topics are appended in the order of x; rows that several have are kept once. Logs with different " +
+            "topics are joined side by side, each with its own rows. All need the same clock as x axis. A topic whose name is " +
+            "taken goes into a folder named like its file. With a WPILOG among the logs, or as the result, each topic keeps its " +
+            "own times. All logs are held in memory at once.",
     ) {
-    private val out by option("-o", "--out", metavar = "FILE").path().required().help("Write here.")
+    private val out by option("-o", "--out", metavar = "FILE").path().required().help("Write to this file.")
     private val isForced by option("--force").flag().help("Replace the file if it exists, but never a log that is read.")
-    private val appends by option("--append").flag().help("Put all one after the other, whatever their topics.")
-    private val joins by option("--join").flag().help("Put all side by side, whatever their topics.")
+    private val appends by option("--append").flag().help("Append all logs, whatever their topics.")
+    private val joins by option("--join").flag().help("Join all logs side by side, whatever their topics.")
     private val xTopic by option("--x", metavar = "TOPIC").help("Use this topic as x axis in every log that has rows.")
 
     override fun makeTask(): Task {

@@ -69,12 +69,12 @@ internal class OutputPlan(private val out: Output?, private val paths: List<Path
     /** [target], which is not read, and does not exist unless it may be replaced. */
     fun checked(target: Path): Path {
         val read = read
-        if (Files.isDirectory(target)) throw Failure("$target is a folder; choose another name, or one inside it.")
+        if (Files.isDirectory(target)) throw Failure("$target is a folder; name another file, or one inside it.")
         if (!Files.exists(target)) return target
         if (target.toRealPath() in read) {
-            throw Failure("$target would overwrite a log that is read; choose another name by --out.")
+            throw Failure("$target would overwrite a log that is read; name another file with --out.")
         }
-        if (!isForced) throw Failure("$target exists already; give --force to replace it, or another name by --out.")
+        if (!isForced) throw Failure("$target exists already; give --force to replace it, or name another file with --out.")
         return target
     }
 
@@ -89,7 +89,7 @@ internal class OutputPlan(private val out: Output?, private val paths: List<Path
 /** The options of everything that writes one file for each log. */
 internal class OutputOptions : OptionGroup() {
     private val out by option("-o", "--out", metavar = "PATH").convert { OutputPlan.Output.of(it) }
-        .help("Write to this file, or for several logs into this folder.")
+        .help("Write to this file, or, for several logs, into this folder.")
     private val isForced by option("--force").flag().help("Replace files that exist, but never a log that is read.")
 
     /** The plan for the logs below [paths]. */

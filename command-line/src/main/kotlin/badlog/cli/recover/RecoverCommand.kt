@@ -75,7 +75,7 @@ internal fun requireSame(recording: Recording, written: Path) {
     val hasAll = again.rowCount == recording.rowCount && again.topics.map(::contentOf) == recording.topics.map(::contentOf)
     if (again.isSalvaged || !hasAll) {
         throw Failure(
-            "$written was written but does not read as the same: a text in it looks like rows, or a name cannot stand in a " +
+            "$written was written, but reads differently: a text in it looks like rows, or a name cannot stand in a " +
                 "line of titles; compare it with badlog info.",
         )
     }

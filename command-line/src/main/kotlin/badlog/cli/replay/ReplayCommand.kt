@@ -40,7 +40,7 @@ internal class ReplayCommand :
     SubCommand(
         "replay",
         "Replays a log to dashboards, in real time.",
-        "It is an NT4 server on this computer, like a robot's; Ctrl+C ends it. docs/replay.md shows how dashboards connect.",
+        "Runs an NT4 server on this computer, like the robot's; Ctrl+C ends it. docs/replay.md shows how dashboards connect.",
         logHelp = "The log.",
     ) {
     private val port by option("--port", metavar = "N").int().restrictTo(0..MAX_PORT).default(ReplayOptions.DEFAULT_PORT)
@@ -113,7 +113,7 @@ internal class ReplayTask(
         if (start > end || start > whole.endInclusive || end < whole.start) {
             val asked = listOfNotNull(from?.let { "from $it" }, to?.let { "to $it" }).joinToString(" ")
             val x = "${view.xAxis.title} goes from ${shortNumber(whole.start)} to ${shortNumber(whole.endInclusive)}"
-            throw Failure("$file has nothing $asked, since $x; choose another --from or --to.")
+            throw Failure("$file has nothing $asked, since $x; use another --from or --to.")
         }
         return start..end
     }
@@ -124,7 +124,7 @@ internal class ReplayTask(
             Thread.sleep(LOOK_MILLIS)
             val clients = server.clientNames
             for (name in clients - known.toSet()) console.warn("$name is connected.")
-            for (name in known - clients.toSet()) console.warn("$name has left.")
+            for (name in known - clients.toSet()) console.warn("$name disconnected.")
             known = clients
         }
         // The last values are on their way.

@@ -29,10 +29,10 @@ internal class ReportCommand :
     private val isFresh by option("--no-cache").flag().help("Read every log again, and store no results.")
 
     override fun makeTask(): Task {
-        if (isCsv && isJson) throw UsageError("choose one of --csv and --json")
+        if (isCsv && isJson) throw UsageError("--csv and --json exclude each other")
         if (xTopic != null && folder != null) {
             throw UsageError(
-                "--x and --out exclude each other, since a page shows a log as it is; make bags of the logs by convert --x first",
+                "--x and --out exclude each other, since pages show logs as they are; make bags of them with convert --x first",
             )
         }
         val form = if (isCsv) {

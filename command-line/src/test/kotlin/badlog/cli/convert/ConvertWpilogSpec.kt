@@ -110,9 +110,9 @@ class ConvertWpilogSpec : FunSpec({
             val ended = badlog("convert", "--to", "wpilog", bag)
             ended.code shouldBe ExitCode.WHOLE
             ended.out shouldContain "12 samples of 3 topics\n"
-            ended.out shouldContain "differs: The x axis “x (m)” is no time; one of it stands as one second.\n"
+            ended.out shouldContain "differs: The x axis “x (m)” is not a time; one unit of it counts as one second.\n"
             leftOut(folder, "--to", "wpilog", bag) shouldContainExactly listOf(
-                "The x axis “x (m)” is no time; one of it stands as one second.",
+                "The x axis “x (m)” is not a time; one unit of it counts as one second.",
                 "“n”: Gaps begin with NaN.",
                 "“n”: Texts among numbers have no record.",
                 "“on”: Cells without a value have no record.",

@@ -69,7 +69,7 @@ class CutSpec : FunSpec({
             badlog("cut", log, "--around", "nix").err shouldContain "no event and no state contains “nix”"
             val csv = folder.with("a.csv", "a,b\n1,2\n")
             badlog("cut", csv, "--enabled").err shouldContain "does not show when the robot was enabled"
-            badlog("cut", csv, "--from", "1:00").err shouldContain "name the topic of time by --x"
+            badlog("cut", csv, "--from", "1:00").err shouldContain "name the time topic with --x"
             badlog("cut", log, "--from", "7").code shouldBe ExitCode.NOTHING
         }
     }

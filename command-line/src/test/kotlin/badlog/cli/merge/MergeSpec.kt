@@ -94,7 +94,7 @@ class MergeSpec : FunSpec({
             val csv = folder.with("c.csv", "Time,c\n0,1\n")
             val ended = badlog("merge", one, csv, "-o", folder / "m.bag")
             ended.code shouldBe ExitCode.NOTHING
-            ended.err shouldContain "name the topic of time with --x"
+            ended.err shouldContain "name the time topic with --x"
             badlog("merge", one, csv, "--x", "Time", "-o", folder / "m.bag").code shouldBe ExitCode.WHOLE
             badlog("merge", one, "-o", folder / "n.bag").err shouldContain "two logs or more"
         }

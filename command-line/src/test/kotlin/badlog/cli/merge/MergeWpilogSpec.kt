@@ -132,7 +132,7 @@ class MergeWpilogSpec : FunSpec({
         inFolder { folder ->
             val log = folder.wpilog("a.wpilog", listOf(numbers("a", 0.25 to 1.0)))
             val csv = folder.with("c.csv", "Time,c\n0,1\n")
-            badlog("merge", log, csv, "-o", folder / "m.wpilog").err shouldContain "name the topic of time with --x"
+            badlog("merge", log, csv, "-o", folder / "m.wpilog").err shouldContain "name the time topic with --x"
             badlog("merge", log, csv, "--x", "Time", "-o", folder / "m.wpilog").code shouldBe ExitCode.WHOLE
             val meters = folder.with("d.bag", "{\"topics\":[{\"name\":\"x\",\"unit\":\"m\",\"attrs\":[\"xaxis\"]}]}\nx,y\n0,1\n")
             badlog("merge", log, meters, "-o", folder / "n.wpilog").err shouldContain "not one clock"

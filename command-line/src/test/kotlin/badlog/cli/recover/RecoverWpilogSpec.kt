@@ -155,7 +155,7 @@ class RecoverWpilogSpec : FunSpec({
             val log = folder.with("a.wpilog", wpilogBytes(LOG + PHOTO).let { it.copyOf(it.size - 22) + unknown + it.takeLast(22) })
             val json = badlogJson("recover", log, "-o", folder / "b.wpilog").json.single()
             json.getValue("leftOut").jsonArray.map { it.jsonPrimitive.content } shouldContainExactly
-                listOf("“photo”: Bytes that were not decoded are there by their sizes only.")
+                listOf("“photo”: Only the sizes of bytes that were not decoded are kept.")
             readRecording(folder / "b.wpilog", LOG_FORMATS).isSalvaged shouldBe false
         }
     }

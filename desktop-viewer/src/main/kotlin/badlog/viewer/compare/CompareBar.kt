@@ -67,7 +67,7 @@ internal fun CompareBar(current: CurrentRecording, compared: ComparedRecordings)
                     compared.change { alignedBy(alignment, open) }
                 }
             }
-            ToolButton("Compare with none", Icons.Close, text = "Clear") { compared.clear() }
+            ToolButton("Stop comparing", Icons.Close, text = "Clear") { compared.clear() }
         }
         FlowRow(
             Modifier
@@ -118,7 +118,7 @@ internal fun ComparedChip(compared: ComparedRecordings, open: OpenRecording, dra
             for (step in STEPS.reversed()) Nudge(drawn.name, "-", step) { moveTo(rounded(drawn.offset - step)) }
             OffsetField(drawn.name, drawn.offset, moveTo)
             for (step in STEPS) Nudge(drawn.name, "+", step) { moveTo(rounded(drawn.offset + step)) }
-            ToolButton("Compare no longer with ${drawn.name}", Icons.Close) { compared.remove(recording.file) }
+            ToolButton("Stop comparing with ${drawn.name}", Icons.Close) { compared.remove(recording.file) }
         }
     }
 }

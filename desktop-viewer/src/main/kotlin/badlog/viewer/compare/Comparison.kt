@@ -78,7 +78,7 @@ internal enum class Alignment(val title: String, val hint: String, val layoutNam
     /** The first moment at which the robot was enabled; the first x where nothing tells. */
     ENABLED(
         "Enabled",
-        "The robot is first enabled at the same place in all; a log that does not tell begins with the open one.",
+        "The robot is first enabled at the same place in all; a log that does not show it begins with the open one.",
         "ENABLED",
     ),
 

@@ -34,10 +34,10 @@ internal class Failures(private val log: FailureLog, private val notices: Notice
 
     /** Hears of [failure]; on any thread. */
     fun hear(failure: Throwable) {
-        val where = if (log.add(failure)) "; please send us $file" else ""
+        val where = if (log.add(failure)) "; send us $file" else ""
         SwingUtilities.invokeLater {
             count++
-            notices.complain("That made badlog stumble (${failure.javaClass.simpleName})$where. What is open stays open.")
+            notices.complain("That failed (${failure.javaClass.simpleName})$where. What is open stays open.")
         }
     }
 

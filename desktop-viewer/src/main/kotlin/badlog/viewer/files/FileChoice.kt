@@ -77,7 +77,7 @@ internal fun askToWrite(files: FileChoice, notices: Notices, title: String, fold
     if (chosen.fileName.toString().endsWith(ending, ignoreCase = true)) return chosen
     val file = chosen.resolveSibling("${chosen.fileName}$ending")
     if (!Files.exists(file)) return file
-    notices.complain("${file.fileName} is there already; select it by its full name to replace it.")
+    notices.complain("${file.fileName} exists already; enter its full name to replace it.")
     return null
 }
 

@@ -33,7 +33,7 @@ internal fun NothingRecorded(open: OpenRecording, modifier: Modifier) {
 /** What stands here when a person has taken every graph away. */
 @Composable
 internal fun NoGraphs(onShowDefault: () -> Unit, modifier: Modifier) {
-    Sentence("No graphs", "Drag topics here, or begin with the graphs that the log asks for.", modifier) {
+    Sentence("No graphs", "Drag topics here, or start with the default graphs.", modifier) {
         ToolButton("Show the default graphs", Icons.Graph, text = "Show the default graphs", isOn = true) { onShowDefault() }
     }
 }

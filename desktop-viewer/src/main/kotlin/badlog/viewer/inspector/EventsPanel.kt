@@ -78,7 +78,7 @@ internal fun EventsPanel(view: AxisView, events: FilteredEvents, open: OpenRecor
             Modifier.padding(horizontal = 12.dp, vertical = 2.dp),
             color = LocalPalette.current.muted,
         )
-        if (found.size == 0) PanelHint("No event fits.") else EventList(view, open, found)
+        if (found.size == 0) PanelHint("No event matches.") else EventList(view, open, found)
     }
 }
 

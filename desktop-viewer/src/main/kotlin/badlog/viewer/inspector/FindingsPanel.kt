@@ -59,7 +59,7 @@ internal fun FindingsPanel(compared: ComparedRecordings, findings: LogFindings, 
     val selected = findings.state.selected
     val list = findings.state.list
     if (list == null) {
-        PanelHint("The rules are being run …")
+        PanelHint("Running the rules …")
         return
     }
     val times = remember(open) { EventTimes(open) }
@@ -83,8 +83,8 @@ internal fun FindingsPanel(compared: ComparedRecordings, findings: LogFindings, 
                 findings.runAgain()
             }
         }
-        Small("Rules: ${list.rulesFile?.let { "${it.fileName} in ${it.parent.fileName}" } ?: "built-in rules"}.")
-        if (compared.drawn.size > 1) Small("Of the open log alone, not of those it is compared with.")
+        Small("Rules: ${list.rulesFile?.let { "${it.fileName} in ${it.parent.fileName}" } ?: "built-in"}.")
+        if (compared.drawn.size > 1) Small("Of the open log only, not of those it is compared with.")
         list.trouble?.let { Box(Modifier.padding(horizontal = 12.dp, vertical = 4.dp)) { PointedText(it) } }
         Box(Modifier.weight(1f)) {
             LazyColumn(Modifier.fillMaxSize(), state) {

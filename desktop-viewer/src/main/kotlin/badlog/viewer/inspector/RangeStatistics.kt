@@ -63,7 +63,7 @@ private fun stateText(value: Double, states: List<String>) = if (value.isNaN()) 
 /** The statistics as lines of tab-separated cells, as spreadsheets take them; the first line names the columns. */
 internal fun RangeStatistics.toTsv(): String {
     val columns = signals.flatMap { signal -> signal.cells.map { it.name } }.distinct()
-    val head = listOf("signal", "unit", "recording", "from", "to") + columns
+    val head = listOf("topic", "unit", "log", "from", "to") + columns
     val lines = signals.map { signal ->
         val cells = signal.cells.associate { it.name to it.text }
         listOf(signal.signal, signal.unit, signal.recording, exactText(span.from), exactText(span.to)) + columns.map { cells[it].orEmpty() }

@@ -65,7 +65,7 @@ internal fun StatisticsPanel(compared: ComparedRecordings, board: GraphBoard, vi
             }
             ToolButton("Copy the statistics", Icons.Copy, text = "Copy") { copy(known.toTsv()) }
         }
-        if (known.signals.isEmpty()) PanelHint("No signal is drawn. Click one in the list of topics.")
+        if (known.signals.isEmpty()) PanelHint("No topic is drawn. Click one in the list of topics.")
         Box(Modifier.fillMaxSize()) {
             LazyColumn(Modifier.fillMaxSize(), state) { items(known.signals) { SignalCells(it) } }
             VerticalScrollbar(rememberScrollbarAdapter(state), Modifier.align(Alignment.CenterEnd).fillMaxHeight())

@@ -47,7 +47,7 @@ internal fun ValuesPanel(open: OpenRecording, modifier: Modifier) {
     val state = rememberLazyListState()
     Column(modifier) {
         SearchField(query, "Search metadata", Modifier.fillMaxWidth().padding(8.dp)) { query = it }
-        if (rows.isEmpty()) PanelHint("Nothing fits “$query”.")
+        if (rows.isEmpty()) PanelHint("Nothing matches “$query”.")
         Box(Modifier.fillMaxSize()) {
             SelectionContainer {
                 LazyColumn(Modifier.fillMaxSize(), state) {

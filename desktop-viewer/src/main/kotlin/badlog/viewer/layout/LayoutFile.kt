@@ -19,16 +19,16 @@ import java.nio.file.Path
 internal fun readLayout(file: Path): Layout {
     val name = file.fileName
     val layout = try {
-        if (Files.size(file) > MAX_BYTES) throw IOException("$name is too large to be a layout; choose a file that badlog has saved.")
+        if (Files.size(file) > MAX_BYTES) throw IOException("$name is too large for a layout; select a file that badlog has saved.")
         JSON.decodeFromString<Layout>(Files.readString(file))
     } catch (e: SerializationException) {
-        throw IOException("$name is no layout, or is damaged; choose a file that badlog has saved.", e)
+        throw IOException("$name is not a layout, or is damaged; select a file that badlog has saved.", e)
     } catch (e: IllegalArgumentException) {
-        throw IOException("$name is no layout, or is damaged; choose a file that badlog has saved.", e)
+        throw IOException("$name is not a layout, or is damaged; select a file that badlog has saved.", e)
     } catch (e: CharacterCodingException) {
-        throw IOException("$name is no layout: it is not even a text; choose a file that badlog has saved.", e)
+        throw IOException("$name is not a layout, since it is not text; select a file that badlog has saved.", e)
     } catch (e: NoSuchFileException) {
-        throw IOException("$file is not there any more; choose another layout.", e)
+        throw IOException("$file does not exist any more; select another layout.", e)
     }
     if (layout.version > Layout.VERSION) throw IOException("$name was saved by a newer badlog; update this one to open it.")
     return layout

@@ -21,9 +21,9 @@ internal fun LayoutMenu(current: CurrentRecording, layouts: LayoutStore, files: 
     Menu("Layout", "Layout: graphs, ranges and panels", Icons.Layout) {
         val why = "Open a log first.".takeIf { current.recording == null }
         listOf(
-            MenuEntry("Default graphs", "As the attributes in the log ask for", why) { layouts.showDefaultGraphs() },
-            MenuEntry("Save the layout as…", "A file for another folder, or for a team mate", why, SAVE_LAYOUT.text) { files.save() },
-            MenuEntry("Open a layout…", "What this log lacks is hidden", why) { files.open() },
+            MenuEntry("Default graphs", "As the log's attributes define", why) { layouts.showDefaultGraphs() },
+            MenuEntry("Save the layout as…", "A file for another folder, or for a teammate", why, SAVE_LAYOUT.text) { files.save() },
+            MenuEntry("Open a layout…", "Topics that this log lacks are hidden", why) { files.open() },
         )
     }
 }

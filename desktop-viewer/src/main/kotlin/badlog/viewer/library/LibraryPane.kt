@@ -175,7 +175,7 @@ internal fun LibraryEmptiness(library: Library, actions: LibraryActions, modifie
 private fun emptinessOf(library: LibraryState): String = when {
     library.folder == null -> "Open the folder where the robot’s logs are, or drop it onto this window."
 
-    library.listing.size > 0 && library.listing.filter.isNotBlank() -> "No log has all of “${library.listing.filter.trim()}”."
+    library.listing.size > 0 && library.listing.filter.isNotBlank() -> "No log matches “${library.listing.filter.trim()}”."
 
     library.listing.size > 0 -> "All of these logs are idle."
 
@@ -186,8 +186,8 @@ private fun emptinessOf(library: LibraryState): String = when {
     library.trouble != null -> "No logs found."
 
     else ->
-        "No logs here yet. Bags (.bag, .badbag), tables (.csv) and logs of WPILib (.wpilog) of this folder and the folders in it " +
-            "are listed, also when they are compressed (.gz). A new one appears by itself."
+        "No logs here yet. Bags (.bag, .badbag), tables (.csv) and logs of WPILib (.wpilog) in this folder and its " +
+            "subfolders are listed, compressed (.gz) ones too. New ones appear by themselves."
 }
 
 /** How far reading the folder is, and what hinders it; nothing when all is known. */

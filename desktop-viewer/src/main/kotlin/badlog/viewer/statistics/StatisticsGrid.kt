@@ -57,7 +57,7 @@ internal class StatisticsGrid(rows: List<StatisticsRow>, choice: StatisticsChoic
 
     /** The table as CSV (RFC 4180): exact figures, an empty cell for none; beside a column of several units one that says them. */
     fun toCsv(): String {
-        val head = ArrayList(listOf("Recording", "Date", "File"))
+        val head = ArrayList(listOf("Log", "Date", "File"))
         for ((column, facts) in figures) {
             val name = "${column.topic} ${column.statistic.title}"
             val unit = facts.units.firstOrNull() ?: Topic.UNITLESS

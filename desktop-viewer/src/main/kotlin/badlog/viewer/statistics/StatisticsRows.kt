@@ -120,7 +120,7 @@ private fun RecordingRow(grid: StatisticsGrid, row: StatisticsRow, isOpen: Boole
     Row(
         Modifier
             .combinedClickable(onDoubleClick = onOpen) {}
-            .semantics { contentDescription = "Recording ${row.label}" },
+            .semantics { contentDescription = "Log ${row.label}" },
     ) {
         for (column in grid.columns) {
             val background = when {
@@ -142,7 +142,7 @@ private fun RecordingRow(grid: StatisticsGrid, row: StatisticsRow, isOpen: Boole
 }
 
 private fun nameOf(column: StatisticsColumn) = when (column) {
-    LabelColumn -> "Recording"
+    LabelColumn -> "Log"
     DateColumn -> "Date"
     is FigureColumn -> "${column.topic} ${column.statistic.title}"
 }

@@ -208,7 +208,7 @@ private fun TopicChoice(topic: String, isSelected: Boolean, onClick: () -> Unit)
             .background(if (isSelected) palette.accentSoft else Color.Transparent)
             .clickable(onClick = onClick)
             .semantics {
-                contentDescription = "Figures of $topic"
+                contentDescription = "Statistics of $topic"
                 selected = isSelected
             }
             .padding(horizontal = 8.dp, vertical = 4.dp),

@@ -59,9 +59,9 @@ internal class LongTasks(private val scope: CoroutineScope, private val notices:
             } catch (e: CancellationException) {
                 throw e
             } catch (e: IOException) {
-                notices.complain(e.message ?: "$title did not work; try it again.")
+                notices.complain(e.message ?: "$title failed; try again.")
             } catch (_: OutOfMemoryError) {
-                notices.complain("$title needs more memory than there is; close other logs and try it again.")
+                notices.complain("$title needs more memory than is available; close other logs and try again.")
             } finally {
                 shown.cancel()
                 mutable.removeAll { it.id == id }

@@ -110,7 +110,7 @@ private fun Rows(
     }
     val listed = rows ?: return
     if (listed.isEmpty()) {
-        Hint("No topic is called “$query”.")
+        Hint("No topic matches “$query”.")
         return
     }
     val graphs = board.state

@@ -94,6 +94,6 @@ class ComparedRecordingsSpec : FunSpec({
             onNodeWithContentDescription("Save the table as CSV").performClick()
             waitUntil { viewer.notices.all.isNotEmpty() }
         }
-        Files.readString(saved) shouldContain "Recording,Date,File,A max\r\nopen.bag,"
+        Files.readString(saved) shouldContain "Log,Date,File,A max\r\nopen.bag,"
     }
 })

@@ -151,7 +151,7 @@ class ExportMenuSpec : FunSpec({
         val there = Files.writeString(home.resolve("there.csv"), "mine")
         window(home.resolve("there")) { viewer, _ ->
             choose("Export", "The visible range as CSV…")
-            waitUntilSaid(viewer, "there.csv is there already")
+            waitUntilSaid(viewer, "there.csv exists already")
             Files.readString(there) shouldBe "mine"
         }
     }

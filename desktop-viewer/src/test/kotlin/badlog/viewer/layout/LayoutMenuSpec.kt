@@ -65,7 +65,7 @@ class LayoutMenuSpec : FunSpec({
             viewer.board.state.graphs.single().title shouldBe "Arm/Current"
             files.file = log
             choose("Open a layout…")
-            waitUntilSaid(viewer, "match.bag is no layout")
+            waitUntilSaid(viewer, "match.bag is not a layout")
         }
     }
 })

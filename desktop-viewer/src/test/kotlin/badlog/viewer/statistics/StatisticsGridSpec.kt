@@ -43,7 +43,7 @@ class StatisticsGridSpec : FunSpec({
     test("the CSV has exact figures, and quotes what must be quoted") {
         val odd = row("He said \"1,2\"\nand left", 1 / 3.0)
         StatisticsGrid(listOf(odd, rows[2]), StatisticsChoice(listOf("A"), setOf(Statistic.MAX))).toCsv() shouldBe
-            "Recording,Date,File,A max (V)\r\n" +
+            "Log,Date,File,A max (V)\r\n" +
             "\"He said \"\"1,2\"\"\nand left\",2026-03-01,\"He said \"\"1,2\"\"\nand left.bag\",0.3333333333333333\r\n" +
             "none,2026-03-00,none.bag,\r\n"
     }
@@ -52,7 +52,7 @@ class StatisticsGridSpec : FunSpec({
         val mixed = StatisticsGrid(listOf(rows[0], row("mV", 900.0, unit = "mV")), StatisticsChoice(listOf("A"), setOf(Statistic.MAX)))
         mixed.unitOf(maximum) shouldBe null
         mixed.textOf(maximum, mixed.rows[1]) shouldBe "900 mV"
-        mixed.toCsv().lines()[0] shouldBe "Recording,Date,File,A max,A max unit"
+        mixed.toCsv().lines()[0] shouldBe "Log,Date,File,A max,A max unit"
         mixed.toCsv().lines()[2] shouldBe "mV,2026-03-01,mV.bag,900,mV"
     }
 

@@ -30,7 +30,7 @@ class CompareWindowSpec : FunSpec({
             window.awaitState("the battery") { it.statistics.state.topics == listOf("System/Battery Voltage") }
             window.click("Search topics for the table")
             window.type("total current")
-            window.click("Figures of PDP/Total Current")
+            window.click("Statistics of PDP/Total Current")
             window.awaitState("one more topic") { "PDP/Total Current" in it.statistics.state.topics }
             window.picture("statistics")
         }

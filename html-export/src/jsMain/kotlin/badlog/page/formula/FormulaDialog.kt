@@ -109,7 +109,7 @@ internal class FormulaDialog(private val formulas: Formulas, private val onAdd: 
         suggestions.textContent = ""
         suggestions.isHidden = found.names.isEmpty()
         for (name in found.names.map { nameInExpression(it, formulas.vocabulary) }) {
-            suggestions.addButton("", name, "Put this topic into the formula") {
+            suggestions.addButton("", name, "Insert this topic") {
                 input.asDynamic().setRangeText(name, found.from, found.until, "end")
                 input.focus()
                 check(isFinal = false)

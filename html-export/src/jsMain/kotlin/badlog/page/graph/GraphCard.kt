@@ -48,7 +48,7 @@ internal class GraphCard(val graph: Graph, private val scene: Scene, origin: Str
             add("div", "graph-tools") {
                 resetButton = addIconButton("reset-y", Icon.RESET, "Reset Y zoom") { resetY() }.apply { isHidden = true }
                 if (!graph.showsStates) {
-                    statisticsButton = addIconButton("statistics-toggle", Icon.SUM, "Statistics of what is visible") {
+                    statisticsButton = addIconButton("statistics-toggle", Icon.SUM, "Statistics of the visible range") {
                         toggleStatistics()
                     }
                     statisticsButton.setAttribute("aria-expanded", "false")

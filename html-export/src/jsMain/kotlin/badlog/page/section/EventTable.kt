@@ -81,7 +81,7 @@ internal class EventTable(private val log: EventLog, private val scene: Scene) {
         for (i in listed until end) body.appendChild(row(found[i]))
         listed = end
         more.isHidden = listed == found.size
-        more.showText("Show more (${countText(found.size - listed)} are left)")
+        more.showText("Show more (${countText(found.size - listed)} left)")
     }
 
     private fun row(event: Event): HTMLElement = element("tr", "event") {

@@ -146,7 +146,7 @@ internal class FindingList(private val scene: Scene, private val onJump: () -> U
         listed = until
         more.isHidden = listed == found.size
         val left = found.size - listed
-        more.showText(if (left > PAGE) "Show more (${countText(left)} are left)" else "Show all ${countText(found.size)}")
+        more.showText(if (left > PAGE) "Show more (${countText(left)} left)" else "Show all ${countText(found.size)}")
         val isLong = listed > FEW + 2
         fewer.isHidden = !isLong
         // What scrolls has to answer to the keys.

@@ -43,9 +43,9 @@ internal class HelpOverlay {
 
     private companion object {
         val OTHERS = listOf(
-            HelpLine("On the graphs", "Touch", "Tap sets the cursor, a sideways drag zooms or moves, a double tap shows everything."),
+            HelpLine("On the graphs", "Touch", "Tap sets the cursor, a sideways drag zooms or pans, a double tap shows everything."),
             HelpLine("Page", "/", "Search"),
-            HelpLine("Page", "Esc", "Clear the search, take the cursor away, give up a drag"),
+            HelpLine("Page", "Esc", "Clear the search, hide the cursor, cancel a drag"),
             HelpLine("Page", "?", "This help"),
         )
     }

@@ -32,7 +32,7 @@ internal fun infoSection(view: LogView, about: About): HTMLElement = element("se
 private val FORMATS = mapOf(
     RecordingFormat.BAG to "bag: a JSON header, then CSV",
     RecordingFormat.CSV to "plain CSV",
-    RecordingFormat.WPILOG to "WPILOG: each topic has times of its own",
+    RecordingFormat.WPILOG to "WPILOG: each topic has its own times",
 )
 
 private fun HTMLElement.addFact(name: String, text: String) {
@@ -43,11 +43,11 @@ private fun HTMLElement.addFact(name: String, text: String) {
 }
 
 private fun problemsOf(view: LogView): String {
-    if (view.problems.isEmpty()) return "none: every cell was read as it stands"
+    if (view.problems.isEmpty()) return "none: every cell was read as written"
     return countText(view.count(Severity.ERROR), "loss", "losses") +
-        " (something of the file could not be kept), " + countText(view.count(Severity.WARNING), "warning") +
-        " (kept, but read in a way its writer may not have meant), " + countText(view.count(Severity.NOTE), "note") +
-        " (nothing is lost). Of each kind and topic the first ten are listed, the others only counted."
+        " (data that could not be kept), " + countText(view.count(Severity.WARNING), "warning") +
+        " (kept, but perhaps not meant so), " + countText(view.count(Severity.NOTE), "note") +
+        " (for information). The first ten of each kind and topic are listed, the others only counted."
 }
 
 private fun HTMLElement.addHeader(line: String) {

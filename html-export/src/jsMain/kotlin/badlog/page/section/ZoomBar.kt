@@ -34,7 +34,7 @@ internal class ZoomBar(private val scene: Scene, ways: List<HTMLElement>) {
             add("div", "place") {
                 add("div", "readout") {
                     cursor = add("a", "cursor-readout")
-                    cursor.title = "A link to this time, to be copied"
+                    cursor.title = "Link to this time"
                     event = add("output", "event-readout")
                 }
                 add("div", "range-readout") {

@@ -46,19 +46,19 @@ internal class ArgumentParser {
         private val paths by argument("INPUT").path().multiple(required = true)
             .help("A bag, a CSV file or a WPILOG, also gzipped, or a folder of them.")
         private val outFolder by option("--out", metavar = "DIR").path()
-            .help("Put the pages into this folder, which is made if need be.")
+            .help("Write the pages into this folder; it is created if needed.")
         private val attachments by option("-a", "--attach", metavar = "FILE").path().multiple()
-            .help("Include this file in the results; may be given again.")
+            .help("Include this file in each page; may be given again.")
         private val isWithoutRules by option("--no-rules").flag()
-            .help("The pages look for nothing, neither by badlog-rules.toml beside a log nor by the built-in rules.")
+            .help("The pages run no rules: neither those of badlog-rules.toml beside a log nor the built-in ones.")
         private val opensPage by option("-o", "--open").flag()
-            .help("Open resulting HTML in default browser; of several, that of the newest input.")
+            .help("Open the page in the default browser; of several, the page of the newest log.")
 
         init {
             // The original's flags go on working, though nothing is left for them to do.
-            registerPast("-t", "--trim-doubles", "Retry parsing doubles without whitespace. Now always so.")
-            registerPast("-c", "--csv", "Input is CSV file. Now found out from its content.")
-            registerPast("-g", "--gzip", "Compress embedded CSV file. Now always so.")
+            registerPast("-t", "--trim-doubles", "Retry parsing doubles without whitespace; now always on.")
+            registerPast("-c", "--csv", "Input is a CSV file; now detected from its content.")
+            registerPast("-g", "--gzip", "Compress the embedded CSV file; now always on.")
             versionOption(BADLOG_VERSION, names = setOf("-V", "--version"), message = { "$NAME $it" })
             context { readArgumentFile = null }
         }
@@ -74,7 +74,7 @@ internal class ArgumentParser {
         """.trimIndent()
 
         override fun helpEpilog(context: Context): String =
-            "Exit code: 0 all is whole, 3 something was salvaged or left out, 1 there is no page, 2 wrong usage."
+            "Exit code: 0 success, 3 some data was lost or left out, 1 no page was made, 2 wrong usage."
 
         override fun run() = Unit
 

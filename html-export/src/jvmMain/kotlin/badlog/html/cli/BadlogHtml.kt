@@ -92,11 +92,11 @@ internal class BadlogHtml(
                 fail(e.message)
             }
         } catch (_: OutOfMemoryError) {
-            fail("${job.input} has a header too large for the memory at hand; set JAVA_OPTS=-Xmx2g and try again.")
+            fail("${job.input} has a header too large for the available memory; set JAVA_OPTS=-Xmx2g and try again.")
         } catch (e: Throwable) {
             // Whatever it is, the other files shall have their pages.
             val defect = e.toString().lineSequence().first()
-            fail("${job.input} has no page: this is a defect of badlog; please report it with the file ($defect).")
+            fail("${job.input} was not exported: this is a bug in badlog; report it with the file ($defect).")
         }
     }
 
@@ -117,7 +117,7 @@ internal class BadlogHtml(
         if (skipped == 1) err.println("1 file is not a log and was skipped.")
         if (skipped > 1) err.println("$skipped files are not logs and were skipped.")
         if (made.isEmpty() && failed == 0) {
-            err.println("There is no page: no log was found. Name a log, or the folder it is in.")
+            err.println("No page was made: no log was found. Name a log, or the folder it is in.")
         }
     }
 

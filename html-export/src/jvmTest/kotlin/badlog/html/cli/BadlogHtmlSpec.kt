@@ -173,7 +173,7 @@ class BadlogHtmlSpec : FunSpec({
             run(folder.with("a.bag"), missing, folder / "a.bag").code shouldBe ExitCode.SALVAGED
             val ended = run(missing)
             ended.code shouldBe ExitCode.NOTHING
-            ended.err shouldBe "There is no file $missing; look for a typing error in its name.\n"
+            ended.err shouldBe "There is no file $missing; check the spelling.\n"
             folder.names() shouldContainExactly listOf("a.bag", "a.bag.html")
         }
     }

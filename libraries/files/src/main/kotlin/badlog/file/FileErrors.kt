@@ -39,8 +39,8 @@ public fun <T> reading(file: Path, work: () -> T): T = try {
     throw InterruptedException()
 } catch (e: IOException) {
     val message = when (e) {
-        is NoSuchFileException -> "There is no file $file; look for a typing error in its name."
-        is AccessDeniedException -> "$file cannot be read: you have no permission to; copy it, or ask its owner."
+        is NoSuchFileException -> "There is no file $file; check the spelling."
+        is AccessDeniedException -> "$file cannot be read: permission denied; copy it, or ask its owner."
         else -> "$file cannot be read (${e.message}); try to copy it to this computer's disk first."
     }
     throw UnreadableFileException(file, message, e)
@@ -55,7 +55,7 @@ public fun requireRegularFile(file: Path) {
     if (Files.isDirectory(file)) throw UnreadableFileException(file, "$file is a folder, where a file is expected.")
     reading(file) { file.toRealPath() }
     if (!Files.isRegularFile(file)) {
-        throw UnreadableFileException(file, "$file is no ordinary file; copy what it holds into a file first.")
+        throw UnreadableFileException(file, "$file is not a regular file; copy its content into a file first.")
     }
 }
 
@@ -78,12 +78,12 @@ public fun <T> writing(file: Path, work: () -> T): T = try {
     throw e
 } catch (e: IOException) {
     val message = when (e) {
-        is AccessDeniedException -> "$file cannot be written: you have no permission to; choose another folder."
-        is FileAlreadyExistsException -> "$file cannot be written: ${e.file} is a file, not a folder; choose another."
-        is NoSuchFileException -> "$file cannot be written: its folder is not there; choose another one."
-        is DiskFullException -> "$file cannot be written: the disk is full; make room, or choose another disk."
-        is FileSystemException -> "$file cannot be written (${e.reason ?: e.message}); choose another place."
-        else -> "$file cannot be written (${e.message}); choose another place."
+        is AccessDeniedException -> "$file cannot be written: permission denied; select another folder."
+        is FileAlreadyExistsException -> "$file cannot be written: ${e.file} is a file, not a folder; select another folder."
+        is NoSuchFileException -> "$file cannot be written: its folder does not exist; select another one."
+        is DiskFullException -> "$file cannot be written: the disk is full; make room, or select another disk."
+        is FileSystemException -> "$file cannot be written (${e.reason ?: e.message}); select another place."
+        else -> "$file cannot be written (${e.message}); select another place."
     }
     throw UnwritableFileException(file, message, e)
 }

@@ -156,7 +156,7 @@ class ReadRecordingSpec : FunSpec({
                 false
             }
             if (isMade) {
-                shouldThrow<UnreadableFileException> { readRecording(pipe, LOG_FORMATS) }.message shouldContain "no ordinary file"
+                shouldThrow<UnreadableFileException> { readRecording(pipe, LOG_FORMATS) }.message shouldContain "not a regular file"
             }
         }
     }

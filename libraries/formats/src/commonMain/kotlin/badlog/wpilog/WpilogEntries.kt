@@ -53,7 +53,7 @@ internal class WpilogEntries(private val source: ColumnSource, private val probl
     override fun header(bytes: ByteArray, from: Int, until: Int): Boolean {
         val magic = RecordSplitter.MAGIC
         if (!magic.indices.all { bytes[from + it].toInt() == magic[it].code }) {
-            refusal = "This is no WPILOG file."
+            refusal = "This is not a WPILOG file."
             return false
         }
         val major = bytes[from + magic.length + 1].toInt() and 0xFF

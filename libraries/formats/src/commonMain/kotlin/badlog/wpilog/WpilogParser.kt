@@ -42,7 +42,7 @@ public class WpilogParser(private val keepSamples: Boolean = true) : LogParser {
 
     override fun finish(): Recording {
         val isOther = !splitter.isPastHeader && !splitter.isInHeader
-        val refusal = entries.refusal ?: if (isOther) "This is no WPILOG file." else null
+        val refusal = entries.refusal ?: if (isOther) "This is not a WPILOG file." else null
         if (refusal != null) {
             problems.add(ProblemKind.NOT_A_RECORDING, refusal)
             return Recording(RecordingFormat.WPILOG, null, emptyList(), emptyList(), 0, problems.toList())

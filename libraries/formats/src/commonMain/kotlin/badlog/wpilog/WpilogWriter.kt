@@ -66,7 +66,7 @@ public class WpilogWriter(private val recording: Recording, private val changesO
         if (parts > 0) add(Omission(null, "Parts of arrays and structs are entries of their own.", parts))
         for (topic in recording.topics) {
             if (topic.type == "raw" || topic.type.startsWith("proto:")) {
-                add(Omission(topic.name, "Bytes that were not decoded are there by their sizes only.", topic.size))
+                add(Omission(topic.name, "Only the sizes of bytes that were not decoded are kept.", topic.size))
             }
         }
         val unknown = recording.headerLine?.let(::readHeader)?.unknown.orEmpty()

@@ -35,7 +35,7 @@ internal class AliveAnswer : Draft_6455() {
     override fun copyInstance(): Draft = AliveAnswer()
 
     private companion object {
-        const val TEXT = "badlog replays a recording here, for dashboards that speak NetworkTables 4.\n"
+        const val TEXT = "badlog replays a log here, for dashboards that speak NetworkTables 4.\n"
 
         // Dashboards are web pages of another origin.
         const val ANSWER = "HTTP/1.1 200 OK\r\nContent-Type: text/plain; charset=utf-8\r\nContent-Length: ${TEXT.length}\r\n" +

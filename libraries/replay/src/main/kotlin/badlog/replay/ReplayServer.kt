@@ -136,7 +136,7 @@ public class ReplayServer(view: LogView, public val options: ReplayOptions = Rep
         val modern = synchronized(lock) { clients.keys.filter { it.protocol == SubProtocol.V4_1 } }
         val oldest = System.nanoTime() - SILENCE_NANOS
         for (connection in modern) {
-            if (connection.heardNanos - oldest < 0) connection.end("Nothing was heard of it.") else connection.ping()
+            if (connection.heardNanos - oldest < 0) connection.end("It has been silent for too long.") else connection.ping()
         }
     }
 

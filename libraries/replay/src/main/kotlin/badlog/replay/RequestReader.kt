@@ -13,7 +13,7 @@ import kotlinx.serialization.json.longOrNull
 /** Reads a client's text frames. Whatever is not understood is told to [ignore], in half a sentence, and left out. */
 internal class RequestReader(private val ignore: (String) -> Unit) {
     fun read(text: String): List<Request> {
-        if (isDeep(text)) return nothing("JSON within JSON within JSON, and so on")
+        if (isDeep(text)) return nothing("JSON that is nested too deeply")
         val messages = try {
             Json.parseToJsonElement(text)
         } catch (_: SerializationException) {

@@ -97,7 +97,7 @@ internal class SocketServer(
 
     /** A client that asks and asks and never reads the answers would fill the memory. */
     private fun endIfFlooded(socket: WebSocket, connection: Connection) {
-        if ((socket as WebSocketImpl).outQueue.size > MAX_FRAMES) connection.end("It does not read its answers.")
+        if ((socket as WebSocketImpl).outQueue.size > MAX_FRAMES) connection.end("It does not read what is sent to it.")
     }
 
     private companion object {
@@ -122,9 +122,9 @@ public class UnavailablePortException internal constructor(address: InetSocketAd
     IOException(
         if (cause is BindException && "in use" in cause.message.orEmpty()) {
             "Port ${address.port} is taken, by a robot simulation or another replay perhaps: " +
-                "end that program, or choose another port."
+                "end that program, or use another port."
         } else {
-            "Port ${address.port} of ${address.address.hostAddress} cannot be opened (${cause.message}): choose another."
+            "Port ${address.port} of ${address.address.hostAddress} cannot be opened (${cause.message}); use another port."
         },
         cause,
     )

@@ -211,7 +211,7 @@ class ReplayServerSpec : FunSpec({
             server.start()
             ReplayServer(VARIED_VIEW, ReplayOptions(server.port)).use { second ->
                 shouldThrow<UnavailablePortException> { second.open() }.message shouldBe "Port ${server.port} is taken, " +
-                    "by a robot simulation or another replay perhaps: end that program, or choose another port."
+                    "by a robot simulation or another replay perhaps: end that program, or use another port."
             }
             server.port
         }

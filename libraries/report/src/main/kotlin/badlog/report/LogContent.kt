@@ -70,9 +70,9 @@ internal sealed interface LogContent {
         }
 
         private fun failed(e: Throwable) =
-            None("badlog failed here because of a defect of its own ($e); please report it, with the file if you can.", isNoLog = false)
+            None("This is a bug in badlog ($e); report it, with the file if you may share it.", isNoLog = false)
 
-        private fun tooLarge() = None("There is not enough memory for it; give the program more, or cut the file.", isNoLog = false)
+        private fun tooLarge() = None("It is too large for the available memory; give the program more, or cut the file.", isNoLog = false)
 
         private fun withVirtualTopics(recording: Recording, definitions: List<String>): Log {
             val with = LogView.of(recording).withVirtualTopics(definitions)

@@ -48,7 +48,7 @@ private fun rowsOf(recording: OpenRecording, whole: Recording, span: Span): Cut 
     }
     if (others.isEmpty()) return Cut(whole, rows)
     val names = others.joinToString { "“${it.name}”" }
-    return Cut(whole.copy(topics = columns), rows, ", without $names, which has no value in each of them")
+    return Cut(whole.copy(topics = columns), rows, ", without $names, which does not have a value in each row")
 }
 
 private fun countWithin(topic: Topic, from: Double, to: Double) = topic.times?.count { it in from..to } ?: 0

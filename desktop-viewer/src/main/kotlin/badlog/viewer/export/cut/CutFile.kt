@@ -25,9 +25,9 @@ import java.nio.file.Path
  */
 internal fun cutFile(recording: OpenRecording, span: Span, format: RecordingFormat, target: Path, progress: (Float) -> Unit = {}): String {
     val part = partOf(recording, span)
-    if (part.rows.isEmpty()) throw IOException("There are no samples in what is visible; show a part of the recording that has some.")
+    if (part.rows.isEmpty()) throw IOException("There are no samples in the visible range; show a part of the log that has some.")
     if (Files.exists(target) && Files.exists(recording.file) && Files.isSameFile(target, recording.file)) {
-        throw IOException("${target.fileName} is the open log itself, which its part must not replace; choose another name.")
+        throw IOException("${target.fileName} is the open log itself; select another name.")
     }
     writeAtomically(target) { out ->
         val heard = { done: Int, total: Int ->

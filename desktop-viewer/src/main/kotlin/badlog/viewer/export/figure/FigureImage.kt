@@ -40,7 +40,7 @@ private fun withMargin(svg: String): String {
 internal fun imageOf(svg: String, width: Int, scale: Int): BufferedImage {
     val height = ROOT.find(svg)?.groupValues?.get(3)?.toDouble() ?: 0.0
     if (height * width * scale * scale > MAX_PIXELS) {
-        throw IOException("So many graphs make a picture that is too large; select fewer of them, or SVG.")
+        throw IOException("The picture of so many graphs is too large; select fewer of them, or SVG.")
     }
     val rendering = Rendering()
     rendering.addTranscodingHint(SVGAbstractTranscoder.KEY_WIDTH, (width * scale).toFloat())

@@ -98,7 +98,7 @@ internal class Indexing(
             val scan = FolderScan.of(folder) { ensureActive() }
             trouble = scan.unreadable.firstOrNull()?.let { first ->
                 val others = if (scan.unreadable.size > 1) " and ${scan.unreadable.size - 1} more folders" else ""
-                "$first$others may not be read by you; ask the owner for the permission."
+                "$first$others cannot be read: permission denied; ask the owner."
             }
             queue.found(scan.files, started.elapsedNow())
         } catch (_: IOException) {

@@ -45,9 +45,9 @@ internal data class LogDate(val second: Long, val source: DateSource) {
  * @property saying the same, for people.
  */
 internal enum class DateSource(val saying: String) {
-    VALUES("by the log’s metadata"),
-    FILE_NAME("by the file’s name"),
-    FILE_TIME("by the time at which the file was written"),
+    VALUES("from the log’s metadata"),
+    FILE_NAME("from the file’s name"),
+    FILE_TIME("from the time when the file was written"),
 }
 
 /** A date that stands at [range] of a name. */

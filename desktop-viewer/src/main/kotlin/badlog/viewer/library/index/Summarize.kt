@@ -26,7 +26,7 @@ import java.util.concurrent.CancellationException
 internal fun summarize(file: LogFile, checkpoint: () -> Unit = {}): LogEntry = try {
     when {
         isLikelyLog(file) -> summaryOf(file, LogView.of(readRecording(file.path, LOG_FORMATS) { _, _ -> checkpoint() }))
-        else -> unreadable(file, "${file.name} is no log.").copy(content = Content.NO_LOG)
+        else -> unreadable(file, "${file.name} is not a log.").copy(content = Content.NO_LOG)
     }
 } catch (e: CancellationException) {
     throw e
@@ -36,7 +36,7 @@ internal fun summarize(file: LogFile, checkpoint: () -> Unit = {}): LogEntry = t
     withoutSamples(file, checkpoint)
 } catch (e: RuntimeException) {
     // A defect of ours in one file must not take away all the others.
-    unreadable(file, "${file.name} made badlog stumble (${e.javaClass.simpleName}); please send us the file.")
+    unreadable(file, "${file.name} made badlog fail (${e.javaClass.simpleName}); send us the file.")
 }
 
 /** What can be told of a file whose samples do not fit into memory. */
@@ -46,7 +46,7 @@ private fun withoutSamples(file: LogFile, checkpoint: () -> Unit): LogEntry = tr
 } catch (e: IOException) {
     unreadable(file, e.message ?: "${file.name} could not be read; is its drive still connected?")
 } catch (_: OutOfMemoryError) {
-    unreadable(file, "${file.name} is too large for the memory there is.")
+    unreadable(file, "${file.name} is too large for the available memory.")
 }
 
 private fun unreadable(file: LogFile, trouble: String) =

@@ -62,7 +62,7 @@ class CutFileSpec : FunSpec({
         val target = folder.resolve("formula part.bag")
         val open = whole.withFormulas(listOf("Twice [deg] = 2 * Arm/Angle", "Most = max(Arm/Angle)", "Is Far = Arm/Angle > 10"))
         cutFile(open, Span(0.2, 0.4), RecordingFormat.BAG, target) shouldBe
-            "Wrote 11 rows to $target, without “Most”, which has no value in each of them."
+            "Wrote 11 rows to $target, without “Most”, which does not have a value in each row."
         val part = readRecording(target, LOG_FORMATS)
         part.problems.filter { it.severity != Severity.NOTE }.shouldBeEmpty()
         part.topics.map { it.name } shouldContainExactly listOf("Time", "Arm/Angle", "Arm/Current", "Arm/Mode", "Twice", "Is Far")
@@ -80,7 +80,7 @@ class CutFileSpec : FunSpec({
 
     test("the open file itself is never overwritten, and nothing else is left beside it") {
         val failure = shouldThrow<IOException> { cutFile(whole, Span(1.0, 2.0), RecordingFormat.BAG, file) }
-        failure.message shouldContain "choose another name"
+        failure.message shouldContain "select another name"
         Files.readString(file) shouldBe armBag(500)
         Files.list(folder).use { all -> all.map { it.fileName.toString() }.filter { "part" !in it }.toList() } shouldContainExactly
             listOf("match.bag")

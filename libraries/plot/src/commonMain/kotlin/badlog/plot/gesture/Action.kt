@@ -100,11 +100,11 @@ public data class HelpLine(public val group: String, public val how: String, pub
 public val GRAPH_GESTURES: List<HelpLine> = listOf(
     HelpLine("On the graphs", "Wheel", "Scrolls."),
     HelpLine("On the graphs", "Ctrl+wheel, pinch", "Zooms around the pointer."),
-    HelpLine("On the graphs", "Shift+wheel", "Moves along, as the wheel sideways does."),
+    HelpLine("On the graphs", "Shift+wheel", "Pans, as the wheel sideways does."),
     HelpLine("On the graphs", "Drag", "Zooms to what it covers."),
-    HelpLine("On the graphs", "Shift+drag", "Moves along."),
+    HelpLine("On the graphs", "Shift+drag", "Pans."),
     HelpLine("On the graphs", "Alt+drag", "Zooms y of this graph."),
     HelpLine("On the graphs", "Double click", "Shows everything again."),
-    HelpLine("On the overview", "Drag", "Moves what is visible, or an edge of it; beside it, selects a new part."),
-    HelpLine("On the overview", "Click", "Brings what is visible there."),
+    HelpLine("On the overview", "Drag", "Moves the visible range, or one of its edges; beside it, selects a new one."),
+    HelpLine("On the overview", "Click", "Moves the visible range there."),
 )

@@ -49,7 +49,7 @@ internal object HookOutput {
 
     private fun values(json: JsonElement): Map<String, String> {
         require(json is JsonObject) { "“values” has to be an object of texts and numbers, not ${kindOf(json)}." }
-        require(json.size <= MAX_VALUES) { "There are ${json.size} values; $MAX_VALUES are the most." }
+        require(json.size <= MAX_VALUES) { "There are ${json.size} values; at most $MAX_VALUES are allowed." }
         return json.mapValues { (name, value) ->
             require(value is JsonPrimitive && value !is JsonNull) {
                 "The value “${name.take(MAX_NAME)}” has to be a text or a number, not ${kindOf(value)}."
@@ -101,14 +101,14 @@ internal object HookOutput {
     }
 
     private fun picture(bytes: ByteArray, what: String): ByteArray {
-        require(bytes.size <= MAX_FIGURE) { "$what has ${bytes.size} bytes; $MAX_FIGURE are the most." }
+        require(bytes.size <= MAX_FIGURE) { "$what has ${bytes.size} bytes; at most $MAX_FIGURE are allowed." }
         return bytes
     }
 
     private fun <T> items(members: JsonObject, key: String, most: Int, read: (JsonElement, String) -> T): List<T> {
         val json = members[key] ?: return emptyList()
         require(json is JsonArray) { "“$key” has to be a list, not ${kindOf(json)}." }
-        require(json.size <= most) { "There are ${json.size} $key; $most are the most." }
+        require(json.size <= most) { "There are ${json.size} $key; at most $most are allowed." }
         return json.mapIndexed { index, item -> read(item, "number ${index + 1} of “$key”") }
     }
 
@@ -125,7 +125,7 @@ internal object HookOutput {
     }
 
     private fun limited(text: String, most: Int, what: String): String {
-        require(text.length <= most) { "$what has ${text.length} characters; $most are the most." }
+        require(text.length <= most) { "$what has ${text.length} characters; at most $most are allowed." }
         return text
     }
 
@@ -140,7 +140,7 @@ internal object HookOutput {
     private fun numbers(members: JsonObject, key: String, where: String, areGapsAllowed: Boolean): DoubleArray {
         val json = members[key]
         require(json is JsonArray) { "In $where “$key” has to be a list of numbers${if (areGapsAllowed) " and nulls" else ""}." }
-        require(json.size <= MAX_SAMPLES) { "In $where “$key” has ${json.size} numbers; $MAX_SAMPLES are the most." }
+        require(json.size <= MAX_SAMPLES) { "In $where “$key” has ${json.size} numbers; at most $MAX_SAMPLES are allowed." }
         return DoubleArray(json.size) { index ->
             val item = json[index]
             if (areGapsAllowed && item is JsonNull) {

@@ -84,9 +84,9 @@ public class ReportFolder(
     private fun check(page: Path) {
         if (!Files.exists(page)) return
         val reason = when {
-            realPath(page) in read -> "$page would overwrite a log that is read; choose another folder."
+            realPath(page) in read -> "$page would overwrite a log that is read; select another folder."
             isForced || isOfBadlog(page) -> return
-            else -> "$page exists already, and badlog did not make it; choose another folder, or give --force to replace it."
+            else -> "$page exists already, and badlog did not make it; select another folder, or give --force to replace it."
         }
         throw ExportException.Unwritable(page, reason)
     }

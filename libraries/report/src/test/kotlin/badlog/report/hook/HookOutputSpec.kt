@@ -63,7 +63,7 @@ class HookOutputSpec : FunSpec({
         """{"figures": [{"title": "f", "svg": "${"<!---->".repeat(200_000)}<html>"}]}""" to "begins with <svg",
         """{"figures": [{"title": "f", "svg": "<!DOCTYPE svg [<!ENTITY a 'b'>]><svg/>"}]}""" to "begins with <svg",
         """{"figures": [{"title": "f", "png": "AAAA"}]}""" to "has to be a PNG",
-        """{"values": {"a": "${"x".repeat(10_001)}"}}""" to "10001 characters; 10000 are the most",
+        """{"values": {"a": "${"x".repeat(10_001)}"}}""" to "10001 characters; at most 10000 are allowed",
     )
     for ((json, message) in mistakes) {
         test("refuses ${json.take(60)} with a sentence") {
@@ -89,7 +89,7 @@ class HookOutputSpec : FunSpec({
         val begin = byteArrayOf(0x89.toByte(), 'P'.code.toByte(), 'N'.code.toByte(), 'G'.code.toByte(), 13, 10, 26, 10)
         fun lines(size: Int) = String(Base64.getMimeEncoder().encode(begin.copyOf(size))).replace("\r\n", "\\n")
         figure("png", lines(most)).bytes.size shouldBe most
-        shouldThrow<IllegalArgumentException> { figure("png", lines(most + 1)) }.message shouldContain "4194304 are the most"
+        shouldThrow<IllegalArgumentException> { figure("png", lines(most + 1)) }.message shouldContain "at most 4194304 are allowed"
     }
 
     test("whatever is printed, there is a result or a sentence") {
