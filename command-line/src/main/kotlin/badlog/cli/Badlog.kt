@@ -33,7 +33,7 @@ internal class Badlog(private val console: Console) {
             console.say(text)
             return ExitCode.WHOLE
         }
-        // The line of usage before it tells nothing that the help does not tell better.
+        // The line of usage before it says nothing that the help does not say better.
         val reason = text.substringAfter(ERROR).replaceFirstChar(Char::uppercase)
         val inside = arguments.first().takeIf { it in command.registeredSubcommandNames() }
         val help = listOfNotNull(BadlogCommand.NAME, "help", inside).joinToString(" ")

@@ -71,7 +71,7 @@ internal class BadlogCommand(val arguments: List<String>) : CoreCliktCommand(NAM
 
     override fun run() = Unit
 
-    /** [error], or that the first argument is no sub-command, where this is what is wrong with them. */
+    /** [error], or that the first argument is not a sub-command, where this is what is wrong with them. */
     fun explained(error: CliktError): CliktError {
         val first = arguments.firstOrNull()
         val names = registeredSubcommandNames()

@@ -26,9 +26,9 @@ private fun afterLoss(console: Console, results: ResultStream): ExitCode {
     return ExitCode.NOTHING
 }
 
-/** What the system's stream [name] is written in; Java told it under another name until version 19. */
+/** What the system's stream [name] is written in; Java gave it another name until version 19. */
 private fun charsetOf(name: String): Charset {
-    val told = System.getProperty("$name.encoding") ?: System.getProperty("sun.$name.encoding") ?: System.getProperty("native.encoding")
-    val charset = if (told != null && Charset.isSupported(told)) Charset.forName(told) else Charset.defaultCharset()
+    val encoding = System.getProperty("$name.encoding") ?: System.getProperty("sun.$name.encoding") ?: System.getProperty("native.encoding")
+    val charset = if (encoding != null && Charset.isSupported(encoding)) Charset.forName(encoding) else Charset.defaultCharset()
     return if (charset.canEncode()) charset else Charsets.US_ASCII
 }

@@ -27,11 +27,11 @@ class BadlogSpec : FunSpec({
         }
     }
 
-    test("it tells its version") {
+    test("it shows its version") {
         badlog("--version").out shouldBe "badlog $BADLOG_VERSION\n"
     }
 
-    test("a mistyped sub-command is told with the one that was meant, before its arguments are looked at") {
+    test("a mistyped sub-command is reported with the one that was meant, before its arguments are looked at") {
         for (arguments in listOf(listOf("cutt"), listOf("cutt", "a", "b"), listOf("help", "cutt"), listOf("cutt", "--from", "1"))) {
             val ended = badlog(*arguments.toTypedArray())
             ended.code shouldBe ExitCode.USAGE
@@ -58,7 +58,7 @@ class BadlogSpec : FunSpec({
         }
     }
 
-    test("only what begins with a dash is taken for an option, and how to say that it is none is told") {
+    test("only what begins with a dash is taken for an option, and how to say that it is none is reported") {
         inFolder { folder ->
             badlog("info", folder.with("a=b.bag", BAG)).code shouldBe ExitCode.WHOLE
             val log = folder.with("a.bag", BAG)

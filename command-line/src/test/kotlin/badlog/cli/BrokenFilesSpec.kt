@@ -37,7 +37,7 @@ class BrokenFilesSpec : FunSpec({
 
     fun status(ended: Ended) = ended.json.map { it.getValue("status").jsonPrimitive.content }
 
-    test("what is no log, missing, empty or a folder without logs: nothing could be done, in one sentence") {
+    test("what is not a log, missing, empty or a folder without logs: nothing could be done, in one sentence") {
         inFolder { folder ->
             val nothing = listOf(
                 folder.with("random.bag", Random(1).nextBytes(5000)),
@@ -58,7 +58,7 @@ class BrokenFilesSpec : FunSpec({
         }
     }
 
-    test("an empty file is no log to make anything of, but a finding") {
+    test("an empty file is not a log, but a finding") {
         inFolder { folder ->
             val empty = folder.with("empty.bag", "")
             badlog("info", empty).code shouldBe ExitCode.SALVAGED
@@ -108,7 +108,7 @@ class BrokenFilesSpec : FunSpec({
         }
     }
 
-    test("in a folder what is no log is skipped, and what fails costs the others nothing") {
+    test("in a folder what is not a log is skipped, and what fails costs the others nothing") {
         inFolder { folder ->
             folder.with("a.bag", BAG)
             folder.with("sub/b.csv", "Time,x\n0,1\n")
@@ -131,7 +131,7 @@ class BrokenFilesSpec : FunSpec({
         }
     }
 
-    test("a folder or file without permission is told, and the rest is done") {
+    test("a folder or file without permission is reported, and the rest is done") {
         inFolder { folder ->
             folder.with("a.bag", BAG)
             val locked = folder.with("locked/b.bag", BAG).parent

@@ -57,7 +57,7 @@ class ConsoleSpec : FunSpec({
         shown(isTerminal = false) shouldBe ""
     }
 
-    test("whether a reader has gone is told apart from a full disk") {
+    test("whether a reader has gone is distinguished from a full disk") {
         fun after(message: String): ResultStream {
             val failing = object : OutputStream() {
                 override fun write(byte: Int) = throw IOException(message)

@@ -7,13 +7,13 @@ import badlog.recording.Topic
  * A stretch over which the robot was enabled.
  *
  * @property span where on the x axis.
- * @property isAutonomous whether it was under its own control; false when a driver was, or nothing tells.
+ * @property isAutonomous whether it was under its own control; false when a driver was, or it is unknown.
  */
 public data class EnabledSpan(public val span: Span, public val isAutonomous: Boolean)
 
 /**
  * When the robot was enabled, in the order of x: where the topic called `Enabled` or `Robot Enabled`, in any folder, is not 0.
- * A topic called `Autonomous` or `Auto` beside it tells when under its own control. In a WPILOG those of the driver station
+ * A topic called `Autonomous` or `Auto` beside it shows when under its own control. In a WPILOG those of the driver station
  * come before others, then the bits of `FMSControlData`, and the last value holds until the recording's end. Empty when no
  * topic tells, and when x goes backwards.
  */

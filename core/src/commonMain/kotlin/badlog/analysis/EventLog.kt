@@ -23,7 +23,7 @@ public class EventLog internal constructor(public val topic: Topic, xAxis: XAxis
     /** What stands above it. */
     public val title: String get() = PathName.baseNameOf(topic.name)
 
-    /** Each text cell of the topic; numbers and empty cells are no events. */
+    /** Each text cell of the topic; numbers and empty cells are not events. */
     public val events: List<Event> = object : AbstractList<Event>() {
         private val positions = positionsOf(topic, xAxis)
 

@@ -82,7 +82,7 @@ internal class LogViewBuilder(private val recording: Recording, private val regi
         XAxis.ofOwnTimes(recording)?.let { time ->
             wanted.firstOrNull()?.report(
                 ProblemKind.UNFIT_ATTRIBUTE,
-                "“${wanted[0].topic.name}” cannot be the x axis: the topics of this recording have times of their own.",
+                "“${wanted[0].topic.name}” cannot be the x axis: the topics of this log have their own times.",
             )
             return time
         }

@@ -73,7 +73,7 @@ public class TopicPlan internal constructor(public val topic: Topic, private val
         joins += graph
     }
 
-    /** Tells whoever looks at the recording that something about the topic or its attributes is odd. */
+    /** Reports that something about the topic or its attributes is odd. */
     public fun report(kind: ProblemKind, message: String) {
         report(Problem(kind, message, topic = topic.name))
     }

@@ -27,7 +27,7 @@ public class TrapezoidSum {
         lastY = y
     }
 
-    /** Says that samples are left out here, so that those before and after are no neighbors. */
+    /** Says that samples are left out here, so that those before and after are not neighbors. */
     public fun interrupt() {
         lastX = Double.NaN
     }

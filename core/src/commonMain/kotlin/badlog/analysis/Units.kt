@@ -16,7 +16,7 @@ public object Units {
     /** The unit of an integral: `unit·xunit`, or that of x alone where the topic has none. */
     public fun ofIntegral(unit: String, xUnit: String): String = if (isNone(unit)) ofX(xUnit) else "$unit·${ofX(xUnit)}"
 
-    /** How many seconds one [unit] is, such as 0.001 for `ms` and `Milliseconds`; null when it is no unit of time. */
+    /** How many seconds one [unit] is, such as 0.001 for `ms` and `Milliseconds`; null when it is not a unit of time. */
     public fun secondsIn(unit: String): Double? = when (unit.trim().lowercase()) {
         "h", "hr", "hrs", "hour", "hours" -> 3600.0
 
@@ -34,7 +34,7 @@ public object Units {
         else -> null
     }
 
-    /** How many microseconds one [unit] of an x axis is; what is no unit of time counts as a second. */
+    /** How many microseconds one [unit] of an x axis is; what is not a unit of time counts as a second. */
     public fun microsIn(unit: String): Double = (secondsIn(unit) ?: 1.0) * 1e6
 
     private fun ofX(xUnit: String) = if (isNone(xUnit)) "Index" else xUnit

@@ -17,7 +17,7 @@ internal object CellKind {
     const val DECIMAL_COMMA = 5
 }
 
-/** Tells what a cell's bytes are. Spaces and tabs around a number do not count. Not safe for use by several threads. */
+/** Finds what a cell's bytes are. Spaces and tabs around a number do not count. Not safe for use by several threads. */
 internal class CellReader {
     private val decimal = DecimalReader()
 

@@ -118,7 +118,7 @@ internal class ColumnBuilder(
     }
 
     /**
-     * Adds a line to the text in [row], the last one. Returns false where that cell is no text, or would become longer than
+     * Adds a line to the text in [row], the last one. Returns false where that cell is not text, or would become longer than
      * [longest] bytes.
      */
     fun extendText(row: Int, bytes: ByteArray, from: Int, until: Int, longest: Int): Boolean {

@@ -28,7 +28,7 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
     /** Whether nothing of the header is still to come. */
     val isDone: Boolean get() = stage == Stage.DONE
 
-    /** Whether the bytes turned out to be no log. */
+    /** Whether the bytes turned out not to be a log. */
     var isNoLog = false
         private set
 
@@ -63,7 +63,7 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
     private fun readLine(isEnd: Boolean, take: (lineEnd: Int, next: Int) -> Int): Int {
         val bytes = pending.bytes
         val lineEnd = lineEndIn(bytes, pending.start, pending.end)
-        // In a bag that its first line has told, a stray control character is no reason to lose everything.
+        // Once the first line has shown a bag, a stray control character is no reason to lose everything.
         val mayBeBinary = header == null && (lineEnd == pending.start || bytes[pending.start].toInt() != BRACE)
         if (mayBeBinary && isBinary(pending.start, lineEnd)) return refuse(BINARY)
         if (lineEnd - pending.start > MAX_LINE_BYTES) return refuse(BINARY)
@@ -164,7 +164,7 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
     }
 }
 
-/** What the first bytes of a file say about it; what is no bag is refused by its name. */
+/** What kind of file the first bytes show. */
 internal enum class FileSignature {
     /** A gzip stream, which has to be inflated. */
     GZIP,

@@ -37,7 +37,7 @@ internal class RowReader(
     var rowCount = 0
         private set
 
-    /** Whether what follows is no row at all and is not read. */
+    /** Whether what follows is not a row at all and is not read. */
     var gaveUp = false
         private set
 
@@ -58,7 +58,7 @@ internal class RowReader(
         return next
     }
 
-    /** What tells a column of numbers from one of texts, for each column. */
+    /** What distinguishes a column of numbers from one of texts, for each column. */
     val readsDecimalComma: BooleanArray get() = BooleanArray(columns.size) { columns[it].readsDecimalComma }
 
     /** Adds rows that were read elsewhere. */

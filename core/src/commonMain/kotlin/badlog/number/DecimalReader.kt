@@ -96,7 +96,7 @@ internal class DecimalReader {
     private fun scaledExactly(digits: Double, scale: Int): Double =
         if (scale < 0) digits / EXACT_POWERS_OF_TEN[-scale] else digits * EXACT_POWERS_OF_TEN[scale]
 
-    /** NaN where the error bound does not tell to which double the number rounds. */
+    /** NaN where the error bound leaves open to which double the number rounds. */
     private fun scaledTwofold(high: Double, low: Double, significant: Int, scale: Int): Double {
         val shift = EXACT_POWERS_OF_TEN[maxOf(0, significant - 9)]
         val shifted = high * shift

@@ -111,7 +111,7 @@ public enum class ProblemKind(public val severity: Severity) {
     /** A WPILOG ends inside a record, which was dropped. */
     RECORD_CUT(Severity.ERROR),
 
-    /** What stands in a WPILOG from some byte on is no record; nothing after it can be read. */
+    /** What stands in a WPILOG from some byte on is not a record; nothing after it can be read. */
     RECORDS_LOST(Severity.ERROR),
 
     /** A record of a WPILOG does not have the bytes that its type asks for; it was dropped. */
@@ -120,7 +120,7 @@ public enum class ProblemKind(public val severity: Severity) {
     /** A record of a WPILOG belongs to no entry that was begun; it was dropped. */
     UNKNOWN_ENTRY(Severity.ERROR),
 
-    /** Records of a WPILOG are from before the robot's clock began; they stand where the recording begins. */
+    /** Records of a WPILOG are from before the robot's clock began; they were moved to the start of the log. */
     EARLY_TIMES(Severity.WARNING),
 
     /** Records of a WPILOG have times that cannot be, or are days away from all others; they were dropped. */

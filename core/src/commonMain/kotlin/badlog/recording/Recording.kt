@@ -8,7 +8,7 @@ package badlog.recording
  * @property values the values, in the order of the file.
  * @property topics the topics, in the order of the file's header.
  * @property rowCount how many samples each topic has that shares rows with the others; 0 where all topics have
- *   [times of their own][Topic.times], as in a WPILOG, which has no rows. [sampleCount] tells of either.
+ *   [times of their own][Topic.times], as in a WPILOG, which has no rows. [sampleCount] counts either.
  * @property problems what was wrong, in the order in which it was found.
  */
 public class Recording(
@@ -32,7 +32,7 @@ public class Recording(
     /** How many samples all topics have together, gaps included. */
     public val sampleCount: Long get() = topics.sumOf { it.size.toLong() }
 
-    /** False for bytes that are no log at all, so that there is nothing to show but [problems]. */
+    /** False for bytes that are not a log at all, so that there is nothing to show but [problems]. */
     public val isReadable: Boolean get() = problems.none { it.kind == ProblemKind.NOT_A_RECORDING }
 
     /** True when something of the file is lost: one of [problems] is an [error][Severity.ERROR]. */

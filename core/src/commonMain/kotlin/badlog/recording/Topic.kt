@@ -42,7 +42,7 @@ public class Topic(
 
     /**
      * Whether fewer than half of the rows have a number, and those mostly stand alone. Such a topic is sampled at times of its
-     * own, as in a CSV file made from a log of changes: its empty cells are no gaps, there just was no sample.
+     * own, as in a CSV file made from a log of changes: its empty cells are not gaps, they just have no sample.
      */
     public val isSparse: Boolean
         get() {

@@ -20,7 +20,7 @@ public class TextDecoder {
         }
     }
 
-    /** Whether the bytes are UTF-8; told without an object where they are ASCII. */
+    /** Whether the bytes are UTF-8; found without an object where they are ASCII. */
     public fun isUtf8(bytes: ByteArray, from: Int, until: Int): Boolean {
         for (i in from until until) {
             if (bytes[i] < 0) {

@@ -25,11 +25,11 @@ class EnabledSpanSpec : FunSpec({
         )
     }
 
-    test("numbers tell as truth values do") {
+    test("numbers show as truth values do") {
         spans("0,0,0", "1,1.0000,0", "2,0,0") shouldBe listOf(EnabledSpan(Span(1.0, 2.0), isAutonomous = false))
     }
 
-    test("where no topic tells, and where x goes backwards, nothing is claimed") {
+    test("where no topic shows, and where x goes backwards, nothing is claimed") {
         val parser = BagParser()
         parser.accept("Time,On\n0,true\n1,true\n".encodeToByteArray())
         LogView.of(parser.finish()).enabledSpans() shouldBe emptyList()

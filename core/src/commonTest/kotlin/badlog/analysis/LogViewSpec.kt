@@ -83,7 +83,7 @@ class LogViewSpec : FunSpec({
         Units.ofIntegral("ul", "s") shouldBe "s"
     }
 
-    test("area and zero tell how the topic's own graph is drawn") {
+    test("area and zero show how the topic's own graph is drawn") {
         val view = view(TIME, topic("A", "area", "zero", "delta"))
         view.graph("A").run { isFilled to includesZero } shouldBe (true to true)
         view.graph("[ A Delta ]").run { isFilled to includesZero } shouldBe (false to false)

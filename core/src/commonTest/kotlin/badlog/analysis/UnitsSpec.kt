@@ -10,7 +10,7 @@ class UnitsSpec : FunSpec({
             listOf(3600.0, 3600.0, 60.0, 60.0, 1.0, 1.0, 1.0, 1e-3, 1e-3, 1e-6, 1e-6, 1e-6, 1e-9)
     }
 
-    test("what is no unit of time is none") {
+    test("what is not a unit of time is none") {
         for (unit in listOf("", "ul", "m", "V", "Index", "m/s", "1")) Units.secondsIn(unit) shouldBe null
     }
 

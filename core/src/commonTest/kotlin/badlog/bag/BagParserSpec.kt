@@ -109,7 +109,7 @@ class BagParserSpec : FunSpec({
         parse("WPILOG\u0000\u0001\u0000\u0000\u0000\u0000").problems.first().kind shouldBe ProblemKind.NOT_A_RECORDING
     }
 
-    test("what spreadsheets write instead of CSV is told, with what to do") {
+    test("what spreadsheets write instead of CSV is reported, with what to do") {
         parse("a;b\n1,5;2\n").problems.last().message shouldContain "semicolons"
         parse("a\tb\nx\ty\n").problems.last().message shouldContain "tabs"
         parse(byteArrayOf(-1, -2) + "abcdef".encodeToByteArray()).problems.last().message shouldContain "UTF-16"
@@ -121,7 +121,7 @@ class BagParserSpec : FunSpec({
         recording.rowCount shouldBe 1
     }
 
-    test("40,000 equal names are told apart in a time that grows with their number") {
+    test("40,000 equal names are distinguished in a time that grows with their number") {
         parse(List(40_000) { "a" }.joinToString(",") + "\n").topics.last().name shouldBe "a (40000)"
     }
 

@@ -37,7 +37,7 @@ class HeaderJsonSpec : FunSpec({
             listOf(Value("Match", "8"), Value("On", "true"))
     }
 
-    test("what is cut or is no object is no header") {
+    test("what is cut or is not an object is not a header") {
         for (line in listOf("", "{", """{"topics":[{"name":"A"""", "[]", "8", "null", "nonsense", "{} {}", "{\"a\":01}", "{\"a\":V}", "{\"a\":1,}", "{a:1}", "{\"a\":\"\\x\"}")) {
             readHeader(line) shouldBe null
         }

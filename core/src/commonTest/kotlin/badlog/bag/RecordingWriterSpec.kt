@@ -114,7 +114,7 @@ class RecordingWriterSpec : FunSpec({
         }
     }
 
-    test("a column of one odd title is no other kind of table") {
+    test("a column of one odd title is not another kind of table") {
         for (name in listOf("a;b", "a\tb", "a\u0007b")) {
             val header = BagHeader(listOf(BagTopic(name)))
             val bag = parse(RowWriter().header(header).exact(1.0).endRow().run { bytes.copyOf(size) })
@@ -129,7 +129,7 @@ class RecordingWriterSpec : FunSpec({
         write(parse("a,b\n1,NaN\n2,\n3,true\n"), RecordingFormat.CSV) shouldBe "a,b\n1,NaN\n2,NaN\n3,1\n"
     }
 
-    test("progress is told in rows, up to the last") {
+    test("progress is reported in rows, up to the last") {
         val recording = parse("a,b\n" + "1,2\n".repeat(50_000))
         val told = ArrayList<Int>()
         var size = 0

@@ -58,7 +58,7 @@ class RowBatchSpec : FunSpec({
         parser.parse(byteArrayOf('1'.code.toByte(), ','.code.toByte(), -3, '\n'.code.toByte()), 0, 4).shouldBeNull()
     }
 
-    test("a problem met before is told once for a column, with its first line, also where the rest came in batches") {
+    test("a problem met before is reported once for a column, with its first line, also where the rest came in batches") {
         val bytes = "a,b\n\"1,5\",oh\n\"2,5\",2\n\"3,5\",3\n4,no\n5,5\n6,6\n7,7\n8,8\n".encodeToByteArray()
         val recording = Batches(bytes, 12, keepSamples = true).read()
         recording.problems.first { it.kind == ProblemKind.DECIMAL_COMMA }.run {

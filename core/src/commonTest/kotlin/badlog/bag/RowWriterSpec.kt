@@ -104,7 +104,7 @@ class RowWriterSpec : FunSpec({
             val recording = parse(RowWriter().text("n").text("text").endRow().number(1.0).text(text).endRow().written())
             recording.rowCount shouldBe 1
             val topic = recording.topics[1]
-            // A text that looks like a number, or like nothing, is read as such; a lone surrogate is no text.
+            // A text that looks like a number, or like nothing, is read as such; a lone surrogate is not text.
             if (topic.texts.size == 1 && text.none { it.isSurrogate() }) {
                 topic.texts[0] shouldBe text.replace('\u0000', '\uFFFD')
             }

@@ -34,7 +34,7 @@ internal val ATTRIBUTE_CASES = listOf(
     ),
     case(
         "odd-attributes",
-        "Unknown attributes are kept and told, duplicates too; an empty one is ignored.",
+        "Unknown attributes are kept and reported, duplicates too; an empty one is ignored.",
         powerBag("""["zero","smooth:5","zero",""]""", "1,12\n"),
         bag(
             time(1),
@@ -85,7 +85,7 @@ internal val ATTRIBUTE_CASES = listOf(
     ),
     case(
         "joins",
-        "A graph of several units, and one that is a topic's own: drawn, and told.",
+        "A graph of several units, and one that is a topic's own: drawn, and reported.",
         """{"topics":[{"name":"A","unit":"V","attrs":["join:All"]},{"name":"B","unit":"A","attrs":["join:All"]},""" +
             """{"name":"C","unit":"V","attrs":["join:A"]}],"values":[]}""" + "\nA,B,C\n1,2,3\n",
         bag(

@@ -39,7 +39,7 @@ internal val CELL_CASES = listOf(
     ),
     case(
         "empty-cells",
-        "An empty cell and null, in any case, are gaps, counted per topic; a topic of texts is not told of its gaps.",
+        "An empty cell and null, in any case, are gaps, counted per topic; the gaps of a topic of texts are not reported.",
         DRIVE + "1,auto,12\n2,,\n3,null,NULL\n,auto,\"\"\n5,auto,11\n6,auto,10\n",
         bag(
             time(1, 2, 3, null, 5, 6),
@@ -50,13 +50,13 @@ internal val CELL_CASES = listOf(
     ),
     case(
         "sparse-topic",
-        "A number in fewer than half of the rows: sampled at times of its own, so empty cells are no gaps to tell of.",
+        "A number in fewer than half of the rows: sampled at times of its own, so its empty cells are not gaps.",
         POWER + "1,12\n2,\n3,\n4,11\n5,\n",
         bag(time(1, 2, 3, 4, 5), volts(12, null, null, 11, null)),
     ),
     case(
         "text-in-numbers",
-        "A text among numbers is a gap, told once per topic with the line of the first; the text itself is kept.",
+        "A text among numbers is a gap, reported once per topic with the line of the first; the text itself is kept.",
         POWER + "1,12\n2,error\n3,12.5.1\n4,0x10\n5,11\n6,10.5\n7,12V\n8,9\n9,8\n",
         bag(
             time(1, 2, 3, 4, 5, 6, 7, 8, 9),
@@ -128,7 +128,7 @@ internal val CELL_CASES = listOf(
     ),
     case(
         "decimal-comma",
-        "A robot with a French locale writes quoted numbers with a comma; told once per topic, with the first line.",
+        "A robot with a French locale writes quoted numbers with a comma; reported once per topic, with the first line.",
         POWER + "\"0,0200\",12\n\"0,0400\",\"1,2345e+01\"\n\"-0,5\",\"11\"\n",
         bag(
             time(0.02, 0.04, -0.5),
@@ -138,7 +138,7 @@ internal val CELL_CASES = listOf(
     ),
     case(
         "quoted-numbers",
-        "A program that quotes every cell writes ordinary numbers; there is nothing to tell.",
+        "A program that quotes every cell writes ordinary numbers; there is nothing to report.",
         "\"Time\",\"Count\"\n\"1\",\"10\"\n\"2\",\"20.5\"\n",
         csv(topic("Time", cells = cells(1, 2)), topic("Count", cells = cells(10, 20.5))),
     ),
@@ -154,7 +154,7 @@ internal val CELL_CASES = listOf(
     ),
     bytesCase(
         "not-utf8-cells",
-        "Text that is not UTF-8 is Windows-1252, told once per topic; text that is UTF-8 stays so in the same topic.",
+        "Text that is not UTF-8 is Windows-1252, reported once per topic; text that is UTF-8 stays so in the same topic.",
         DRIVE + "1,arr\u00eat,12\n2,\u0093go\u0094 \u0080,11\n3,\u00c3\u00a9t\u00c3\u00a9,10\n",
         bag(
             time(1, 2, 3),
@@ -165,7 +165,7 @@ internal val CELL_CASES = listOf(
     ),
     bytesCase(
         "not-utf8-header",
-        "A header that is not UTF-8 is Windows-1252, told once per line.",
+        "A header that is not UTF-8 is Windows-1252, reported once per line.",
         "{\"topics\":[{\"name\":\"Temp\u00e9rature\",\"unit\":\"\u00b0C\",\"attrs\":[]}],\"values\":[]}\n" +
             "Temp\u00e9rature\n21\n",
         bag(topic("Température", "°C", cells = cells(21)), problems = listOf(NOT_UTF8 at 1, NOT_UTF8 at 2)),

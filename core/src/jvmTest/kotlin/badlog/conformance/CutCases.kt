@@ -114,7 +114,7 @@ internal val CUT_CASES = listOf(
     ),
     case(
         "cut-unescaped-quotes",
-        "A last row whose quotes were not escaped but are all closed is no cut row.",
+        "A last row whose quotes were not escaped but are all closed is not a cut row.",
         DRIVE + "1,auto,12\n2,\"say \"hi\"\",11\n",
         bag(time(1, 2), mode("auto", "say \"hi\""), volts(12, 11), problems = listOf(QUOTES_REPAIRED at 4)),
     ),
@@ -164,7 +164,7 @@ internal val CUT_CASES = listOf(
     ),
     case(
         "crlf",
-        "Windows line ends, told once; they are no part of the last cell.",
+        "Windows line ends, reported once; they are not part of the last cell.",
         DRIVE.replace("\n", "\r\n") + "1,auto,12\r\n2,teleop,off\r\n3,teleop,10\r\n\r\n4,\"a\r\nb\",9\r\n",
         bag(
             time(1, 2, 3, 4),

@@ -13,7 +13,7 @@ import badlog.recording.ProblemKind.UNUSUAL_NAME
 import badlog.recording.TopicKind.STATE
 import badlog.recording.Value
 
-/** Odd, missing and cut headers, and files that are no logs. */
+/** Odd, missing and cut headers, and files that are not logs. */
 internal val HEADER_CASES = listOf(
     case(
         "empty-file",
@@ -59,7 +59,7 @@ internal val HEADER_CASES = listOf(
     ),
     case(
         "line-1-cut",
-        "A cut line 1 is told; line 2 is readable, so the rest is read as CSV, with rows that end in newlines.",
+        "A cut line 1 is reported; line 2 is readable, so the rest is read as CSV, with rows that end in newlines.",
         DRIVE_JSON.take(60) + "\n" + DRIVE_TITLES + "1,auto,12\n",
         bag(
             topic("Time", cells = cells(1)),
@@ -70,7 +70,7 @@ internal val HEADER_CASES = listOf(
     ),
     case(
         "json-without-topics",
-        "A JSON object that describes no topic is a header without topics; every column is told, and has no unit.",
+        "A JSON object that describes no topic is a header without topics; every column is reported, and has no unit.",
         """{"robot":"Fury","topics":"none"}""" + "\nTime,Volts\n1,12\n",
         bag(
             topic("Time", cells = cells(1)),
@@ -80,13 +80,13 @@ internal val HEADER_CASES = listOf(
     ),
     case(
         "topic-without-column",
-        "A topic of line 1 that line 2 lacks is told of, and not shown.",
+        "A topic of line 1 that line 2 lacks is reported, and not shown.",
         "$DRIVE_JSON\nTime,Volts\n1,12\n",
         bag(time(1), volts(12), problems = listOf(TOPIC_WITHOUT_COLUMN at 2 of "Mode")),
     ),
     case(
         "column-without-topic",
-        "A column that line 1 lacks is told of, and comes after the others, without unit and attributes.",
+        "A column that line 1 lacks is reported, and comes after the others, without unit and attributes.",
         DRIVE_JSON + "\nAmps,Time,Mode,Volts\n40,1,auto,12\n",
         bag(
             time(1),
@@ -133,7 +133,7 @@ internal val HEADER_CASES = listOf(
     ),
     case(
         "unusual-names",
-        "Characters other than letters, digits, space, underscore and slash are told of; the name stays.",
+        "Characters other than letters, digits, space, underscore and slash are reported; the name stays.",
         """{"topics":[{"name":"Arm_2/Angle","unit":"deg","attrs":[]},{"name":"Speed (max)","unit":"ul","attrs":[]},""" +
             """{"name":"Δ-Volts","unit":"V","attrs":[]}],"values":[]}""" +
             "\nArm_2/Angle,Speed (max),Δ-Volts\n1,2,3\n",
@@ -173,7 +173,7 @@ internal val HEADER_CASES = listOf(
     ),
     case(
         "blank-lines",
-        "Blank lines are skipped wherever they stand, each is told of, and lines are counted with them.",
+        "Blank lines are skipped wherever they stand, each is reported, and lines are counted with them.",
         "\n$DRIVE_JSON\n\n${DRIVE_TITLES}1,auto,12\n\n\n2,teleop,11\n\n",
         bag(
             time(1, 2),
@@ -190,7 +190,7 @@ internal val HEADER_CASES = listOf(
     ),
     case(
         "prose",
-        "A text without a column of numbers or a second column is no log: one clear error, and nothing to show.",
+        "A text without a column of numbers or a second column is not a log: one clear error, and nothing to show.",
         "Dear pit crew\nplease charge the batteries\nthank you\n",
         csv(problems = listOf(NOT_A_RECORDING at 1)),
     ),

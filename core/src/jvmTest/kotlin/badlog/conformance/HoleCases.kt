@@ -105,7 +105,7 @@ internal val HOLE_CASES = listOf(
     ),
     case(
         "nul-several",
-        "Every hole is told.",
+        "Every hole is reported.",
         DRIVE + "1,auto,12\n" + nuls(3) + "2,teleop,11\n3,te" + nuls(4) + "\n4,teleop,9\n" + nuls(2),
         bag(
             time(1, 2, 4),

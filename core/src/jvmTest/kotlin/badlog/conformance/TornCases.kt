@@ -47,7 +47,7 @@ internal val TORN_CASES = listOf(
     ),
     case(
         "short-row-blank-line-torn-row",
-        "A short row of a number and a torn row below a blank line: a number is no piece of a text.",
+        "A short row of a number and a torn row below a blank line: a number is not a piece of a text.",
         "A,B,C\n1\n\n4,te\nst,9\n5,on,8\n",
         csv(
             topic("A", cells = cells(1, 4, 5)),
@@ -85,7 +85,7 @@ internal val TORN_CASES = listOf(
     ),
     case(
         "unescaped-quote-before-a-comma",
-        "A quote and a comma inside a text look like its end; the number of cells tells that they are not.",
+        "A quote and a comma inside a text look like its end; the number of cells shows that they are not.",
         DRIVE + "1,\"he said \"a\", ok\",12\n2,teleop,11\n",
         bag(time(1, 2), mode("he said \"a\", ok", "teleop"), volts(12, 11), problems = listOf(QUOTES_REPAIRED at 3)),
     ),

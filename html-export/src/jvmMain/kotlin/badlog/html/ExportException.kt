@@ -5,7 +5,7 @@ import java.nio.file.Path
 
 /** Why no page was made. The message is one sentence for the person who asked: what, where, and what to do. */
 public sealed class ExportException(message: String, cause: Throwable? = null) : IOException(message, cause) {
-    /** The [file] to read is missing, is no file, or cannot be read. */
+    /** The [file] to read is missing, is not a file, or cannot be read. */
     public class Unreadable internal constructor(public val file: Path, message: String, cause: Throwable? = null) :
         ExportException(message, cause)
 

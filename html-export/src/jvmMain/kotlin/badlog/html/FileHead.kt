@@ -7,7 +7,7 @@ import badlog.formats.LOG_FORMATS
 import badlog.recording.ProblemKind
 
 /**
- * What the first bytes of a file tell before the rest is read.
+ * What the first bytes of a file show before the rest is read.
  *
  * @property isGzip whether the file is compressed.
  * @property title the match, from the values in the header, or null where they name none.

@@ -25,7 +25,7 @@ import java.nio.file.Path
 public class HtmlExporter(private val attachments: List<Path> = emptyList(), private val parts: PageParts = PageParts.bundled()) {
     /**
      * Makes the page [output] of the file [input], a bag, a CSV file or a WPILOG, perhaps compressed with gzip. Whatever is wrong
-     * in it is told in the report and on the page. [output] is replaced only by a whole page; its folder is made if
+     * in it is listed in the report and on the page. [output] is replaced only by a whole page; its folder is made if
      * need be.
      *
      * To cancel, interrupt the calling thread or throw from [progress].

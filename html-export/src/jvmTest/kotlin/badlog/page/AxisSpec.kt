@@ -23,7 +23,7 @@ internal class AxisSpec : PageSpec({
     }
 
     for ((least, most) in listOf(0.0 to 1.0, -3.0 to 7.0, 0.0 to 12.7, -1.0 to 1.0, 0.0 to 0.002, 99.0 to 99.5)) {
-        browserTest("the ticks of $least to $most are told exactly: as evenly as they stand") {
+        browserTest("the ticks of $least to $most are written exactly: as evenly as they stand") {
             val bag = bagOf(listOf(TIME, BagTopic("A")), 101) { row, column ->
                 if (column == 0) row / 10.0 else least + (most - least) * row / 100
             }

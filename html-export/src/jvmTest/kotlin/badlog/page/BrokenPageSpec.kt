@@ -14,7 +14,7 @@ internal class BrokenPageSpec : PageSpec({
         return Files.write(file, Files.readAllBytes(page).copyOf(bytes))
     }
 
-    browserTest("a browser without DecompressionStream is told which one can show the page") {
+    browserTest("a browser without DecompressionStream learns which one can show the page") {
         onPage(TestPages.ofSample("practice.bag"), script = "delete window.DecompressionStream", state = "failed") {
             text shouldContain "This browser is too old"
             text shouldContain "Safari 16.4"

@@ -78,7 +78,7 @@ internal class CursorSpec : PageSpec({
         }
     }
 
-    browserTest("the bar tells the cursor's time with its unit") {
+    browserTest("the bar shows the cursor's time with its unit") {
         onPage(page) {
             graph("Row").hover(0.5)
             val (number, unit) = texts(".cursor-readout").single().split(' ')

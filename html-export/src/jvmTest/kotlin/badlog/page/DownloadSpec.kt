@@ -69,7 +69,7 @@ internal class DownloadSpec : PageSpec({
         }
     }
 
-    browserTest("bytes that are no text come back as they were") {
+    browserTest("bytes that are not text come back as they were") {
         val odd = byteArrayOf(-1, -2, 0, 13, 10, -61)
         val bytes = "Time,A\n0,1\n1,".encodeToByteArray() + odd + "\n2,3\n".encodeToByteArray()
         onPage(TestPages.of(bytes, "bytes.bag")) { downloaded("download", "bytes.bag") shouldBe bytes }

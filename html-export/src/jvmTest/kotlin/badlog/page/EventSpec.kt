@@ -89,7 +89,7 @@ internal class EventSpec : PageSpec({
         }
     }
 
-    browserTest("the way to the event log is at the top, and tells how many events there are") {
+    browserTest("the way to the event log is at the top, and shows how many events there are") {
         onPage(TestPages.ofSample("qualification-42.bag")) {
             texts(".events-link .count").single().toInt() shouldBe elements(".event").size
             click("#collapse-all")

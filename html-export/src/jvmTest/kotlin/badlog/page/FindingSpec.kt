@@ -90,7 +90,7 @@ internal class FindingSpec : PageSpec({
         }
     }
 
-    browserTest("pointing at a mark, or into a band, tells what was found there, also in the bar") {
+    browserTest("pointing at a mark, or into a band, shows what was found there, also in the bar") {
         onPage(page) {
             graph("Angle").hover(0.8)
             graph("Angle").label shouldBe "error · Brownout: the voltage fell"

@@ -24,7 +24,7 @@ internal class FormulaSpec : PageSpec({
         }
     }
 
-    browserTest("a wrong formula is told with a mark below its mistake, and costs the others nothing") {
+    browserTest("a wrong formula is reported with a mark below its mistake, and costs the others nothing") {
         onPage(TestPages.of(bag, additions = PageAdditions(listOf("Bad = Voltge * 2", "Good = Voltage * 2")))) {
             graphNames shouldContain "Good"
             element(".problem-list").isDisplayed shouldBe true

@@ -53,7 +53,7 @@ internal class PhoneSpec : PageSpec({
         }
     }
 
-    browserTest("a tap on a finding's mark tells what was found, on a page that is no wider than the phone") {
+    browserTest("a tap on a finding's mark shows what was found, on a page that is no wider than the phone") {
         val finding = finding("Brownout", Severity.ERROR, "a long text of what was found ".repeat(9), 5.0, Double.NaN)
         val line = PageSeries("Fit", "V", Series(doubleArrayOf(1.0), doubleArrayOf(1.0)))
         val hook = HookPart("a-long-name-of-a-program.py".repeat(4), series = listOf(line))
@@ -125,7 +125,7 @@ internal class PhoneSpec : PageSpec({
         }
     }
 
-    browserTest("two quick taps at different places are no double tap") {
+    browserTest("two quick taps at different places are not a double tap") {
         onPage(page, Screen.PHONE) {
             val frame = graph("Step 1").scrollTo().frame
             touch(between(frame.at(0.2), frame.at(0.6)))

@@ -70,7 +70,7 @@ internal class ThemeSpec : PageSpec({
         }
     }
 
-    browserTest("the button chooses light and dark, and the choice is kept over a reload") {
+    browserTest("the button selects light and dark, and that is kept over a reload") {
         onPage(TestPages.of(stepBag(graphs = 1))) {
             click("#theme")
             element("html").getDomAttribute("data-theme") shouldBe "light"

@@ -174,7 +174,7 @@ internal class ZoomSpec : PageSpec({
         }
     }
 
-    browserTest("two quick clicks far apart are no double-click") {
+    browserTest("two quick clicks far apart are not a double-click") {
         onPage(page) {
             graph("Step 1").drag(0.2, 0.6)
             val (x, y) = graph("Step 1").frame.at(0.2)

@@ -141,7 +141,7 @@ public class BadLog private constructor(private val session: LogSession) : AutoC
         }
 
         /**
-         * Creates a topic whose values are published. [mode] tells what it holds when nothing was. Otherwise as
+         * Creates a topic whose values are published. [mode] says what it holds when nothing was. Otherwise as
          * [createTopic].
          */
         @JvmStatic

@@ -8,7 +8,7 @@ import badlog.file.UnreadableFileException
 import badlog.file.reading
 import java.nio.file.Path
 
-/** The logs below [paths] as they are now, to ask all of them at once, and to tell afterwards what came of each. */
+/** The logs below [paths] as they are now, to ask all of them at once, and to report each result afterwards. */
 internal class LogFiles(paths: List<Path>, console: Console) {
     private val found = console.searching().use { LogSearch(it::next).find(paths) }
     private val failures = LinkedHashMap<LogInput, UnreadableFileException>()
@@ -27,12 +27,12 @@ internal class LogFiles(paths: List<Path>, console: Console) {
     /** Those that are there, in their order. */
     val files: List<LogFile> get() = fileOf.values.toList()
 
-    /** Tells [outcomes] what cannot be looked at, and lets [tell] tell the rest, all in their order. */
-    fun tell(outcomes: Outcomes, tell: (LogInput, LogFile) -> Unit) {
+    /** Reports to [outcomes] what cannot be read, and lets [report] report the rest, all in their order. */
+    fun report(outcomes: Outcomes, report: (LogInput, LogFile) -> Unit) {
         for (failure in found.failures) outcomes.failed(failure.file, failure.message)
         for (input in found.inputs) {
             val file = fileOf[input]
-            if (file == null) outcomes.failed(input.file, failures.getValue(input).message) else tell(input, file)
+            if (file == null) outcomes.failed(input.file, failures.getValue(input).message) else report(input, file)
         }
     }
 }

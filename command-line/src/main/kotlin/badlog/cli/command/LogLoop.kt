@@ -46,7 +46,7 @@ internal class LogLoop(command: String, private val console: Console, isJson: Bo
     }
 
     companion object {
-        /** What to tell about [failure], which ended the work on [file]. */
+        /** What to report about [failure], which ended the work on [file]. */
         fun sentenceOf(failure: Throwable, file: Path): String = when (failure) {
             is Failure -> failure.message
 

@@ -48,13 +48,13 @@ internal class Outcomes(private val command: String, private val console: Consol
         if (isNoLog && input.isFound) skipped(file) else failed(file, if ("$file" in message) message else "$file: $message")
     }
 
-    /** [file], which nobody named, is no log. */
+    /** [file], which nobody named, is not a log. */
     private fun skipped(file: Path) {
         skipped++
         if (isJson) line(file, "skipped", emptyMap())
     }
 
-    /** Something of the result is missing beside logs, for the reason of [message], which may be told already. */
+    /** Something of the result is missing beside logs, for the reason of [message], which may be reported already. */
     fun leaveOut(message: String = "") {
         isIncomplete = true
         if (message.isNotEmpty()) console.warn(message)

@@ -43,7 +43,7 @@ internal abstract class SubCommand(
     var task: Task? = null
         private set
 
-    /** All arguments that are no options. */
+    /** All arguments that are not options. */
     protected open val words: List<String> get() = paths.map { it.toString() }
 
     /** Clikt takes whatever begins with a sign and contains `=` for an option. */

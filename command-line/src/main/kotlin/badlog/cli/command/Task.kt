@@ -4,7 +4,7 @@ import badlog.cli.console.Console
 
 /** What a command line asks for, once it is understood. */
 internal fun interface Task {
-    /** Does it. Whatever goes wrong with the logs is told and counted, never thrown. */
+    /** Does it. Whatever goes wrong with the logs is reported and counted, never thrown. */
     fun run(console: Console): ExitCode
 }
 

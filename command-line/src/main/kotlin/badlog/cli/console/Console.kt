@@ -27,13 +27,13 @@ internal class Console(
     /** Whether results come to nowhere, because nobody reads them any longer or the disk is full. */
     val isOutClosed: Boolean get() = out.checkError()
 
-    /** Tells a result: [text], and that the line ends. */
+    /** Prints a result: [text], and the end of the line. */
     fun say(text: String) {
         out.println(outSpelling.of(cleaned(text)))
         out.flush()
     }
 
-    /** Tells what went wrong: [text], and that the line ends. */
+    /** Prints what went wrong: [text], and the end of the line. */
     fun warn(text: String) = err.println(errSpelling.of(cleaned(text)))
 
     /** Shows how far the work on [label] is, when that takes long. To be closed. */

@@ -3,7 +3,7 @@ package badlog.cli.console
 import java.io.IOException
 import java.io.OutputStream
 
-/** Passes what is written on to [out], and keeps why that failed, which a print stream does not tell. */
+/** Passes what is written on to [out], and keeps why that failed, which a print stream does not say. */
 internal class ResultStream(private val out: OutputStream) : OutputStream() {
     /** Why something could not be written, or null. */
     var failure: IOException? = null

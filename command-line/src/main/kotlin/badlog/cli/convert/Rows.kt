@@ -39,7 +39,7 @@ internal class Rows(private val period: Double?, private val topic: String?) {
     }
 }
 
-/** What of [recording], whose topics have times of their own, is not told by rows at [times]. */
+/** What of [recording], whose topics have times of their own, rows at [times] do not hold. */
 internal fun rowOmissions(recording: Recording, times: DoubleArray): Omissions {
     val between = recording.topics.sumOf { samplesBetween(it, times) }
     val topics = recording.topics

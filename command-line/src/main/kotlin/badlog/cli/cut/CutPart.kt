@@ -73,5 +73,5 @@ private fun isEvent(topic: Topic) = topic.kind == TopicKind.EVENT || EVENT_LOG i
 
 private const val EVENT_LOG = "log"
 
-/** Tells the time of day at a time of the log, which is true only where it was written. */
+/** Gives the time of day at a time of the log, which is true only where it was written. */
 private const val CLOCK_PAIR = "systemTime"

@@ -101,12 +101,12 @@ internal class ExportTask(
         val undefined = undefinedTopics(view, search.virtualTopics)
         val skipped = own.rules.skippedFor(view, search.virtualTopics)
         refused += skipped
-        val told = search.toldOf(skipped)
+        val reported = search.reportedOf(skipped)
         val text = listOf("${input.file} -> $target") +
             listOfNotNull(folder?.file?.let { wrapped("  ", "with the rules of $it") }) +
             listOfNotNull(found.count?.let { "  " + counted(it.toLong(), "finding") + " of hooks" }) +
             listOfNotNull(found.unreadable?.let { wrapped("  ", "no hook was run: $it") }) +
-            told.flatMap { it.toString().lines() }.map { "  $it" } +
+            reported.flatMap { it.toString().lines() }.map { "  $it" } +
             undefinedLines(undefined) +
             found.failures.map { (hook, failure) -> wrapped("  ", "hook “$hook”: ${failure.message}") } +
             lossLines(report.recording.problems)
@@ -122,7 +122,7 @@ internal class ExportTask(
             "hookFailures" to JsonArray(found.failures.map { (hook, failure) -> jsonOf(HookFailureJson(hook, failure.message)) }),
             "problems" to JsonArray(report.recording.problems.map { json(it) }),
         )
-        val isIncomplete = found.failures.isNotEmpty() || found.unreadable != null || folder?.problem != null || told.isNotEmpty()
+        val isIncomplete = found.failures.isNotEmpty() || found.unreadable != null || folder?.problem != null || reported.isNotEmpty()
         return Outcome(report.recording.isSalvaged || isIncomplete, text.joinToString("\n"), json)
     }
 }

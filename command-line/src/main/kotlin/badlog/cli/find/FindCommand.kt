@@ -79,7 +79,7 @@ internal class FindTask(
         if (!isJson && asked.isNotEmpty()) console.say(findText(asked))
         val outcomes = Outcomes("find", console, isJson)
         val resultOf = results.associateBy { it.file }
-        logs.tell(outcomes) { input, file ->
+        logs.report(outcomes) { input, file ->
             val result = resultOf.getValue(file)
             when (val reply = result.reply) {
                 is Reply.Unreadable -> outcomes.unreadable(input, reply.message, reply.isNoLog)
@@ -89,7 +89,7 @@ internal class FindTask(
         return outcomes.end()
     }
 
-    /** What is wrong with the question itself; a topic that a log lacks is no mistake as long as another has it. */
+    /** What is wrong with the question itself; a topic that a log lacks is not a mistake as long as another has it. */
     private fun mistakeIn(results: List<FindResult>): Reply.NotAsked? {
         val refusals = results.map { it.reply }.filterIsInstance<Reply.NotAsked>()
         if (results.any { it.reply is Reply.Answered }) return null

@@ -17,10 +17,10 @@ internal class LogSummary(val file: Path, val bytes: Long, val view: LogView, nu
     /** The smallest and the largest x, or null without any. */
     val range: ClosedFloatingPointRange<Double>? = view.xAxis.range
 
-    /** How many seconds one unit of x is, or null when x is no time. */
+    /** How many seconds one unit of x is, or null when x is not a time. */
     val secondsPerX: Double? = Units.secondsIn(view.xAxis.unit)
 
-    /** How long it is in seconds, or null when x is no time. */
+    /** How long it is in seconds, or null when x is not a time. */
     val seconds: Double? get() = range?.let { range -> secondsPerX?.times(range.endInclusive - range.start) }
 
     /** Each topic, in the order of the file. */
@@ -31,10 +31,10 @@ internal class LogSummary(val file: Path, val bytes: Long, val view: LogView, nu
  * What there is to say about one topic.
  *
  * @property count how many samples it has: numbers, or texts of states and events.
- * @property rate samples per second from its first to its last, or null where x is no time or nothing lies between.
+ * @property rate samples per second from its first to its last, or null where x is not a time or nothing lies between.
  * @property min the smallest finite number, NaN without any.
  * @property max the largest finite number, NaN without any.
- * @property gaps how many times it has no number for a while; null where that is no lack: of texts, and of sparse topics.
+ * @property gaps how many times it has no number for a while; null where that is not a lack: of texts, and of sparse topics.
  */
 internal class TopicSummary private constructor(
     val topic: Topic,

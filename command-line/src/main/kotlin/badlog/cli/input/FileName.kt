@@ -24,7 +24,7 @@ internal class FileName private constructor(val stem: String, val ending: String
 
     /** The same name, without the end of its stem where it is longer than file systems take. */
     fun fitting(): FileName {
-        // What is no log has another ending, such as that of a page.
+        // What is not a log has another ending, such as that of a page.
         val other = "." + stem.substringAfterLast('.', "")
         if (other.length == 1 || other.length > MAX_ENDING || stem.encodeToByteArray().size <= MAX_BYTES) {
             return FileName(startOfBytes(stem, MAX_BYTES), ending, isGzip)

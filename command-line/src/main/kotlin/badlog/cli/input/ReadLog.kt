@@ -35,7 +35,7 @@ private fun isFormerWpilog(file: Path, recording: Recording) =
     recording.format == RecordingFormat.CSV && recording.isSalvaged && recording.rowCount > 0 &&
         FileName.of(file).ending.lowercase() == ".wpilog"
 
-/** The bytes of a file are no log at all. The message is one sentence for a person. */
+/** The bytes of a file are not a log at all. The message is one sentence for a person. */
 internal class NotALog(override val message: String) : Exception(message)
 
 /** Why something cannot be done with a log. The message is one sentence for a person: what, where, and what to do. */

@@ -46,7 +46,7 @@ internal class LogPart(val file: Path, val recording: Recording) {
  * The same log without rows: each topic has times of its own, in s, which take the place of the topic of x. Rows that come after
  * one of a later x, as of a clock that was set, are sorted; a row without x goes with the row before it.
  *
- * @throws Failure when its x is no time.
+ * @throws Failure when its x is not a time.
  */
 internal fun LogPart.withOwnTimes(): LogPart {
     if (!hasRows) return this

@@ -11,7 +11,7 @@ import badlog.recording.Topic
 /**
  * Makes one recording of [parts], two or more, which all have rows.
  *
- * @throws Failure when nothing tells how their rows belong together.
+ * @throws Failure when nothing shows how their rows belong together.
  */
 internal class Merge(parts: List<LogPart>, mode: MergeMode) {
     private val groups: List<AppendedRows> = mode.groupsOf(parts).map(::AppendedRows)

@@ -25,7 +25,7 @@ internal class SampleMerge(parts: List<LogPart>, mode: MergeMode) {
     /** What came of it. To be called once. */
     fun merged(): Merged {
         val topics = ArrayList<Topic>()
-        val told = groups.map { group ->
+        val written = groups.map { group ->
             var repeated = 0
             for (lane in lanesOf(group)) {
                 val appended = AppendedSamples(lane.pieces)
@@ -36,7 +36,7 @@ internal class SampleMerge(parts: List<LogPart>, mode: MergeMode) {
         }
         val values = valueNames.values(groups.flatten())
         val recording = Recording(RecordingFormat.WPILOG, null, values, topics, 0, emptyList())
-        return Merged(recording, told, names.renamed + valueNames.renamed)
+        return Merged(recording, written, names.renamed + valueNames.renamed)
     }
 
     /** Numbers and texts of one name do not become one topic. */

@@ -63,7 +63,7 @@ internal enum class LogFormat(val ending: String, private val recordingFormat: R
     }
 
     companion object {
-        /** The format that a file's name asks for, or null when it tells none. */
+        /** The format that a file's name asks for, or null when it has none. */
         fun ofName(path: Path): LogFormat? = FileName.of(path).let { name ->
             entries.find { it.ending == name.ending.lowercase() } ?: BAG.takeIf { name.ending.lowercase() == ".badbag" }
         }

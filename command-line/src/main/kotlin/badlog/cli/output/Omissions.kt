@@ -6,7 +6,7 @@ import badlog.cli.text.wrapped
 import badlog.wpilog.Omission
 
 /**
- * What a written file has no place for, or tells otherwise than what it was made of.
+ * What a written file has no place for, or holds otherwise than what it was made of.
  *
  * @param things what is not there, each as a short text such as `38 units`.
  * @param omissions what a WPILOG cannot carry.

@@ -38,7 +38,7 @@ internal class ReportPages(private val folder: ReportFolder) {
     /** Why [log] has no page, or null. */
     fun failureOf(log: LogReport): String? = failures[log]
 
-    /** What a program is told about the page of [log]. */
+    /** What a program reads about the page of [log]. */
     fun json(log: LogReport): PageJson = PageJson(pages[log]?.toString(), failures[log])
 
     /** Writes the index of [result], unless there is no log to be in it. */

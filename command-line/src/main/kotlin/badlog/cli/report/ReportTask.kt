@@ -66,10 +66,10 @@ internal class ReportTask(
         if (result.logs.any { !it.isNoLog }) say(result, console)
         val outcomes = Outcomes("report", console, form == ReportForm.JSON)
         val reportOf = result.logs.associateBy { it.file }
-        logs.tell(outcomes) { input, file ->
+        logs.report(outcomes) { input, file ->
             val log = reportOf.getValue(file)
             val unreadable = log.unreadable
-            if (unreadable != null) outcomes.unreadable(input, unreadable, log.isNoLog) else tell(log, pages, outcomes, console)
+            if (unreadable != null) outcomes.unreadable(input, unreadable, log.isNoLog) else report(log, pages, outcomes, console)
         }
         pages?.finish(result, outcomes)
         val refused = result.logs.filter { it.unreadable == null }.map { it.skipped }
@@ -87,7 +87,7 @@ internal class ReportTask(
         return rules.rules
     }
 
-    private fun tell(log: LogReport, pages: ReportPages?, outcomes: Outcomes, console: Console) {
+    private fun report(log: LogReport, pages: ReportPages?, outcomes: Outcomes, console: Console) {
         val failure = pages?.failureOf(log)
         val json = jsonOf(ReportJson(log)) + pages?.let { jsonOf(it.json(log)) }.orEmpty()
         outcomes.done(log.file.path, Outcome(log.isSalvaged || log.hookFailures.isNotEmpty() || failure != null, "", json))
@@ -99,7 +99,7 @@ internal class ReportTask(
 
         ReportForm.CSV -> {
             console.say(reportCsv(result).trimEnd())
-            // No line of CSV tells them.
+            // No line of CSV has them.
             notesOf(result).forEach(console::warn)
         }
 

@@ -41,11 +41,11 @@ internal class Search(
         hooks + named?.hooks.orEmpty().map { HookRunner.of(it, rules?.toAbsolutePath()?.parent) }
 
     /** Those of [skipped] that the user has to know: a log need not have all that badlog's own rules look for. */
-    fun toldOf(skipped: List<SkippedRule>): List<SkippedRule> = if (hasOwnRules) skipped else emptyList()
+    fun reportedOf(skipped: List<SkippedRule>): List<SkippedRule> = if (hasOwnRules) skipped else emptyList()
 
     /** Of the rules that were refused by each of many logs, [skipped], those that all of them refused. */
     fun neverAsked(skipped: List<List<SkippedRule>>): List<SkippedRule> =
-        toldOf(skipped.flatten()).groupBy { it.rule }.values.filter { it.size == skipped.size }.flatten()
+        reportedOf(skipped.flatten()).groupBy { it.rule }.values.filter { it.size == skipped.size }.flatten()
 
     private fun read(file: Path) = try {
         RulesFile.parse(textOf(file))

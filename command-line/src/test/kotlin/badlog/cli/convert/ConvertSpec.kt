@@ -48,7 +48,7 @@ class ConvertSpec : FunSpec({
         }
     }
 
-    test("the name after --out tells the format, and whether to compress") {
+    test("the name after --out shows the format, and whether to compress") {
         inFolder { folder ->
             badlog("convert", folder.with("a.bag", BAG), "-o", folder / "b.csv.gz").code shouldBe ExitCode.WHOLE
             (folder / "b.csv.gz").readBytes()[0] shouldBe 0x1f
@@ -91,7 +91,7 @@ class ConvertSpec : FunSpec({
         }
     }
 
-    test("a calculated topic without a value in each row is left out of rows, and told") {
+    test("a calculated topic without a value in each row is left out of rows, and reported") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG.replace("0.02,2.5", ",2.5"))
             badlog("convert", log, "--to", "csv", "--topic", "Twice = Speed * 2").out shouldContain "1 calculated topic"

@@ -155,7 +155,7 @@ class ConvertWpilogSpec : FunSpec({
         }
     }
 
-    test("no event is lost between rows, and those after the last one are told") {
+    test("no event is lost between rows, and those after the last one are reported") {
         inFolder { folder ->
             val bag = "{\"topics\":[{\"name\":\"Time\",\"unit\":\"s\",\"attrs\":[\"xaxis\"]},{\"name\":\"y\"},{\"name\":\"Log\",\"attrs\":[\"log\"]}]}\n" +
                 "Time,y,Log\n0,1,\n0.3,2,a\n0.31,3,b\n0.5,4,c\n1,,d\n1.1,,e\n"

@@ -62,7 +62,7 @@ class CutSpec : FunSpec({
         times(set, "--from", "101").map { if (it.isNaN()) "gap" else "$it" } shouldContainExactly listOf("101.0", "gap", "101.0")
     }
 
-    test("what is not there is told with what is") {
+    test("what is not there is reported with what is") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
             badlog("cut", log, "--from", "7").err shouldContain "no row lies there; Time goes from 0 s to 0.08 s"
@@ -74,7 +74,7 @@ class CutSpec : FunSpec({
         }
     }
 
-    test("rows are chosen as by looking at each span") {
+    test("rows are selected as by looking at each span") {
         val x = Arb.double(0.0, 10.0, includeNaNs = false)
         checkAll(500, Arb.list(x, 0..50), Arb.list(Arb.pair(x, x).map { (a, b) -> Span(minOf(a, b), maxOf(a, b)) }, 0..6)) { positions, spans ->
             val rows = rowsIn(positions.toDoubleArray(), spans)

@@ -98,7 +98,7 @@ class CutWpilogSpec : FunSpec({
         }
     }
 
-    test("what was kept is told in samples, in JSON too, and what is not there with what is") {
+    test("what was kept is reported in samples, in JSON too, and what is not there with what is") {
         inFolder { folder ->
             val whole = folder.wpilog("a.wpilog", log)
             badlog("cut", whole, "--from", "2.5", "--to", "4").out shouldContain "kept 9 of 22 samples\n  from 2.5 s to 4 s\n"

@@ -51,7 +51,7 @@ class ExportSpec : FunSpec({
         }
     }
 
-    test("a page holds the topics to calculate, and those that the log cannot be given are told") {
+    test("a page holds the topics to calculate, and those that the log cannot be given are reported") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
             val ended = badlog("export", log, "--topic", "Twice = Speed * 2", "--topic", "Odd = Sped * 2")
@@ -103,7 +103,7 @@ class ExportSpec : FunSpec({
         }
     }
 
-    test("rules that are wrong, or that a log cannot be asked, are told") {
+    test("rules that are wrong, or that a log cannot be asked, are reported") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
             fun export(condition: String): Ended {

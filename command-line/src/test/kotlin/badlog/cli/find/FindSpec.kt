@@ -17,7 +17,7 @@ import kotlin.io.path.div
 class FindSpec : FunSpec({
     val samples = SAMPLES
 
-    test("the matches in which it holds are told with time and value") {
+    test("the matches in which it holds are reported with time and value") {
         val ended = badlog("find", samples, "min(System/Battery Voltage) < 7", "--no-cache")
         // Two of the samples are damaged.
         ended.code shouldBe ExitCode.SALVAGED
@@ -46,7 +46,7 @@ class FindSpec : FunSpec({
         }
     }
 
-    test("the exit code is 0 when every log is whole, however often it is named, and what is no log is only counted") {
+    test("the exit code is 0 when every log is whole, however often it is named, and what is not a log is only counted") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
             badlog("find", log, log, "max(Speed) > 5", "--no-cache").code shouldBe ExitCode.WHOLE
@@ -69,7 +69,7 @@ class FindSpec : FunSpec({
         badlog("find", csv, "Time > 0", "--x", "Nix", "--no-cache").err shouldContain "elevator-bench.csv has no topic “Nix”"
     }
 
-    test("a mistake in the question is told without a log") {
+    test("a mistake in the question is reported without a log") {
         inFolder { folder -> badlog("find", folder, "min(Speed < 7", "--no-cache").code shouldBe ExitCode.USAGE }
     }
 

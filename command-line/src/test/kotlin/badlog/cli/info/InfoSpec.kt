@@ -58,7 +58,7 @@ class InfoSpec : FunSpec({
         }
     }
 
-    test("a log tells the same of itself whether or not its numbers are kept") {
+    test("a log shows the same of itself whether or not its numbers are kept") {
         val folders = listOf(SAMPLES, ROOT / "core/conformance")
         for (file in folders.flatMap { it.listDirectoryEntries("*.{bag,csv,bag.gz}") }) {
             fun json(needed: NumberSinks): JsonObject {
@@ -101,7 +101,7 @@ class InfoSpec : FunSpec({
         }
     }
 
-    test("of many logs, a topic that they cannot be given is told once") {
+    test("of many logs, a topic that they cannot be given is reported once") {
         inFolder { folder ->
             for (i in 1..4) folder.with("$i.bag", BAG)
             folder.with("5.bag", BAG.replace("Speed", "Sped"))
@@ -109,7 +109,7 @@ class InfoSpec : FunSpec({
         }
     }
 
-    test("topics that are calculated are told as others, and those that cannot be are pointed at") {
+    test("topics that are calculated are reported as others, and those that cannot be are pointed at") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
             val ended = badlog("info", log, "--topic", "Twice [m/s] = Speed * 2", "--topic", "Odd = Sped")

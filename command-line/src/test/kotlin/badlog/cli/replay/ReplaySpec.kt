@@ -23,7 +23,7 @@ class ReplaySpec : FunSpec({
         ended.err shouldContain "There is no topic “Nix”"
     }
 
-    test("a program is told the port, and why there is none") {
+    test("a program gets the port, and why there is none") {
         val json = badlogJson("replay", match, "--port", "0", "--from", "0:10", "--to", "10.5", "--speed", "5").json.single()
         json.getValue("command").jsonPrimitive.content shouldBe "replay"
         json.getValue("status").jsonPrimitive.content shouldBe "whole"
@@ -31,7 +31,7 @@ class ReplaySpec : FunSpec({
         badlogJson("replay", "nix.bag").json.single().getValue("status").jsonPrimitive.content shouldBe "failed"
     }
 
-    test("a part that is not there is told with what is there") {
+    test("a part that is not there is reported with what is there") {
         badlog("replay", match, "--port", "0", "--from", "100", "--to", "50").err shouldContain "from 0 to 155.991"
         badlog("replay", match, "--port", "0", "--from", "1:40", "--to", "50").code shouldBe ExitCode.NOTHING
     }
@@ -41,7 +41,7 @@ class ReplaySpec : FunSpec({
         badlog("replay", csv, "--x", "Time", "--port", "0", "--to", "0.5", "--speed", "5").code shouldBe ExitCode.WHOLE
     }
 
-    test("a port that is taken is told, and two logs are a wrong usage") {
+    test("a port that is taken is reported, and two logs are a wrong usage") {
         ServerSocket(0, 1, InetAddress.getLoopbackAddress()).use { taken ->
             val ended = badlog("replay", match, "--port", taken.localPort.toString())
             ended.code shouldBe ExitCode.NOTHING

@@ -32,7 +32,7 @@ class ReportSpec : FunSpec({
         json.getValue("findings").jsonArray.first().jsonObject.getValue("rule").jsonPrimitive.content shouldBe "Browned out"
     }
 
-    test("damaged logs, files that are missing and what is no log have a line of JSON each, and count") {
+    test("damaged logs, files that are missing and what is not a log have a line of JSON each, and count") {
         inFolder { folder ->
             folder.with("logs/a.bag", BAG)
             folder.with("logs/b.bag", CUT_BAG)
@@ -87,7 +87,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("rules that cannot be read are told apart") {
+    test("rules that cannot be read are distinguished") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
             fun said(rules: Path) = badlog("report", log, "--rules", rules).also { it.code shouldBe ExitCode.USAGE }.err
@@ -127,7 +127,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("a hook that fails is told, and counts as left out") {
+    test("a hook that fails is reported, and counts as left out") {
         inFolder { folder ->
             val ended = badlog("report", folder.with("a.bag", BAG), "--no-cache", "--hook", "no-such-program")
             ended.code shouldBe ExitCode.SALVAGED

@@ -30,7 +30,7 @@ class TextSpec : FunSpec({
         sizeText(356_616_059) shouldBe "356.6 MB"
     }
 
-    test("times are told as on a clock") {
+    test("times are reported as on a clock") {
         listOf(0.04, 92.0, 155.99, 3599.96, 20031.0).map(XTime::clock) shouldBe listOf("0:00.0", "1:32.0", "2:36.0", "1:00:00", "5:33:51")
     }
 })

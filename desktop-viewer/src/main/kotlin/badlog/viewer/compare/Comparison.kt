@@ -54,7 +54,7 @@ internal data class Comparison(
         return copy(alignment = wanted, handOffsets = offsets)
     }
 
-    /** Moves [file] to [offset] against [open], from now on by hand. An offset that is no number changes nothing. */
+    /** Moves [file] to [offset] against [open], from now on by hand. An offset that is not a number changes nothing. */
     fun movedTo(file: Path, offset: Double, open: OpenRecording): Comparison {
         if (!offset.isFinite() || file == open.file) return this
         val byHand = alignedBy(Alignment.MANUAL, open)
@@ -75,7 +75,7 @@ internal enum class Alignment(val title: String, val hint: String, val layoutNam
     /** The first x. */
     START("Start", "Every log begins where the open one begins.", "START"),
 
-    /** The first moment at which the robot was enabled; the first x where nothing tells. */
+    /** The first moment at which the robot was enabled; the first x where that is unknown. */
     ENABLED(
         "Enabled",
         "The robot is first enabled at the same place in all; a log that does not show it begins with the open one.",

@@ -22,7 +22,7 @@ internal fun FailureBoundary(failures: Failures, content: @Composable () -> Unit
     CompositionLocalProvider(LocalWindowExceptionHandlerFactory provides factory, content = content)
 }
 
-/** Proves to [failures] that the window still shows what it is told. */
+/** Proves to [failures] that the window still shows what it should. */
 @Composable
 internal fun FailuresSeen(failures: Failures) {
     val count = failures.count

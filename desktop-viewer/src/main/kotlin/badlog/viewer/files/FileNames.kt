@@ -10,7 +10,7 @@ internal fun fileNameOf(text: String): String = text.map { if (it.isISOControl()
     .take(MAX_LENGTH)
     .ifEmpty { "badlog" }
 
-/** The name of [file] without what tells its format. */
+/** The name of [file] without the endings of its format. */
 internal fun stemOf(file: Path): String = fileNameOf(LogName.of(file.fileName.toString()).stem)
 
 private const val FORBIDDEN = "\\/:*?\"<>|"

@@ -26,13 +26,13 @@ import badlog.viewer.theme.LocalPalette
 /** The text of the finding under the pointer, or else of the one at which the cursor was placed, above its mark. */
 @Composable
 internal fun FindingLabel(scene: GraphScene, modifier: Modifier) {
-    val told by remember(scene) {
+    val shown by remember(scene) {
         derivedStateOf {
             scene.findings.state.pointed
                 ?: scene.findings.state.selected?.takeIf { scene.view.isCursorPinned && isAt(it, scene.view.cursor) }
         }
     }
-    val finding = told ?: return
+    val finding = shown ?: return
     val palette = LocalPalette.current
     Box(modifier.fillMaxWidth().padding(start = GraphScene.LEFT_GUTTER, end = scene.rightGutter, bottom = 2.dp)) {
         Column(

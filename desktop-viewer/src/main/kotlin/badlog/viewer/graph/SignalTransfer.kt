@@ -24,7 +24,7 @@ internal fun signalNames(transfer: Transferable): List<String> {
     }
 }
 
-/** Whether [transfer] may hold names of signals, as far as can be told while it is still dragged. */
+/** Whether [transfer] may hold names of signals, as far as is known while it is still dragged. */
 internal fun mayHoldSignals(transfer: Transferable): Boolean =
     transfer.isDataFlavorSupported(DataFlavor.stringFlavor) && !transfer.isDataFlavorSupported(DataFlavor.javaFileListFlavor)
 

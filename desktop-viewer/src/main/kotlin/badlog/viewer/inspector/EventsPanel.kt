@@ -190,7 +190,7 @@ internal class EventTimes(recording: OpenRecording) {
     /** [x] as it was logged, all with as many decimals; `–` for none. */
     fun logged(x: Double): String = fixedText(x, decimals)
 
-    /** `1:32.0` for 92 s after the robot was first enabled, negative before; null where nothing tells. */
+    /** `1:32.0` for 92 s after the robot was first enabled, negative before; null where it is unknown. */
     fun sinceEnabled(x: Double): String? {
         if (enabledFrom == null || seconds == null || !x.isFinite()) return null
         return minutesText((x - enabledFrom) * seconds)

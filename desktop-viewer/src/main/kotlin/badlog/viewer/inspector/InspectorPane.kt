@@ -124,12 +124,12 @@ private fun countOf(tab: InspectorTab, findings: LogFindings, open: OpenRecordin
 
 /** Makes a line of a list that takes the window to a time: called [name], with [gap] above and below. */
 @Composable
-internal fun Modifier.inspectorLine(name: String, isChosen: Boolean, gap: Dp, onClick: () -> Unit): Modifier = fillMaxWidth()
-    .background(if (isChosen) LocalPalette.current.accentSoft else Color.Transparent)
+internal fun Modifier.inspectorLine(name: String, isSelected: Boolean, gap: Dp, onClick: () -> Unit): Modifier = fillMaxWidth()
+    .background(if (isSelected) LocalPalette.current.accentSoft else Color.Transparent)
     .clickable(onClick = onClick)
     .semantics(mergeDescendants = true) {
         contentDescription = name
-        selected = isChosen
+        selected = isSelected
     }
     .padding(start = 12.dp, end = 14.dp, top = gap, bottom = gap)
 

@@ -19,7 +19,7 @@ import badlog.plot.gesture.KeyStroke
 
 /**
  * Knows whether a person is typing into a text field, and gives keys to commands while they are not. A field lets the presses of
- * letters through to the window, so that alone does not tell.
+ * letters through to the window, so that alone proves nothing.
  */
 @OptIn(ExperimentalComposeUiApi::class)
 internal class Keyboard {

@@ -16,7 +16,7 @@ import kotlinx.serialization.json.jsonObject
 /**
  * How a person has arranged a window, by names only: fits every recording of a robot. Its JSON is what a layout file holds.
  *
- * @property version of the format, [VERSION] or newer; its key tells a layout from other JSON.
+ * @property version of the format, [VERSION] or newer; its key distinguishes a layout from other JSON.
  * @property graphs the graphs from top to bottom; null for those that the topics' attributes ask for.
  * @property recording the file that was open, as [compared] names files; null for none.
  * @property visible the part of x that was seen in it; null for all.

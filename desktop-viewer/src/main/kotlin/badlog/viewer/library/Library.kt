@@ -29,7 +29,7 @@ internal class Library(private val scope: CoroutineScope, private val cache: Pat
     private var indexing: Indexing? = null
     private val mutableProgress = MutableStateFlow<IndexProgress?>(null)
 
-    /** How far reading the folder is, after [state] tells; null before there is anything to tell. */
+    /** How far reading the folder is, as of [state]; null before anything is known. */
     val progress: StateFlow<IndexProgress?> get() = mutableProgress
 
     /**

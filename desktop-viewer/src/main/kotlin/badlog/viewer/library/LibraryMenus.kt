@@ -128,7 +128,7 @@ private fun PreviewChoice(entries: List<LogEntry>, settings: SettingsStore, onSe
         entries.flatMapTo(HashSet()) { entry -> entry.topics.map { it.name } }.sortedWith(NaturalOrder)
     }
     val shown = names.filter { filter.lowercase() in it.lowercase() }
-    // A menu measures its content before it knows its size, which a lazy list needs to be told.
+    // A menu measures its content before it knows its size, which a lazy list needs to know.
     Column(Modifier.width(280.dp).padding(horizontal = 8.dp)) {
         SearchField(filter, "Search topics for the preview") { filter = it }
         LazyColumn(Modifier.width(264.dp).height(320.dp)) {

@@ -37,7 +37,7 @@ internal data class LibraryState(
 
     /**
      * The log that began last, of those where something happened, or else of all that can be read; null without any. A table of
-     * numbers is one only where there is no robot's log: it may be of anything, and mostly only its file's time tells its age.
+     * numbers is one only where there is no robot's log: it may be of anything, and mostly only its file's time shows its age.
      */
     val newest: LogEntry?
         get() {

@@ -4,7 +4,7 @@ import badlog.file.NaturalOrder
 import badlog.viewer.library.index.LogEntry
 
 /**
- * What the table tells of a log.
+ * What the table shows of a log.
  *
  * @property title what stands above it.
  * @property width how wide it is, in dp.

@@ -35,7 +35,7 @@ internal fun sizeText(bytes: Long): String = when {
     else -> "%.1f GB".format(ENGLISH, bytes / 1e9)
 }
 
-/** `6.7 V`; null when no topic tells. Rounded down, so that it does not look better than it was. */
+/** `6.7 V`; null when no topic shows it. Rounded down, so that it does not look better than it was. */
 internal fun batteryText(entry: LogEntry): String? =
     entry.batteryMinimum?.let { "%.1f V".format(ENGLISH, kotlin.math.floor(it * 10 + 1e-6) / 10) }
 

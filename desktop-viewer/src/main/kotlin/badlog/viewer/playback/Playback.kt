@@ -6,7 +6,7 @@ import badlog.analysis.Span
  * How the cursor runs by itself.
  *
  * @property isPlaying whether it runs now.
- * @property speed how many times as fast as it was recorded; an x that is no time takes a minute at 1.
+ * @property speed how many times as fast as it was recorded; an x that is not a time takes a minute at 1.
  * @property loops whether it begins again at the end of what it plays: the selection, or else all that is visible.
  */
 internal data class Playback(val isPlaying: Boolean = false, val speed: Double = 1.0, val loops: Boolean = false) {

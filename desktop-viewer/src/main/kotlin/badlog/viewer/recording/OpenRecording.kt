@@ -43,7 +43,7 @@ internal class OpenRecording(val file: Path, val logged: LogView, val definition
     /** All events of those, in the order of x. */
     val events: EventTimeline by lazy { EventTimeline.of(eventLogs) }
 
-    /** When the robot was enabled; empty when nothing tells. */
+    /** When the robot was enabled; empty when that is unknown. */
     val enabled: List<EnabledSpan> by lazy { view.enabledSpans() }
 
     /** All of the x axis that has samples; wider than that where there is a single x. */
@@ -80,7 +80,7 @@ internal class OpenRecording(val file: Path, val logged: LogView, val definition
          * @param definitions gives, once it is read, the formulas to calculate in it.
          * @param isGrowing whether what follows the last line end is left out, as a row that is half written.
          * @param progress hears how much is done, from 0 to 1.
-         * @throws IOException with a sentence for the person, when it is no recording.
+         * @throws IOException with a sentence for the person, when it is not a recording.
          */
         fun read(
             file: Path,

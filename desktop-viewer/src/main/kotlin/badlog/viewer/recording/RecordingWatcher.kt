@@ -58,7 +58,7 @@ internal class RecordingWatcher(
     private suspend fun readAgain(shown: OpenRecording, isGrowing: Boolean): OpenRecording? = try {
         runInterruptible(Dispatchers.IO) { read(shown, isGrowing) }
     } catch (_: IOException) {
-        // The next look at the file tells whether it is gone.
+        // The next look at the file shows whether it is gone.
         null
     }
 
@@ -74,7 +74,7 @@ internal class RecordingWatcher(
 }
 
 /**
- * What tells whether a file has changed.
+ * What shows whether a file has changed.
  *
  * @property size in bytes.
  * @property modifiedMillis when it was last written, in milliseconds since 1970.

@@ -79,7 +79,7 @@ internal fun StatisticsTable(
     modifier: Modifier = Modifier,
 ) {
     LaunchedEffect(Unit) {
-        // An empty table would tell nobody what it is for.
+        // An empty table would not show what it is for.
         val battery = entries.firstNotNullOfOrNull { it.batteryTopic }
         if (battery != null && statistics.state.topics.isEmpty()) {
             statistics.change { toggled(battery) }

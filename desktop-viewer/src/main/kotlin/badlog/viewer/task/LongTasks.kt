@@ -16,7 +16,7 @@ import java.util.concurrent.atomic.AtomicReference
 /**
  * Something a person waits for.
  *
- * @property id tells it from the others.
+ * @property id identifies it.
  * @property title what is being done, as the status bar says it.
  * @property share how much is done, from 0 to 1; null while that is not known.
  * @property cancel gives it up.
@@ -37,7 +37,7 @@ internal class LongTasks(private val scope: CoroutineScope, private val notices:
     val all: List<LongTask> get() = mutable
 
     /**
-     * Runs [work] off the window's thread, then [done] with its result on it. [work] may tell how much of it is done, from 0 to
+     * Runs [work] off the window's thread, then [done] with its result on it. [work] may report how much of it is done, from 0 to
      * 1, as often as it likes; cancelling interrupts its thread. An [IOException] becomes a complaint, so its message
      * must be a sentence for a person.
      */

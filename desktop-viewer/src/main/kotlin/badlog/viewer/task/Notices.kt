@@ -5,7 +5,7 @@ import androidx.compose.runtime.mutableStateListOf
 /**
  * A sentence for the person at the window, shown until it is dismissed or has been there for a while.
  *
- * @property id tells it from the others.
+ * @property id identifies it.
  * @property isError whether something did not work.
  * @property action what can be done about it at once, or null.
  */

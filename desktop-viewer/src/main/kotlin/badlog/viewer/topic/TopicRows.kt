@@ -52,7 +52,7 @@ private val BY_TITLE = compareBy(String.CASE_INSENSITIVE_ORDER, TopicFolder::tit
  * A line of the list of topics.
  *
  * @property depth in how many folders it lies.
- * @property key tells it from the other lines.
+ * @property key identifies it among the lines.
  */
 internal sealed interface TopicRow {
     val depth: Int

@@ -45,7 +45,7 @@ class ComparedRecordingsSpec : FunSpec({
 
     suspend fun <T> onWindow(action: () -> T): T = withContext(Dispatchers.Swing) { action() }
 
-    test("a ticked recording is read and drawn after the open one, until it is unticked") {
+    test("a checked recording is read and drawn after the open one, until it is unchecked") {
         val viewer = onWindow { viewerOf() }
         onWindow { viewer.compared.toggle(other) }
         eventually(5.seconds) { onWindow { viewer.compared.drawn.map { it.recording.file } } shouldContainExactly listOf(open.file, other) }
@@ -53,7 +53,7 @@ class ComparedRecordingsSpec : FunSpec({
         onWindow { viewer.compared.state } shouldBe Comparison()
     }
 
-    test("the open recording is ticked without being read again, and is drawn once") {
+    test("the open recording is checked without being read again, and is drawn once") {
         val viewer = onWindow { viewerOf() }
         onWindow {
             viewer.compared.toggle(open.file)
@@ -63,7 +63,7 @@ class ComparedRecordingsSpec : FunSpec({
         }
     }
 
-    test("what cannot be read is said and unticked") {
+    test("what cannot be read is reported and unchecked") {
         val viewer = onWindow { viewerOf() }
         onWindow {
             viewer.compared.toggle(home.resolve("missing.bag"))

@@ -32,7 +32,7 @@ class ComparisonSpec : FunSpec({
         }
     }
 
-    test("a recording that does not tell when it was enabled begins with the others") {
+    test("a recording that does not show when it was enabled begins with the others") {
         Alignment.ENABLED.momentIn(open) shouldBe 5.0
         Alignment.ENABLED.momentIn(third) shouldBe 0.0
         Alignment.START.momentIn(recordingOf("Time,A\n", "empty.bag")) shouldBe 0.0
@@ -62,7 +62,7 @@ class ComparisonSpec : FunSpec({
         both.movedTo(open.file, 3.0, open) shouldBe both
     }
 
-    test("a tick taken away lets go of what was read, and what is not ticked is not kept") {
+    test("unchecking lets go of what was read, and what is not checked is not kept") {
         both.without(other.file).loaded.keys shouldBe setOf(third.file)
         Comparison().withLoaded(other) shouldBe Comparison()
         both.with(other.file) shouldBe both

@@ -11,7 +11,7 @@ class DrawnRecordingsSpec : FunSpec({
         file,
     )
 
-    test("matches of one event are told apart by their numbers alone") {
+    test("matches of one event are distinguished by their numbers alone") {
         namesOf(listOf(match("Mill Creek", 42, "a.bag"), match("Mill Creek", 57, "b.bag"))) shouldBe
             listOf("Qualification 42", "Qualification 57")
     }
@@ -21,7 +21,7 @@ class DrawnRecordingsSpec : FunSpec({
             listOf("Mill Creek Qualification 42", "Lake Qualification 42")
     }
 
-    test("what is called the same is told apart by its file") {
+    test("what is called the same is distinguished by its file") {
         namesOf(listOf(match("Lake", 3, "a.bag"), match("Lake", 3, "b.bag"), recordingOf("A\n1\n2\n", "bench.csv"))) shouldBe
             listOf("Qualification 3 (a.bag)", "Qualification 3 (b.bag)", "bench.csv (bench.csv)")
     }

@@ -80,7 +80,7 @@ class ExportMenuSpec : FunSpec({
         }
     }
 
-    test("the pages of checked logs are made, and those that cannot be are told") {
+    test("the pages of checked logs are made, and those that cannot be are reported") {
         val folder = home.resolve("pages")
         window(folder) { viewer, _ ->
             viewer.compared.change { Comparison(checked = listOf(log, home.resolve("gone.bag"))) }
@@ -101,7 +101,7 @@ class ExportMenuSpec : FunSpec({
         }
     }
 
-    test("a figure is saved with what was chosen for it") {
+    test("a figure is saved with what was selected for it") {
         val file = home.resolve("figure.svg")
         window(file) { viewer, files ->
             choose("Export", "Figure for a report…")
@@ -138,7 +138,7 @@ class ExportMenuSpec : FunSpec({
         }
     }
 
-    test("who thinks better of it gets nothing, and is told nothing") {
+    test("who thinks better of it gets nothing, and hears nothing") {
         window(null) { viewer, files ->
             choose("Export", "The visible range as a bag…")
             files.questions.size shouldBe 1

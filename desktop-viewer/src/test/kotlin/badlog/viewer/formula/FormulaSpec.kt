@@ -38,7 +38,7 @@ class FormulaSpec : FunSpec({
         defaultBoard(open.logged) shouldBe defaultBoard(recording.view)
     }
 
-    test("a formula has statistics; over a log of nothing it is told to be empty") {
+    test("a formula has statistics; over a log of nothing it is reported to be empty") {
         val open = recording.withFormulas(listOf(power))
         statisticsRow(open, listOf("Power"), "").statistics.getValue("Power").mean shouldBe (64.0 / 3 plusOrMinus 1e-9)
         val nothing = recordingOf("").withFormulas(listOf("One = 1"))

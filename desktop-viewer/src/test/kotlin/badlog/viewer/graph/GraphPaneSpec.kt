@@ -90,7 +90,7 @@ class GraphPaneSpec : FunSpec({
         }
     }
 
-    test("zooming to the time enabled is offered where a topic tells") {
+    test("zooming to the time enabled is offered where a topic shows") {
         val viewer = viewerOf(sample("qualification-42.bag"))
         runDesktopComposeUiTest(900, 600) {
             setContent { TestGraphs(viewer) }
@@ -99,7 +99,7 @@ class GraphPaneSpec : FunSpec({
         }
     }
 
-    test("graphs share the height when they fit, and are as high as was chosen when they do not") {
+    test("graphs share the height when they fit, and are as tall as was set when they do not") {
         fun heights(lanes: List<Int>, room: Int, own: Int? = null) = graphHeights(lanes.map { BoardGraph(0, "", emptyList(), height = own) }, lanes, room, chosen = 150, fit = true)
         heights(listOf(0, 0, 0), room = 300) shouldBe listOf(100, 100, 100)
         heights(listOf(0, 0, 0), room = 170) shouldBe listOf(150, 150, 150)

@@ -11,13 +11,13 @@ import io.kotest.matchers.shouldBe
 
 @OptIn(ExperimentalTestApi::class)
 class OverviewSpec : FunSpec({
-    test("a battery's voltage is chosen, or else the first numbers") {
+    test("a battery's voltage is preferred, or else the first numbers") {
         overviewSpec(sample("qualification-42.bag"))?.title shouldBe "System/Battery Voltage"
         overviewSpec(recordingOf(bagOf(3) { 1.0 }))?.title shouldBe "A/Voltage"
         overviewSpec(recordingOf("")) shouldBe null
     }
 
-    test("a drag over the overview of everything chooses what is seen") {
+    test("a drag over the overview of everything selects the visible range") {
         val viewer = viewerOf(recordingOf(bagOf(1001) { it * 1.0 }))
         runDesktopComposeUiTest(900, 600) {
             setContent { TestGraphs(viewer) }

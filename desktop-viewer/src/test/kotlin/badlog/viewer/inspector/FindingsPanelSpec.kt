@@ -60,7 +60,7 @@ class FindingsPanelSpec : FunSpec({
         }
     }
 
-    test("a wrong file of rules, and a log in which nothing was found, are told") {
+    test("a wrong file of rules, and a log in which nothing was found, are reported") {
         val wrong = inspecting(counted(folderOf(ruleText("A", "A > 5", text = "A long text that no panel has room for, with a {plce} in it"))))
         runDesktopComposeUiTest(320, 600) {
             setContent { ViewerTheme(Theme.LIGHT) { TestInspector(wrong) } }
@@ -74,7 +74,7 @@ class FindingsPanelSpec : FunSpec({
         }
     }
 
-    test("sixty findings are marked on the time axis, and the pointer on one tells its text") {
+    test("sixty findings are marked on the time axis, and the pointer on one shows its text") {
         val severities = listOf("error", "warning", "note")
         val rules = List(60) { ruleText("Rule $it", "A > ${it + 10} and A < ${it + 13}", severities[it % 3]) }
         for (theme in listOf(Theme.LIGHT, Theme.DARK)) {

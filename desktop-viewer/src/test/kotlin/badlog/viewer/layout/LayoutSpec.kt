@@ -119,7 +119,7 @@ class LayoutSpec : FunSpec({
         viewer.panels.state.main shouldBe MainView.GRAPHS
     }
 
-    test("a damaged, a foreign, a newer and a missing file are each told in a sentence that names it") {
+    test("a damaged, a foreign, a newer and a missing file are each reported in a sentence that names it") {
         val contents = mapOf(
             "cut.json" to """{"badlog-layout":1,"graphs":[{"ti""",
             "foreign.json" to """{"name":"package","version":"1.0.0"}""",

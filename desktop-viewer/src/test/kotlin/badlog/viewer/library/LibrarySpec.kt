@@ -177,7 +177,7 @@ class LibrarySpec : FunSpec({
         }
     }
 
-    test("a folder that may not be read is told of, and the others are listed") {
+    test("a folder that may not be read is reported, and the others are listed") {
         val folder = tempdir().toPath()
         val closed = folder.put("closed/a.bag", bag()).parent
         folder.put("b.bag", bag())

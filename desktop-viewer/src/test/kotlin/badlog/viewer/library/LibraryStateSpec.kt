@@ -34,7 +34,7 @@ class LibraryStateSpec : FunSpec({
         entry("${name}x.bag", MatchFacts(number = number), Arb.int(0..5).bind().toLong(), batteryMinimum = number?.toDouble())
     }
 
-    test("the newest stands at the top, and what is no log does not stand there") {
+    test("the newest stands at the top, and what is not a log does not stand there") {
         names(state) shouldContainExactly listOf("reboot.bag", "a.bag", "b.bag", "bench.csv")
     }
 
@@ -51,7 +51,7 @@ class LibraryStateSpec : FunSpec({
         LibraryState().knowing(listOf(table, bench)).newest shouldBe table
     }
 
-    test("match 9 comes before match 10, and what is no match comes last either way round") {
+    test("match 9 comes before match 10, and what is not a match comes last either way round") {
         val byNumber = state.sorted(LogColumn.NUMBER)
         names(byNumber) shouldContainExactly listOf("a.bag", "b.bag", "reboot.bag", "bench.csv")
         names(byNumber.sorted(LogColumn.NUMBER)) shouldContainExactly listOf("b.bag", "a.bag", "reboot.bag", "bench.csv")

@@ -65,7 +65,7 @@ class RecordingWatcherSpec : FunSpec({
         }
     }
 
-    test("a WPILOG that grows is followed, and the half of its last record is no problem while it does") {
+    test("a WPILOG that grows is followed, and the half of its last record is not a problem while it does") {
         val home = tempdir().toPath()
         val whole = wpilogOf(listOf(loggedTopic("Gain", *List(100) { it * 1.0 to it * 2.0 }.toTypedArray())))
         val file = home.resolve("growing.wpilog")

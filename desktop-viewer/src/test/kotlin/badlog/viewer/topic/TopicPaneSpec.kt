@@ -51,7 +51,7 @@ class TopicPaneSpec : FunSpec({
         }
     }
 
-    test("several are chosen with Ctrl, and drawn in one graph") {
+    test("several are selected with Ctrl, and drawn in one graph") {
         val viewer = viewerOf(arm)
         runDesktopComposeUiTest(240, 600) {
             setContent { ViewerTheme(Theme.LIGHT) { TestTopics(viewer) } }

@@ -9,7 +9,7 @@ import io.kotest.matchers.shouldBe
 import java.awt.event.KeyEvent
 
 class CompareWindowSpec : FunSpec({
-    test("two matches that are ticked lie over each other, and a table has their figures").config(
+    test("two matches that are checked lie over each other, and a table has their figures").config(
         enabledOrReasonIf = { needsDisplay },
     ) {
         val folder = tempdir().toPath().also { it.putSamples() }

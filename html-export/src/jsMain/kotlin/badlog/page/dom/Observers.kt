@@ -2,19 +2,19 @@ package badlog.page.dom
 
 import org.w3c.dom.Element
 
-/** The browser's own; tells when elements come near the screen or leave it. */
+/** The browser's own; reports when elements come near the screen or leave it. */
 internal external class IntersectionObserver(callback: (entries: Array<IntersectionObserverEntry>) -> Unit, options: dynamic) {
     fun observe(target: Element)
     fun unobserve(target: Element)
 }
 
-/** What an [IntersectionObserver] tells about one element. */
+/** What an [IntersectionObserver] reports about one element. */
 internal external interface IntersectionObserverEntry {
     val target: Element
     val isIntersecting: Boolean
 }
 
-/** The browser's own; tells when an element's size changes. */
+/** The browser's own; reports when an element's size changes. */
 internal external class ResizeObserver(callback: () -> Unit) {
     fun observe(target: Element)
     fun disconnect()

@@ -36,7 +36,7 @@ internal class Inflater(private val input: ByteArray, private val sink: (ByteArr
                 at += TRAILER
             }
         } catch (_: DamageException) {
-            // What came before the cut, or before what is no deflate, is good.
+            // What came before the cut, or before what is not deflate, is good.
         }
         give()
     }

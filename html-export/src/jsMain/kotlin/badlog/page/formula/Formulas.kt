@@ -17,7 +17,7 @@ import badlog.plot.formula.formulasOf
  *
  * @param logged the recording as it is.
  * @param given the definitions that the page came with.
- * @param fileKey tells this file from others.
+ * @param fileKey identifies the file.
  */
 internal class Formulas(logged: LogView, given: List<String>, fileKey: String) {
     private val key = "formulas:$fileKey"
@@ -53,7 +53,7 @@ internal class Formulas(logged: LogView, given: List<String>, fileKey: String) {
     /** The name of the topic that [definition], one of [own], makes; null when it makes none. */
     fun nameOf(definition: String): String? = formulas.find { it.definition == definition }?.topic?.name
 
-    /** Why [text] is no definition, or null when it is one. */
+    /** Why [text] is not a definition, or null when it is one. */
     fun mistakeIn(text: String): ExpressionError? = VirtualTopic.parse(text, vocabulary) as? ExpressionError
 
     /** Calculates [definition], which has no mistake, and remembers it. Returns its graph. */

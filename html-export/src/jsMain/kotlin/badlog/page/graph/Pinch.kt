@@ -32,7 +32,7 @@ internal class Pinch(private val range: VisibleRange, private val xAt: (Double) 
         return true
     }
 
-    /** A finger goes up; true while a pinch is not over, so that lifting its fingers is no tap. */
+    /** A finger goes up; true while a pinch is not over, so that lifting its fingers is not a tap. */
     fun release(event: PointerEvent): Boolean {
         fingers.remove(event.pointerId)
         val wasOn = isOn

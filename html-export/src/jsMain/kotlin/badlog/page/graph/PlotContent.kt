@@ -16,7 +16,7 @@ internal interface PlotContent {
     /** Whether y means something, so that an axis says what. */
     val hasYAxis: Boolean
 
-    /** The lines that uPlot draws, as its options; [frameOf] tells where on the canvas. */
+    /** The lines that uPlot draws, as its options; [frameOf] gives the place on the canvas. */
     fun lines(frameOf: (UPlot) -> PlotFrame): List<dynamic>
 
     /** Finds what is to be seen of [span] on a screen of as many pixel columns as [columns] has. */

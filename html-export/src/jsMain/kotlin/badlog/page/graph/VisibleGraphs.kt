@@ -16,7 +16,7 @@ internal class VisibleGraphs(private val scene: Scene) {
     private val near = LinkedHashSet<GraphCard>()
     private val observer = IntersectionObserver({ entries ->
         for (entry in entries) {
-            // One that was taken away may still be told of.
+            // One that was removed may still be reported.
             val card = cardOf[entry.target] ?: continue
             if (entry.isIntersecting) meet(card) else part(card)
         }
@@ -33,7 +33,7 @@ internal class VisibleGraphs(private val scene: Scene) {
             zoomFrame.ask()
         }
         scene.cursor.onChange { cursorFrame.ask() }
-        // uPlot tells so when the window moves to a screen of another density, or is zoomed.
+        // uPlot sends this when the window moves to a screen of another density, or is zoomed.
         window.addEventListener("dppxchange", { repaint() })
     }
 

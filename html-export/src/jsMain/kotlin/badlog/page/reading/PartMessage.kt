@@ -10,10 +10,10 @@ import org.w3c.dom.DedicatedWorkerGlobalScope
 import kotlin.js.Promise
 
 /**
- * What the page and a worker say to each other about one part of a recording, see [PartsReading].
+ * The messages between the page and a worker about one part of a recording, see [PartsReading].
  *
  * The page sends the base64 and which of its bytes are the part. The worker answers with what they inflate to and, once it
- * is told of the columns, with the rows that stand there whole; or with a failure.
+ * knows the columns, with the rows that are complete in it; or with a failure.
  */
 internal object PartMessage {
     /** A part for the worker: its number, its bytes from [skipped] until [until] of [base64], and the columns once they are known. */
@@ -63,17 +63,12 @@ internal object PartMessage {
         val skipped = message.skipped as Int
         val compressed = Uint8Array(decoded.buffer, decoded.byteOffset + skipped, message.until as Int - skipped)
         // All parts but the last end in a flush; an empty last block makes whole streams of them.
-        val pieces: Array<dynamic> = if (message.isLast as Boolean) {
-            arrayOf(
-                compressed,
-            )
-        } else {
-            arrayOf(compressed, Uint8Array(arrayOf<Byte>(3, 0)))
-        }
+        val isLast = message.isLast as Boolean
+        val pieces: Array<dynamic> = if (isLast) arrayOf(compressed) else arrayOf(compressed, Uint8Array(arrayOf<Byte>(3, 0)))
         message.base64 = null
         val stream: dynamic = js("new DecompressionStream('deflate-raw')")
         val writer = stream.writable.getWriter()
-        // Failures are told to the reader, too.
+        // The reader below gets the same failures.
         for (piece in pieces) writer.write(piece).then({}, {})
         writer.close().then({}, {})
         return readAll(stream.readable.getReader(), ArrayList())

@@ -14,7 +14,7 @@ import kotlin.js.Promise
 /**
  * Reads the recording that the page carries, in a worker where there may be one, else on the page in slices.
  *
- * @param onProgress is told which share of the bytes has been read.
+ * @param onProgress receives the share of the bytes that has been read.
  */
 internal class Reading(private val about: About, private val element: Element, private val onProgress: (Double) -> Unit) {
     /** Starts, and promises the recording. */

@@ -14,11 +14,11 @@ import kotlin.js.Promise
  * Makes a recording of the pieces of base64 that a page carries. Used in the worker, or on the page where there is
  * none.
  *
- * @param onProgress is told every now and then which share of the bytes has been read.
+ * @param onProgress receives, now and then, the share of the bytes that has been read.
  */
 internal class RecordingReader(private val expectedBytes: Double, isWhole: Boolean, private val onProgress: (Double) -> Unit) {
     private val parser = RecordingParser(LOG_FORMATS, expectedBytes.toLong())
-    private var told = 0.0
+    private var reported = 0.0
     private val inflation = Inflation(expectedBytes, isWhole, ::read)
 
     /** The recording, when everything has been read. */
@@ -33,9 +33,9 @@ internal class RecordingReader(private val expectedBytes: Double, isWhole: Boole
     private fun read(bytes: ByteArray) {
         val excess = inflation.inflatedBytes - expectedBytes
         parser.accept(bytes, 0, if (excess > 0) bytes.size - excess.toInt() else bytes.size)
-        if (inflation.inflatedBytes - told > expectedBytes / STEPS) {
-            told = inflation.inflatedBytes
-            onProgress(told / expectedBytes)
+        if (inflation.inflatedBytes - reported > expectedBytes / STEPS) {
+            reported = inflation.inflatedBytes
+            onProgress(reported / expectedBytes)
         }
     }
 

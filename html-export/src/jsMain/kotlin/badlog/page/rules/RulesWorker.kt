@@ -20,7 +20,7 @@ import org.w3c.files.Blob
 import org.w3c.files.BlobPropertyBag
 
 /**
- * The worker that runs rules, so that the page stays alive meanwhile. Its script is the page's own; its name tells it from others.
+ * The worker that runs rules, so that the page stays alive meanwhile. Its script is the page's own; its name identifies it.
  *
  * The page sends an object with `recording`, `rules` as JSON, and `file`. The worker answers with the findings as JSON, or with an
  * object that has a `failure`.

@@ -59,7 +59,7 @@ internal class Downloads(private val about: About, recording: Element, private v
         button.add("span", "", text)
         button.addEventListener("click", {
             button.setAttribute("aria-busy", "true")
-            // Begun in a promise, so that what fails at once is told as well.
+            // Begun in a promise, so that what fails at once is reported as well.
             Promise.resolve(Unit).then { content() }
                 .then { saveFile(it, name) }
                 .catch { button.textContent = "Could not be saved: ${it.message}" }

@@ -59,7 +59,7 @@ internal class EventTable(private val log: EventLog, private val scene: Scene) {
     /** Lets the keys scroll it. */
     fun focus() = scroll.asDynamic().focus(json("preventScroll" to true)).unsafeCast<Unit>()
 
-    /** Shows the events that [query] finds, and tells how many they are. */
+    /** Shows the events that [query] finds, and returns their number. */
     fun filter(query: Query): Int {
         found = if (query.isEmpty) log.events else log.events.filterIndexed { i, _ -> query.matchesLowercase(haystacks[i]) }
         showFound()

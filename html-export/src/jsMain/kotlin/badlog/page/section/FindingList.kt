@@ -21,7 +21,7 @@ import org.w3c.dom.HTMLElement
 
 /**
  * What was found in the recording, the worst first: a few at once, all when asked for. A finding takes the cursor to its time.
- * Out of sight while there is nothing to tell.
+ * Hidden while there is nothing to show.
  *
  * @param onJump is called when the cursor was taken somewhere.
  */
@@ -94,7 +94,7 @@ internal class FindingList(private val scene: Scene, private val onJump: () -> U
         showFound()
     }
 
-    /** Shows the findings that [query] finds, and tells how many they are. */
+    /** Shows the findings that [query] finds, and returns their number. */
     fun filter(query: Query): Int {
         this.query = query
         found = if (query.isEmpty) all else all.filterIndexed { i, _ -> query.matchesLowercase(haystacks[i]) }

@@ -15,7 +15,7 @@ import org.w3c.dom.HTMLElement
 /**
  * All folders, the root folder first, then one for each hook. Which ones are closed is remembered for the file.
  *
- * @param fileKey tells this file from others.
+ * @param fileKey identifies the file.
  * @param origin what calculated a graph, if it was not logged; else empty.
  */
 internal class FolderList(

@@ -24,7 +24,7 @@ import org.w3c.dom.HTMLElement
  * @param origin what calculated a graph, if it was not logged; else empty.
  * @param hook the program that all in it comes from; null for a folder of the recording.
  * @param isClosed whether it is closed to begin with.
- * @param onToggle is told when a person opens or closes it.
+ * @param onToggle is called when a person opens or closes it.
  */
 internal class FolderSection(
     val folder: Folder,

@@ -10,7 +10,7 @@ import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLInputElement
 import org.w3c.dom.events.KeyboardEvent
 
-/** The search box. [search] is called for each change, and tells what was found. */
+/** The search box. [search] is called for each change, and returns what was found. */
 internal class SearchBox(private val search: (Query) -> Hits) {
     private lateinit var input: HTMLInputElement
     private lateinit var count: HTMLElement

@@ -5,7 +5,7 @@ import kotlinx.browser.window
 
 /**
  * The time that the page's address may name, as in `page.html#t=93.7`, in the unit of the x axis: the cursor goes there when the
- * page opens and when the address changes. What is no number is left alone; beyond the recording, its end is meant.
+ * page opens and when the address changes. Anything but a number is ignored; later times go to the recording's end.
  *
  * @param onJump is called when the cursor was taken somewhere.
  */

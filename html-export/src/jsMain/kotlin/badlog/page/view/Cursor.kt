@@ -3,7 +3,7 @@ package badlog.page.view
 import badlog.plot.cursor.CursorSteps
 
 /**
- * The one place on the x axis at which every graph tells its values.
+ * The one place on the x axis at which every graph shows its values.
  *
  * @param clocks every x at which there is a sample.
  */

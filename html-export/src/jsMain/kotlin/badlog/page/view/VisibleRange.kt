@@ -3,7 +3,7 @@ package badlog.page.view
 import badlog.analysis.Span
 import badlog.plot.range.Viewport
 
-/** The part of the x axis that every graph of the page shows; tells its listeners of each change. */
+/** The part of the x axis that every graph of the page shows; calls its listeners at each change. */
 internal class VisibleRange(viewport: Viewport) {
     /** What is seen, and was seen before. */
     var viewport: Viewport = viewport

@@ -41,7 +41,7 @@ internal class ExportPlan(private val arguments: Arguments) {
     private fun beginsAsPage(path: Path) = try {
         Files.newInputStream(path).use { it.readNBytes(PAGE_START.length) }.decodeToString() == PAGE_START
     } catch (_: IOException) {
-        // As an input it is told why it cannot be read.
+        // As an input it gets the reason why it cannot be read.
         false
     }
 
@@ -56,7 +56,7 @@ internal class ExportPlan(private val arguments: Arguments) {
         return folder.resolve(freeName(name, ".html") { taken.add(keyOf(folder.resolve(it))) })
     }
 
-    // Most disks of laptops do not tell upper from lower case.
+    // Most disks of laptops do not distinguish upper from lower case.
     private fun keyOf(path: Path) = path.toAbsolutePath().normalize().toString().lowercase()
 
     private companion object {

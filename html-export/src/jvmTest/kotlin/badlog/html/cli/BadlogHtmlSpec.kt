@@ -178,7 +178,7 @@ class BadlogHtmlSpec : FunSpec({
         }
     }
 
-    test("nonsense is told when it was named, and leaves nothing") {
+    test("nonsense is reported when it was named, and leaves nothing") {
         inFolder { folder ->
             (folder / "x.bag").writeBytes(byteArrayOf(1, 2, 3))
             val ended = run(folder / "x.bag")
@@ -191,7 +191,7 @@ class BadlogHtmlSpec : FunSpec({
         }
     }
 
-    test("a defect of badlog costs one file its page, and is told in one line") {
+    test("a bug in badlog costs one file its page, and is reported in one line") {
         inFolder { folder ->
             for (name in listOf("a.bag", "b.bag", "c.bag")) folder.with(name)
             val ended = run(folder, failsOn = "b.bag")
@@ -220,7 +220,7 @@ class BadlogHtmlSpec : FunSpec({
         }
     }
 
-    test("of several pages the newest input's is opened, and no browser is no failure") {
+    test("of several pages the newest input's is opened, and no browser is not a failure") {
         inFolder { folder ->
             folder.with("old.bag").setLastModifiedTime(FileTime.fromMillis(1_000_000))
             folder.with("new.bag").setLastModifiedTime(FileTime.fromMillis(3_000_000))

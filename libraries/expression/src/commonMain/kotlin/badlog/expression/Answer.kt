@@ -26,7 +26,7 @@ public class Answer internal constructor(
     /** Whether the expression holds. */
     public val matches: Boolean get() = outcome == Outcome.HOLDS
 
-    /** Where to look first: the begin of the first span, else where the first figure was found; NaN when neither tells. */
+    /** Where to look first: the begin of the first span, else where the first figure was found; NaN when neither exists. */
     public val time: Double
         get() = if (spans.isNotEmpty()) spans[0].from else quantities.firstOrNull { !it.time.isNaN() }?.time ?: Double.NaN
 
@@ -63,6 +63,6 @@ public enum class Outcome {
     /** Not known, since samples are missing that would tell. */
     UNKNOWN,
 
-    /** The expression was no question but a number; see [Answer.quantities]. */
+    /** The expression was not a question but a number; see [Answer.quantities]. */
     NO_QUESTION,
 }

@@ -3,7 +3,7 @@ package badlog.expression
 import badlog.expression.syntax.ExpressionErrorKind
 
 /**
- * Why a text is no expression.
+ * Why a text is not an expression.
  *
  * @property text the whole text.
  * @property from where in [text] the mistake begins; at most its length.

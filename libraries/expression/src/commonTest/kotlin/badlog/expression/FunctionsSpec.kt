@@ -160,7 +160,7 @@ class FunctionsSpec : FunSpec({
         pairs("max(back, 1 s)") shouldBe "1:10, 0:20, 2:30"
     }
 
-    test("where time goes back, what another clock tells of a time counts each time that it comes") {
+    test("where time goes back, what another clock shows of a time counts each time that it comes") {
         pairs("back + v") shouldBe "0:-, 1:18, 0:32, 1:28, 2:36, 3:-, 4:40"
         pairs("back > 0 and during(1, 2)") shouldBe "0:0, 1:1, 0:0, 1:1, 2:0"
     }
@@ -170,7 +170,7 @@ class FunctionsSpec : FunSpec({
             "yes, back = 30 at 2 s, at 1 s, in 2 parts since the clock was set back"
     }
 
-    test("one number for the whole recording is a line through it") { pairs("min(v)") shouldBe "0:6, 4:6" }
+    test("one number for the whole log is a line through it") { pairs("min(v)") shouldBe "0:6, 4:6" }
 
     test("times are in the unit of x, whatever unit they are written in") {
         val signals = SampleSignals(

@@ -201,9 +201,9 @@ class ParsingSpec : FunSpec({
         Triple("'x' == 'y'", "'x' == 'y'", "Two fixed texts need no comparison."),
         Triple("a contains 'x'", "a", "Before “contains” a topic of texts is needed, not “a”, which is a number."),
         Triple("Log contains a", "a", "After “contains” a text in single quotes is needed."),
-        Triple("max(a) > 3 when p", "max(a)", "max covers the whole recording, so “when” has no effect; put it inside: max(x when c)."),
-        Triple("count(p) when q", "count(p)", "count covers the whole recording, so “when” has no effect; put it inside: count(x when c)."),
-        Triple("1 + any(p) when q", "any(p)", "any covers the whole recording, so “when” has no effect; put it inside: any(x when c)."),
+        Triple("max(a) > 3 when p", "max(a)", "max covers the whole log, so “when” has no effect; put it inside: max(x when c)."),
+        Triple("count(p) when q", "count(p)", "count covers the whole log, so “when” has no effect; put it inside: count(x when c)."),
+        Triple("1 + any(p) when q", "any(p)", "any covers the whole log, so “when” has no effect; put it inside: any(x when c)."),
         Triple("not (Log == 'a') for 1 s", "not (Log == 'a')", OVER_AT_ONCE),
         Triple("total(changed(Log))", "changed(Log)", OVER_AT_ONCE),
         Triple("'x' when p", "'x'", "A fixed text cannot have “when”."),
@@ -213,7 +213,7 @@ class ParsingSpec : FunSpec({
         Triple("mean(a, 5)", "5", "mean needs here a time above 0 with its unit, such as 1 s, not a number."),
         Triple("shift(a, b)", "b", "shift needs here a time with its unit, such as 0.1 s, not “b”, which is a number."),
         Triple("percentile(a, 101)", "101", "percentile needs here a number from 0 to 100, not a number."),
-        Triple("during(a, 5 s)", "a", "during needs here one number for the whole recording, not “a”, which is a number."),
+        Triple("during(a, 5 s)", "a", "during needs here one number for the whole log, not “a”, which is a number."),
         Triple("if(a, 1, 2)", "a", "if needs here a condition, such as x > 0, not “a”, which is a number."),
         Triple("if(p, State, 2)", "State", "if needs here a number or a condition, not “State”, which is a text."),
         Triple("sqrt(State)", "State", "sqrt needs here a number, not “State”, which is a text."),
@@ -304,7 +304,7 @@ class ParsingSpec : FunSpec({
         (names("a") == VOCABULARY) shouldBe false
     }
 
-    test("an expression tells which topics it uses and what it gives") {
+    test("an expression shows which topics it uses and what it gives") {
         val expression = parsed("min(Battery Voltage) < 7 and a > 1 for 1 s and a < 5", VOCABULARY)
         expression.topics shouldBe listOf("System/Battery Voltage", "a")
         expression.type shouldBe ExpressionType(isCondition = true, isOverTime = true)

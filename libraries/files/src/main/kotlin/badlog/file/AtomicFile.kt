@@ -77,7 +77,7 @@ public class AtomicFile(target: Path) : AutoCloseable {
 /** There was no room on the disk for what was to be written. */
 internal class DiskFullException(cause: IOException) : IOException(cause)
 
-/** A stream of [file] whose failures tell a full disk from other reasons. */
+/** A stream of [file] whose failures distinguish a full disk from other reasons. */
 private class RoomGuard(private val file: Path, stream: OutputStream) : FilterOutputStream(stream) {
     override fun write(bytes: ByteArray, from: Int, size: Int) = try {
         out.write(bytes, from, size)

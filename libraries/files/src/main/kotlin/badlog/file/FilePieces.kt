@@ -20,7 +20,7 @@ internal class FilePieces(
     fun <T> beginning(size: Int, look: (bytes: ByteArray, size: Int) -> T): T = look(bytes, readAt(0, size))
 
     /**
-     * How many bytes a gzip file may inflate to, or 0 where its end does not tell: the trailer of its last member, if there
+     * How many bytes a gzip file may inflate to, or 0 where its end does not show it: the trailer of its last member, if there
      * is one, has the size of that member.
      */
     fun inflatedSize(): Long {
@@ -42,21 +42,21 @@ internal class FilePieces(
         return 0
     }
 
-    /** Gives all bytes before [until] to [sink], and tells of the progress. The array is used again after the call. */
+    /** Gives all bytes before [until] to [sink], and reports the progress. The array is used again after the call. */
     fun forEach(until: Long = Long.MAX_VALUE, sink: (bytes: ByteArray, size: Int) -> Unit) {
         var done = 0L
-        var told = 0L
+        var reported = 0L
         while (done < until) {
             val size = readAt(done, minOf(SIZE.toLong(), until - done).toInt())
             if (size == 0) break
             sink(bytes, size)
             done += size
-            if (done - told >= STEP) {
-                told = done
+            if (done - reported >= STEP) {
+                reported = done
                 progress(done, total)
             }
         }
-        if (done > told) progress(done, total)
+        if (done > reported) progress(done, total)
     }
 
     /** Fills [bytes] from [position] on, with [size] bytes or what the file still has; returns how many there are. */

@@ -6,7 +6,7 @@ import badlog.recording.Recording
 
 /**
  * This recording with the [problem][ProblemKind.GZIP_CUT], before all others, that the gzip stream it was read from broke
- * off after [inflatedBytes] bytes, which its rows do not tell.
+ * off after [inflatedBytes] bytes, which its rows do not show.
  */
 public fun Recording.withGzipCut(inflatedBytes: Long): Recording {
     val message = "The compressed file is cut off or damaged; the $inflatedBytes bytes before that were read."

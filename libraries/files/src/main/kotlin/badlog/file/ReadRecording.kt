@@ -23,7 +23,7 @@ import java.nio.file.Path
  *   all the same.
  * @param progress hears, on the calling thread and about once a megabyte, how many bytes of the file are read and how many
  *   it had at the beginning. What it throws stops the reading and is passed on.
- * @throws UnreadableFileException when the file is missing, is no regular file, or cannot be read.
+ * @throws UnreadableFileException when the file is missing, is not a regular file, or cannot be read.
  * @throws InterruptedException when the thread was interrupted.
  */
 public fun readRecording(

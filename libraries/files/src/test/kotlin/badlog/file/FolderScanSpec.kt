@@ -37,7 +37,7 @@ class FolderScanSpec : FunSpec({
         }
     }
 
-    test("tells when a file was written last, and how large it is") {
+    test("shows when a file was written last, and how large it is") {
         inFolder { folder ->
             folder.put("Q1.bag")
             FolderScan.of(folder).files.single() shouldBe LogFile.of(folder.resolve("Q1.bag"))
@@ -52,7 +52,7 @@ class FolderScanSpec : FunSpec({
         }
     }
 
-    test("a folder that is not there is told") {
+    test("a folder that is not there is reported") {
         inFolder { folder -> shouldThrow<IOException> { FolderScan.of(folder.resolve("none")) } }
     }
 })

@@ -43,7 +43,7 @@ class GzipReaderSpec : FunSpec({
         }
     }
 
-    test("a missing or partial trailer is no loss") {
+    test("a missing or partial trailer is not a loss") {
         for (missing in 1..8) {
             read(whole.copyOf(whole.size - missing)).run {
                 text shouldBe rows
@@ -52,7 +52,7 @@ class GzipReaderSpec : FunSpec({
         }
     }
 
-    test("a stream that was flushed but never closed is no loss") {
+    test("a stream that was flushed but never closed is not a loss") {
         val out = ByteArrayOutputStream()
         GZIPOutputStream(out, true).apply {
             write(rows.encodeToByteArray())

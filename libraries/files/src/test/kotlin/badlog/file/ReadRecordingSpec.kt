@@ -97,7 +97,7 @@ class ReadRecordingSpec : FunSpec({
         }
     }
 
-    test("progress is told about once a megabyte, and at the end, in bytes of the file") {
+    test("progress is reported about once a megabyte, and at the end, in bytes of the file") {
         inFolder { folder ->
             val bytes = LARGE.encodeToByteArray()
             for (content in listOf(bytes, gzip(bytes))) {
@@ -181,7 +181,7 @@ class ReadRecordingSpec : FunSpec({
         }
     }
 
-    test("of a WPILOG that is still being written, the whole records are read and the half one is no problem") {
+    test("of a WPILOG that is still being written, the whole records are read and the half one is not a problem") {
         inFolder { folder ->
             val bytes = VARIED_LOG.bytes
             for (cut in 1..20) {

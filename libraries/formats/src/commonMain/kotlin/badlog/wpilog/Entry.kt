@@ -5,7 +5,7 @@ package badlog.wpilog
  *
  * @property name as it stands in the file.
  * @property type as it stands in the file.
- * @property isValue whether it is no topic, but a value that badlog has written.
+ * @property isValue whether it is not a topic, but a value that badlog has written.
  */
 internal class Entry(val name: String, val type: String, val isValue: Boolean, val decoder: PayloadDecoder) {
     /** What the file said of it last. */

@@ -8,13 +8,13 @@ internal enum class RecordFate {
     /** It belongs to no entry: an odd record, or bytes that only look like one. */
     UNKNOWN,
 
-    /** It can be no record; nothing after it can be trusted. */
+    /** It cannot be a record; nothing after it can be trusted. */
     NONSENSE,
 }
 
 /** Takes what a [RecordSplitter] finds. */
 internal interface RecordSink {
-    /** The twelve bytes of the header at [from] and the text after them, up to [until]; false when this is no WPILOG. */
+    /** The twelve bytes of the header at [from] and the text after them, up to [until]; false when this is not a WPILOG. */
     fun header(bytes: ByteArray, from: Int, until: Int): Boolean
 
     /** A record of entry [id] at [micros], with its payload from [from] until [until]. */

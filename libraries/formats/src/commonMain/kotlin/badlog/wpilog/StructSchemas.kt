@@ -148,7 +148,7 @@ internal class SchemaReader private constructor(private val text: String) {
         at++
     }
 
-    /** The next character that is no blank, which is not passed; [END] without one. */
+    /** The next character that is not a blank, which is not passed; [END] without one. */
     private fun peek(): Char {
         while (at < text.length && text[at].isWhitespace()) at++
         return if (at < text.length) text[at] else END

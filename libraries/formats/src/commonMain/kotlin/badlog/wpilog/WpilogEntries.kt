@@ -24,7 +24,7 @@ internal class WpilogEntries(private val source: ColumnSource, private val probl
     var extraHeader = ""
         private set
 
-    /** Why this is no WPILOG that can be read; null when it can. */
+    /** Why this is not a WPILOG that can be read; null when it can. */
     var refusal: String? = null
         private set
 

@@ -105,7 +105,7 @@ public class WpilogParser(private val keepSamples: Boolean = true) : LogParser {
             problems.add(
                 ProblemKind.EARLY_TIMES,
                 "${entries.earlyCount} records, such as one of “${entries.firstEarly?.name}”, are from before the robot's clock began; " +
-                    "they stand where the recording begins.",
+                    "they were moved to the start of the log.",
                 count = entries.earlyCount,
             )
         }

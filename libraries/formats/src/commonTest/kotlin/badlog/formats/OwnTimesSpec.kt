@@ -81,7 +81,7 @@ class OwnTimesSpec : FunSpec({
         view.enabledSpans() shouldBe listOf(EnabledSpan(Span(1.0, 3.0), true), EnabledSpan(Span(3.0, 9.0), false))
     }
 
-    test("the control word tells where nothing else of the driver station does") {
+    test("the control word shows where nothing else of the driver station does") {
         val view = TestLog().start(4, "/Shooter/enabled", "boolean").start(1, "NT:/FMSInfo/FMSControlData", "int64")
             .record(4, 0, byteArrayOf(1))
             .record(1, 0, longs(32)).record(1, 1_000_000, longs(35))

@@ -249,7 +249,7 @@ class WpilogParserSpec : FunSpec({
         log.start(2, "DriverStation/MatchNumber", "int64").record(2, 2, longs(7)).read().values.map { it.text } shouldBe listOf("7", "Red")
     }
 
-    test("what is no WPILOG, or one of another version, says so") {
+    test("what is not a WPILOG, or one of another version, says so") {
         parseLog("Time,a\n1,2\n".encodeToByteArray()).problems.single().kind shouldBe ProblemKind.NOT_A_RECORDING
         parseLog("WPILOG".encodeToByteArray() + byteArrayOf(0, 2, 0, 0, 0, 0)).isReadable shouldBe false
         parseLog("WPILOG".encodeToByteArray()).problems.map { it.kind } shouldContain ProblemKind.RECORD_CUT

@@ -89,7 +89,7 @@ class WpilogWriterSpec : FunSpec({
         read.topic("s").timeList() shouldBe listOf(0.0, 4e-6)
     }
 
-    test("metadata stay as they were where they tell unit and attributes, even those that WPILib leaves out") {
+    test("metadata stay as they were where they show unit and attributes, even those that WPILib leaves out") {
         val log = TestLog().start(1, "messages", "string", "no JSON").start(2, "systemTime", "int64", "{ \"source\":\"x\" }")
             .start(3, "NT:/v", "double", "{\"properties\":{\"unit\":\"V\"}}").start(4, "a", "double[]", "{\"a\":[1, 2]}")
             .string(1, 1, "hello").record(2, 2, longs(1_700_000_000_000_000)).double(3, 3, 1.0).record(4, 4, doubles(1.0, 2.0))
@@ -101,7 +101,7 @@ class WpilogWriterSpec : FunSpec({
         after.topics.map { it.type } shouldBe listOf("string", "int64", "double", "double", "double")
     }
 
-    test("elements of arrays keep the type of their array, and whole numbers that were rounded are told") {
+    test("elements of arrays keep the type of their array, and whole numbers that were rounded are reported") {
         val log = TestLog().start(1, "f", "float[]").start(2, "i", "int64[]").start(3, "large", "int64")
             .record(1, 1, floats(0.1f)).record(2, 2, longs(7, -8)).record(3, 3, longs(Long.MAX_VALUE))
         val (bytes, omissions) = writeLog(parseLog(log.bytes))
@@ -136,7 +136,7 @@ class WpilogWriterSpec : FunSpec({
         }
     }
 
-    test("an x axis that is no time, begins before 0 or is finer than a microsecond is told") {
+    test("an x axis that is not a time, begins before 0 or is finer than a microsecond is reported") {
         writeLog(parse("a,b\n1,2\n3,4\n")).run {
             second.single().what shouldBe "The x axis “Index” is not a time; one unit of it counts as one second."
             parseLog(first).topic("b").timeList() shouldBe listOf(0.0, 1.0)

@@ -11,7 +11,7 @@ internal fun propertiesOf(signal: Signal): JsonObject = buildJsonObject {
     put("retained", true)
 }
 
-/** Tells that the topic [name] has the number [id]; as an answer to a publisher with its number. */
+/** Announces that the topic [name] has the number [id]; as an answer to a publisher with its number. */
 internal fun announce(name: String, id: Int, type: String, properties: JsonObject, publisher: Long? = null): JsonObject =
     message("announce") {
         put("name", name)
@@ -21,13 +21,13 @@ internal fun announce(name: String, id: Int, type: String, properties: JsonObjec
         put("properties", properties)
     }
 
-/** Tells that the topic is no more. */
+/** Announces that the topic does not exist any more. */
 internal fun unannounce(name: String, id: Int): JsonObject = message("unannounce") {
     put("name", name)
     put("id", id)
 }
 
-/** Tells the client that asked for it that the properties of its topic are changed. */
+/** Confirms to the client that the properties of its topic are changed. */
 internal fun acknowledge(name: String, update: JsonObject): JsonObject = message("properties") {
     put("name", name)
     put("ack", true)

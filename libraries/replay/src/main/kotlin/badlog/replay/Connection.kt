@@ -28,7 +28,7 @@ internal class Connection(private val socket: WebSocket, val protocol: SubProtoc
     /** Ends it at once, whatever is still to be sent. */
     fun end(why: String) = socket.closeConnection(GOING_AWAY, why)
 
-    // It may be closed at any moment; whoever has to know is told of that elsewhere.
+    // It may be closed at any moment; whoever has to know hears of that elsewhere.
     private fun whileOpen(send: () -> Unit) = try {
         send()
     } catch (_: WebsocketNotConnectedException) {

@@ -48,7 +48,7 @@ internal class Player(val signals: List<Signal>, val playhead: Playhead) {
     private companion object {
         const val NANOS_PER_MICRO = 1000
 
-        /** More are not told of at once, as when a laptop wakes after an hour: the earliest are left out. */
+        /** More are not reported at once, as when a laptop wakes after an hour: the earliest are left out. */
         const val MAX_OF_A_SIGNAL = 10_000
     }
 }

@@ -4,7 +4,7 @@ import kotlin.math.floor
 import kotlin.math.roundToLong
 
 /**
- * Where in a recording a replay is. It owns no clock: every function is told what time it is, in nanoseconds that never go
+ * Where in a recording a replay is. It owns no clock: every function is given the time, in nanoseconds that never go
  * backwards. Positions are in the unit of the recording's x axis. Paused at the start of [range] at first.
  *
  * @property range what is played.
@@ -77,7 +77,7 @@ internal class Playhead(
 
     /**
      * Hands [visit] what was played since the last call, in order and nothing twice. Of laps that were begun and ended since
-     * then only the last is told, as nobody could have seen the others.
+     * then only the last is reported, as nobody could have seen the others.
      */
     fun advance(nowNanos: Long, visit: (Stretch) -> Unit) {
         if (isPlaying && isLooping) {

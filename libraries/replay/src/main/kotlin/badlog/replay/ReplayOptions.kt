@@ -6,7 +6,7 @@ import java.net.InetAddress
  * How a recording is replayed.
  *
  * @property port where dashboards connect; 0 for any that is free. Most dashboards know only [DEFAULT_PORT].
- * @property address the network at which dashboards may connect: this computer alone, unless told otherwise.
+ * @property address the network at which dashboards may connect: default: this computer only.
  * @property speed how many seconds of the recording pass in a second; above 0.
  * @property isLooping whether it begins anew when it has come to the end.
  * @property range what is replayed, on the recording's x axis and in its unit; null for all.

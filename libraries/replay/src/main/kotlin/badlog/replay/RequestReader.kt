@@ -10,7 +10,7 @@ import kotlinx.serialization.json.booleanOrNull
 import kotlinx.serialization.json.doubleOrNull
 import kotlinx.serialization.json.longOrNull
 
-/** Reads a client's text frames. Whatever is not understood is told to [ignore], in half a sentence, and left out. */
+/** Reads a client's text frames. Whatever is not understood is reported to [ignore], in half a sentence, and left out. */
 internal class RequestReader(private val ignore: (String) -> Unit) {
     fun read(text: String): List<Request> {
         if (isDeep(text)) return nothing("JSON that is nested too deeply")

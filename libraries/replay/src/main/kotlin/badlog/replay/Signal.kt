@@ -8,7 +8,7 @@ import badlog.analysis.Units
  *
  * @property name its whole name there; begins with `/`.
  * @property unit its unit, or null for none.
- * @property samples its values; ordered, and without gaps but for a [SignalType.DOUBLE], of which NaN tells that there is
+ * @property samples its values; ordered, and without gaps but for a [SignalType.DOUBLE], of which NaN says that there is
  *   no number from then on.
  * @property texts what the samples of a [SignalType.STRING] stand for, in UTF-8; else empty.
  */

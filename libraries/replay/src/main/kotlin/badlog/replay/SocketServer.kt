@@ -108,7 +108,7 @@ internal class SocketServer(
     }
 }
 
-/** What a [SocketServer] tells of its connections; of one connection nothing at the same time. */
+/** What a [SocketServer] reports of its connections; of one connection nothing at the same time. */
 internal interface Listener {
     fun opened(connection: Connection)
 

@@ -21,7 +21,7 @@ private fun Playhead.stretches(nowNanos: Long) = ArrayList<Stretch>().also { lis
 private val SPEEDS = Arb.double(0.01, 100.0, includeNaNs = false)
 
 class PlayheadSpec : FunSpec({
-    test("It waits at the start until it is told to play") {
+    test("It waits at the start until it is started") {
         val playhead = playhead()
         playhead.position(5 * SECOND) shouldBe 0.0
         playhead.play(5 * SECOND)
@@ -82,7 +82,7 @@ class PlayheadSpec : FunSpec({
         }
     }
 
-    test("A pause is not played, and nothing of it is told") {
+    test("A pause is not played, and nothing of it is reported") {
         val playhead = playhead().apply { play(0) }
         playhead.stretches(SECOND)
         playhead.pause(SECOND)

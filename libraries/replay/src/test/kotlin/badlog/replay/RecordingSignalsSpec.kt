@@ -22,7 +22,7 @@ class RecordingSignalsSpec : FunSpec({
         )
     }
 
-    test("A gap of a number is told once, one of a state not at all") {
+    test("A gap of a number is reported once, one of a state not at all") {
         val angle = SIGNALS.getValue("/Arm/Angle").samples
         angle.x.toList() shouldBe listOf(10.0, 10.02, 10.05, 10.1, 10.3)
         angle.y.map { "$it" } shouldBe listOf("1.5", "2.5", "NaN", "2.5", "4.0")

@@ -196,7 +196,7 @@ class ReplayServerSpec : FunSpec({
         }
     }
 
-    test("A plain HTTP request is told that the server is there") {
+    test("A plain HTTP request is answered that the server is there") {
         serving { server ->
             val request = HttpRequest.newBuilder(URI("http://127.0.0.1:${server.port}")).build()
             val answer = HttpClient.newHttpClient().send(request, HttpResponse.BodyHandlers.ofString())

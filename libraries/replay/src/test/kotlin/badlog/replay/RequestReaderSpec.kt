@@ -37,7 +37,7 @@ class RequestReaderSpec : FunSpec({
         listOf(request.isAll, request.isPrefix, request.isTopicsOnly) shouldBe listOf(true, true, true)
     }
 
-    test("What is not understood is left out and told; the rest counts") {
+    test("What is not understood is left out and reported; the rest counts") {
         val ignored = ArrayList<String>()
         val requests = read(
             """[1,{"method":"dance","params":{}},{"method":"unsubscribe","params":{}},{"method":3,"params":{}},
@@ -48,7 +48,7 @@ class RequestReaderSpec : FunSpec({
         ignored.size shouldBe 5
     }
 
-    test("A frame that is no list of messages is told") {
+    test("A frame that is not a list of messages is reported") {
         for (text in listOf("", "[", "{}", "[{]", "[".repeat(1_000_000), "{\"a\":".repeat(1_000_000))) {
             val ignored = ArrayList<String>()
             read(text, ignored).shouldBeEmpty()

@@ -60,7 +60,7 @@ class ValueFramesSpec : FunSpec({
         answerTime(bytes(""), 5) shouldBe null
     }
 
-    test("What is no message of NT4 is refused") {
+    test("What is not a message of NT4 is refused") {
         shouldThrow<MessagePackException> { answerTime(bytes("93 ff 00 02"), 5) }
         shouldThrow<MessageInsufficientBufferException> { answerTime(bytes("94 ff 00"), 5) }
         shouldThrow<MessagePackException> { answerTime(bytes("c1"), 5) }

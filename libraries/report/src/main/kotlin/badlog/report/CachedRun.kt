@@ -8,7 +8,7 @@ internal class CachedResult<out R>(val result: R, val isLasting: Boolean)
 
 /**
  * Does [work] on those of [files] that [cache] does not know, and gives all results in the order of the files to [each] on this thread.
- * What lasts is in the cache's file afterwards, also when [each] throws, the thread is interrupted, or the program is told to end.
+ * What lasts is in the cache's file afterwards, also when [each] throws, the thread is interrupted, or the program is asked to end.
  */
 internal fun <R : Any> runCached(
     files: List<LogFile>,

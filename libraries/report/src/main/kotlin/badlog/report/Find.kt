@@ -16,7 +16,7 @@ import java.nio.file.Path
  * @param question the expression.
  * @param virtualTopics definitions of topics that the question may use beside the log's own, such as `Power = Voltage * Current`.
  * @param cache a folder for what was found out before, so that a file that did not change is not read again; null for none.
- * @param xTopic the topic to take as x axis, which plain CSV does not tell; null for what the log itself says.
+ * @param xTopic the topic to take as x axis, which plain CSV does not name; null for what the log itself says.
  */
 public class Find(
     private val question: String,

@@ -12,7 +12,7 @@ import kotlinx.serialization.Serializable
  * What came of a question to one file.
  *
  * @property file the file.
- * @property title what match it is, from its values; null when they do not tell or it cannot be read.
+ * @property title what match it is, from its values; null when they do not say or it cannot be read.
  * @property reply what came of it.
  * @property undefined the virtual topics that the log could not be given.
  * @property isSalvaged whether the log lost something, so that the answer is about what is left.
@@ -35,7 +35,7 @@ public sealed interface Reply {
      * @property spans when it holds, at most the first hundred.
      * @property spanCount how often it holds.
      * @property quantities the numbers that were compared.
-     * @property time where to look first; NaN when nothing tells.
+     * @property time where to look first; NaN when unknown.
      * @property timeUnit the unit of all times, empty where x has none.
      */
     @Serializable
@@ -72,7 +72,7 @@ public sealed interface Reply {
     ) : Reply
 
     /**
-     * The file cannot be read, or is no log.
+     * The file cannot be read, or is not a log.
      *
      * @property message why, as a sentence.
      * @property isNoLog whether it is something else than a log.

@@ -50,7 +50,7 @@ private fun summaryOf(results: List<FindResult>, found: Int): List<String> {
     val notAsked = results.mapNotNull { it.reply as? Reply.NotAsked }
     val isAnswered = results.any { it.reply is Reply.Answered }
     val (missing, others) = notAsked.partition { it.kind == ExpressionErrorKind.UNKNOWN_TOPIC }
-    // Where a name is missing, what is left of it may read as anything; but what is right for one log is no mistake for another.
+    // Where a name is missing, what is left of it may read as anything; but what is right for one log is not a mistake for another.
     val (lacking, mistaken) = others.partition { isAnswered && it.kind == ExpressionErrorKind.SYNTAX }
     missing.groupBy { it.topic }.forEach { (topic, replies) ->
         lines += "${have(replies.size)} no topic “$topic”."

@@ -31,7 +31,7 @@ public class NamedTopics(expressions: List<String>, private val xTopic: String? 
         const val X_AXIS = "xaxis"
         const val QUOTES = "\"`'"
 
-        /** What the names of topics hold that tell when a robot was enabled. */
+        /** Parts of the names of topics that show when a robot was enabled. */
         val MODES = listOf("enabled", "auto", "fmscontroldata")
 
         // Character by character, as expressions compare names.

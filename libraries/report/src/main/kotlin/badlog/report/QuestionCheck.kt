@@ -10,7 +10,7 @@ import badlog.expression.syntax.ExpressionErrorKind
 
 /**
  * What is wrong with [question] whatever topics a log has, or null. What topics might be called is guessed, so some mistakes still
- * only show when a log is asked; but none is told that a usual name could make right.
+ * only show when a log is asked; but none is reported that a usual name could make right.
  */
 internal fun errorForEveryLog(question: String): ExpressionError? {
     val guessed = ArrayList<Signal>()

@@ -23,7 +23,7 @@ import java.nio.file.Path
  * @param virtualTopics definitions of topics that the rules may use beside a log's own, such as `Power = Voltage * Current`.
  * @param cache a folder for what was found out before, so that a file that did not change is not read again; null for none. What
  *   hooks return is not kept there: nobody knows what it depends on.
- * @param xTopic the topic to take as x axis, which plain CSV does not tell; null for what the log itself says.
+ * @param xTopic the topic to take as x axis, which plain CSV does not name; null for what the log itself says.
  */
 public class Report(
     private val rules: RuleSet = RuleSet.BUILT_IN,

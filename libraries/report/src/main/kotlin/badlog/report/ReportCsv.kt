@@ -5,7 +5,7 @@ import badlog.terminal.printable
 /**
  * All findings as CSV (RFC 4180): one line for each, with the file, the match, the rule, its severity, the topic, the text, the time to
  * look at first, the end of the first span, how many spans there are, and the unit of the times. A log that cannot be read has a
- * line too, with the rule `unreadable`; what is no log has none.
+ * line too, with the rule `unreadable`; what is not a log has none.
  */
 public fun reportCsv(result: ReportResult): String {
     val out = StringBuilder()

@@ -20,11 +20,11 @@ public class ReportResult internal constructor(public val logs: List<LogReport>,
  * What was found in one log.
  *
  * @property file the file.
- * @property title what match it is, from its values; null when they do not tell or it cannot be read.
+ * @property title what match it is, from its values; null when they do not say or it cannot be read.
  * @property findings in the order of the rules, then of the hooks.
  * @property skipped the rules that were skipped for it, in the order of the rules; one that is a mistake here may be right for
  *   another log.
- * @property unreadable why the file cannot be read or is no log, as a sentence; null when all is well.
+ * @property unreadable why the file cannot be read or is not a log, as a sentence; null when all is well.
  * @property isNoLog whether it is [unreadable] because it is something else than a log.
  * @property isSalvaged whether the log lost something, so that the findings are about what is left.
  * @property undefined the virtual topics that the log could not be given.

@@ -8,7 +8,7 @@ import badlog.terminal.printable
 
 /**
  * All findings match by match with time, severity and text, at most 100 columns wide, and below it what was not looked for. Logs that
- * cannot be read are only counted, and what is no log not even that.
+ * cannot be read are only counted, and what is not a log not even that.
  */
 public fun reportText(result: ReportResult): String {
     val names = shortNames(result.logs.map { it.file })

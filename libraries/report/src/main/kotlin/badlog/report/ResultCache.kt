@@ -19,7 +19,7 @@ import kotlin.time.TimeSource
 
 /**
  * What came of a question to each of many files, kept in one file of [folder], which may be deleted at any time. What is damaged,
- * or of another version, is as nothing. A failure to write costs only time, so it is not told. Safe for several threads.
+ * or of another version, is as nothing. A failure to write costs only time, so it is not reported. Safe for several threads.
  *
  * @param question what was asked, whatever changes the results; another question has another file, and so has another program.
  * @param pause how long [saveNowAndThen] waits from one time to the next.

@@ -9,7 +9,7 @@ import java.nio.file.Path
 public class TopicException internal constructor(override val message: String) : Exception(message)
 
 /**
- * This recording with the topic [name] as its x axis, which plain CSV does not tell.
+ * This recording with the topic [name] as its x axis, which plain CSV does not name.
  *
  * @throws TopicException when it has no such topic, or topics with times of their own, with [file], from which it was read.
  */

@@ -30,7 +30,7 @@ public class UndefinedTopic internal constructor(
 }
 
 /**
- * What to say about the virtual topics that [undefined] tells of for each log: once for each definition, and with all there is to
+ * What to say about the virtual topics in [undefined], listed per log: once for each definition, and with all there is to
  * know where no log could be given it.
  */
 public fun undefinedTexts(undefined: List<List<UndefinedTopic>>): List<String> {

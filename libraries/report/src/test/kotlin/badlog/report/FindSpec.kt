@@ -29,7 +29,7 @@ class FindSpec : FunSpec({
         }
     }
 
-    test("logs without the topic and files that are no logs are told apart") {
+    test("logs without the topic and files that are not logs are distinguished") {
         inFolder { folder ->
             folder.put("1.bag", batteryBag(6.0))
             folder.put("2.bag", batteryBag(6.0, name = "Volts"))
@@ -81,7 +81,7 @@ class FindSpec : FunSpec({
         }
     }
 
-    test("files of one name are told apart by their folders, and the lines are straight whatever the writing") {
+    test("files of one name are distinguished by their folders, and the lines are straight whatever the writing") {
         inFolder { folder ->
             for (name in listOf("a/m.bag", "b/m.bag", "機械.bag")) folder.put("logs/$name", bag(mapOf("Time" to "s", "V" to "V"), listOf("0,1")))
             val lines = findText(Find("V > 0").over(logsIn(folder))).lines()
@@ -115,7 +115,7 @@ class FindSpec : FunSpec({
         }
     }
 
-    test("a virtual topic that only some logs can be given is told once, with the reason") {
+    test("a virtual topic that only some logs can be given is reported once, with the reason") {
         inFolder { folder ->
             folder.put("1.bag", batteryBag(6.0))
             folder.put("2.bag", bag(mapOf("Time" to "s", "a" to "V"), listOf("0,1")))
@@ -125,7 +125,7 @@ class FindSpec : FunSpec({
         }
     }
 
-    test("a virtual topic that no log can be given is told with the place of the mistake") {
+    test("a virtual topic that no log can be given is reported with the place of the mistake") {
         inFolder { folder ->
             folder.put("1.bag", batteryBag(6.0))
             val text = findText(Find("max(Battery Voltage)", listOf("Double = Batery Voltage * 2")).over(logsIn(folder)))
@@ -133,7 +133,7 @@ class FindSpec : FunSpec({
         }
     }
 
-    test("a log that lost something is told, also by the cache") {
+    test("a log that lost something is reported, also by the cache") {
         inFolder { folder ->
             folder.put("logs/1.bag", batteryBag(6.0))
             folder.put("logs/2.bag", batteryBag(6.0) + "0.1,\n0.2,12,3\n")
@@ -182,7 +182,7 @@ class FindSpec : FunSpec({
         }
     }
 
-    test("a cache that cannot be written is no fault") {
+    test("a cache that cannot be written is not a fault") {
         inFolder { folder ->
             val cache = folder.put("a file", "x").resolve("cache")
             folder.put("1.bag", batteryBag(6.0))

@@ -7,7 +7,7 @@ import io.kotest.matchers.string.shouldContain
 private fun overflow(depth: Int): Int = overflow(depth + 1) + 1
 
 class LogContentSpec : FunSpec({
-    test("whatever fails in the work on a file is told of this file") {
+    test("whatever fails in the work on a file is reported for this file") {
         inFolder { folder ->
             folder.put("1.bag", batteryBag(6.0))
             val file = logsIn(folder).single()

@@ -57,7 +57,7 @@ class QuestionCheckSpec : FunSpec({
         }
     }
 
-    test("a question that is wrong for any log is told without reading one") {
+    test("a question that is wrong for any log is reported without reading one") {
         inFolder { folder ->
             folder.put("1.bag", "no log at all")
             val find = Find("min(Battery Voltage < 7")

@@ -89,7 +89,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("a rule that asks for a time is not for a log that counts rows, and is no mistake") {
+    test("a rule that asks for a time is not for a log that counts rows, and is not a mistake") {
         inFolder { folder ->
             folder.put("1.csv", "Current,b\n" + "80,1\n".repeat(20))
             val result = Report(rules("topic > 60 for 2 s", more = "each = [\"*current*\"]\nunit = \"A\"")).over(logsIn(folder))
@@ -112,7 +112,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("a rule whose topics are missing is told once, and is no mistake") {
+    test("a rule whose topics are missing is reported once, and is not a mistake") {
         inFolder { folder ->
             for (i in 1..3) folder.put("$i.bag", batteryBag(6.0, name = "Other"))
             val rules = rules("b < 7", aliases = "b = [\"*voltage*\"]")
@@ -127,7 +127,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("a topic that may be misspelt is told in a sentence that ends once") {
+    test("a topic that may be misspelt is reported in a sentence that ends once") {
         inFolder { folder ->
             folder.put("1.bag", batteryBag(6.0))
             Report(rules("Batery Voltage < 7")).over(logsIn(folder)).skipped.single().toString() shouldEndWith
@@ -135,7 +135,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("a log that lost something is told, also by the cache, and what is no log as such") {
+    test("a log that lost something is reported, also by the cache, and what is not a log as such") {
         inFolder { folder ->
             folder.put("logs/1.bag", batteryBag(6.0))
             folder.put("logs/2.bag", batteryBag(6.0) + "0.1,\n0.2,12,3\n")
@@ -148,7 +148,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("a wrong expression is told with its line in the file of rules") {
+    test("a wrong expression is reported with its line in the file of rules") {
         inFolder { folder ->
             folder.put("1.bag", batteryBag(6.0))
             Report(rules("Battery Voltage < 7 V")).over(logsIn(folder)).skipped.single().run {
@@ -205,7 +205,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("a hook that fails is told, and the rules count all the same").config(enabled = HAS_PYTHON) {
+    test("a hook that fails is reported, and the rules count all the same").config(enabled = HAS_PYTHON) {
         inFolder { folder ->
             folder.put("1.bag", batteryBag(6.0))
             val hook = HookRunner(listOf("python3", "-c", "import sys; sys.exit('no numpy')"), name = "h")
@@ -227,7 +227,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("a hook that fails alike in many logs is told once") {
+    test("a hook that fails alike in many logs is reported once") {
         inFolder { folder ->
             for (i in 1..5) folder.put("$i.bag", batteryBag(6.0))
             val text = reportText(Report(RuleSet.NONE, listOf(HookRunner(listOf("no-such-program"), name = "h"))).over(logsIn(folder)))
@@ -236,7 +236,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("a hook that fails in many ways is told by the first").config(enabled = HAS_PYTHON) {
+    test("a hook that fails in many ways is reported by the first").config(enabled = HAS_PYTHON) {
         inFolder { folder ->
             for (i in 1..3) folder.put("$i.bag", batteryBag(6.0))
             val hook = HookRunner(listOf("python3", "-c", "import os, sys; sys.exit(str(os.getpid()))"), name = "h")

@@ -15,7 +15,7 @@ import badlog.recording.Value
  *
  * @property vocabulary the names of the topics.
  * @property timeTopic the topic of the x axis, or null.
- * @property hasClock whether x is time, though no topic tells it.
+ * @property hasClock whether x is time, though no topic has it.
  */
 public data class LogShape(public val vocabulary: Vocabulary, public val timeTopic: String?, public val hasClock: Boolean) {
     public companion object {
@@ -85,7 +85,7 @@ public class RuleProgram(rules: RuleSet, private val shape: LogShape) {
     /** In the order of the rules. */
     private val steps: List<Step> = rules.rules.map(::stepOf)
 
-    /** The names of the topics whose samples the rules look at, beside those that tell time and when the robot was enabled. */
+    /** The names of the topics whose samples the rules look at, beside those of the time and of when the robot was enabled. */
     public val topics: Set<String> = steps.flatMap { it.questions }.flatMapTo(LinkedHashSet()) { question ->
         question.expression.topics.map { question.named[it]?.signal?.name ?: it }
     }
@@ -187,7 +187,7 @@ public class RuleProgram(rules: RuleSet, private val shape: LogShape) {
     }
 }
 
-/** The type of the match that [values] tell of, such as `Qualification`. */
+/** The type of the match in [values], such as `Qualification`. */
 private fun matchType(values: List<Value>): String? = values
     .firstOrNull { PathName.baseNameOf(it.name).replace('_', ' ').lowercase() == "match type" && it.text.isNotBlank() }
     ?.text?.trim()

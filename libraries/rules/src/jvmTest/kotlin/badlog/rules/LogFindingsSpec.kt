@@ -17,14 +17,14 @@ class LogFindingsSpec : FunSpec({
     val bag = "$header\nTime,Battery Voltage\n0,12\n1,6\n2,6\n3,12\n"
     val view = LogView.of(BagParser().apply { accept(bag.encodeToByteArray()) }.finish())
 
-    test("a view that is read already is asked the rules, and those that do not fit it are told") {
+    test("a view that is read already is asked the rules, and those that do not fit it are reported") {
         val result = RuleSet.BUILT_IN.over(view, "test.bag")
         result.findings.map { it.rule } shouldContain "Low battery"
         result.skipped.map { it.rule } shouldContain "Loop overrun"
         result.skipped.none { it.isMistake } shouldBe true
     }
 
-    test("a rule that is wrong is told as such, with its place") {
+    test("a rule that is wrong is reported as such, with its place") {
         val rules = RulesFile.parse("[[rule]]\nname = \"A\"\nseverity = \"note\"\nwhen = \"mean(Battery Voltage, 5) < 3\"\ntext = \"t\"\n").rules
         val skipped = rules.over(view, "test.bag").skipped.single()
         skipped.isMistake shouldBe true

@@ -21,7 +21,7 @@ internal class Figure(val title: String, val xTitle: String, val x: Span, val fr
  * @property yTitle what stands beside its y axis; empty for nothing.
  * @property y the part of y that it shows.
  * @property isFilled whether the area between its lines and 0 is filled.
- * @property hasLegend whether its title alone does not tell what its lines are.
+ * @property hasLegend whether its lines need more than its title.
  * @property lines its lines; empty where it has [lanes].
  * @property lanes its lanes, from top to bottom; empty where it has [lines].
  */

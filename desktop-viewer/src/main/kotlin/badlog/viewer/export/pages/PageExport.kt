@@ -34,7 +34,7 @@ internal fun pageJobs(logs: List<Path>, folder: Path): List<PageJob> {
     val taken = HashSet<String>()
     return logs.distinct().map { log ->
         val name = log.fileName.toString()
-        // Most disks of laptops do not tell upper from lower case.
+        // Most disks of laptops do not distinguish upper from lower case.
         val page = freeName(name, ".html") { taken.add(it.lowercase()) }
         PageJob(log, folder.resolve(page))
     }
@@ -82,7 +82,7 @@ internal class Additions(known: List<OpenRecording>, private val definitions: Li
         return PageAdditions(workingIn(log), rules.rules, rules.problem)
     }
 
-    /** The formulas that make a topic in [log]; none where it cannot be read, which whoever makes the page tells. */
+    /** The formulas that make a topic in [log]; none where it cannot be read, which whoever makes the page reports. */
     private fun workingIn(log: Path): List<String> {
         if (definitions.isEmpty()) return emptyList()
         known[log]?.let { recording -> return recording.formulas.filter { it.topic != null }.map { it.definition } }

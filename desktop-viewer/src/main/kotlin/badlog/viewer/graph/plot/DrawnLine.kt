@@ -10,7 +10,7 @@ import badlog.viewer.recording.Signal
  *
  * @property offset what is added to the recording's x to stand in the window's.
  * @property color which of the palette's colors it has, from 0.
- * @property label what the legend calls it beside the signal's name, where that would not tell; else null.
+ * @property label what the legend calls it beside the signal's name, where that is not enough; else null.
  */
 internal data class DrawnLine(
     val signal: Signal,
@@ -22,7 +22,7 @@ internal data class DrawnLine(
 
 /**
  * The lines of [spec] in every one of [recordings] that has them. Of one recording each line has a color; of several the
- * color tells the recording in the first place, the same in all graphs, and further lines have colors of their own.
+ * color shows the recording in the first place, the same in all graphs, and further lines have colors of their own.
  */
 internal fun drawnLines(spec: BoardGraph, recordings: List<DrawnRecording>): List<DrawnLine> {
     val isCompared = recordings.size > 1

@@ -16,13 +16,13 @@ internal enum class Content(val saying: String) {
     /** It has none. */
     NO_SAMPLES("no samples"),
 
-    /** No number changes and nothing is told. */
+    /** No number changes and no event is logged. */
     NOTHING_CHANGES("idle log"),
 
     /** It is over before anything can have happened. */
     TOO_SHORT("shorter than a second"),
 
-    /** The robot was off duty all the time, and it was no match: in a match, that it never moved is the story. */
+    /** The robot was off duty all the time, and it was not a match: in a match, that it never moved is the story. */
     NEVER_ENABLED("never enabled"),
 
     /** It cannot be read though its name says that it is a log. */
@@ -36,12 +36,12 @@ internal enum class Content(val saying: String) {
  * Whether there is anything to see in [recording]. Only what surely is nothing counts as nothing: a change of a single number,
  * or a single event, is something.
  *
- * @param time the topic that only tells where on x a row stands, or null.
- * @param seconds how long it is, or null where nothing tells.
+ * @param time the topic that only shows where on x a row stands, or null.
+ * @param seconds how long it is, or null where it is unknown.
  */
 internal fun contentOf(recording: Recording, topics: List<TopicSummary>, time: Topic?, seconds: Double?, isMatch: Boolean): Content = when {
     recording.sampleCount == 0L -> Content.NO_SAMPLES
-    topics.none { it.name != time?.name && changes(it) } && recording.topics.none(::tells) -> Content.NOTHING_CHANGES
+    topics.none { it.name != time?.name && changes(it) } && recording.topics.none(::hasNews) -> Content.NOTHING_CHANGES
     seconds != null && seconds < 1 -> Content.TOO_SHORT
     !isMatch && topics.any(::isNeverEnabled) -> Content.NEVER_ENABLED
     else -> Content.SOMETHING
@@ -49,8 +49,8 @@ internal fun contentOf(recording: Recording, topics: List<TopicSummary>, time: T
 
 private fun changes(topic: TopicSummary) = topic.statistics.count > 0 && topic.statistics.min != topic.statistics.max
 
-/** An event tells something, and so does a state that becomes another. */
-private fun tells(topic: Topic): Boolean {
+/** An event is news, and so is a state that becomes another. */
+private fun hasNews(topic: Topic): Boolean {
     val texts = topic.texts
     return texts.size > 0 && (texts.size < topic.counts.total || texts.dictionary.size > 1)
 }

@@ -135,7 +135,7 @@ internal class EntryWriter(private val out: DataOutputStream, private val texts:
     private fun text(text: String?) = out.writeInt(texts.placeOf(text))
 }
 
-/** Reads entries as [EntryWriter] wrote them; throws some [RuntimeException] when the bytes are no entries. */
+/** Reads entries as [EntryWriter] wrote them; throws some [RuntimeException] when the bytes are not entries. */
 internal class EntryReader(private val buffer: ByteBuffer, private val texts: Array<String>) {
     /** Reads the next entry. */
     fun read() = LogEntry(

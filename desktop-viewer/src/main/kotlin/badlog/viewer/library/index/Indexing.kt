@@ -26,8 +26,8 @@ import kotlin.time.TimeSource
  * Knows the logs of [folder] and keeps knowing them: looks at the folder again and again, and reads what is new or has grown,
  * on all cores.
  *
- * A look costs about 2 ms for 1,000 files on a drive of the machine's own. Asking the system to tell of changes instead would
- * cost less, but it tells of none on network drives, and late on macOS.
+ * A look costs about 2 ms for 1,000 files on a drive of the machine's own. Asking the system to report changes instead would
+ * cost less, but it reports none on network drives, and late on macOS.
  *
  * @param cache where what is known is kept; null to keep it nowhere.
  * @param cores how many files are read at once.

@@ -14,7 +14,7 @@ private const val LARGE = 16L shl 20
 private const val SAMPLE = 1 shl 17
 
 /**
- * False for a large file that shows at its beginning that it is no log: a disk image in a `.gz` is not to be read to its end to
+ * False for a large file that shows at its beginning that it is not a log: a disk image in a `.gz` is not to be read to its end to
  * learn that.
  */
 internal fun isLikelyLog(file: LogFile): Boolean {
@@ -24,7 +24,7 @@ internal fun isLikelyLog(file: LogFile): Boolean {
         try {
             parser.accept(inflated(stream.buffered()).readNBytes(SAMPLE))
         } catch (_: IOException) {
-            // Damaged from its first bytes on; reading it tells how.
+            // Damaged from its first bytes on; reading it shows how.
             return true
         }
     }

@@ -13,7 +13,7 @@ import java.time.ZoneOffset
  * When a recording began.
  *
  * @property second wall clock time of where it was made, as seconds since 1970 in a place without an offset.
- * @property source what tells.
+ * @property source what it comes from.
  */
 internal data class LogDate(val second: Long, val source: DateSource) {
     /** It, for people. */
@@ -27,7 +27,7 @@ internal data class LogDate(val second: Long, val source: DateSource) {
             return ofFile(file)
         }
 
-        /** What [file] alone tells. */
+        /** The date from [file] alone. */
         fun ofFile(file: LogFile): LogDate {
             val named = dateInName(file.name)
             if (named != null) return of(named.time, DateSource.FILE_NAME)
@@ -40,7 +40,7 @@ internal data class LogDate(val second: Long, val source: DateSource) {
 }
 
 /**
- * What tells the date of a log.
+ * What the date of a log comes from.
  *
  * @property saying the same, for people.
  */

@@ -18,7 +18,7 @@ import java.nio.file.Path
  * @property problems what is wrong in it.
  * @property content whether there is anything to see.
  * @property trouble why it cannot be read, as a sentence; null when it can.
- * @property batteryMinimum the lowest voltage of the robot's battery, in volts; null when no topic tells.
+ * @property batteryMinimum the lowest voltage of the robot's battery, in volts; null when no topic shows it.
  * @property batteryTopic the name of that topic.
  * @property topics its topics with numbers, in the order of the file.
  */

@@ -4,7 +4,7 @@ import badlog.recording.PathName
 import badlog.recording.Value
 
 /**
- * What match a log is of. Each is null when nothing tells.
+ * What match a log is of. Each is null when unknown.
  *
  * @property event where, such as `Mill Creek Regional`.
  * @property type such as `Qualification`.

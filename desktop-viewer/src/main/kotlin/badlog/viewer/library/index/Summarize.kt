@@ -35,11 +35,11 @@ internal fun summarize(file: LogFile, checkpoint: () -> Unit = {}): LogEntry = t
 } catch (_: OutOfMemoryError) {
     withoutSamples(file, checkpoint)
 } catch (e: RuntimeException) {
-    // A defect of ours in one file must not take away all the others.
+    // A bug that one file shows must not cost all the others.
     unreadable(file, "${file.name} made badlog fail (${e.javaClass.simpleName}); send us the file.")
 }
 
-/** What can be told of a file whose samples do not fit into memory. */
+/** The summary of a file whose samples do not fit into memory. */
 private fun withoutSamples(file: LogFile, checkpoint: () -> Unit): LogEntry = try {
     val recording = readRecording(file.path, LOG_FORMATS, keepSamples = false) { _, _ -> checkpoint() }
     summaryOf(file, LogView.of(recording)).copy(content = Content.SOMETHING)

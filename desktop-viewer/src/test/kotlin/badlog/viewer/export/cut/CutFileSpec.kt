@@ -86,7 +86,7 @@ class CutFileSpec : FunSpec({
             listOf("match.bag")
     }
 
-    test("a part without samples, and a folder that cannot be written to, are told in a sentence") {
+    test("a part without samples, and a folder that cannot be written to, are reported in a sentence") {
         shouldThrow<IOException> { cutFile(whole, Span(2000.0, 2001.0), RecordingFormat.BAG, folder.resolve("none.bag")) }
             .message shouldContain "no samples"
         Files.writeString(folder.resolve("a part file"), "")

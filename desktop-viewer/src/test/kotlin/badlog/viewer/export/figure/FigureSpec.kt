@@ -54,7 +54,7 @@ class FigureSpec : FunSpec({
         frames[2].lanes.single().label shouldBe "Mode"
     }
 
-    test("several recordings are told apart by a legend, and by colors in the order of the recordings") {
+    test("several recordings are distinguished by a legend, and by colors in the order of the recordings") {
         val other = recordingOf(armBag(300).replace("\"8\"", "\"9\""))
         val figure = build(defaultBoard(arm.view).graphs, arm.span, arm, other)
         figure.title shouldBe "Match 8 · Match 9"

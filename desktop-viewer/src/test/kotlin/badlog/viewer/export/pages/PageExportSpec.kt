@@ -13,7 +13,7 @@ import io.kotest.matchers.string.shouldStartWith
 import java.nio.file.Files
 
 class PageExportSpec : FunSpec({
-    test("of many logs one that is broken is told, and the pages of the others are made") {
+    test("of many logs one that is broken is reported, and the pages of the others are made") {
         val folder = tempdir().toPath()
         val logs = listOf("a.bag", "broken.bag", "b.bag").map(folder::resolve)
         for (log in logs) Files.writeString(log, armBag(20))

@@ -68,7 +68,7 @@ class PictureMakingSpec : FunSpec({
         (made.axes.single().shown.to in 504.0..505.0) shouldBe true
     }
 
-    test("what a person has chosen of y is what is shown, and far values stay numbers that can be drawn") {
+    test("what a person has set for y is shown, and far values stay numbers that can be drawn") {
         val made = picture(recordingOf(bagOf(11) { if (it == 5) 1e300 else 1.0 }), yRange = Span(0.0, 2.0))
         made.axes.single().shown shouldBe Span(0.0, 2.0)
         made.lines.single().points.single().all { it.isFinite() && it in -10_000.0..10_000.0 } shouldBe true

@@ -28,7 +28,7 @@ class LogDateSpec : FunSpec({
         "20240316.bag" to LocalDateTime.of(2024, 3, 16, 0, 0),
         "log_20240316T104107.bag" to LocalDateTime.of(2024, 3, 16, 10, 41, 7),
     ).forEach { (name, time) ->
-        test("the name “$name” tells the date") {
+        test("the name “$name” shows the date") {
             date(name).time shouldBe time
             date(name).source shouldBe DateSource.FILE_NAME
         }
@@ -41,13 +41,13 @@ class LogDateSpec : FunSpec({
         "04/14/2018 10:22:03",
         "20180414_102203",
     ).forEach { text ->
-        test("the value “$text” tells the date, before the name") {
+        test("the value “$text” shows the date, before the name") {
             date("20240316.bag", text).time.withNano(0) shouldBe LocalDateTime.of(2018, 4, 14, 10, 22, 3)
             date("20240316.bag", text).source shouldBe DateSource.VALUES
         }
     }
 
-    test("a time that says UTC is told as the time of day here") {
+    test("a time that says UTC is reported as the time of day here") {
         val here = LocalDateTime.ofInstant(Instant.parse("2018-04-14T10:22:03Z"), ZoneId.systemDefault())
         date("20240316.wpilog", "2018-04-14 10:22:03 UTC").time shouldBe here
     }

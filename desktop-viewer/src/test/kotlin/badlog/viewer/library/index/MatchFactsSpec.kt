@@ -7,7 +7,7 @@ import io.kotest.matchers.shouldBe
 class MatchFactsSpec : FunSpec({
     fun named(name: String) = MatchFacts.of(emptyList(), name)
 
-    test("values tell event, type, number and alliance") {
+    test("values show event, type, number and alliance") {
         val values = listOf(
             Value("FMS/Event_Name", "OHCL"),
             Value("Match Type", "Qualification"),
@@ -37,7 +37,7 @@ class MatchFactsSpec : FunSpec({
         "motif12.bag" to MatchFacts(),
         "" to MatchFacts(),
     ).forEach { (name, facts) ->
-        test("the name “$name” tells ${facts.match ?: "no match"}") { named(name) shouldBe facts }
+        test("the name “$name” shows ${facts.match ?: "no match"}") { named(name) shouldBe facts }
     }
 
     test("a type in the name is not put to a number of the values") {

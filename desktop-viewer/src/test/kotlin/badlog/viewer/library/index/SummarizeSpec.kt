@@ -77,14 +77,14 @@ class SummarizeSpec : FunSpec({
         isLikelyLog(LogFile(file, Files.size(file), 0)) shouldBe true
     }
 
-    test("what is no log is not listed unless its name says that it is one") {
+    test("what is not a log is not listed unless its name says that it is one") {
         contentOf("Dear diary\ntoday I was happy\n", "b.csv") shouldBe Content.NO_LOG
         val entry = summaryOf(folder.put("c.bag", "Dear diary\ntoday I was happy\n"))
         entry.content shouldBe Content.UNREADABLE
         entry.trouble.shouldNotBeNull()
     }
 
-    test("a large file that begins as no log is not read to its end") {
+    test("a large file that does not begin like a log is not read to its end") {
         val file = folder.put("large.csv", "Dear diary\n".repeat(2_000_000))
         var isRead = false
         summarize(LogFile(file, Files.size(file), 0)) { isRead = true }.content shouldBe Content.NO_LOG

@@ -164,7 +164,7 @@ internal object Checker {
     private fun summaryIn(node: Node): Node.Call? =
         if (node is Node.Call && node.arguments.any { it.type.isOverTime }) node else node.children.firstNotNullOfOrNull(::summaryIn)
 
-    private fun inside(title: String) = "$title covers the whole recording, so “when” has no effect; put it inside: $title(x when c)."
+    private fun inside(title: String) = "$title covers the whole log, so “when” has no effect; put it inside: $title(x when c)."
 
     private fun described(node: Node): String {
         val kind = node.type.kind.title

@@ -188,7 +188,7 @@ internal enum class Parameter(val needed: String) {
 
     /** A number or a condition. */
     NUMBERS_OR_CONDITION("a number or a condition"),
-    ONE_NUMBER("one number for the whole recording"),
+    ONE_NUMBER("one number for the whole log"),
     WINDOW("a time above 0 with its unit, such as 1 s"),
     SHIFT("a time with its unit, such as 0.1 s"),
     SHARE("a number from 0 to 100"),

@@ -10,7 +10,7 @@ import kotlin.math.pow
 import kotlin.math.round
 
 /**
- * What stands at the ticks [values] of an axis, [step] apart: no shorter than tells them apart, and no longer than so
+ * What stands at the ticks [values] of an axis, [step] apart: no shorter than distinguishes them, and no longer than so
  * many [letters]. Of a number that cannot be that short, `…` stands for its beginning, which is the same at all ticks.
  */
 internal fun axisTexts(values: DoubleArray, step: Double, letters: Int): List<String> {

@@ -25,7 +25,7 @@ public class Ticks private constructor(public val values: DoubleArray, public va
         /** The ticks of a y axis that shows [shown] on [height], in CSS pixels or dp. */
         public fun ofY(shown: Span, height: Double): Ticks = of(shown, (height / Y_SPACE).toInt().coerceIn(1, MAX_Y_TICKS), Y_LETTERS)
 
-        /** No more than [most] ticks in [shown], and one; none where that is no range. */
+        /** No more than [most] ticks in [shown], and one; none where that is not a range. */
         internal fun of(shown: Span, most: Int, letters: Int): Ticks {
             val width = shown.width
             if (!(width > 0) || !width.isFinite() || most < 1) return Ticks(DoubleArray(0), 1.0, letters)

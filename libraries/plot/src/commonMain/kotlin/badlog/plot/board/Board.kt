@@ -107,7 +107,7 @@ public data class Board(public val graphs: List<BoardGraph> = emptyList()) {
 /**
  * What one graph shows, by names only: the same graph fits every recording of a robot.
  *
- * @property id tells it from the other graphs of its board; has no other meaning, and is not written.
+ * @property id identifies it on its board; has no other meaning, and is not written.
  * @property title what stands above it.
  * @property lines the names of the signals it draws, each once; one that a recording lacks is left out there.
  * @property isFilled whether the area below the lines is filled.
@@ -130,5 +130,5 @@ public data class BoardGraph(
     }
 }
 
-/** Why a text is no board, as a sentence. */
+/** Why a text is not a board, as a sentence. */
 public class BoardException(message: String) : IllegalArgumentException(message)

@@ -6,7 +6,7 @@ import badlog.recording.Topic
 
 /**
  * The graphs that the attributes of a recording's topics ask for, in their order. States that follow one another in a folder
- * share a graph, in which each has a lane, up to so many that it still fits a screen. The x axis is no graph of itself. Of a
+ * share a graph, in which each has a lane, up to so many that it still fits a screen. The x axis is not a graph of itself. Of a
  * WPILOG, in which everything that a dashboard shows is logged, topics that never change stay in the list.
  */
 public fun defaultBoard(view: LogView): Board {

@@ -151,7 +151,7 @@ public class Curve(private val series: Series, private val holdsUntil: Double? =
         if (!last.isNaN() && last != far) addPoint(center, last)
     }
 
-    /** Whether point [index] is no sample, but where a value ends that has held until there. */
+    /** Whether point [index] is not a sample, but where a value ends that has held until there. */
     public fun isCorner(index: Int): Boolean = isCorner[index]
 
     private fun addPoint(atX: Double, atY: Double, isCorner: Boolean = false) {

@@ -14,7 +14,7 @@ import badlog.expression.signals.Vocabulary
  * @property error why it makes none; null where it makes one.
  */
 public class Formula(public val definition: String, public val topic: VirtualTopic?, public val error: ExpressionError?) {
-    /** The full name of its topic; null where the definition does not even tell that. */
+    /** The full name of its topic; null where the definition does not even have that. */
     public val name: String? get() = topic?.name ?: nameIn(definition)
 }
 

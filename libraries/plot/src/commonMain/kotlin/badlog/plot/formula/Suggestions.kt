@@ -8,7 +8,7 @@ import badlog.plot.search.Query
  *
  * @property from where what they would replace begins.
  * @property until where it ends.
- * @property names full names, the likeliest first; [nameInExpression] tells how a formula calls them.
+ * @property names full names, the likeliest first; [nameInExpression] gives the name that a formula uses.
  */
 public class Suggestions(public val from: Int, public val until: Int, public val names: List<String>) {
     public companion object {

@@ -28,7 +28,7 @@ public enum class DragKind {
     }
 }
 
-/** Tells the second of two quick clicks. */
+/** Recognizes the second of two quick clicks. */
 public class DoubleClick {
     private var millis = Double.NEGATIVE_INFINITY
     private var place = 0.0

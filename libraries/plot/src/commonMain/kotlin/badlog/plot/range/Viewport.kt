@@ -76,7 +76,7 @@ public data class Viewport(
     /** Shows everything. */
     public fun reset(): Viewport = if (isZoomed) remembered().copy(visible = full) else this
 
-    /** Shows the time from the first of [enabled] to the last; nothing changes where nothing tells. */
+    /** Shows the time from the first of [enabled] to the last; nothing changes where that is unknown. */
     public fun showingEnabled(enabled: List<EnabledSpan>): Viewport {
         if (enabled.isEmpty()) return this
         val from = enabled.minOf { it.span.from }

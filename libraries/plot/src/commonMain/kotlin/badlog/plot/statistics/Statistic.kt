@@ -7,7 +7,7 @@ import badlog.plot.text.roundedText
 import badlog.recording.Topic
 
 /**
- * A number that tells about the samples of a range.
+ * A number about the samples of a range.
  *
  * @property title what the front ends call it.
  * @property hint what it is, for who does not know it by its title.

@@ -7,7 +7,7 @@ import kotlin.math.floor
 import kotlin.math.log10
 
 /**
- * A sample exactly as it is, in as few digits as tell it from every other number, the same on every platform; `–` for none.
+ * A sample exactly as it is, in as few digits as distinguish it from every other number, the same on every platform; `–` for none.
  * Whole numbers below 1e15 are written in full, others of less than 1e-4 or from 1e15 on with an exponent.
  */
 public fun exactText(value: Double): String = when {
@@ -37,7 +37,7 @@ public fun roundedText(value: Double): String =
 public fun fixedText(value: Double, decimals: Int): String =
     if (value.isFinite() && abs(value) < MAX_PLAIN) fixedDigits(value, decimals) else exactText(value)
 
-/** How many decimals tell apart places on an axis of which a screen shows [span]. */
+/** How many decimals distinguish places on an axis of which a screen shows [span]. */
 public fun decimalsFor(span: Double): Int =
     if (span > 0) ceil(DECADES_SEEN - log10(span)).toInt().coerceIn(0, MAX_DECIMALS) else MAX_DECIMALS
 
@@ -69,7 +69,7 @@ private const val MAX_PLAIN = 1e15
 private const val MIN_EXPONENT = -4
 private const val MAX_EXPONENT = 15
 
-// Every decimal number of so many digits, one more than these decimals, is told from its neighbors; two more tell all numbers.
+// Every decimal number of so many digits, one more than these decimals, differs from its neighbors; with two more, all numbers do.
 private const val MIN_EXACT_DIGITS = 14
 private const val MAX_EXACT_DIGITS = 16
 private const val ROUNDED = 5

@@ -5,11 +5,11 @@ import badlog.analysis.Units
 import badlog.analysis.XAxis
 import kotlin.math.abs
 
-/** [x] as a place on [axis], as exactly as a screen that shows [width] of it can tell, without the unit. */
+/** [x] as a place on [axis], as exactly as a screen that shows [width] of it can show, without the unit. */
 public fun placeText(x: Double, axis: XAxis, width: Double): String = // Between two rows there is nothing to see that decimals could tell.
     if (x.isNaN()) NO_NUMBER else fixedText(x, if (axis.isIndex) 0 else decimalsFor(width))
 
-/** Where the cursor stands: `93.740 s · 1:31.7 since enabled`, the latter where [enabled] tells when that was. */
+/** Where the cursor stands: `93.740 s · 1:31.7 since enabled`, the latter where [enabled] says when that was. */
 public fun cursorText(x: Double, axis: XAxis, width: Double, enabled: List<EnabledSpan>): String {
     val place = withUnit(placeText(x, axis, width), axis.unit)
     val seconds = Units.secondsIn(axis.unit)

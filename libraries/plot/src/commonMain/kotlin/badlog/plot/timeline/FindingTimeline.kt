@@ -43,7 +43,7 @@ public class FindingTimeline<F>(all: List<F>, private val severityOf: (F) -> Sev
 
     /**
      * The place [steps] after that of [current] which begins at [x], where the cursor still is; else the first after x, or with a
-     * negative number the last before it. Beyond the ends the last or the first; null without any. An x that is NaN is no place.
+     * negative number the last before it. Beyond the ends the last or the first; null without any. An x that is NaN is not a place.
      */
     public fun beside(current: F?, x: Double, steps: Int): FindingPlace<F>? {
         val index = places.indexOfFirst { it.finding == current && it.span.from == x }

@@ -43,7 +43,7 @@ class AxisTextSpec : FunSpec({
         }
     }
 
-    test("a step of one or two digits tells how many decimals its multiples need") {
+    test("a step of one or two digits shows how many decimals its multiples need") {
         decimalsOf(0.25) shouldBe 2
         decimalsOf(2.5) shouldBe 1
         decimalsOf(25.0) shouldBe 0

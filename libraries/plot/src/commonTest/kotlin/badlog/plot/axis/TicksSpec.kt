@@ -33,7 +33,7 @@ class TicksSpec : FunSpec({
         }
     }
 
-    test("what is no range has none") {
+    test("what is not a range has none") {
         of(1.0, 1.0, 5).values.size shouldBe 0
         of(Double.NaN, 1.0, 5).values.size shouldBe 0
         of(0.0, Double.POSITIVE_INFINITY, 5).values.size shouldBe 0

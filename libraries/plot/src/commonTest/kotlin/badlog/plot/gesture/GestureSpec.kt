@@ -86,7 +86,7 @@ class GestureSpec : FunSpec({
         OverviewDrag(zoomed, 60.0, 0.1).movedTo(10.0).visible.from shouldBe (40.0 plusOrMinus 1e-3)
     }
 
-    test("what is visible moves as a whole, and a drag beside it chooses anew; one step back undoes either") {
+    test("the visible range moves as a whole, and a drag beside it selects a new one; one step back undoes either") {
         val drag = OverviewDrag(zoomed, 50.0, 0.1)
         drag.movedTo(50.1) shouldBe zoomed
         drag.hasMoved shouldBe false

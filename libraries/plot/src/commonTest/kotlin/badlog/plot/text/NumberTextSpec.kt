@@ -62,7 +62,7 @@ class NumberTextSpec : FunSpec({
         }
     }
 
-    test("places on an axis have as many decimals as tell them apart on the screen") {
+    test("places on an axis have as many decimals as distinguish them on the screen") {
         decimalsFor(150.0) shouldBe 2
         decimalsFor(0.01) shouldBe 6
         decimalsFor(0.0) shouldBe 9

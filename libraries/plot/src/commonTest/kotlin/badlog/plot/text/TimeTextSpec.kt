@@ -29,7 +29,7 @@ class TimeTextSpec : FunSpec({
         minutesText(1e300) shouldBe "1e300"
     }
 
-    test("the cursor tells its place and how long the robot was enabled then") {
+    test("the cursor shows its place and how long the robot was enabled then") {
         cursorText(93.7, seconds, 160.0, listOf(EnabledSpan(Span(2.0, 150.0), false))) shouldBe "93.70 s · 1:31.7 since enabled"
         cursorText(93.7, seconds, 160.0, emptyList()) shouldBe "93.70 s · 1:33.7"
         cursorText(9.0, seconds, 160.0, emptyList()) shouldBe "9.00 s"

@@ -1,6 +1,6 @@
 package badlog.report.hook
 
-/** Does [work]; if the program is told to end meanwhile, as by Ctrl+C, does [atEnd] on another thread before it does. */
+/** Does [work]; if the program is asked to end meanwhile, as by Ctrl+C, does [atEnd] on another thread before it does. */
 internal fun <T> withShutdownHook(atEnd: () -> Unit, work: () -> T): T {
     val runtime = Runtime.getRuntime()
     val thread = Thread(atEnd, "badlog-end")

@@ -64,7 +64,7 @@ class HookRunnerSpec : FunSpec({
         result.figures.single().mediaType shouldBe "image/png"
     }
 
-    test("of what R says, that counts which tells what went wrong").config(enabled = HAS_PYTHON) {
+    test("of what R says, that counts which shows what went wrong").config(enabled = HAS_PYTHON) {
         val failure = shouldThrow<HookException> { python("import sys; sys.exit('Error: no such column\\nExecution halted\\n')") }
         failure.message shouldBe "The hook ended with the exit code 1 and said: Error: no such column."
     }
@@ -105,17 +105,17 @@ class HookRunnerSpec : FunSpec({
         python("print('{}')").findings.shouldBeEmpty()
     }
 
-    test("a hook that fails is told with its last words").config(enabled = HAS_PYTHON) {
+    test("a hook that fails is reported with its last words").config(enabled = HAS_PYTHON) {
         val failure = shouldThrow<HookException> { python("import sys; sys.exit('no such column')") }
         failure.message shouldBe "The hook ended with the exit code 1 and said: no such column."
     }
 
-    test("whatever is wrong with a hook, its last words are told").config(enabled = HAS_PYTHON) {
+    test("whatever is wrong with a hook, its last words are reported").config(enabled = HAS_PYTHON) {
         shouldThrow<HookException> { python("import sys; print('odd column', file=sys.stderr)") }.message shouldBe
             "The hook printed nothing; it has to print one JSON object, at least {}. To standard error it said: odd column."
     }
 
-    test("a file that is no program is told as such").config(enabled = !IS_WINDOWS) {
+    test("a file that is not a program is reported as such").config(enabled = !IS_WINDOWS) {
         val file = File.createTempFile("hook", ".py")
         try {
             shouldThrow<HookException> { HookRunner(listOf("$file"), 1.seconds).run(RECORDING) }.message shouldBe
@@ -126,7 +126,7 @@ class HookRunnerSpec : FunSpec({
         }
     }
 
-    test("a hook goes, with its header, when the program is told to end").config(enabled = HAS_PYTHON && !IS_WINDOWS) {
+    test("a hook goes, with its header, when the program is asked to end").config(enabled = HAS_PYTHON && !IS_WINDOWS) {
         val told = File.createTempFile("hook", ".txt")
         try {
             val program = """
@@ -200,7 +200,7 @@ class HookRunnerSpec : FunSpec({
         shouldThrow<HookException> { python(program) }.message shouldContain "more than 64 MB"
     }
 
-    test("a program that is not there is told") {
+    test("a program that is not there is reported") {
         val failure = shouldThrow<HookException> { HookRunner(listOf("no-such-program-anywhere"), 1.seconds).run(RECORDING) }
         failure.message shouldStartWith "The program “no-such-program-anywhere” cannot be started ("
         failure.message shouldEndWith "); is it installed, and in the PATH?"
