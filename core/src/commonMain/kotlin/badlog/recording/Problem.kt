@@ -25,7 +25,7 @@ public data class Problem(
 
 /** How much a [Problem] matters to someone who reads the recording. */
 public enum class Severity {
-    /** Nothing is lost or doubtful; said so that nobody wonders. */
+    /** Nothing is lost or doubtful; for information. */
     NOTE,
 
     /** Everything was kept, but some of it was read in a way that its writer may not have meant. */

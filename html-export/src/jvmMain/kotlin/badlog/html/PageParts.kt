@@ -31,7 +31,7 @@ public class PageParts(program: String, style: String, waitingStyle: String = ""
             "img-src data: blob:; base-uri 'none'; form-action 'none'"
 
     public companion object {
-        /** The page that this version of badlog brings along. */
+        /** The page that is built into this version of badlog. */
         public fun bundled(): PageParts = PageParts(resource("page.js"), resource("page.css"), resource("waiting.css"))
 
         private fun resource(name: String): String {

@@ -24,7 +24,7 @@ import kotlin.io.path.readText
 class ReportSpec : FunSpec({
     val match = SAMPLES.resolve("qualification-42.bag")
 
-    test("the rules that badlog brings along find the brownout, as text, CSV and JSON") {
+    test("the built-in rules find the brownout, as text, CSV and JSON") {
         badlog("report", match, "--no-cache").out shouldContain "browned out at 93.7096 s"
         badlog("report", match, "--no-cache", "--csv").out shouldContain ",Browned out,error,"
         val json = badlogJson("report", match, "--no-cache").json.single()

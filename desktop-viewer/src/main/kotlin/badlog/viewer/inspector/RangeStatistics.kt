@@ -14,7 +14,7 @@ import badlog.viewer.recording.Signal
  *
  * @property span that part, on the x of the open recording.
  * @property xUnit the unit of x, `ul` for none.
- * @property isSelection whether a person has marked it; else it is what is seen.
+ * @property isSelection whether a person has selected it; else it is the visible range.
  */
 internal class RangeStatistics(val span: Span, val xUnit: String, val isSelection: Boolean, val signals: List<SignalStatistics>)
 

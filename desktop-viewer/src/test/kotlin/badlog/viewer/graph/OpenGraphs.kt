@@ -24,7 +24,7 @@ import org.jetbrains.skia.Image
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** A viewer that shows [recording] with its standard graphs. */
+/** A viewer that shows [recording] with its default graphs. */
 internal fun viewerOf(recording: OpenRecording?): Viewer {
     val nowhere = Path.of("build", "nowhere")
     return Viewer(MainScope(), UserFolders(nowhere, nowhere)).apply {

@@ -46,7 +46,7 @@ class LayoutMenuSpec : FunSpec({
         }
     }
 
-    test("a layout is saved and opened, standard graphs come back, and a file that is not a layout is reported") {
+    test("a layout is saved and opened, the default graphs come back, and a file that is not a layout is reported") {
         val file = home.resolve("mine${Layout.ENDING}")
         val files = ChosenFiles(file)
         runDesktopComposeUiTest(1200, 800) {

@@ -94,7 +94,7 @@ class LayoutSpec : FunSpec({
         said.text shouldContain "“Wrist/Angle”, “Claw”"
     }
 
-    test("standard graphs are kept as such, and bring back what the attributes ask for") {
+    test("the default graphs are kept as such, and bring back what the attributes ask for") {
         viewerOver().layouts.layout.graphs shouldBe null
         val viewer = viewerOver(Board(listOf(chosen)))
         viewer.layouts.showDefaultGraphs()

@@ -26,7 +26,7 @@ public class Answer internal constructor(
     /** Whether the expression holds. */
     public val matches: Boolean get() = outcome == Outcome.HOLDS
 
-    /** Where to look first: the begin of the first span, else where the first figure was found; NaN when neither exists. */
+    /** Where to look first: the start of the first span, else where the first figure was found; NaN when neither exists. */
     public val time: Double
         get() = if (spans.isNotEmpty()) spans[0].from else quantities.firstOrNull { !it.time.isNaN() }?.time ?: Double.NaN
 

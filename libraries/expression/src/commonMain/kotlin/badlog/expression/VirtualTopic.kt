@@ -74,7 +74,7 @@ internal class VirtualTopicHeading(private val text: String) {
         val isQuoted = scanner.at < text.length && text[scanner.at] == '"'
         val quoted = if (isQuoted) scanner.quoted('"', "name") else ""
         val equals = text.indexOf('=', scanner.at)
-        if (equals < 0) fail("A virtual topic needs a name and =, as in Power [W] = Voltage * Current.", text.length)
+        if (equals < 0) fail("A formula needs a name and =, as in Power [W] = Voltage * Current.", text.length)
         nameEnd = equals
         val rest = text.substring(scanner.at, equals).trim()
         val bracket = if (rest.endsWith(']')) rest.lastIndexOf('[') else -1
@@ -82,7 +82,7 @@ internal class VirtualTopicHeading(private val text: String) {
         val plainName = if (bracket < 0) rest else rest.substring(0, bracket).trim()
         if (isQuoted && plainName.isNotEmpty()) fail("Between a quoted name and = only a unit may stand, in brackets.")
         name = if (isQuoted) quoted else plainName
-        if (name.isBlank()) fail("The virtual topic has no name before =.")
+        if (name.isBlank()) fail("The formula has no name before =.")
         length = equals + 1
     }
 

@@ -73,7 +73,7 @@ class ViewWithVirtualTopicsSpec : FunSpec({
         with.problems.map { it.kind } shouldBe gaps.problems.map { it.kind }
     }
 
-    test("one number for the whole log is a line from its begin to its end") {
+    test("one number for the whole log is a line from its start to its end") {
         view.withVirtualTopics(listOf("Lowest = min(Voltage)")).view.points("Lowest") shouldBe listOf(0.0 to 6.0, 3.0 to 6.0)
     }
 

@@ -42,9 +42,9 @@ class VirtualTopicSpec : FunSpec({
         Triple(
             "Voltage * Current",
             "Voltage * Current",
-            "A virtual topic needs a name and =, as in Power [W] = Voltage * Current.",
+            "A formula needs a name and =, as in Power [W] = Voltage * Current.",
         ),
-        Triple(" [W] = Voltage", " [W] ", "The virtual topic has no name before =."),
+        Triple(" [W] = Voltage", " [W] ", "The formula has no name before =."),
         Triple("Voltage = Voltage", "Voltage ", "There already is a topic “Voltage”."),
         Triple("Current = 3", "Current ", "“Current” already means “PDP/Current”; use another name."),
         Triple("current = 3", "current ", "“current” already means “PDP/Current”; use another name."),

@@ -56,7 +56,7 @@ private fun summaryOf(results: List<FindResult>, found: Int): List<String> {
         lines += "${have(replies.size)} no topic “$topic”."
     }
     if (lacking.isNotEmpty()) lines += "${have(lacking.size)} not all topics of the question."
-    // Where no log has the topic it may be a typing error, of which the message knows more.
+    // Where no log has the topic it may be misspelt, and the message says more.
     if (missing.isNotEmpty() && !isAnswered) lines += missing[0].pointed
     mistaken.groupBy { it.pointed }.forEach { (pointed, replies) -> lines += "Skipped for ${count(replies.size, "log")}: $pointed" }
     lines += undefinedTexts(results.filter { it.reply !is Reply.Unreadable }.map { it.undefined })

@@ -36,7 +36,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("what is said of the whole recording holds once, from its begin to its end") {
+    test("what is said of the whole recording holds once, from its start to its end") {
         inFolder { folder ->
             folder.put("1.bag", batteryBag(12.0, 6.0, 8.0))
             val text = "{value}|{time}|{count}|{duration}"
