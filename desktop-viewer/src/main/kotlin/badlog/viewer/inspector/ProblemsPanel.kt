@@ -111,14 +111,14 @@ internal fun worstFirst(problems: List<Problem>): List<Problem> = problems.sorte
 /** In a sentence, what [problems] mean for someone who trusts the file. */
 internal fun problemSummary(problems: List<Problem>): String {
     val losses = problems.filter { it.severity == Severity.ERROR }
-    val doubts = problems.count { it.severity == Severity.WARNING }
+    val warnings = problems.count { it.severity == Severity.WARNING }
     val unreadable = losses.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING || it.kind == ProblemKind.EMPTY_FILE }
     return when {
         unreadable != null -> unreadable.message
         losses.size == 1 -> "Data is missing from this file: ${losses.single().message}"
         losses.isNotEmpty() -> "Data is missing from this file in ${losses.size} places: ${losses.first().message}"
-        doubts == 1 -> "Complete, 1 warning."
-        doubts > 1 -> "Complete, $doubts warnings."
+        warnings == 1 -> "Complete, 1 warning."
+        warnings > 1 -> "Complete, $warnings warnings."
         else -> "Complete."
     }
 }

@@ -48,8 +48,8 @@ internal fun problemText(entry: LogEntry): String? = when {
 /** The problems in words, for a tip. */
 internal fun problemSentence(entry: LogEntry): String = entry.trouble ?: with(entry.problems) {
     listOfNotNull(
-        counted(errors, "kind of lost data", "kinds of lost data"),
-        counted(warnings, "doubt", "doubts"),
+        counted(errors, "error", "errors"),
+        counted(warnings, "warning", "warnings"),
         counted(notes, "note", "notes"),
     ).joinToString(", ")
 }

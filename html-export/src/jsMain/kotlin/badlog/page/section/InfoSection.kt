@@ -44,9 +44,9 @@ private fun HTMLElement.addFact(name: String, text: String) {
 
 private fun problemsOf(view: LogView): String {
     if (view.problems.isEmpty()) return "none: every cell was read as written"
-    return countText(view.count(Severity.ERROR), "loss", "losses") +
-        " (data that could not be kept), " + countText(view.count(Severity.WARNING), "warning") +
-        " (kept, but perhaps not meant so), " + countText(view.count(Severity.NOTE), "note") +
+    return countText(view.count(Severity.ERROR), "error") +
+        " (data was lost), " + countText(view.count(Severity.WARNING), "warning") +
+        " (kept, but perhaps not read as meant), " + countText(view.count(Severity.NOTE), "note") +
         " (for information). The first ten of each kind and topic are listed, the others only counted."
 }
 

@@ -50,7 +50,7 @@ internal class ProblemStrip(private val view: LogView, private val additions: Li
 
     private fun summary(): String {
         val parts = ArrayList<String>()
-        if (errors > 0) parts += if (errors == 1) "1 thing was lost" else "${countText(errors)} things were lost"
+        if (errors > 0) parts += if (errors == 1) "Data is missing in 1 place" else "Data is missing in ${countText(errors)} places"
         if (warnings > 0) parts += countText(warnings, "warning")
         if (notes > 0) parts += countText(notes, "note")
         return parts.joinToString()
