@@ -9,7 +9,7 @@ import badlog.viewer.export.figure.FigureSaver
 import badlog.viewer.export.pages.PageSaver
 import badlog.viewer.findings.LogFindings
 import badlog.viewer.formula.FormulaStore
-import badlog.viewer.graph.stepCursor
+import badlog.viewer.graph.scene.stepCursor
 import badlog.viewer.keyboard.Command
 import badlog.viewer.keyboard.KeyPress
 import badlog.viewer.layout.LayoutFiles

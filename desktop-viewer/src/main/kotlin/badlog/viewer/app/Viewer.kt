@@ -15,8 +15,8 @@ import badlog.viewer.files.FileChoice
 import badlog.viewer.files.SystemFileChoice
 import badlog.viewer.findings.LogFindings
 import badlog.viewer.formula.FormulaStore
-import badlog.viewer.graph.GraphScene
-import badlog.viewer.graph.graphCommands
+import badlog.viewer.graph.scene.GraphScene
+import badlog.viewer.graph.scene.graphCommands
 import badlog.viewer.keyboard.Command
 import badlog.viewer.keyboard.Keyboard
 import badlog.viewer.layout.LayoutFiles

@@ -21,6 +21,8 @@ import badlog.viewer.graph.plot.PlotState
 import badlog.viewer.graph.plot.YAxis
 import badlog.viewer.graph.plot.laneHeight
 import badlog.viewer.graph.plot.laneTop
+import badlog.viewer.graph.plot.pixelOf
+import badlog.viewer.graph.scene.GraphScene
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Palette
 

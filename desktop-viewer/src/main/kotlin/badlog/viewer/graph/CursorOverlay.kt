@@ -14,8 +14,12 @@ import badlog.analysis.Span
 import badlog.plot.cursor.dotAt
 import badlog.plot.cursor.indexAt
 import badlog.plot.gesture.DragKind
+import badlog.viewer.graph.mark.drawBand
+import badlog.viewer.graph.mark.drawShownFinding
 import badlog.viewer.graph.plot.PlotPicture
 import badlog.viewer.graph.plot.PlotState
+import badlog.viewer.graph.plot.pixelOf
+import badlog.viewer.graph.scene.GraphScene
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Palette
 import badlog.viewer.view.PlotGesture

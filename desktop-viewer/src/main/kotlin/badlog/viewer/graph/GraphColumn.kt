@@ -27,8 +27,11 @@ import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
 import badlog.plot.board.BoardGraph
+import badlog.viewer.graph.mark.EventLabel
+import badlog.viewer.graph.mark.FindingLabel
 import badlog.viewer.graph.plot.OVERVIEW
 import badlog.viewer.graph.plot.drawnLines
+import badlog.viewer.graph.scene.GraphScene
 import badlog.viewer.theme.LocalPalette
 
 /** The graphs from top to bottom. */

@@ -21,6 +21,7 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.plot.board.BoardGraph
 import badlog.viewer.graph.plot.drawnLines
+import badlog.viewer.graph.scene.GraphScene
 import badlog.viewer.theme.LocalPalette
 
 /** What a graph is called, and what its lines are; no more than [maxLines] of text. */
@@ -28,7 +29,7 @@ import badlog.viewer.theme.LocalPalette
 internal fun GraphHeader(scene: GraphScene, spec: BoardGraph, maxLines: Int, modifier: Modifier) {
     val lines = remember(spec, scene.recordings) { drawnLines(spec, scene.recordings) }
     FlowRow(
-        modifier.fillMaxWidth().heightIn(min = (HEADER_HEIGHT - 2).dp).padding(start = 10.dp, end = 12.dp, top = 2.dp),
+        modifier.fillMaxWidth().heightIn(min = (GraphScene.HEADER_HEIGHT - 2).dp).padding(start = 10.dp, end = 12.dp, top = 2.dp),
         horizontalArrangement = Arrangement.spacedBy(14.dp),
         itemVerticalAlignment = Alignment.CenterVertically,
         maxLines = maxLines,

@@ -13,6 +13,8 @@ import androidx.compose.ui.input.pointer.PointerEventType
 import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.platform.LocalFocusManager
 import badlog.plot.board.defaultBoard
+import badlog.viewer.graph.mark.FindingStrip
+import badlog.viewer.graph.scene.GraphScene
 import badlog.viewer.playback.PlayerFrames
 import badlog.viewer.theme.LocalPalette
 

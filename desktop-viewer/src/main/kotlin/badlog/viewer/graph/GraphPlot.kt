@@ -20,11 +20,16 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.rememberTextMeasurer
 import badlog.plot.board.BoardGraph
+import badlog.viewer.graph.mark.drawEnabled
+import badlog.viewer.graph.mark.drawEventMarks
+import badlog.viewer.graph.plot.PictureEffect
 import badlog.viewer.graph.plot.PlotPicture
 import badlog.viewer.graph.plot.PlotRequest
 import badlog.viewer.graph.plot.PlotState
 import badlog.viewer.graph.plot.drawLanes
 import badlog.viewer.graph.plot.drawLines
+import badlog.viewer.graph.scene.GraphScene
+import badlog.viewer.graph.scene.plotPointer
 import badlog.viewer.theme.LocalPalette
 
 /** The plot of [spec] with its axes. */

@@ -14,6 +14,7 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import badlog.plot.board.BoardGraph
+import badlog.viewer.graph.scene.GraphScene
 import badlog.viewer.playback.PlaybackButtons
 import badlog.viewer.recording.CurrentRecording
 import badlog.viewer.settings.SettingsStore

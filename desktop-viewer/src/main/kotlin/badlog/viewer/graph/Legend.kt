@@ -34,6 +34,9 @@ import badlog.plot.board.BoardGraph
 import badlog.plot.text.unitText
 import badlog.viewer.compare.shortLabel
 import badlog.viewer.graph.plot.DrawnLine
+import badlog.viewer.graph.plot.PlotPicture
+import badlog.viewer.graph.scene.GraphScene
+import badlog.viewer.recording.valueText
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 
@@ -95,6 +98,13 @@ private fun LegendValue(scene: GraphScene, id: Int, line: DrawnLine) {
             drawText(layout, topLeft = Offset(0f, (size.height - layout.size.height) / 2))
         },
     )
+}
+
+/** What [line] says at the [cursor]; empty without a cursor, and while [picture] does not have the line yet. */
+internal fun readingOf(picture: PlotPicture?, line: DrawnLine, cursor: Double?): String {
+    if (picture == null || cursor == null) return ""
+    val isThere = picture.lines.any { it.line == line } || picture.lanes.any { it.line == line }
+    return if (isThere) valueText(line.signal, cursor - line.offset) else ""
 }
 
 /** More letters of a recording's name leave no room for others. */

@@ -29,6 +29,9 @@ import androidx.compose.ui.unit.sp
 import badlog.analysis.Span
 import badlog.plot.axis.Ticks
 import badlog.plot.text.cursorText
+import badlog.viewer.graph.plot.pixelOf
+import badlog.viewer.graph.scene.GraphScene
+import badlog.viewer.graph.scene.plotPointer
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Palette
 

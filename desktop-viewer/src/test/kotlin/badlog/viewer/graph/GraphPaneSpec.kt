@@ -100,7 +100,7 @@ class GraphPaneSpec : FunSpec({
     }
 
     test("graphs share the height when they fit, and are as tall as was set when they do not") {
-        fun heights(lanes: List<Int>, room: Int, own: Int? = null) = graphHeights(lanes.map { BoardGraph(0, "", emptyList(), height = own) }, lanes, room, chosen = 150, fit = true)
+        fun heights(lanes: List<Int>, room: Int, own: Int? = null) = graphHeights(lanes.map { BoardGraph(0, "", emptyList(), height = own) }, lanes, room, usual = 150, fit = true)
         heights(listOf(0, 0, 0), room = 300) shouldBe listOf(100, 100, 100)
         heights(listOf(0, 0, 0), room = 170) shouldBe listOf(150, 150, 150)
         heights(listOf(0, 2, 0), room = 300).let {

@@ -14,14 +14,17 @@ import org.jetbrains.skia.SamplingMode
 internal fun DrawScope.drawLines(picture: PlotPicture, visible: Span) {
     val image = picture.image ?: return
     val made = picture.request.visible
-    val left = ((made.from - visible.from) / visible.width * size.width).toFloat()
-    val right = ((made.to - visible.from) / visible.width * size.width).toFloat()
-    // Of a picture of much more or much less there is nothing to be recognized.
+    val left = pixelOf(made.from, visible, size.width)
+    val right = pixelOf(made.to, visible, size.width)
+    // A picture of much more or much less shows nothing.
     if (right - left !in size.width / MAX_STRETCH..size.width * MAX_STRETCH) return
     val whole = Rect.makeWH(image.width.toFloat(), image.height.toFloat())
     drawIntoCanvas { canvas ->
         canvas.skiaCanvas.drawImageRect(image, whole, Rect(left, 0f, right, image.height.toFloat()), SamplingMode.DEFAULT, null, true)
     }
 }
+
+/** Where [x] stands on [width] pixels that show [visible]. */
+internal fun pixelOf(x: Double, visible: Span, width: Float): Float = ((x - visible.from) / visible.width * width).toFloat()
 
 private const val MAX_STRETCH = 64

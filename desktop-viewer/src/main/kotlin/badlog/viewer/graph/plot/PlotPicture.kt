@@ -2,6 +2,8 @@ package badlog.viewer.graph.plot
 
 import badlog.analysis.Span
 import badlog.plot.axis.Ticks
+import badlog.plot.curve.Strokes
+import badlog.plot.lane.LaneBlocks
 import org.jetbrains.skia.Image
 
 /**
@@ -46,3 +48,19 @@ internal class YAxis(val unit: String, val fitted: Span, val shown: Span, val ti
         const val MAX_DISTANCE = 50.0
     }
 }
+
+/**
+ * A line of numbers in pixels.
+ *
+ * @property axis which of the graph's scales it has.
+ * @property strokes what is drawn, in pixels from the plot's top left corner.
+ */
+internal class LinePicture(val line: DrawnLine, val axis: Int, val strokes: Strokes)
+
+/**
+ * A lane of states in pixels.
+ *
+ * @property states what each number means.
+ * @property blocks what is drawn, from left to right, the short ones last.
+ */
+internal class LanePicture(val line: DrawnLine, val states: List<String>, val blocks: LaneBlocks)

@@ -1,4 +1,4 @@
-package badlog.viewer.graph
+package badlog.viewer.graph.mark
 
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.graphics.Path

@@ -1,4 +1,4 @@
-package badlog.viewer.graph
+package badlog.viewer.graph.mark
 
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Size
@@ -13,6 +13,7 @@ import badlog.plot.timeline.FindingTimeline
 import badlog.recording.Severity
 import badlog.rules.Finding
 import badlog.viewer.findings.findingColor
+import badlog.viewer.graph.plot.pixelOf
 import badlog.viewer.theme.Palette
 
 /** Draws the marks of [findings] along the bottom, where [visible] is seen: a bar while one lasts, and a glyph where it begins. */

@@ -1,14 +1,10 @@
-package badlog.viewer.graph
+package badlog.viewer.graph.plot
 
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.rememberUpdatedState
 import androidx.compose.runtime.snapshotFlow
-import badlog.viewer.graph.plot.CurveCache
-import badlog.viewer.graph.plot.PlotRequest
-import badlog.viewer.graph.plot.PlotState
-import badlog.viewer.graph.plot.makePicture
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.flow.conflate
 import kotlinx.coroutines.withContext

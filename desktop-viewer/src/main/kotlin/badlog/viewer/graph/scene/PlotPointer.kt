@@ -1,4 +1,4 @@
-package badlog.viewer.graph
+package badlog.viewer.graph.scene
 
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.geometry.Offset

@@ -1,4 +1,4 @@
-package badlog.viewer.graph
+package badlog.viewer.graph.mark
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
@@ -21,6 +21,8 @@ import androidx.compose.ui.unit.sp
 import badlog.rules.Finding
 import badlog.viewer.findings.findingColor
 import badlog.viewer.findings.word
+import badlog.viewer.graph.plot.pixelOf
+import badlog.viewer.graph.scene.GraphScene
 import badlog.viewer.theme.LocalPalette
 
 /** The text of the finding under the pointer, or else of the one at which the cursor was placed, above its mark. */

@@ -1,4 +1,4 @@
-package badlog.viewer.graph
+package badlog.viewer.graph.mark
 
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Size
@@ -6,6 +6,7 @@ import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import badlog.analysis.EnabledSpan
 import badlog.analysis.Span
+import badlog.viewer.graph.plot.pixelOf
 import badlog.viewer.theme.Palette
 
 /** Shades where the robot was enabled, where [visible] is seen; its own control in another tint than a driver's. */
@@ -22,9 +23,6 @@ internal fun DrawScope.drawBand(span: Span, visible: Span, color: Color) {
     val right = pixelOf(span.to, visible, size.width).coerceIn(0f, size.width)
     if (right > left) drawRect(color, Offset(left, 0f), Size(right - left, size.height))
 }
-
-/** Where [x] stands on [width] pixels that show [visible]. */
-internal fun pixelOf(x: Double, visible: Span, width: Float): Float = ((x - visible.from) / visible.width * width).toFloat()
 
 private fun enabledColor(isAutonomous: Boolean, palette: Palette): Color {
     val base = if (isAutonomous) palette.line(4) else palette.line(2)

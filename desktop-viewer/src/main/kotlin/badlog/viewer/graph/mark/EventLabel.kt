@@ -1,4 +1,4 @@
-package badlog.viewer.graph
+package badlog.viewer.graph.mark
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
@@ -16,6 +16,8 @@ import androidx.compose.ui.layout.layout
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import badlog.viewer.graph.plot.pixelOf
+import badlog.viewer.graph.scene.GraphScene
 import badlog.viewer.theme.LocalPalette
 
 /** The text of the event that the cursor is near to, at its place along the top. */
@@ -40,7 +42,7 @@ internal fun EventLabel(scene: GraphScene) {
                         val beside = SIDE.dp.roundToPx()
                         // At the other side where there is no room.
                         val left = if (x + beside + label.width <= constraints.maxWidth) x + beside else x - beside - label.width
-                        label.place(left.toInt().coerceAtLeast(0), HEADER_HEIGHT.dp.roundToPx())
+                        label.place(left.toInt().coerceAtLeast(0), GraphScene.HEADER_HEIGHT.dp.roundToPx())
                     }
                 }
                 .border(1.dp, palette.event, RoundedCornerShape(4.dp))

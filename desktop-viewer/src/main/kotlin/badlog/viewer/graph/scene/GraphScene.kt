@@ -1,4 +1,4 @@
-package badlog.viewer.graph
+package badlog.viewer.graph.scene
 
 import androidx.compose.runtime.derivedStateOf
 import androidx.compose.runtime.getValue
@@ -73,5 +73,8 @@ internal class GraphScene(
     companion object {
         /** The room at the left of all graphs, for the axis. */
         val LEFT_GUTTER = 68.dp
+
+        /** The height of the line above a graph, in dp. */
+        const val HEADER_HEIGHT = 22
     }
 }
