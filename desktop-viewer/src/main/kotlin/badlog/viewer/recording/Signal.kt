@@ -2,6 +2,11 @@ package badlog.viewer.recording
 
 import badlog.analysis.GraphSeries
 import badlog.analysis.Series
+import badlog.plot.cursor.indexAt
+import badlog.plot.cursor.textOf
+import badlog.plot.text.exactText
+import badlog.plot.text.roundedText
+import badlog.plot.text.withUnit
 import badlog.recording.PathName
 import badlog.recording.Topic
 import badlog.recording.TopicKind
@@ -39,4 +44,13 @@ internal class Signal(val name: String, val isDerived: Boolean, val line: GraphS
 
     /** Its samples; the first call may calculate them, so not to be called while drawing. */
     val series: Series get() = line.data
+}
+
+/**
+ * What [signal] says at [position], or at its end for null: a number with its unit or the name of a state; `–` for a gap.
+ * A logged number is exact, a calculated one without the digits that a calculation makes up.
+ */
+internal fun valueText(signal: Signal, position: Double?): String {
+    val index = if (position == null) signal.series.size - 1 else signal.line.indexAt(position)
+    return signal.line.textOf(index) { withUnit(if (signal.isDerived) roundedText(it) else exactText(it), signal.unit) }
 }

@@ -81,3 +81,6 @@ internal class Reading(private val about: About, private val element: Element, p
         reader.recording.then(resolve, reject)
     }
 }
+
+/** This recording with one more problem, which its bytes alone do not show. */
+internal operator fun Recording.plus(problem: Problem): Recording = copy(problems = problems + problem)

@@ -1,6 +1,7 @@
 package badlog.viewer.library.index
 
 import badlog.analysis.LogView
+import badlog.analysis.Span
 import badlog.analysis.Units
 import badlog.analysis.matchTitle
 import badlog.analysis.statistics
@@ -13,7 +14,6 @@ import badlog.recording.Recording
 import badlog.recording.Severity
 import badlog.recording.Topic
 import badlog.viewer.recording.batteryAmong
-import badlog.viewer.recording.finiteSpan
 import java.io.IOException
 import java.util.concurrent.CancellationException
 
@@ -120,4 +120,16 @@ internal fun secondsOf(duration: Double, unit: String): Double? {
     // A log without units is a plain CSV file, whose time nearly always is in seconds.
     val seconds = if (Units.isNone(unit)) 1.0 else Units.secondsIn(unit)
     return seconds?.let { duration * it }
+}
+
+/** From the smallest to the largest of [positions] that are finite; null when none is. */
+private fun finiteSpan(positions: DoubleArray): Span? {
+    var from = Double.POSITIVE_INFINITY
+    var to = Double.NEGATIVE_INFINITY
+    for (x in positions) {
+        if (!x.isFinite()) continue
+        if (x < from) from = x
+        if (x > to) to = x
+    }
+    return if (from <= to) Span(from, to) else null
 }

@@ -5,7 +5,7 @@ import badlog.page.dom.element
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
-/** What stands on the page before the recording does. */
+/** What the page shows while the log is read. */
 internal class LoadingScreen(name: String) {
     private lateinit var bar: HTMLElement
 
@@ -28,4 +28,12 @@ internal class LoadingScreen(name: String) {
     private companion object {
         const val PATIENCE_MILLISECONDS = 300
     }
+}
+
+/** What the page shows instead of a log that cannot be shown. */
+internal fun failureScreen(title: String, explanation: String, tools: HTMLElement? = null): HTMLElement = element("div", "screen failure") {
+    setAttribute("role", "alert")
+    add("p", "screen-title", title)
+    add("p", "screen-text", explanation)
+    if (tools != null) appendChild(tools)
 }

@@ -5,7 +5,7 @@ import badlog.viewer.recordingOf
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
-class SampleAtCursorSpec : FunSpec({
+class ValueTextSpec : FunSpec({
     test("the cursor reads the nearest number with its unit, the state that lasts, and a dash of a gap") {
         val open = recordingOf(bagOf(listOf("Time|xaxis", "A", "Mode", "On"), listOf("0,1.5,auto,true", "1,,teleop,false", "2,0.1,teleop,false")))
         fun text(name: String, x: Double?) = open.signal(name)!!.let { valueText(it, x) }
