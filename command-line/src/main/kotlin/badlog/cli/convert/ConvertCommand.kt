@@ -34,7 +34,7 @@ internal class ConvertCommand :
     private val rowsAt by option("--rows-at", metavar = "TOPIC")
         .help("Make the rows of a WPILOG at this topic's times.")
     private val isChangesOnly by option("--changes-only")
-        .flag().help("Leave samples that repeat the previous one out of a WPILOG.")
+        .flag().help("Leave repeated samples out of a WPILOG.")
     private val virtual by VirtualTopicOption()
 
     override fun makeTask(): Task {

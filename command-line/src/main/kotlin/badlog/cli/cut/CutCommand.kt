@@ -26,7 +26,7 @@ internal class CutCommand :
     private val margin by option("--margin", metavar = "LENGTH").double()
         .help("With --enabled: extra length at both ends; default: 0.")
     private val event by option("--around", metavar = "TEXT")
-        .help("Keep the time around events and states that contain this text.")
+        .help("Keep the time around events and states with this text.")
     private val before by option("--before", metavar = "LENGTH").double().help("With --around: length before; default: 5.")
     private val after by option("--after", metavar = "LENGTH").double().help("With --around: length after; default: 5.")
     private val xTopic by option("--x", metavar = "TOPIC").help("Use this topic as x axis.")

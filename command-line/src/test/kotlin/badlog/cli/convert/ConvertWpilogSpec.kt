@@ -110,9 +110,9 @@ class ConvertWpilogSpec : FunSpec({
             val ended = badlog("convert", "--to", "wpilog", bag)
             ended.code shouldBe ExitCode.WHOLE
             ended.out shouldContain "12 samples of 3 topics\n"
-            ended.out shouldContain "differs: The x axis “x (m)” is not a time; one unit of it counts as one second.\n"
+            ended.out shouldContain "differs: The x axis “x (m)” is not a time; one unit counts as one second.\n"
             leftOut(folder, "--to", "wpilog", bag) shouldContainExactly listOf(
-                "The x axis “x (m)” is not a time; one unit of it counts as one second.",
+                "The x axis “x (m)” is not a time; one unit counts as one second.",
                 "“n”: Gaps begin with NaN.",
                 "“n”: Texts among numbers have no record.",
                 "“on”: Cells without a value have no record.",
@@ -129,7 +129,7 @@ class ConvertWpilogSpec : FunSpec({
             val raw = folder.wpilog("raw.wpilog", listOf(Logged("photo", "raw", "", listOf(1.0 to "bytes", 2.0 to "more"))))
             leftOut(folder, raw, "-o", folder / "raw.wpilog.gz").shouldBeEmpty()
             GZIPInputStream((folder / "raw.wpilog.gz").inputStream()).use { it.readBytes() }.toList() shouldBe raw.readBytes().toList()
-            leftOut(folder, raw, "--changes-only", "-o", folder / "changed.wpilog").single() shouldContain "by their sizes only"
+            leftOut(folder, raw, "--changes-only", "-o", folder / "changed.wpilog").single() shouldContain "Only the sizes of bytes"
             leftOut(folder, log, "--changes-only", "-o", folder / "changes.wpilog").single() shouldContain
                 "Samples that are the same as those before them have no record"
             ((folder / "changes.wpilog").fileSize() < log.fileSize()) shouldBe true

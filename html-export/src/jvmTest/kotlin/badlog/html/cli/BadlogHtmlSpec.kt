@@ -197,7 +197,7 @@ class BadlogHtmlSpec : FunSpec({
             val ended = run(folder, failsOn = "b.bag")
             ended.code shouldBe ExitCode.SALVAGED
             ended.lines shouldContainExactly listOf("a", "c").map { "${folder / "$it.bag.html"}" }
-            ended.err shouldContain "${folder / "b.bag"} has no page: this is a defect of badlog; please report it"
+            ended.err shouldContain "${folder / "b.bag"} was not exported: this is a bug in badlog; report it"
             ended.err.lines().size shouldBe 2
             run(folder / "b.bag", failsOn = "b.bag").code shouldBe ExitCode.NOTHING
         }

@@ -34,7 +34,7 @@ internal class RecordTimes(private val xAxis: XAxis) {
 
     /** What the times do not say of x any more. */
     fun omissions(): List<Omission> = buildList {
-        if (!isTime) add(Omission(null, "The x axis “${xAxis.title}” is not a time; one unit of it counts as one second."))
+        if (!isTime) add(Omission(null, "The x axis “${xAxis.title}” is not a time; one unit counts as one second."))
         if (shift > 0) add(Omission(null, "x begins at ${xAxis.range?.start}; all times are later by $shift."))
         if (rounded > 0) add(Omission(null, "Times finer than a microsecond were rounded.", rounded))
     }

@@ -138,7 +138,7 @@ class WpilogWriterSpec : FunSpec({
 
     test("an x axis that is not a time, begins before 0 or is finer than a microsecond is reported") {
         writeLog(parse("a,b\n1,2\n3,4\n")).run {
-            second.single().what shouldBe "The x axis “Index” is not a time; one unit of it counts as one second."
+            second.single().what shouldBe "The x axis “Index” is not a time; one unit counts as one second."
             parseLog(first).topic("b").timeList() shouldBe listOf(0.0, 1.0)
         }
         val header = "{\"topics\":[{\"name\":\"t\",\"unit\":\"s\",\"attrs\":[\"xaxis\"]},{\"name\":\"b\"}],\"values\":[]}\n"

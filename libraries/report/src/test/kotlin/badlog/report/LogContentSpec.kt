@@ -14,7 +14,7 @@ class LogContentSpec : FunSpec({
             fun messageAfter(fail: () -> Unit) = LogContent.examined(file, emptyList()) { content ->
                 if (content is LogContent.None) content.message else null.also { fail() }
             }.orEmpty()
-            messageAfter { error("odd") } shouldContain "(java.lang.IllegalStateException: odd); please report it"
+            messageAfter { error("odd") } shouldContain "(java.lang.IllegalStateException: odd); report it"
             messageAfter { overflow(0) } shouldContain "StackOverflowError"
             messageAfter { throw OutOfMemoryError() } shouldContain "not enough memory"
             shouldThrow<InterruptedException> { messageAfter { throw InterruptedException() } }
