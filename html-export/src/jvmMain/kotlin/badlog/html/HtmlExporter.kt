@@ -6,6 +6,7 @@ import badlog.file.withGzipCut
 import badlog.formats.LOG_FORMATS
 import badlog.html.protocol.PageAdditions
 import badlog.recording.ProblemKind
+import badlog.recording.Recording
 import badlog.recording.RecordingFormat
 import badlog.terminal.Progress
 import java.io.ByteArrayInputStream
@@ -86,10 +87,17 @@ public class HtmlExporter(private val attachments: List<Path> = emptyList(), pri
                 throw ExportException.NotARecording(input, "$input: ${problem.message}")
             }
             writer.additions(additions)
-            writer.end(name, embedded, head.isGzip, hasRows = recording.format != RecordingFormat.WPILOG)
+            writer.end(name, embedded, head.isGzip, linesOf(recording))
             file.commit()
             ExportReport(page, recording, embedded.originalBytes, embedded.inflatedBytes)
         }
+    }
+
+    /** How many lines a bag or a CSV file has, of those that are read as rows and of its header; 0 for a log without lines. */
+    private fun linesOf(recording: Recording): Int = when (recording.format) {
+        RecordingFormat.BAG -> recording.rowCount + 2
+        RecordingFormat.CSV -> recording.rowCount + 1
+        else -> 0
     }
 
     private fun attach(file: Path, writer: PageWriter, threads: ExportThreads) {

@@ -49,10 +49,15 @@ internal class PageWriter(private val out: OutputStream, private val parts: Page
         text("</script>\n")
     }
 
-    /** Everything after the additions, about the recording that came from the file [name]; only one that [hasRows] is read in parts. */
-    fun end(name: String, file: EmbeddedFile, isGzip: Boolean, hasRows: Boolean) {
+    /**
+     * Everything after the additions, about the recording that came from the file [name].
+     *
+     * @param lines how many lines of text it has; 0 for a log that has none, and is not read in parts.
+     */
+    fun end(name: String, file: EmbeddedFile, isGzip: Boolean, lines: Int) {
         val cut = if (file.isCut) ",\"cut\":true" else ""
-        val listed = if (hasRows && file.parts.size > MIN_PARTS) ",\"parts\":${file.parts.joinToString(",", "[", "]")}" else ""
+        val isInParts = lines > 0 && file.parts.size > MIN_PARTS
+        val listed = if (isInParts) ",\"lines\":$lines,\"parts\":${file.parts.joinToString(",", "[", "]")}" else ""
         text(
             "<script type=\"application/json\" id=\"about\">{\"name\":${inScript(quotedJson(name))}," +
                 "\"original\":\"${if (isGzip) "gzip" else "raw"}\",\"inflatedBytes\":${file.inflatedBytes}$cut$listed," +

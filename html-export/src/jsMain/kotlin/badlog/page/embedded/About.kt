@@ -9,6 +9,7 @@ import kotlinx.browser.document
  * @property isCompressed whether the file itself is a gzip stream, possibly a cut one.
  * @property inflatedBytes how many bytes can be inflated from what the page carries.
  * @property isCut whether something of that gzip stream is missing.
+ * @property lines how many lines that makes, if it is in parts; else 0.
  * @property parts where in the gzip stream that the page carries the parts begin that can be inflated by themselves, then where
  *   the last one ends; empty where it is to be inflated in one go.
  * @property version the version of badlog that made the page.
@@ -18,6 +19,7 @@ internal class About(
     val isCompressed: Boolean,
     val inflatedBytes: Double,
     val isCut: Boolean,
+    val lines: Double,
     val parts: Array<Double>,
     val version: String,
 ) {
@@ -38,6 +40,7 @@ internal class About(
                 isCompressed = json.original == "gzip",
                 inflatedBytes = (json.inflatedBytes as? Number)?.toDouble() ?: 0.0,
                 isCut = json.cut == true,
+                lines = (json.lines as? Number)?.toDouble() ?: 0.0,
                 parts = if (json.parts == undefined) emptyArray() else json.parts.unsafeCast<Array<Double>>(),
                 version = json.version as? String ?: "",
             )

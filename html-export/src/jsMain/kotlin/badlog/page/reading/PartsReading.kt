@@ -3,6 +3,7 @@ package badlog.page.reading
 import badlog.bag.BagParser
 import badlog.page.embedded.About
 import badlog.page.embedded.Base64Text
+import badlog.recording.NumberSinks
 import badlog.recording.Recording
 import kotlinx.browser.window
 import org.w3c.dom.Element
@@ -21,7 +22,7 @@ internal class PartsReading private constructor(
     private val onProgress: (Double) -> Unit,
 ) {
     private val text = Base64Text(element)
-    private val parser = BagParser(about.inflatedBytes.toLong())
+    private val parser = BagParser(about.inflatedBytes.toLong(), keepSamples = true, NumberSinks.RECORDING, about.lines.toLong())
     private val answers = HashMap<Int, dynamic>()
     private val count = about.parts.size - 1
     private var held = ""
