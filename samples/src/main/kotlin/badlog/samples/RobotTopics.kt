@@ -6,14 +6,14 @@ import badlog.samples.robot.Robot
 
 // The topics that the robot's program creates, by the part that they are of.
 
-fun BagLog.createSystemTopics(robot: Robot, event: () -> String) {
+fun BagLog.createSystemTopics(robot: Robot, event: () -> String, loopMillis: () -> Double = { robot.roboRio.loopMillis }) {
     flag("System/Enabled") { robot.mode != Mode.DISABLED }
     flag("System/Autonomous") { robot.mode == Mode.AUTONOMOUS }
     flag("System/Browned Out") { robot.roboRio.isBrownedOut }
     number("System/Battery Voltage", "V", 2, "zero") { robot.roboRio.batteryVolts }
     number("System/CPU Load", "%", 1, "area", "zero") { robot.roboRio.cpuLoad }
     number("System/CAN Load", "%", 0) { robot.roboRio.canLoad }
-    number("System/Loop Time", "ms", 2, "zero") { robot.roboRio.loopMillis }
+    number("System/Loop Time", "ms", 2, "zero", supplier = loopMillis)
     text("System/Event Log", "log", supplier = event)
 }
 

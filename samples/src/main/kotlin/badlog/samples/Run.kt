@@ -2,6 +2,7 @@ package badlog.samples
 
 import badlog.samples.match.Announcer
 import badlog.samples.match.Driver
+import badlog.samples.match.DrivingStyle
 import badlog.samples.match.Order
 import badlog.samples.match.Schedule
 import badlog.samples.robot.Mishaps
@@ -10,9 +11,16 @@ import badlog.samples.robot.Noise
 import badlog.samples.robot.Robot
 
 /** A robot that runs through a schedule, loop by loop. */
-class Run(seed: Long, val robot: Robot, private val schedule: Schedule, orders: List<Order>, private val mishaps: Mishaps) {
+class Run(
+    seed: Long,
+    val robot: Robot,
+    private val schedule: Schedule,
+    orders: List<Order>,
+    private val mishaps: Mishaps,
+    style: DrivingStyle = DrivingStyle(),
+) {
     private val noise = Noise(seed xor 0x10CA1)
-    private val driver = Driver(seed xor 0xD21FE2, orders)
+    private val driver = Driver(seed xor 0xD21FE2, orders, style)
     private val announcer = Announcer(robot, driver, mishaps)
 
     /** Seconds since the program started to log. */
@@ -27,7 +35,7 @@ class Run(seed: Long, val robot: Robot, private val schedule: Schedule, orders: 
     fun loop(afterLoop: () -> Unit) {
         var seconds = PERIOD
         while (time < schedule.end) {
-            val mode = schedule.modeAt(time)
+            val mode = if (mishaps.hasLink(time) && mishaps.programRuns(time)) schedule.modeAt(time) else Mode.DISABLED
             val sticks = driver.drive(time, seconds, mode != Mode.DISABLED, robot.drivetrain)
             robot.control(time, seconds, mode, sticks)
             afterLoop()

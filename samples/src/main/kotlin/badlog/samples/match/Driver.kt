@@ -11,8 +11,16 @@ import badlog.samples.robot.wrapped
 import kotlin.math.abs
 import kotlin.math.sqrt
 
+/**
+ * How somebody drives.
+ *
+ * @property fastest the most throttle across the field.
+ * @property ramp how much of the throttle is moved in a second.
+ */
+class DrivingStyle(val fastest: Double = 0.88, val ramp: Double = 2.0)
+
 /** Follows orders as people do: with hands that need time, and never quite the same way twice. */
-class Driver(seed: Long, private val orders: List<Order>) {
+class Driver(seed: Long, private val orders: List<Order>, private val style: DrivingStyle = DrivingStyle()) {
     private val noise = Noise(seed)
     private var throttle = 0.0
     private var turn = 0.0
@@ -50,7 +58,7 @@ class Driver(seed: Long, private val orders: List<Order>) {
             turn = if (isMoving) turn + tremor * 0.5 else 0.0,
             highGear = highGear,
             state = order.state,
-            obstacle = if (isHeld(order.task)) defender(time) else 0.0,
+            obstacle = obstacle(order.task, time),
             pieceAfter = pieceAfter,
         )
     }
@@ -62,6 +70,8 @@ class Driver(seed: Long, private val orders: List<Order>) {
 
         Task.Push -> hold(1.0, 0.0)
 
+        is Task.PushWall -> hold(task.throttle, 0.0)
+
         Task.BackOff -> hold(-0.4, 0.0)
 
         Task.Aim -> {
@@ -69,7 +79,7 @@ class Driver(seed: Long, private val orders: List<Order>) {
             approach(Camera.TARGET_X, Camera.TARGET_Y, SCORING_DISTANCE, 0.35, drivetrain)
         }
 
-        is Task.DriveTo -> approach(task.x, task.y, 0.0, 0.88, drivetrain)
+        is Task.DriveTo -> approach(task.x, task.y, 0.0, style.fastest, drivetrain)
     }
 
     /** Turns to (x, y) and drives until it is [short] meters away, with [most] throttle. */
@@ -88,13 +98,17 @@ class Driver(seed: Long, private val orders: List<Order>) {
     }
 
     // Who backs off is still held by the other robot at first.
-    private fun isHeld(task: Task) = task == Task.Push || (task == Task.BackOff && throttle > 0)
+    private fun obstacle(task: Task, time: Double) = when {
+        task is Task.PushWall -> WALL
+        task == Task.Push || (task == Task.BackOff && throttle > 0) -> defender(time)
+        else -> 0.0
+    }
 
     private fun defender(time: Double) = 4000 + 1500 * sine(time * 3.1)
 
     private fun hold(wantedThrottle: Double, wantedTurn: Double) {
-        throttle = moved(throttle, wantedThrottle, RAMP)
-        turn = moved(turn, wantedTurn, 2 * RAMP)
+        throttle = moved(throttle, wantedThrottle, style.ramp)
+        turn = moved(turn, wantedTurn, 2 * style.ramp)
     }
 
     private fun moved(now: Double, wanted: Double, rate: Double): Double {
@@ -103,8 +117,8 @@ class Driver(seed: Long, private val orders: List<Order>) {
     }
 
     private companion object {
-        // From nothing to full in half a second.
-        const val RAMP = 2.0
+        // In N·s/m, as the robot has it.
+        const val WALL = 12_000.0
         const val SCORING_DISTANCE = 1.25
     }
 }

@@ -21,5 +21,8 @@ sealed interface Task {
     /** With all there is, against a robot that gives no way. */
     data object Push : Task
 
+    /** Against something that does not move. */
+    class PushWall(val throttle: Double) : Task
+
     data object BackOff : Task
 }

@@ -8,6 +8,12 @@ class Drivetrain(var x: Double, var y: Double, var heading: Double) {
     var rightOutput = 0.0
     var isHighGear = false
 
+    /** Whether the motors get what they are told; else they brake. */
+    var isDriven = true
+
+    /** The sides on which one of two motors has no power. */
+    var unplugged: List<Side> = emptyList()
+
     /** How hard something in the way holds the robot back, in N·s/m: a robot that pushes against it, a wall. */
     var obstacle = 0.0
 
@@ -27,13 +33,19 @@ class Drivetrain(var x: Double, var y: Double, var heading: Double) {
     private val gearing get() = (if (isHighGear) HIGH_RATIO else LOW_RATIO) / (WHEEL_DIAMETER / 2)
 
     fun load(left: List<Load>, right: List<Load>, volts: Double) {
-        for (load in left) Motor.load(load, leftOutput, volts, leftVelocity * gearing)
-        for (load in right) Motor.load(load, rightOutput, volts, rightVelocity * gearing)
+        load(Side.LEFT, left, volts, leftVelocity)
+        load(Side.RIGHT, right, volts, rightVelocity)
+    }
+
+    private fun load(side: Side, loads: List<Load>, volts: Double, velocity: Double) {
+        for ((motor, load) in loads.withIndex()) {
+            if (motor < motorsOf(side)) Motor.load(load, outputOf(side), volts, velocity * gearing) else load.draw(0.0)
+        }
     }
 
     fun move(volts: Double, seconds: Double) {
-        val left = push(leftOutput, volts, leftVelocity)
-        val right = push(rightOutput, volts, rightVelocity)
+        val left = push(Side.LEFT, volts, leftVelocity)
+        val right = push(Side.RIGHT, volts, rightVelocity)
         val drag = 25 * speed / (abs(speed) + 0.03) + (5 + obstacle) * speed
         // Wheels that do not steer scrub sideways over the carpet in a turn, less so while they roll.
         val scrub = 55 / (1 + 3 * abs(speed)) * turnRate / (abs(turnRate) + 0.1) + 9 * turnRate
@@ -52,8 +64,16 @@ class Drivetrain(var x: Double, var y: Double, var heading: Double) {
         speed *= -0.3
     }
 
-    private fun push(output: Double, volts: Double, velocity: Double): Double =
-        (MOTORS_PER_SIDE * Motor.torque(output, volts, velocity * gearing) * gearing).coerceIn(-GRIP, GRIP)
+    private fun outputOf(side: Side) = when {
+        !isDriven -> 0.0
+        side == Side.LEFT -> leftOutput
+        else -> rightOutput
+    }
+
+    private fun motorsOf(side: Side) = if (side in unplugged) MOTORS_PER_SIDE - 1 else MOTORS_PER_SIDE
+
+    private fun push(side: Side, volts: Double, velocity: Double): Double =
+        (motorsOf(side) * Motor.torque(outputOf(side), volts, velocity * gearing) * gearing).coerceIn(-GRIP, GRIP)
 
     companion object {
         const val WHEEL_DIAMETER = 0.1524
@@ -68,3 +88,6 @@ class Drivetrain(var x: Double, var y: Double, var heading: Double) {
         private const val GRIP = 330.0
     }
 }
+
+/** A side of the drivetrain. */
+enum class Side { LEFT, RIGHT }

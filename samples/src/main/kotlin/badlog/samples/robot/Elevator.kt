@@ -12,6 +12,13 @@ class Elevator(private val gain: Double = GAIN) {
     var output = 0.0
         private set
 
+    /** Whether its gears are stuck. */
+    var isSeized = false
+
+    /** Whether its motors get what they are told; else they brake. */
+    var isDriven = true
+    private val drive get() = if (isDriven) output else 0.0
+
     /** Runs once a loop. Outputs are cut while the robot is not [enabled]. */
     fun control(enabled: Boolean, seconds: Double) {
         if (!enabled) {
@@ -26,14 +33,18 @@ class Elevator(private val gain: Double = GAIN) {
     }
 
     fun load(loads: List<Load>, volts: Double) {
-        for (load in loads) Motor.load(load, output, volts, velocity * GEARING)
+        for (load in loads) Motor.load(load, drive, volts, velocity * GEARING)
     }
 
     /** What its motor controllers measure; they do not see what flows while they only brake. */
     fun windingAmps(volts: Double): Double = if (output == 0.0) 0.0 else abs(MOTORS * Motor.windingAmps(output, volts, velocity * GEARING))
 
     fun move(volts: Double, seconds: Double) {
-        val lift = MOTORS * Motor.torque(output, volts, velocity * GEARING) * GEARING
+        if (isSeized) {
+            velocity = 0.0
+            return
+        }
+        val lift = MOTORS * Motor.torque(drive, volts, velocity * GEARING) * GEARING
         val friction = 14 * velocity / (abs(velocity) + 0.02)
         velocity += (lift - friction - WEIGHT) / MOVED_MASS * seconds
         position += velocity * seconds

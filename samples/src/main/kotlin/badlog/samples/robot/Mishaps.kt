@@ -10,8 +10,23 @@ class Mishaps(private val all: List<Mishap> = emptyList()) {
 
     fun isHitAt(time: Double, seconds: Double): Boolean = all.any { it is Mishap.Hit && time >= it.at && time - seconds < it.at }
 
+    /** Whether nothing is heard on the whole bus. */
+    fun canIsCut(time: Double): Boolean = all.any { it is Mishap.CanCut && time >= it.at && time < it.at + it.seconds }
+
+    fun programRuns(time: Double): Boolean = all.none { it is Mishap.ProgramCrash && time >= it.at && time < it.at + it.seconds }
+
+    fun hasLink(time: Double): Boolean = all.none { it is Mishap.RadioReboot && time >= it.at && time < it.at + it.seconds }
+
+    fun elevatorIsSeized(time: Double): Boolean = all.any { it is Mishap.SeizedElevator && time >= it.at }
+
+    /** The sides of the drivetrain on which one of two motors is unplugged. */
+    fun unpluggedSides(time: Double): List<Side> = all.filter { time >= it.at }.mapNotNull { (it as? Mishap.UnpluggedMotor)?.side }
+
+    /** The sides of the drivetrain whose encoder cable is pulled. */
+    fun blindSides(time: Double): List<Side> = all.filter { time >= it.at }.mapNotNull { (it as? Mishap.PulledEncoder)?.side }
+
     fun contactOhms(time: Double): Double =
-        if (all.any { it is Mishap.LooseLead && time >= it.at && time < it.at + it.seconds }) 0.035 else 0.0
+        all.firstNotNullOfOrNull { lead -> (lead as? Mishap.LooseLead)?.takeIf { time >= it.at && time < it.at + it.seconds } }?.ohms ?: 0.0
 
     /** What the robot's program says of what happened between [from] and [until]. */
     fun reportsBetween(from: Double, until: Double): List<String> = all.filter { it.saidAt >= from && it.saidAt < until }.map { it.report }
@@ -29,5 +44,19 @@ sealed class Mishap(val at: Double, val saidAt: Double, val report: String) {
 
     class Hit(at: Double, report: String) : Mishap(at, at + 0.3, report)
 
-    class LooseLead(at: Double, val seconds: Double) : Mishap(at, at, "")
+    class LooseLead(at: Double, val seconds: Double, val ohms: Double = 0.035) : Mishap(at, at, "")
+
+    /** No motor controller is heard, and none hears: all values stay as they were, and motors stop. */
+    class CanCut(at: Double, val seconds: Double) : Mishap(at, at, "")
+
+    /** The program ends, and is started again after [seconds]; until then the robot is disabled. */
+    class ProgramCrash(at: Double, val seconds: Double, report: String) : Mishap(at, at - 0.05, report)
+
+    class RadioReboot(at: Double, val seconds: Double) : Mishap(at, at, "")
+
+    class SeizedElevator(at: Double) : Mishap(at, at, "")
+
+    class UnpluggedMotor(at: Double, val side: Side) : Mishap(at, at, "")
+
+    class PulledEncoder(at: Double, val side: Side) : Mishap(at, at, "")
 }

@@ -14,6 +14,10 @@ class RoboRio(private val noise: Noise) {
     var canLoad = 58.0
         private set
 
+    /** How many messages failed since the start. */
+    var canErrors = 0
+        private set
+
     /** Below [BROWNOUT_VOLTS] it cuts all outputs, until the battery has come back. */
     fun guard(volts: Double, seconds: Double) {
         batteryVolts = volts + noise.around(0.012)
@@ -25,7 +29,8 @@ class RoboRio(private val noise: Noise) {
         }
     }
 
-    fun work(enabled: Boolean, stallSeconds: Double, canIsBusy: Boolean) {
+    fun work(enabled: Boolean, stallSeconds: Double, canIsBusy: Boolean, canFails: Boolean) {
+        if (canFails) canErrors += ERRORS_PER_LOOP
         val wanted = (if (enabled) 52.0 else 34.0) + noise.around(7.0) + if (stallSeconds > 0) 260 else 0
         cpuLoad = (cpuLoad + (wanted - cpuLoad) * 0.15).coerceAtMost(99.0)
         canLoad += ((if (canIsBusy) 97.0 else 58.0) + noise.around(2.0) - canLoad) * 0.3
@@ -37,5 +42,6 @@ class RoboRio(private val noise: Noise) {
         const val BROWNOUT_VOLTS = 6.75
         private const val RECOVERY_VOLTS = 7.5
         private const val MIN_BROWNOUT = 0.16
+        private const val ERRORS_PER_LOOP = 8
     }
 }

@@ -24,21 +24,27 @@ class Robot(seed: Long, val battery: Battery, val drivetrain: Drivetrain, pressu
     /** What the robot's program does at the start of a loop: reads its sensors, then sets its outputs. */
     fun control(time: Double, seconds: Double, mode: Mode, sticks: Sticks) {
         this.mode = mode
+        val canIsCut = mishaps.canIsCut(time)
         roboRio.guard(battery.volts, seconds)
-        roboRio.work(mode != Mode.DISABLED, mishaps.stallSeconds(time), mishaps.canIsSilent(time))
-        power.measure(battery.volts)
+        roboRio.work(mode != Mode.DISABLED, mishaps.stallSeconds(time), mishaps.canIsSilent(time) || canIsCut, canIsCut)
+        if (!canIsCut) power.measure(battery.volts)
         camera.look(drivetrain, seconds, mishaps.stallSeconds(time))
         if (mishaps.isHitAt(time, seconds)) {
             drivetrain.hit()
             gyro.restart()
-            sensors.loseLeftEncoder()
+            sensors.loseEncoder(Side.LEFT)
         }
         gyro.measure(drivetrain, seconds)
         battery.contactOhms = mishaps.contactOhms(time)
+        drivetrain.isDriven = !canIsCut
+        drivetrain.unplugged = mishaps.unpluggedSides(time)
+        elevator.isDriven = !canIsCut
+        elevator.isSeized = mishaps.elevatorIsSeized(time)
+        mishaps.blindSides(time).forEach(sensors::loseEncoder)
         drive(sticks)
         moveSuperstructure(sticks, seconds)
         pneumatics.control(isPowered, seconds)
-        sensors.measure(isElevatorSilent = mishaps.canIsSilent(time), seconds)
+        if (!canIsCut) sensors.measure(isElevatorSilent = mishaps.canIsSilent(time), seconds)
     }
 
     private fun drive(sticks: Sticks) {

@@ -2,7 +2,7 @@ package badlog.samples.robot
 
 /** What the encoders tell of the mechanisms, with what may happen to them on the way. */
 class Sensors(private val robot: Robot, private val noise: Noise) {
-    private var hasLeftEncoder = true
+    private val lost = HashSet<Side>()
     var leftPosition = 0.0
         private set
     var leftVelocity = 0.0
@@ -19,19 +19,21 @@ class Sensors(private val robot: Robot, private val noise: Noise) {
         private set
 
     /** Its plug comes off: the count stays where it was, and nothing says that it is wrong. */
-    fun loseLeftEncoder() {
-        hasLeftEncoder = false
-        leftVelocity = 0.0
+    fun loseEncoder(side: Side) {
+        lost += side
+        if (side == Side.LEFT) leftVelocity = 0.0 else rightVelocity = 0.0
     }
 
     fun measure(isElevatorSilent: Boolean, seconds: Double) {
         val drivetrain = robot.drivetrain
-        if (hasLeftEncoder) {
+        if (Side.LEFT !in lost) {
             leftPosition = drivetrain.leftPosition
             leftVelocity = filtered(leftVelocity, drivetrain.leftVelocity, seconds)
         }
-        rightPosition = drivetrain.rightPosition
-        rightVelocity = filtered(rightVelocity, drivetrain.rightVelocity, seconds)
+        if (Side.RIGHT !in lost) {
+            rightPosition = drivetrain.rightPosition
+            rightVelocity = filtered(rightVelocity, drivetrain.rightVelocity, seconds)
+        }
         // Without status frames the robot goes on with the last ones it had.
         if (isElevatorSilent) return
         elevatorPosition = robot.elevator.position

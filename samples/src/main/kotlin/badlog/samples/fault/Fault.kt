@@ -1,0 +1,134 @@
+package badlog.samples.fault
+
+import badlog.samples.match.Order
+import badlog.samples.match.Task
+import badlog.samples.robot.Battery
+import badlog.samples.robot.Mishap
+import badlog.samples.robot.Noise
+import badlog.samples.robot.Side
+import badlog.samples.robot.Superstructure
+
+/**
+ * What goes wrong in a simulated match. What follows from it is up to the robot: voltages, currents and outputs are not planted.
+ *
+ * @property title what people call it.
+ */
+enum class Fault(val title: String) {
+    WALL("pushing against a wall") {
+        override fun plant(plan: MatchPlan, noise: Noise, isFaint: Boolean) {
+            val at = noise.timeIn(24.0, 120.0)
+            val throttle = if (isFaint) 0.35 + 0.1 * noise.unit() else 0.8 + 0.2 * noise.unit()
+            val seconds = if (isFaint) 0.6 + 0.2 * noise.unit() else 1.6 + 3 * noise.unit()
+            plan.insert(at, Task.PushWall(throttle), seconds)
+        }
+    },
+    LOOSE_LEAD("loose battery lead") {
+        override fun plant(plan: MatchPlan, noise: Noise, isFaint: Boolean) {
+            var at = noise.timeIn(20.0, 100.0)
+            repeat(if (isFaint) 2 else 8 + noise.upTo(12)) {
+                val ohms = if (isFaint) 0.015 + 0.01 * noise.unit() else 0.05 + 0.09 * noise.unit()
+                plan.mishaps += Mishap.LooseLead(at, 0.05 + 0.2 * noise.unit(), ohms)
+                at += 0.4 + 3 * noise.unit()
+            }
+        }
+    },
+    TIRED_BATTERY("tired battery") {
+        override fun plant(plan: MatchPlan, noise: Noise, isFaint: Boolean) {
+            plan.battery = if (isFaint) {
+                Battery(0.018 + 0.002 * noise.unit(), 0.006, 13.0, 0.85)
+            } else {
+                Battery(0.027 + 0.01 * noise.unit(), 0.010 + 0.006 * noise.unit(), 9 + 3 * noise.unit(), 0.55 + 0.25 * noise.unit())
+            }
+        }
+    },
+    SEIZED_MOTOR("seized motor") {
+        // Who only stands still with it for the last seconds may not even notice.
+        override fun plant(plan: MatchPlan, noise: Noise, isFaint: Boolean) {
+            plan.mishaps += Mishap.SeizedElevator(if (isFaint) plan.lastRaise + 1.4 else noise.timeIn(20.0, 118.0))
+        }
+    },
+    UNPLUGGED_MOTOR("one of two linked motors unplugged") {
+        override fun plant(plan: MatchPlan, noise: Noise, isFaint: Boolean) {
+            val at = if (isFaint) noise.timeIn(148.0, 151.0) else noise.timeIn(0.0, 110.0)
+            plan.mishaps += Mishap.UnpluggedMotor(at, noise.side())
+        }
+    },
+    PULLED_ENCODER("encoder cable pulled") {
+        override fun plant(plan: MatchPlan, noise: Noise, isFaint: Boolean) {
+            val at = if (isFaint) noise.timeIn(148.0, 151.0) else noise.timeIn(5.0, 110.0)
+            plan.mishaps += Mishap.PulledEncoder(at, noise.side())
+        }
+    },
+    CAN_CUT("CAN interrupted") {
+        override fun plant(plan: MatchPlan, noise: Noise, isFaint: Boolean) {
+            var at = noise.timeIn(20.0, 100.0)
+            repeat(if (isFaint) 1 else 1 + noise.upTo(4)) {
+                plan.mishaps += Mishap.CanCut(at, if (isFaint) 0.05 + 0.05 * noise.unit() else 0.3 + 2 * noise.unit())
+                at += 4 + 8 * noise.unit()
+            }
+        }
+    },
+    RADIO_REBOOT("radio reboot") {
+        override fun plant(plan: MatchPlan, noise: Noise, isFaint: Boolean) {
+            val seconds = if (isFaint) 0.1 + 0.2 * noise.unit() else 22 + 20 * noise.unit()
+            plan.mishaps += Mishap.RadioReboot(noise.timeIn(22.0, 105.0), seconds)
+        }
+    },
+    SLOW_VISION("loop blocked by vision") {
+        override fun plant(plan: MatchPlan, noise: Noise, isFaint: Boolean) {
+            var at = noise.timeIn(20.0, 100.0)
+            val isTold = noise.unit() < 0.3
+            repeat(if (isFaint) 1 else 3 + noise.upTo(6)) {
+                val seconds = if (isFaint) 0.025 + 0.015 * noise.unit() else 0.12 + 0.4 * noise.unit()
+                val report = if (isTold) "WARN: loop overrun, \"Vision.update\" took ${(seconds * 1000).toInt()} ms" else ""
+                plan.mishaps += Mishap.Stall(at, seconds, report)
+                at += 1 + 5 * noise.unit()
+            }
+        }
+    },
+    RESTART("code crash and restart") {
+        override fun plant(plan: MatchPlan, noise: Noise, isFaint: Boolean) {
+            val at = if (isFaint) noise.timeIn(143.0, 145.0) else noise.timeIn(22.0, 125.0)
+            plan.crash = Mishap.ProgramCrash(at, 5 + 6 * noise.unit(), if (noise.unit() < 0.6) EXCEPTION else "")
+            plan.hasLogBefore = noise.unit() < 0.5
+        }
+    }, ;
+
+    /** Plants it in [plan]; a faint one may leave nothing in the log that anybody could find. */
+    internal abstract fun plant(plan: MatchPlan, noise: Noise, isFaint: Boolean)
+
+    private companion object {
+        const val EXCEPTION = "ERROR: Unhandled exception: java.lang.NullPointerException: Cannot invoke \"Pose2d.getX()\""
+    }
+}
+
+/** What is to be in a simulated match, before it begins. */
+internal class MatchPlan(var battery: Battery, val orders: MutableList<Order>, val mishaps: MutableList<Mishap>) {
+    var crash: Mishap.ProgramCrash? = null
+
+    /** Whether the log is the one that the program wrote before its crash, and not the one after it. */
+    var hasLogBefore = false
+
+    /** When the elevator is raised for the last time. */
+    val lastRaise get() = orders.last { it.state == Superstructure.RAISING }.at
+
+    /** Has [task] done from [at] on for [seconds]; then the robot backs off and goes on with what it was at. */
+    fun insert(at: Double, task: Task, seconds: Double) {
+        val before = orders.last { it.at <= at }
+        orders.removeAll { it.at > at && it.at <= at + seconds + BACK_OFF }
+        orders += Order(at, task, before.state)
+        orders += Order(at + seconds, Task.BackOff, before.state)
+        orders += Order(at + seconds + BACK_OFF, before.task, before.state)
+        orders.sortBy { it.at }
+    }
+
+    private companion object {
+        const val BACK_OFF = 0.8
+    }
+}
+
+internal fun Noise.timeIn(from: Double, until: Double): Double = from + unit() * (until - from)
+
+internal fun Noise.upTo(count: Int): Int = (unit() * count).toInt()
+
+private fun Noise.side() = if (unit() < 0.5) Side.LEFT else Side.RIGHT

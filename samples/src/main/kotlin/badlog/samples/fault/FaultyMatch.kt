@@ -1,0 +1,119 @@
+package badlog.samples.fault
+
+import badlog.samples.ROBOT_VALUES
+import badlog.samples.Run
+import badlog.samples.TWO_PIECE_AUTONOMOUS
+import badlog.samples.bag.BagLog
+import badlog.samples.bag.NumberText
+import badlog.samples.createDrivetrainTopics
+import badlog.samples.createElevatorTopics
+import badlog.samples.createFieldTopics
+import badlog.samples.createManipulatorTopics
+import badlog.samples.createPowerTopics
+import badlog.samples.createSystemTopics
+import badlog.samples.cycle
+import badlog.samples.match.DrivingStyle
+import badlog.samples.match.Schedule
+import badlog.samples.match.Task
+import badlog.samples.matchValues
+import badlog.samples.robot.Battery
+import badlog.samples.robot.Drivetrain
+import badlog.samples.robot.Mishap
+import badlog.samples.robot.Mishaps
+import badlog.samples.robot.Noise
+import badlog.samples.robot.Robot
+
+/**
+ * A whole match, 15 s of autonomous and 135 s of teleop, of which everything comes from [seed]: the driver, the battery, contacts
+ * with other robots, and what goes wrong.
+ *
+ * @property fault what goes wrong; null for nothing.
+ * @property isFaint whether it goes wrong so little, or so late, that the log may not tell.
+ */
+class FaultyMatch(private val seed: Int, val fault: Fault?, val isFaint: Boolean) {
+    /** The match's bag, with a row for every other loop of the robot. */
+    fun bag(): ByteArray {
+        val noise = Noise(seed * SPREAD)
+        val plan = healthyPlan(noise)
+        val style = DrivingStyle(fastest = 0.72 + 0.22 * noise.unit(), ramp = 1.7 + 1.3 * noise.unit())
+        fault?.plant(plan, noise, isFaint)
+        plan.crash?.let { plan.mishaps += it }
+        val mishaps = Mishaps(plan.mishaps)
+        val robot = Robot(
+            seed = seed.toLong(),
+            battery = plan.battery,
+            drivetrain = Drivetrain(x = 1.55, y = 3.0, heading = StrictMath.PI),
+            pressure = 95 + 25 * noise.unit(),
+            mishaps = mishaps,
+        )
+        val run = Run(seed.toLong(), robot, Schedule.match(secondsAfter = 2.0), plan.orders, mishaps, style)
+        return logOf(run, Radio(mishaps, Noise(seed * SPREAD + 1)), plan)
+    }
+
+    private fun logOf(run: Run, radio: Radio, plan: MatchPlan): ByteArray {
+        val crash = plan.crash
+        val begins = if (crash != null && !plan.hasLogBefore) crash.at + crash.seconds else 0.0
+        val ends = if (crash != null && plan.hasLogBefore) crash.at else Double.MAX_VALUE
+        val values = matchValues("2024-03-16T12:00:00", "$seed", "Blue", "2", "B5, 2023") + ROBOT_VALUES
+        val log = BagLog(NumberText.SENSOR_DECIMALS, values)
+        var slowest = 0.0
+        log.number("Time", "s", 6, "hide", "delta", "xaxis") { run.time - begins }
+        log.number("Match Time", "s", 0) { run.matchSecondsLeft.toDouble() }
+        log.createSystemTopics(run.robot, run::nextEvent) { slowest }
+        log.createPowerTopics(run.robot, withChannels = true)
+        log.createDrivetrainTopics(run.robot)
+        log.createElevatorTopics(run.robot)
+        log.createManipulatorTopics(run.robot)
+        log.createFieldTopics(run.robot)
+        log.createFaultTopics(run.robot, radio)
+        log.finishInitialization()
+        var loops = 0
+        run.loop {
+            radio.pass(run.time)
+            slowest = maxOf(slowest, run.robot.roboRio.loopMillis)
+            if (run.time >= begins && run.time <= ends && loops++ % LOOPS_PER_ROW == 0) {
+                log.log()
+                slowest = 0.0
+            }
+        }
+        return log.bytes()
+    }
+
+    private fun healthyPlan(noise: Noise): MatchPlan {
+        val battery = Battery(
+            ohms = 0.0110 + 0.004 * noise.unit(),
+            slowOhms = 0.003 + 0.002 * noise.unit(),
+            ampHours = 15 + 4 * noise.unit(),
+            charge = 0.93 + 0.07 * noise.unit(),
+        )
+        val orders = TWO_PIECE_AUTONOMOUS.toMutableList()
+        var at = 19.3 + noise.unit()
+        while (at < 138) {
+            val load = Task.DriveTo(12.6 + 1.2 * noise.unit(), 5.0 + 1.2 * noise.unit())
+            orders += cycle(at, load)
+            at += 17.0 + 0.8 * noise.unit()
+        }
+        val plan = MatchPlan(battery, orders, ArrayList())
+        // Short contacts with others, and a loop that is late now and then, are part of any match.
+        repeat(noise.upTo(3)) { plan.insert(noise.timeIn(25.0, 130.0), Task.Push, 0.15 + 0.25 * noise.unit()) }
+        repeat(noise.upTo(3)) { plan.mishaps += Mishap.Stall(noise.timeIn(4.0, 150.0), 0.004 + 0.02 * noise.unit(), "") }
+        return plan
+    }
+
+    companion object {
+        private const val LOOPS_PER_ROW = 2
+
+        // Between seeds, so that neighbours do not share their random numbers.
+        private const val SPREAD = 7919L
+
+        /** The match of [seed]: each fault in turn, and none; one of five is faint. */
+        fun of(seed: Int): FaultyMatch {
+            val faults = Fault.entries + null
+            return FaultyMatch(seed, faults[seed % faults.size], isFaint = seed / faults.size % 5 == 0)
+        }
+
+        /** Which of the robot's motors turn together, as a team says it in its `badlog-signals.toml`. */
+        const val SIGNALS = "[[linked]]\nmotors = [\"Drivetrain/Left\", \"Drivetrain/Left Follower\"]\n\n" +
+            "[[linked]]\nmotors = [\"Drivetrain/Right\", \"Drivetrain/Right Follower\"]\n"
+    }
+}
