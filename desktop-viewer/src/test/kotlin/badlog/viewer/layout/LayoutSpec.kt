@@ -133,7 +133,7 @@ class LayoutSpec : FunSpec({
         }
         Files.write(home.resolve("binary.json"), byteArrayOf(-1, -2, 0, 7))
         shouldThrow<IOException> { readLayout(home.resolve("binary.json")) }.message shouldContain "binary.json"
-        shouldThrow<IOException> { readLayout(home.resolve("missing.json")) }.message shouldContain "not there"
+        shouldThrow<IOException> { readLayout(home.resolve("missing.json")) }.message shouldContain "does not exist"
     }
 })
 

@@ -32,7 +32,7 @@ class RecordingWatcherSpec : FunSpec({
         val viewer = viewerOf(shown)
         val watcher = RecordingWatcher(viewer.notices, { _, _ -> throw OutOfMemoryError() }, viewer.current::replace)
         withContext(Dispatchers.Main) { watcher.watch(shown, before) }
-        viewer.notices.all.single().text shouldContain "larger than the memory"
+        viewer.notices.all.single().text shouldContain "larger than the available memory"
         viewer.current.recording shouldBe shown
     }
 

@@ -23,7 +23,7 @@ class LongTasksSpec : FunSpec({
     test("what goes wrong is said in a sentence, and nothing else ends") {
         saidOf(IOException("The drive is gone; plug it in.")) shouldContainExactly listOf("The drive is gone; plug it in.")
         saidOf(OutOfMemoryError()) shouldContainExactly
-            listOf("Opening needs more memory than there is; close other logs and try it again.")
+            listOf("Opening needs more memory than is available; close other logs and try again.")
     }
 
     test("a task that is given up is interrupted, and nothing is said") {

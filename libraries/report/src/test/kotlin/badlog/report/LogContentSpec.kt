@@ -16,7 +16,7 @@ class LogContentSpec : FunSpec({
             }.orEmpty()
             messageAfter { error("odd") } shouldContain "(java.lang.IllegalStateException: odd); report it"
             messageAfter { overflow(0) } shouldContain "StackOverflowError"
-            messageAfter { throw OutOfMemoryError() } shouldContain "not enough memory"
+            messageAfter { throw OutOfMemoryError() } shouldContain "too large for the available memory"
             shouldThrow<InterruptedException> { messageAfter { throw InterruptedException() } }
         }
     }
