@@ -75,13 +75,13 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
     /**
      * Takes what a [RowBatchParser] read of the bytes that follow those of the calls before, in place of the bytes.
      *
-     * @return false where no row begins there, for a row or a hole goes on; the bytes themselves are then to be given.
+     * @return false where no row begins there, for a row or a hole goes on, and where [batch] lacks the numbers that this parser
+     *   keeps or hands on; the bytes themselves are then to be given.
      */
     public fun accept(batch: RowBatch): Boolean {
         val reader = rowReader()
         if (reader == null || ignoresTheRest || pending.size > 0 || holeBytes > 0 || pending.isAfterHole) return false
-        reader.add(batch)
-        return true
+        return reader.add(batch)
     }
 
     override fun finish(): Recording {

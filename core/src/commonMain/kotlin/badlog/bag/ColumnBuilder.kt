@@ -24,6 +24,9 @@ internal class ColumnBuilder(
     private val sink: NumberSink? = null,
 ) {
     private val keepsNumbers = keepsSamples && sink == null
+
+    /** Whether its numbers go elsewhere. */
+    val hasSink: Boolean get() = sink != null
     private var numbers = DoubleArray(0)
     private var texts: TextPool? = null
     private var textRows = IntArray(0)

@@ -12,6 +12,9 @@ package badlog.bag
 public class RowBatch(public val numbers: Array<DoubleArray>, public val details: IntArray, public val texts: Array<String>) {
     /** How many rows it holds. */
     public val rowCount: Int get() = details[0]
+
+    /** Whether the numbers are there, not only their counts. */
+    internal val hasSamples: Boolean get() = numbers.all { it.size >= rowCount }
     internal val lineCount: Int get() = details[1]
     internal val byteCount: Int get() = details[2]
     internal val sawCarriageReturn: Boolean get() = details[3] != 0

@@ -12,7 +12,7 @@ internal class RowReader(
     private val layout: HeaderColumns,
     private val decoder: TextDecoder,
     private val problems: ProblemList,
-    keepSamples: Boolean,
+    private val keepSamples: Boolean,
     sinks: NumberSinks,
     endsInNewline: Boolean,
     private val expectedBytes: Long,
@@ -61,14 +61,16 @@ internal class RowReader(
     /** What distinguishes a column of numbers from one of texts, for each column. */
     val readsDecimalComma: BooleanArray get() = BooleanArray(columns.size) { columns[it].readsDecimalComma }
 
-    /** Adds rows that were read elsewhere. */
-    fun add(batch: RowBatch) {
+    /** Adds rows that were read elsewhere; returns false where that was done without the numbers that are wanted here. */
+    fun add(batch: RowBatch): Boolean {
+        if (batch.hasSamples != keepSamples || (!keepSamples && columns.any { it.hasSink })) return false
         val linesBefore = pending.line - 1
         pending.pass(batch)
         if (rowCount + batch.rowCount > roomyRows) makeRoom(rowCount + batch.rowCount)
         val details = BatchReader(batch, BatchReader.FRAME)
         for (i in columns.indices) columns[i].append(rowCount, batch.rowCount, batch.numbers[i], details, linesBefore)
         rowCount += batch.rowCount
+        return true
     }
 
     private fun addRow(text: ByteArray) {

@@ -215,11 +215,7 @@ internal class RowRepair(
         if (!isStrict) count = splitter.split(bytes, from, end, Quotes.LENIENT)
         val wanted = cells.columns
         if (count < wanted) {
-            problems.add(
-                ProblemKind.ROW_SHORT,
-                "A row has $count of $wanted cells; the missing ones were left empty.",
-                line,
-            )
+            problems.add(ProblemKind.ROW_SHORT, "A row has $count of $wanted cells; the missing ones were left empty.", line)
         } else {
             val extra = quotation(bytes, splitter.starts[wanted], end)
             problems.add(

@@ -1,5 +1,7 @@
 package badlog.bag
 
+import badlog.recording.NumberSink
+import badlog.recording.NumberSinks
 import badlog.recording.ProblemKind
 import badlog.recording.Recording
 import io.kotest.assertions.withClue
@@ -48,6 +50,24 @@ class RowBatchSpec : FunSpec({
         val parser = BagParser()
         parser.accept("first,second\n".encodeToByteArray())
         parser.accept(batch).shouldBeTrue()
+    }
+
+    test("a batch without numbers is refused where they are kept or go elsewhere, one with them where only counts are kept") {
+        val bytes = "1,2\n".encodeToByteArray()
+        val (whole, counted) = listOf(true, false).map {
+            checkNotNull(RowBatchParser(booleanArrayOf(true, true), it).parse(bytes, 0, bytes.size))
+        }
+        val numbers = ArrayList<Double>()
+        val sinks = NumberSinks { name, _ -> if (name == "second") NumberSink { _, number -> numbers += number } else null }
+        for (keepSamples in listOf(true, false)) {
+            val parser = BagParser(0, keepSamples, sinks)
+            parser.accept("first,second\n".encodeToByteArray())
+            parser.accept(counted).shouldBeFalse()
+            parser.accept(whole) shouldBe keepSamples
+            if (!keepSamples) parser.accept(bytes)
+            parser.finish().rowCount shouldBe 1
+        }
+        numbers shouldBe listOf(2.0, 2.0)
     }
 
     test("no batch is made of bytes with anything odd in them") {

@@ -2,7 +2,6 @@ package badlog.page
 
 import badlog.analysis.LogView
 import badlog.page.embedded.About
-import badlog.page.embedded.Inflation
 import badlog.page.embedded.findAdditions
 import badlog.page.formula.Formulas
 import badlog.page.reading.Reading
@@ -41,10 +40,6 @@ internal class Startup {
         val recording = document.getElementById("recording")
         if (about == null || recording == null) {
             fail("This page is not complete", "Its end is missing; it may have been cut in copying. Export it again.")
-            return
-        }
-        if (!Inflation.isPossible) {
-            fail("This browser is too old", "This page needs Chrome 80, Edge 80, Firefox 113, Safari 16.4 or newer.")
             return
         }
         val loading = LoadingScreen(about.name)

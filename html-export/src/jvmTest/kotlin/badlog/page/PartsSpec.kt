@@ -1,5 +1,7 @@
 package badlog.page
 
+import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.ints.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
 import java.nio.file.Files
 
@@ -57,6 +59,30 @@ internal class PartsSpec : PageSpec({
                     shown() shouldBe expected
                 }
             }
+        }
+    }
+
+    browserTest("fast workers wait for a slow one, so that no more than a few parts are held") {
+        val held = """
+            ${cores(2)};
+            window.sent = 0; window.most = 0; window.slow = null;
+            const post = Worker.prototype.postMessage;
+            Worker.prototype.postMessage = function (message, ...more) {
+                if (message?.part !== undefined) window.most = ++window.sent;
+                return post.call(this, message, ...more);
+            };
+            Object.defineProperty(Worker.prototype, 'onmessage', { set(receive) {
+                this.addEventListener('message', event => {
+                    if (event.data.part === 1) setTimeout(() => { window.early = window.most; receive(event) }, 3000);
+                    else receive(event);
+                });
+            } });
+        """.trimIndent().replace("\n", " ")
+        val rows = (0 until 1000).joinToString("", transform = ::row)
+        onPage(TestPages.of(HEADER + rows.repeat(34_000_000 / rows.length)), script = held) {
+            readInParts() shouldBe 1
+            number("return window.sent").toInt() shouldBeGreaterThan 12
+            number("return window.early").toInt() shouldBeLessThanOrEqual 1 + 2 * 4
         }
     }
 

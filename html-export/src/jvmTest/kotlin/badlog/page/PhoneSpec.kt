@@ -53,6 +53,26 @@ internal class PhoneSpec : PageSpec({
         }
     }
 
+    browserTest("the words in the bar are not cut") {
+        onPage(TestPages.ofSample("qualification-42.bag"), Screen.PHONE) {
+            for ((selector, text) in listOf(".search-input" to "placeholder", ".folder-choice" to "value")) {
+                number(
+                    """
+                    const box = document.querySelector(arguments[0]), style = getComputedStyle(box)
+                    const text = arguments[1] == 'value' ? box.options[0].text : box.placeholder
+                    const context = document.createElement('canvas').getContext('2d')
+                    context.font = style.font
+                    const arrow = arguments[1] == 'value' ? 16 : 0
+                    return box.clientWidth - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight) - arrow -
+                        context.measureText(text).width
+                    """.trimIndent(),
+                    selector,
+                    text,
+                ) shouldBeGreaterThan 0.0
+            }
+        }
+    }
+
     browserTest("a tap on a finding's mark shows what was found, on a page that is no wider than the phone") {
         val finding = finding("Brownout", Severity.ERROR, "a long text of what was found ".repeat(9), 5.0, Double.NaN)
         val line = PageSeries("Fit", "V", Series(doubleArrayOf(1.0), doubleArrayOf(1.0)))

@@ -12,6 +12,7 @@ import badlog.rules.RuleSet
 import badlog.rules.RulesFile
 import badlog.rules.over
 import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
+import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import java.nio.file.Path
@@ -82,6 +83,30 @@ internal class RulesSpec : PageSpec({
             press("browned")
             texts(".search-count").single() shouldContain "1 finding"
             texts(".finding-source") shouldBe listOf("Browned out")
+        }
+    }
+
+    browserTest("what rules find is drawn into the graphs that are there, which somebody may be dragging over") {
+        val removals = "window.removed = 0; new MutationObserver(changes => { for (const change of changes) " +
+            "for (const node of change.removedNodes) if (node.querySelector?.('canvas')) window.removed++ })" +
+            ".observe(document, { childList: true, subtree: true })"
+        val rules = RulesFile.parse("[[rule]]\nname = \"High\"\nseverity = \"error\"\nwhen = \"Step 1 > 0.5\"\ntext = \"t\"\n").rules
+        onPage(TestPages.of(stepBag(graphs = 2), additions = PageAdditions(rules = rules)), script = removals) {
+            awaitRules()
+            settle()
+            graph("Step 1").picture.rowsOf(color("--error")).takeLast(12).max() shouldBeGreaterThan 20
+            number("return window.removed") shouldBe 0.0
+        }
+    }
+
+    browserTest("rules that cannot be run say so, and what to do") {
+        val broken = "const Real = Worker; window.Worker = function (address, options) { if (options?.name !== 'rules') " +
+            "return new Real(address, options); const fake = { postMessage() { setTimeout(() => " +
+            "fake.onmessage({ data: { failure: 'no room.' } }), 0) }, terminate() {} }; return fake }"
+        onPage(TestPages.ofSample(samples[0], PageAdditions(rules = RuleSet.BUILT_IN)), script = broken) {
+            await("the failure") { script("return document.documentElement.dataset.rules") == "failed" }
+            texts("#findings .problem-text").single() shouldBe
+                "The rules could not be run (no room); reload the page, or run badlog report on the file."
         }
     }
 

@@ -120,16 +120,16 @@ public final class PageBenchmark {
 
     /** Milliseconds that each of some zooms by mouse took, from the first redraw's begin to the last one's end, sorted. */
     private static List<Double> zooms(ChromeDriver browser) throws InterruptedException {
-        // Away from the header and the values, where the screen is full of graphs.
-        WebElement graph = browser.findElements(By.cssSelector("section.graph")).get(3);
-        browser.executeScript("arguments[0].scrollIntoView({ block: 'center' })", graph);
+        awaitRules(browser);
+        browser.executeScript("arguments[0].scrollIntoView({ block: 'center' })", graph(browser));
         Thread.sleep(1000);
-        graph = graph.findElement(By.cssSelector(".u-over"));
         List<Double> times = new ArrayList<>();
         for (int zoom = 0; zoom < ZOOMS; zoom++) {
             browser.executeScript("performance.clearMeasures()");
-            int width = graph.getSize().getWidth();
-            new Actions(browser).moveToElement(graph, -width / 4, 0).clickAndHold()
+            // Looked up anew, for a graph that left the screen meanwhile is drawn on another element.
+            WebElement frame = graph(browser).findElement(By.cssSelector(".u-over"));
+            int width = frame.getSize().getWidth();
+            new Actions(browser).moveToElement(frame, -width / 4, 0).clickAndHold()
                 .moveByOffset(width / 4, 0).moveByOffset(width / 4, 0).release().perform();
             Thread.sleep(500);
             Object duration = browser.executeScript(
@@ -137,6 +137,22 @@ public final class PageBenchmark {
             times.add(((Number) duration).doubleValue());
         }
         return times.stream().sorted().toList();
+    }
+
+    /** Away from the header and the values, where the screen is full of graphs. */
+    private static WebElement graph(ChromeDriver browser) {
+        return browser.findElements(By.cssSelector("section.graph")).get(3);
+    }
+
+    /** The rules run beside what is measured, and move the graphs when their findings are listed. */
+    private static void awaitRules(ChromeDriver browser) throws InterruptedException {
+        for (int tries = 0; tries < 6000; tries++) {
+            if (Boolean.TRUE.equals(browser.executeScript("return 'rules' in document.documentElement.dataset"))) {
+                return;
+            }
+            Thread.sleep(10);
+        }
+        throw new IllegalStateException("The rules were not done within a minute");
     }
 
     private static int graphsOnScreen(ChromeDriver browser) {

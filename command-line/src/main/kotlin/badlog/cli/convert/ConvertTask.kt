@@ -14,7 +14,12 @@ import badlog.cli.input.readLog
 import badlog.cli.output.LogFormat
 import badlog.cli.output.Omissions
 import badlog.cli.output.OutputPlan
+import badlog.cli.output.changesOf
 import badlog.cli.output.copyBeginning
+import badlog.cli.output.copyRecords
+import badlog.cli.output.isEvent
+import badlog.cli.output.newLog
+import badlog.cli.output.recordsOf
 import badlog.cli.output.writeLog
 import badlog.cli.recover.Damage
 import badlog.cli.text.counted
@@ -28,6 +33,11 @@ import badlog.recording.RecordingFormat
 import badlog.report.UndefinedJson
 import badlog.report.withX
 import badlog.terminal.Progress
+import badlog.wpilog.Omission
+import badlog.wpilog.record.RecordLane
+import badlog.wpilog.record.RecordLog
+import badlog.wpilog.record.RecordMerge
+import badlog.wpilog.record.RecordPiece
 import kotlinx.serialization.Serializable
 import java.nio.file.Path
 
@@ -67,7 +77,7 @@ internal class ConvertTask(
         val name = FileName.of(input.file)
         val converted = name.with(format.ending, isGzip || name.isGzip)
         val target = plan.place(input, converted, converted)
-        val leftOut = fit.leftOut + write(input.file, recording, target, progress)
+        val leftOut = fit.leftOut + write(input.file, recording, read.topics.size, target, progress)
         val count = if (format.hasRows) {
             counted(recording.rowCount.toLong(), "row")
         } else {
@@ -87,16 +97,38 @@ internal class ConvertTask(
         return Outcome(recording.isSalvaged, text.joinToString("\n"), jsonOf(json))
     }
 
-    private fun write(file: Path, recording: Recording, target: Path, progress: Progress): Omissions {
-        val lostBytes = Damage(recording).bytesAtEnd
-        val staysAsItIs = recording.format == RecordingFormat.WPILOG && !format.hasRows && !isChangesOnly && virtualTopics.isEmpty()
-        if (!staysAsItIs || lostBytes == null) {
+    private fun write(file: Path, recording: Recording, loggedTopics: Int, target: Path, progress: Progress): Omissions {
+        if (recording.format != RecordingFormat.WPILOG || format.hasRows) {
             return writeLog(recording, format, target, changesOnly = isChangesOnly, progress = progress)
         }
-        // A WPILOG of our own has the fields of structs, not the structs.
-        copyBeginning(file, lostBytes, target, progress)
-        return Omissions()
+        val lostBytes = Damage(recording).bytesAtEnd
+        val isWhole = !isChangesOnly && virtualTopics.isEmpty()
+        if (isWhole && lostBytes != null) {
+            copyBeginning(file, lostBytes, target, progress)
+            return Omissions()
+        }
+        val records = recordsOf(file)
+        if (virtualTopics.isEmpty()) {
+            if (isChangesOnly) return omissionOf(copyRecords(records, target, progress) { changes(recording::isEvent) })
+            copyRecords(records, target, progress) { all() }
+            return Omissions()
+        }
+        val kept = if (isChangesOnly) changesOf(records, recording::isEvent) else records
+        val repeats = records.entries.sumOf { it.size } - kept.entries.sumOf { it.size }
+        val calculated = recording.copy(values = emptyList(), topics = recording.topics.drop(loggedTopics))
+        return omissionOf(repeats) + writeWith(calculated, kept, target, progress)
     }
+
+    /** Writes [records] and beside them [calculated], the topics that are not logged. */
+    private fun writeWith(calculated: Recording, records: RecordLog, target: Path, progress: Progress): Omissions {
+        val (more, leftOut) = recordsOf(calculated, isChangesOnly)
+        val lanes = (records.entries + more.entries).map { RecordLane(it.name, listOf(RecordPiece(it))) }
+        newLog(target) { stream -> RecordMerge(lanes).write(progress::advanced) { bytes, size -> stream.write(bytes, 0, size) } }
+        return leftOut
+    }
+
+    private fun omissionOf(repeats: Int): Omissions =
+        Omissions(omissions = if (repeats == 0) emptyList() else listOf(Omission(null, REPEATS, repeats)))
 
     private fun withRows(read: Recording, file: Path): WithRows {
         val hasRows = read.format != RecordingFormat.WPILOG
@@ -119,6 +151,7 @@ internal class ConvertTask(
 
     private companion object {
         const val INDENT = 4
+        const val REPEATS = "Samples that are the same as those before them have no record."
     }
 }
 

@@ -3,6 +3,7 @@ package badlog.cli.cut
 import badlog.analysis.LogView
 import badlog.analysis.Span
 import badlog.cli.input.Failure
+import badlog.cli.output.EVENT_LOG
 import badlog.cli.text.XTime
 import badlog.cli.topic.part
 import badlog.cli.topic.with
@@ -70,8 +71,6 @@ internal fun samplePart(view: LogView, spans: List<Span>): CutPart {
 }
 
 private fun isEvent(topic: Topic) = topic.kind == TopicKind.EVENT || EVENT_LOG in topic.attributes
-
-private const val EVENT_LOG = "log"
 
 /** Gives the time of day at a time of the log, which is true only where it was written. */
 private const val CLOCK_PAIR = "systemTime"

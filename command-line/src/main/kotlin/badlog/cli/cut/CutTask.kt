@@ -13,6 +13,10 @@ import badlog.cli.input.readLog
 import badlog.cli.output.LogFormat
 import badlog.cli.output.Omissions
 import badlog.cli.output.OutputPlan
+import badlog.cli.output.copyRecords
+import badlog.cli.output.isEvent
+import badlog.cli.output.recordsOf
+import badlog.cli.output.topicOf
 import badlog.cli.output.writeLog
 import badlog.cli.text.StretchJson
 import badlog.cli.text.XTime
@@ -21,6 +25,7 @@ import badlog.cli.text.grouped
 import badlog.cli.text.jsonOf
 import badlog.cli.text.lossLines
 import badlog.cli.text.wrapped
+import badlog.recording.Recording
 import badlog.recording.RecordingFormat
 import badlog.terminal.Progress
 import kotlinx.serialization.Serializable
@@ -50,7 +55,7 @@ internal class CutTask(
         }
         val target = plan.place(input, FileName.of(input.file).marked("cut"), input.file.fileName.toString())
         val format = plan.file?.let(LogFormat::ofName) ?: LogFormat.of(view.recording)
-        val leftOut = writeLog(part.recording, format, target, part.rows, progress = progress)
+        val leftOut = write(view.recording, part, format, input.file, target, progress)
         val text = text(view, "${input.file} -> $target", part, leftOut)
         return Outcome(view.recording.isSalvaged, text, jsonOf(json(view, target, part, leftOut)))
     }
@@ -58,6 +63,19 @@ internal class CutTask(
     private fun partOf(view: LogView): CutPart {
         val spans = choices.map { joined(it.spans(view)) }.reduce(::intersection)
         return if (view.recording.format == RecordingFormat.WPILOG) samplePart(view, spans) else rowPart(view, spans)
+    }
+
+    private fun write(whole: Recording, part: CutPart, format: LogFormat, file: Path, target: Path, progress: Progress): Omissions {
+        if (format.hasRows || whole.format != RecordingFormat.WPILOG) {
+            return writeLog(part.recording, format, target, part.rows, progress = progress)
+        }
+        copyRecords(recordsOf(file), target, progress) {
+            spans(part.spans, whole::isEvent) { entry ->
+                // Few events may look like states.
+                part.recording.topicOf(entry)?.takeIf { it.attributes != whole.topicOf(entry)?.attributes }
+            }
+        }
+        return Omissions()
     }
 
     private fun text(view: LogView, title: String, part: CutPart, leftOut: Omissions): String {

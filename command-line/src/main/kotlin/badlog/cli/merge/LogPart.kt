@@ -6,6 +6,7 @@ import badlog.analysis.XAxis
 import badlog.analysis.stableOrder
 import badlog.cli.input.Failure
 import badlog.cli.input.FileName
+import badlog.cli.output.EVENT_LOG
 import badlog.cli.topic.part
 import badlog.cli.topic.with
 import badlog.recording.Recording
@@ -14,8 +15,14 @@ import badlog.recording.Topic
 import badlog.recording.TopicKind
 import java.nio.file.Path
 
-/** A log that becomes part of another. */
-internal class LogPart(val file: Path, val recording: Recording) {
+/**
+ * A log that becomes part of another.
+ *
+ * @property recording what is in it, at the times that it has in the merge.
+ * @property offset how much later those are than in the file, in s.
+ * @property isOfFile whether its samples stand in the file as they are, and not in rows.
+ */
+internal class LogPart(val file: Path, val recording: Recording, val offset: Double = 0.0, val isOfFile: Boolean = true) {
     /** Its x axis. */
     val axis: XAxis = LogView.of(recording).xAxis
     private val topicOf = recording.topics.associateBy { it.name }
@@ -58,7 +65,7 @@ internal fun LogPart.withOwnTimes(): LogPart {
     val rows = stableOrder(at, at.indices.filter { !at[it].isNaN() }.toIntArray())
     val times = DoubleArray(rows.size) { at[rows[it]] }
     val topics = recording.topics.filter { it !== x }.map { topicAt(it, rows, times) }
-    return LogPart(file, Recording(RecordingFormat.WPILOG, null, recording.values, topics, 0, recording.problems))
+    return LogPart(file, Recording(RecordingFormat.WPILOG, null, recording.values, topics, 0, recording.problems), isOfFile = false)
 }
 
 private fun topicAt(topic: Topic, rows: IntArray, times: DoubleArray): Topic {
@@ -71,5 +78,3 @@ private fun topicAt(topic: Topic, rows: IntArray, times: DoubleArray): Topic {
     val kept = rows.indices.filter { hasText[it] || (whole.samples.isNotEmpty() && !whole.samples[it].isNaN()) }.toIntArray()
     return whole.part(kept, DoubleArray(kept.size) { times[kept[it]] })
 }
-
-private const val EVENT_LOG = "log"

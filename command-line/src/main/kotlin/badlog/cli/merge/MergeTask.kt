@@ -2,6 +2,7 @@ package badlog.cli.merge
 
 import badlog.cli.command.ExitCode
 import badlog.cli.command.LogLoop
+import badlog.cli.command.Outcome
 import badlog.cli.command.Outcomes
 import badlog.cli.command.Task
 import badlog.cli.console.Console
@@ -16,6 +17,7 @@ import badlog.cli.output.writeLog
 import badlog.recording.RecordingFormat
 import badlog.report.TopicException
 import badlog.report.withX
+import badlog.terminal.Progress
 import java.io.IOException
 import java.nio.file.Path
 
@@ -39,11 +41,7 @@ internal class MergeTask(
             if (parts.size < 2) {
                 throw Failure("Merging needs two logs or more, and there is ${if (parts.isEmpty()) "none" else "one"}.")
             }
-            val wanted = LogFormat.ofName(target)
-            val merged = merged(parts, wanted)
-            val format = wanted ?: LogFormat.of(merged.recording)
-            val leftOut = console.progress(target.fileName.toString()).use { writeLog(merged.recording, format, target, progress = it) }
-            outcomes.done(target, mergeOutcome(merged, target, leftOut))
+            outcomes.done(target, console.progress(target.fileName.toString()).use { merge(parts, target, it) })
         } catch (e: Throwable) {
             outcomes.failed(out, LogLoop.sentenceOf(e, out))
         }
@@ -51,10 +49,17 @@ internal class MergeTask(
     }
 
     /** Topics keep times of their own where one log has them, or the result can. */
-    private fun merged(parts: List<LogPart>, wanted: LogFormat?): Merged = if (parts.all { it.hasRows } && wanted?.hasRows != false) {
-        Merge(parts, mode).merged()
-    } else {
-        SampleMerge(parts.map { it.withOwnTimes() }, mode).merged()
+    private fun merge(parts: List<LogPart>, target: Path, progress: Progress): Outcome {
+        val wanted = LogFormat.ofName(target)
+        if (parts.all { it.hasRows } && wanted?.hasRows != false) {
+            val merged = Merge(parts, mode).merged()
+            val format = wanted ?: LogFormat.of(merged.recording)
+            return mergeOutcome(merged, target, writeLog(merged.recording, format, target, progress = progress))
+        }
+        parts.find { !it.hasRows }?.let { wanted?.require(it.recording, target) }
+        val lanes = RecordLanes(parts.map { it.withOwnTimes() }, mode)
+        val merged = lanes.write(target, progress)
+        return mergeOutcome(merged, target, lanes.leftOut)
     }
 
     private fun read(input: LogInput, console: Console, outcomes: Outcomes): LogPart? {

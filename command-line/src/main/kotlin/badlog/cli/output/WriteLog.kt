@@ -67,7 +67,8 @@ internal fun copyBeginning(log: Path, lostBytes: Long, target: Path, progress: P
     }
 }
 
-private fun inflate(log: Path, sink: (ByteArray, Int) -> Unit) = reading(log) {
+/** Gives the bytes of [log] to [sink], inflated if need be. */
+internal fun inflate(log: Path, sink: (ByteArray, Int) -> Unit) = reading(log) {
     Files.newInputStream(log).use { stream ->
         val piece = ByteArray(1 shl 16)
         var count = stream.readNBytes(piece, 0, piece.size)

@@ -15,6 +15,8 @@ import badlog.cli.output.Omissions
 import badlog.cli.output.OutputOptions
 import badlog.cli.output.OutputPlan
 import badlog.cli.output.copyBeginning
+import badlog.cli.output.copyRecords
+import badlog.cli.output.recordsOf
 import badlog.cli.output.writeLog
 import badlog.file.readRecording
 import badlog.formats.LOG_FORMATS
@@ -58,9 +60,8 @@ internal class RecoverTask(private val paths: List<Path>, private val plan: Outp
     private fun write(file: Path, recording: Recording, damage: Damage, target: Path, progress: Progress): Omissions {
         val format = LogFormat.of(recording)
         val lostBytes = damage.bytesAtEnd
-        if (format.hasRows || lostBytes == null) return writeLog(recording, format, target, progress = progress)
-        // A WPILOG of our own has the fields of structs, not the structs.
-        copyBeginning(file, lostBytes, target, progress)
+        if (format.hasRows) return writeLog(recording, format, target, progress = progress)
+        if (lostBytes != null) copyBeginning(file, lostBytes, target, progress) else copyRecords(recordsOf(file), target, progress) { all() }
         return Omissions()
     }
 }

@@ -18,8 +18,5 @@ internal fun Recording.part(runs: List<IntRange>): Recording {
     return copy(topics = topics.map { it.part(rows) }, rowCount = rows.size)
 }
 
-/** This topic under another name. */
-internal fun Topic.called(name: String): Topic = if (name == this.name) this else copy(name = name)
-
 /** This topic with other [attributes]. */
 internal fun Topic.with(attributes: List<String>): Topic = if (attributes == this.attributes) this else copy(attributes = attributes)

@@ -115,7 +115,8 @@ internal class Viewer(
 
     /** Shows [opened], which was just read, in one step for all who look. */
     fun show(opened: OpenRecording) = Snapshot.withMutableSnapshot {
-        // The folder's formulas may have come while the file was read.
+        // The folder's formulas may have come while the file was read. They are calculated on the window's thread then, which is rare
+        // and better than graphs that change as soon as they are seen.
         val recording = if (opened.definitions == formulas.definitions) opened else opened.withFormulas(formulas.definitions)
         current.replace(recording)
         compared.share(recording)

@@ -1,6 +1,5 @@
 package badlog.viewer.findings
 
-import badlog.analysis.Span
 import badlog.plot.timeline.FindingTimeline
 import badlog.recording.Severity
 import badlog.rules.Finding
@@ -50,7 +49,7 @@ internal class FindingList(
     val all: List<Finding> = found.sortedWith(compareBy({ it.time.isFinite() }, { it.time }))
 
     /** They by their places on x. */
-    val timeline: FindingTimeline<Finding> = FindingTimeline(all, { it.severity }, ::placesOf)
+    val timeline: FindingTimeline<Finding> = FindingTimeline(all, { it.severity }, { it.places })
 
     /** Where the place of [finding] begins that is nearest to [x]. */
     fun placeNear(finding: Finding, x: Double): Double = timeline.places.filter { it.finding === finding }
@@ -61,10 +60,4 @@ internal class FindingList(
 
     /** The one that says the same as [finding], of which there may be another one since the log has grown; null without any. */
     fun like(finding: Finding): Finding? = all.find { it.rule == finding.rule && it.topic == finding.topic }
-}
-
-/** Everywhere [finding] was found; empty when it is about the whole log. */
-private fun placesOf(finding: Finding): List<Span> = when {
-    !finding.time.isFinite() -> emptyList()
-    else -> finding.spans.ifEmpty { listOf(Span(finding.time, finding.time)) }
 }

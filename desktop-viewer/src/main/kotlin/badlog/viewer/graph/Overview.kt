@@ -28,6 +28,7 @@ import androidx.compose.ui.unit.dp
 import badlog.analysis.Span
 import badlog.plot.board.BoardGraph
 import badlog.plot.board.everChanges
+import badlog.plot.timeline.FindingMarks
 import badlog.viewer.graph.mark.drawEnabled
 import badlog.viewer.graph.mark.drawEventMarks
 import badlog.viewer.graph.mark.drawFindings
@@ -51,6 +52,7 @@ internal fun Overview(scene: GraphScene) {
     val palette = LocalPalette.current
     val state = scene.plots.state(OVERVIEW)
     val density = LocalDensity.current.density
+    val marks = remember { FindingMarks() }
     val spec = remember(scene.current.recording) { scene.current.recording?.let(::overviewSpec) }
     PictureEffect(state, scene.plots.curves) {
         val size = state.size
@@ -69,7 +71,7 @@ internal fun Overview(scene: GraphScene) {
                 .semantics { contentDescription = "Overview" }
                 .overviewPointer(scene),
         ) {
-            Spacer(Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind { drawWhole(scene, state, palette) })
+            Spacer(Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind { drawWhole(scene, state, marks, palette) })
             Spacer(Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind { drawWindow(scene, palette) })
         }
         HorizontalDivider(Modifier.align(Alignment.BottomCenter))
@@ -86,13 +88,13 @@ internal fun overviewSpec(open: OpenRecording): BoardGraph? {
     return BoardGraph(OVERVIEW, chosen.name, listOf(chosen.name))
 }
 
-private fun DrawScope.drawWhole(scene: GraphScene, state: PlotState, palette: Palette) {
+private fun DrawScope.drawWhole(scene: GraphScene, state: PlotState, marks: FindingMarks, palette: Palette) {
     val full = scene.view.viewport.full
     drawRect(palette.page)
     drawEnabled(scene.current.recording?.enabled.orEmpty(), full, palette)
     scene.pictureOf(state)?.let { drawLines(it, full) }
     drawEventMarks(scene.events.matching, full, palette, hasLines = false)
-    drawFindings(scene.findings.state.list?.timeline, full, palette)
+    drawFindings(scene.findings.state.list?.timeline, marks, full, palette)
 }
 
 private fun DrawScope.drawWindow(scene: GraphScene, palette: Palette) {

@@ -73,9 +73,11 @@ internal fun StatisticsPanel(compared: ComparedRecordings, board: GraphBoard, vi
     }
 }
 
-private data class Asked(val drawn: List<DrawnRecording>, val names: List<String>, val isSelection: Boolean, val span: Span)
+/** What statistics are of; as long as it stays equal, nothing is calculated again. */
+internal data class Asked(val drawn: List<DrawnRecording>, val names: List<String>, val isSelection: Boolean, val span: Span)
 
-private fun askedFor(compared: ComparedRecordings, board: GraphBoard, view: AxisView): Asked {
+/** What is to be seen now. */
+internal fun askedFor(compared: ComparedRecordings, board: GraphBoard, view: AxisView): Asked {
     val selection = view.selection
     val names = board.state.graphs.flatMap { it.lines }.distinct()
     return Asked(compared.drawn, names, selection != null, selection ?: view.viewport.visible)

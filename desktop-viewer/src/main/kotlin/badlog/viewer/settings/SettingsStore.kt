@@ -1,6 +1,7 @@
 package badlog.viewer.settings
 
 import androidx.compose.runtime.snapshotFlow
+import badlog.file.writeAtomically
 import badlog.viewer.part.Part
 import badlog.viewer.task.Notices
 import kotlinx.coroutines.Dispatchers
@@ -14,7 +15,6 @@ import kotlinx.serialization.json.Json
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
-import java.nio.file.StandardCopyOption
 
 /** Keeps [Settings] in a file of the user's. A missing or damaged one is as none. */
 internal class SettingsFile(private val file: Path) {
@@ -41,14 +41,7 @@ internal class SettingsFile(private val file: Path) {
      * @throws IOException when it cannot be written.
      */
     fun write(settings: Settings) {
-        Files.createDirectories(file.parent)
-        val draft = Files.createTempFile(file.parent, "settings", ".json")
-        try {
-            Files.writeString(draft, json.encodeToString(Settings.serializer(), settings))
-            Files.move(draft, file, StandardCopyOption.REPLACE_EXISTING)
-        } finally {
-            Files.deleteIfExists(draft)
-        }
+        writeAtomically(file) { it.write(json.encodeToString(Settings.serializer(), settings).encodeToByteArray()) }
     }
 
     companion object {

@@ -14,7 +14,8 @@ import badlog.plot.range.Viewport
 internal class AxisView {
     private var state by mutableStateOf(AxisState())
 
-    // Each read by itself, so that a cursor that moves draws nothing again but the cursor.
+    // Each read by itself, so that a cursor that moves draws nothing again but the cursor. What is put together of them for a
+    // snapshotFlow needs an equals of its own, as data classes have: else each move of the cursor flows on as news.
 
     /** Which part of x is visible. */
     val viewport: Viewport by derivedStateOf { state.viewport }

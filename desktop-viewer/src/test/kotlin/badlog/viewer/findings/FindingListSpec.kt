@@ -27,6 +27,17 @@ class FindingListSpec : FunSpec({
         summaryOf(list) shouldBe "2 errors, 1 warning, 1 note"
     }
 
+    test("each mark of a finding leads to its own place, and what lies between two of them to the nearer one") {
+        val often = tempdir().toPath().also { writeRules(it, ruleText("Often", "B > 0.5"), ruleText("Whole", "mean(A) > 10")) }
+        val found = findingsIn(counted(often))
+        val finding = found.all.single { it.rule == "Often" }
+        found.timeline.places.map { found.placeNear(finding, it.span.from) } shouldContainExactly List(10) { it * 10.0 }
+        found.placeNear(finding, 43.0) shouldBe 40.0
+        found.placeNear(finding, 48.0) shouldBe 50.0
+        found.placeNear(finding, 1e6) shouldBe 90.0
+        found.placeNear(found.all.single { it.rule == "Whole" }, 43.0).isNaN() shouldBe true
+    }
+
     test("a finding is marked where it holds, and where to look first") {
         list.timeline.places.map { "${it.finding.rule} ${it.span.from.toInt()} ${it.span.to.toInt()}" } shouldContainExactly
             list.all.filter { it.time.isFinite() }.flatMap { finding -> finding.spans.map { "${finding.rule} ${it.from.toInt()} ${it.to.toInt()}" } }

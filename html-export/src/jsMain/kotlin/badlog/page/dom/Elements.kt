@@ -1,7 +1,11 @@
 package badlog.page.dom
 
 import kotlinx.browser.document
+import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
+
+/** Whether the screen is one of the narrow ones, as the style sheet has it. */
+internal val isNarrow: Boolean get() = window.innerWidth <= 760
 
 /** Makes an element. [text] becomes a text node, so that nothing in a file can become markup. */
 internal fun element(tag: String, className: String = "", text: String = "", build: HTMLElement.() -> Unit = {}): HTMLElement {

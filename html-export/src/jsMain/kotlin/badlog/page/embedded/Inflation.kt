@@ -122,10 +122,7 @@ internal class Inflation(private val expectedBytes: Double, private val isWhole:
         }.run()
     }
 
-    companion object {
-        private const val QUIET_MILLISECONDS = 300
-
-        /** Whether this browser can inflate. */
-        val isPossible: Boolean get() = js("typeof DecompressionStream === 'function'").unsafeCast<Boolean>()
+    private companion object {
+        const val QUIET_MILLISECONDS = 300
     }
 }

@@ -146,7 +146,8 @@ internal class GraphCard(val graph: Graph, private val scene: Scene, origin: Str
         legend.update(scene.cursor)
     }
 
-    private fun redraw() {
+    /** Draws again what is drawn, as it is now. */
+    fun redraw() {
         isStale = false
         plot?.redraw()
         overlay?.update()

@@ -59,6 +59,11 @@ internal class VisibleGraphs(private val scene: Scene) {
         part(card)
     }
 
+    /** Draws everything again where it is. */
+    fun redraw() {
+        for (card in near) card.redraw()
+    }
+
     /** Draws everything again with the colors and the screen of now. */
     fun repaint() {
         for (card in near) card.repaint()

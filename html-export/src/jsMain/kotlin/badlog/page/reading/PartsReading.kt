@@ -25,6 +25,9 @@ internal class PartsReading private constructor(
     private val parser = BagParser(about.inflatedBytes.toLong(), keepSamples = true, NumberSinks.RECORDING, about.lines.toLong())
     private val answers = HashMap<Int, dynamic>()
     private val count = about.parts.size - 1
+
+    /** Those with room for one more part, once for each. */
+    private val ready = ArrayDeque<Worker>()
     private var held = ""
     private var sent = 0
     private var taken = 0
@@ -75,12 +78,11 @@ internal class PartsReading private constructor(
             taken++
         }
         onProgress(takenBytes / about.inflatedBytes)
-        when {
-            taken == count -> finish()
-            taken > 0 && parser.readsDecimalComma == null -> fail("No rows begin in the first part.")
-            message.part == 0 -> repeat(AHEAD) { workers.forEach(::send) }
-            else -> send(worker)
-        }
+        if (taken == count) return finish()
+        if (taken > 0 && parser.readsDecimalComma == null) return fail("No rows begin in the first part.")
+        if (message.part == 0) repeat(AHEAD) { ready += workers } else ready += worker
+        // What fast workers read waits for the slowest, and takes memory.
+        while (ready.isNotEmpty() && sent - taken < workers.size * MAX_AHEAD) send(ready.removeFirst())
     }
 
     private fun finish() {
@@ -101,6 +103,9 @@ internal class PartsReading private constructor(
 
         /** So many parts are on their way to each worker. */
         private const val AHEAD = 2
+
+        /** So many parts for each worker are on their way, or wait for those before them. */
+        private const val MAX_AHEAD = 4
         private const val MAX_WORKERS = 4
 
         /** Starts, and promises the recording; null where it has no parts, or the browser cannot read them at a time. */

@@ -5,10 +5,10 @@ import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
+import badlog.page.dom.isNarrow
 import badlog.page.dom.showText
 import badlog.page.view.Scene
 import badlog.page.view.end
-import badlog.page.view.places
 import badlog.page.view.word
 import badlog.plot.search.Query
 import badlog.plot.text.countText
@@ -90,7 +90,7 @@ internal class FindingList(private val scene: Scene, private val onJump: () -> U
     /** Says that the rules could not be run, because of [reason]. */
     fun fail(reason: String) {
         isSearching = false
-        addProblem("The rules could not be run: $reason")
+        addProblem("The rules could not be run (${reason.trimEnd('.')}); reload the page, or run badlog report on the file.")
         showFound()
     }
 
@@ -177,10 +177,7 @@ internal class FindingList(private val scene: Scene, private val onJump: () -> U
 
     private companion object {
         /** So many stand on the page before a person asks for more. */
-        val FEW = if (window.innerWidth > NARROW) 5 else 3
-
-        /** The widest of narrow screens in pixels, as the style sheet has it. */
-        const val NARROW = 760
+        val FEW = if (isNarrow) 3 else 5
 
         /** So many rows are made at a time. */
         const val PAGE = 300

@@ -4,6 +4,7 @@ import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
+import badlog.page.dom.isNarrow
 import badlog.page.dom.showText
 import badlog.plot.text.countText
 import org.w3c.dom.HTMLElement
@@ -42,7 +43,7 @@ internal class FolderNavigation(private val folders: FolderList) {
         links.clear()
         counts.clear()
         choice.textContent = ""
-        choice.add("option", "", "Go to folder…")
+        choice.add("option", "", if (isNarrow) "Folders" else "Go to folder…")
         for (section in folders.sections) {
             choice.add("option", "", section.shortCaption)
             val link = list.addButton("folder-link", "", section.folder.name) { section.reveal() }.apply {

@@ -102,7 +102,11 @@ internal class LogPage(
             onFindings = { found ->
                 scene.findings = timelineOf(found.findings + embeddedFindings)
                 findings.show(found.skipped)
-                if (found.findings.isNotEmpty()) repaint()
+                // Into the graphs that are there: somebody may be dragging over one.
+                if (found.findings.isNotEmpty()) {
+                    graphs.redraw()
+                    zoomBar.repaint()
+                }
                 setRulesState("done")
             },
             onFailure = { reason ->

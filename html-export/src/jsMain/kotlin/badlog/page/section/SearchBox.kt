@@ -3,6 +3,7 @@ package badlog.page.section
 import badlog.page.dom.Icon
 import badlog.page.dom.add
 import badlog.page.dom.element
+import badlog.page.dom.isNarrow
 import badlog.page.dom.showText
 import badlog.page.view.Hits
 import badlog.plot.search.Query
@@ -26,7 +27,7 @@ internal class SearchBox(private val search: (Query) -> Hits) {
     init {
         input.id = "search"
         input.type = "search"
-        input.placeholder = "Search topics, values, events"
+        input.placeholder = if (isNarrow) "Search" else "Search topics, values, events"
         input.autocomplete = "off"
         input.spellcheck = false
         input.setAttribute("aria-label", "Search")

@@ -1,6 +1,5 @@
 package badlog.page.view
 
-import badlog.analysis.Span
 import badlog.plot.text.countText
 import badlog.plot.timeline.FindingTimeline
 import badlog.rules.Finding
@@ -10,10 +9,6 @@ internal fun timelineOf(findings: List<Finding>): FindingTimeline<Finding> = Fin
 
 /** Whether it has a place on the x axis. */
 internal val Finding.isPlaced: Boolean get() = time.isFinite()
-
-/** Everywhere it was found, the first place first; none when it is about the whole. */
-internal val Finding.places: List<Span>
-    get() = if (isPlaced) spans.ifEmpty { listOf(Span(time, time)) } else emptyList()
 
 /** Where it ends first, or stands. */
 internal val Finding.end: Double get() = maxOf(time, spans.firstOrNull()?.to ?: time)

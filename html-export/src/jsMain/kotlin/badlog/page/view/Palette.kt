@@ -2,6 +2,7 @@ package badlog.page.view
 
 import badlog.plot.color.LINE_COLORS
 import badlog.plot.color.Shade
+import badlog.plot.color.cssColor
 import badlog.plot.color.lineColor
 import badlog.plot.color.stateOpacity
 import badlog.recording.Severity
@@ -11,15 +12,15 @@ import org.w3c.dom.HTMLElement
 /** The colors of the theme of now, as canvases and the style sheet write them. */
 internal class Palette(var isDark: Boolean = false) {
     /** The color of line [index], from 0. */
-    fun line(index: Int): String = hex(lineColor(index, isDark))
+    fun line(index: Int): String = cssColor(lineColor(index, isDark))
 
     /** The color of a block in state [index], from 0: a line's color, quiet enough for text upon it. */
-    fun state(index: Int): String = line(index) + hexOpacity(stateOpacity(isDark))
+    fun state(index: Int): String = cssColor(lineColor(index, isDark), stateOpacity(isDark))
 
     /** The color of what is of [severity]. */
     fun severity(severity: Severity): String = this[SEVERITIES[severity.ordinal]]
 
-    operator fun get(shade: Shade): String = hex(shade.of(isDark))
+    operator fun get(shade: Shade): String = cssColor(shade.of(isDark))
 
     /** Gives the colors to the style sheet. */
     fun apply() {
@@ -27,12 +28,8 @@ internal class Palette(var isDark: Boolean = false) {
         root.setAttribute("data-theme", if (isDark) "dark" else "light")
         for (shade in Shade.entries) root.style.setProperty("--" + shade.name.lowercase().replace('_', '-'), this[shade])
         for (index in 0 until LINE_COLORS) root.style.setProperty("--line-$index", line(index))
-        root.style.setProperty("--accent-veil", this[Shade.ACCENT] + hexOpacity(VEIL))
+        root.style.setProperty("--accent-veil", cssColor(Shade.ACCENT.of(isDark), VEIL))
     }
-
-    private fun hex(color: Int) = "#" + color.toString(16).padStart(6, '0')
-
-    private fun hexOpacity(share: Double) = (share * 255).toInt().toString(16)
 
     private companion object {
         val SEVERITIES = listOf(Shade.MUTED, Shade.WARNING, Shade.ERROR)

@@ -16,16 +16,19 @@ import java.util.concurrent.atomic.AtomicInteger
 
 /**
  * Parses on threads of its own, while the calling one reads or inflates the next piece. The rows of a bag are read in batches on
- * all cores and put together on one thread, which also reads what is not plain rows. Few pieces are in flight, which bounds the
+ * several cores and put together on one thread, which also reads what is not plain rows. Few pieces are in flight, which bounds the
  * memory.
+ *
+ * @param cores on how many cores it reads rows, at least 2.
  */
 internal class ParsingThreads(
     formats: List<LogFormat>,
     private val expectedBytes: Long,
     private val keepSamples: Boolean,
-    private val pieceSize: Int = PIECE_SIZE,
     private val sinks: NumberSinks = NumberSinks.RECORDING,
+    private val cores: Int = 2,
     private val expectedLines: Long = 0,
+    private val pieceSize: Int = PIECE_SIZE,
 ) : AutoCloseable {
     private class Piece(size: Int) {
         val bytes = ByteArray(size)
@@ -36,13 +39,13 @@ internal class ParsingThreads(
 
     private var bag: BagParser? = null
     private val parser = RecordingParser(formats, keepSamples) { bagParser().also { bag = it } }
-    private val batching = pool("badlog-rows", CORES)
+    private val batching = pool("badlog-rows", cores)
     private val putting = pool("badlog-parse", 1)
     private val inFlight = ArrayDeque<Piece>()
     private var filling = Piece(pieceSize)
 
     // Until the header is read, one piece waits for the other.
-    private var mayBeBag = CORES > 1
+    private var mayBeBag = true
     private var readsDecimalComma: BooleanArray? = null
 
     /** Takes the first [size] of [bytes], which follow those of the calls before. Keeps no reference. */
@@ -73,7 +76,7 @@ internal class ParsingThreads(
     /** Submits the first [end] bytes of the piece; the others begin the next one. */
     private fun submit(end: Int) {
         val piece = filling
-        filling = if (inFlight.size < IN_FLIGHT) Piece(pieceSize) else awaitFirst()
+        filling = if (inFlight.size < cores + SPARE_PIECES) Piece(pieceSize) else awaitFirst()
         piece.bytes.copyInto(filling.bytes, 0, end, piece.size)
         filling.size = piece.size - end
         piece.size = end
@@ -104,7 +107,7 @@ internal class ParsingThreads(
     private fun forAll(count: Int, work: (Int) -> Unit) {
         val next = AtomicInteger()
         fun share() = generateSequence { next.getAndIncrement().takeIf { it < count } }.forEach(work)
-        val others = List(CORES - 1) { batching.submit { share() } }
+        val others = List(cores - 1) { batching.submit { share() } }
         share()
         for (other in others) await(other)
     }
@@ -112,8 +115,9 @@ internal class ParsingThreads(
     private companion object {
         const val PIECE_SIZE = 1 shl 18
         const val LINE_FEED = '\n'.code.toByte()
-        val CORES = Runtime.getRuntime().availableProcessors()
-        val IN_FLIGHT = CORES + 3
+
+        /** So many pieces are in flight besides those that are being read. */
+        const val SPARE_PIECES = 3
 
         fun pool(name: String, size: Int): ExecutorService =
             Executors.newFixedThreadPool(size) { work -> Thread(work, name).apply { isDaemon = true } }

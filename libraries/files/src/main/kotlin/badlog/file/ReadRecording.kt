@@ -11,8 +11,12 @@ import java.nio.file.Path
 
 /**
  * Reads [file]: a bag, a CSV file or a log of one of [formats], perhaps compressed with gzip; its content decides, never its
- * name. Whatever is wrong in it becomes a problem of the recording. It is read on all cores. Besides the recording, it holds
- * less than 3 MB, and 1 MB for each core, whatever the file's size.
+ * name. Whatever is wrong in it becomes a problem of the recording.
+ *
+ * Besides the recording, it holds pieces of the file, never the file: less than 1 MB on the calling thread, where small files and logs
+ * of records are always read; else [cores] and five more pieces of 256 kB, and the numbers read from them, which take up to four times
+ * as much where they have one digit. A longer row takes twice its length. A column that outgrows its room is copied, so that for a
+ * moment it is there twice.
  *
  * @param formats what it may be besides a bag and a CSV file.
  * @param keepSamples false to find only topics, counts and problems, in memory that does not grow with the file.
@@ -20,7 +24,9 @@ import java.nio.file.Path
  *   half of a row in a file that is still being written, and no problem. So is the half of a record at the end of a log of records.
  *   Without effect on a compressed file.
  * @param sinks where the numbers of a bag's or CSV file's topics go that the recording is not to have; texts and counts are in it
- *   all the same.
+ *   all the same. It is asked, and each of its sinks is called, on one thread at a time, though not always on the same and not on the
+ *   calling one; all calls have returned when this one does. Each sink gets each row once, in order. Logs of records have no use for it.
+ * @param cores on how many cores a large file is read; 1 for the calling thread alone, where others read other files meanwhile.
  * @param progress hears, on the calling thread and about once a megabyte, how many bytes of the file are read and how many
  *   it had at the beginning. What it throws stops the reading and is passed on.
  * @throws UnreadableFileException when the file is missing, is not a regular file, or cannot be read.
@@ -32,50 +38,55 @@ public fun readRecording(
     keepSamples: Boolean = true,
     untilLastLineEnd: Boolean = false,
     sinks: NumberSinks = NumberSinks.RECORDING,
+    cores: Int = Runtime.getRuntime().availableProcessors(),
     progress: (doneBytes: Long, totalBytes: Long) -> Unit = { _, _ -> },
 ): Recording {
     requireRegularFile(file)
     return reading(file) { FileChannel.open(file) }.use { channel ->
         val pieces = FilePieces(file, channel, progress)
-        fun threads(expectedBytes: Long) = ParsingThreads(formats, expectedBytes, keepSamples, sinks = sinks)
+        val isGzip = pieces.beginning(GzipReader.SIGNATURE_SIZE, GzipReader::isGzip)
         val isOfRecords = formats.any { pieces.beginning(it.signatureSize, it::matches) }
-        val end = if (untilLastLineEnd && !isOfRecords) pieces.lastLineEnd() else pieces.total
-        val until = if (untilLastLineEnd && !isOfRecords) end else Long.MAX_VALUE
-        when {
-            pieces.beginning(GzipReader.SIGNATURE_SIZE, GzipReader::isGzip) -> readGzip(pieces, threads(pieces.inflatedSize()))
-
-            isOfRecords || end < MIN_PARALLEL -> {
-                val parser =
-                    RecordingParser(formats, keepSamples) { BagParser(end, keepSamples, sinks) }
-                val recording = readPlain(pieces, until, parser)
-                if (untilLastLineEnd) recording.without(ProblemKind.RECORD_CUT) else recording
-            }
-
-            else -> {
-                val lines = if (keepSamples) reading(file) { countLines(channel, end) } else 0
-                ParsingThreads(formats, end, keepSamples, sinks = sinks, expectedLines = lines).use { parsing ->
-                    pieces.forEach(until, parsing::accept)
-                    parsing.finish()
-                }
-            }
+        val end = if (untilLastLineEnd && !isGzip && !isOfRecords) pieces.lastLineEnd() else null
+        val until = end ?: Long.MAX_VALUE
+        val expectedBytes = if (isGzip) pieces.inflatedSize() else end ?: pieces.total
+        val isLarge = if (isGzip) {
+            maxOf(expectedBytes, pieces.total * GZIP_GROWTH) >= MIN_PARALLEL_GZIP
+        } else {
+            !isOfRecords && expectedBytes >= MIN_PARALLEL
         }
+        val lines = if (isLarge && !isGzip && keepSamples) reading(file) { countLines(channel, expectedBytes, cores) } else 0L
+        val recording = if (isLarge && cores > 1) {
+            ParsingThreads(formats, expectedBytes, keepSamples, sinks, cores, lines).use { parsing ->
+                pieces.read(isGzip, until, parsing::accept, parsing::finish)
+            }
+        } else {
+            val parser = RecordingParser(formats, keepSamples) { BagParser(expectedBytes, keepSamples, sinks, lines) }
+            pieces.read(isGzip, until, { bytes, size -> parser.accept(bytes, 0, size) }, parser::finish)
+        }
+        if (untilLastLineEnd && isOfRecords) recording.without(ProblemKind.RECORD_CUT) else recording
     }
 }
 
 /** Smaller files are read before Java has translated for each of several threads what one needs. */
 private const val MIN_PARALLEL = 64L shl 20
 
-private fun readPlain(pieces: FilePieces, until: Long, parser: RecordingParser): Recording {
-    pieces.forEach(until) { bytes, size -> parser.accept(bytes, 0, size) }
-    return parser.finish()
-}
+/** Inflating is work enough for a thread of its own earlier. */
+private const val MIN_PARALLEL_GZIP = 1L shl 20
 
-private fun Recording.without(kind: ProblemKind) = copy(problems = problems.filter { it.kind != kind })
+/** How much more a gzip file holds, where its end does not tell. */
+private const val GZIP_GROWTH = 4
 
-private fun readGzip(pieces: FilePieces, threads: ParsingThreads): Recording = threads.use { parsing ->
-    GzipReader(parsing::accept).use { reader ->
-        pieces.forEach { bytes, size -> reader.accept(bytes, 0, size) }
-        val recording = parsing.finish()
+/** Gives the bytes before [until] to [accept], inflated where need be; returns what [finish] made of them. */
+private fun FilePieces.read(isGzip: Boolean, until: Long, accept: (ByteArray, Int) -> Unit, finish: () -> Recording): Recording {
+    if (!isGzip) {
+        forEach(until, accept)
+        return finish()
+    }
+    return GzipReader(accept).use { reader ->
+        forEach { bytes, size -> reader.accept(bytes, 0, size) }
+        val recording = finish()
         if (reader.isCut) recording.withGzipCut(reader.inflatedBytes) else recording
     }
 }
+
+private fun Recording.without(kind: ProblemKind) = copy(problems = problems.filter { it.kind != kind })

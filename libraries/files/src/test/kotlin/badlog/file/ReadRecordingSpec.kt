@@ -6,6 +6,8 @@ import badlog.bag.VARIED_ROWS
 import badlog.bag.describe
 import badlog.bag.parse
 import badlog.formats.LOG_FORMATS
+import badlog.recording.NumberSink
+import badlog.recording.NumberSinks
 import badlog.recording.ProblemKind
 import badlog.wpilog.VARIED_LOG
 import badlog.wpilog.describeLog
@@ -16,12 +18,14 @@ import io.kotest.matchers.booleans.shouldBeFalse
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldBeSorted
 import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.ints.shouldBeInRange
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import java.io.File
 import java.io.IOException
 import java.nio.file.Path
+import java.util.concurrent.ConcurrentHashMap
 import kotlin.io.path.writeBytes
 import kotlin.time.Duration.Companion.seconds
 
@@ -38,6 +42,30 @@ class ReadRecordingSpec : FunSpec({
                 describe(readRecording(fileOf(folder, text.encodeToByteArray()), LOG_FORMATS)) shouldBe expected
                 describe(readRecording(fileOf(folder, gzip(text.encodeToByteArray())), LOG_FORMATS)) shouldBe expected
             }
+        }
+    }
+
+    test("a large file on one core, and a small one in any case, is read without other threads") {
+        inFolder { folder ->
+            val small = VARIED_HEADER + "0.020000,-1.2346e+05,\"armed, ready\",false\n".repeat(20_000)
+            for ((text, cores) in listOf(LARGE to 1, small to 2)) {
+                for (content in listOf(text.encodeToByteArray(), gzip(text.encodeToByteArray()))) {
+                    val threads = ConcurrentHashMap.newKeySet<Thread>()
+                    val sinks = NumberSinks { _, _ -> NumberSink { _, _ -> threads += Thread.currentThread() } }
+                    readRecording(fileOf(folder, content), LOG_FORMATS, sinks = sinks, cores = cores)
+                    threads shouldBe setOf(Thread.currentThread())
+                }
+            }
+        }
+    }
+
+    test("counts alone may be wanted while the numbers go elsewhere, on as many cores as there are") {
+        inFolder { folder ->
+            var sum = 0.0
+            val sinks = NumberSinks { name, _ -> if (name == parse(LARGE).topics[0].name) NumberSink { _, number -> sum += number } else null }
+            val recording = readRecording(fileOf(folder, LARGE.encodeToByteArray()), LOG_FORMATS, keepSamples = false, sinks = sinks, cores = 3)
+            recording.rowCount shouldBe 150_000
+            sum shouldBe (3000.0 plusOrMinus 0.001)
         }
     }
 

@@ -26,6 +26,9 @@ internal class EntryWriter(
     private val isFloating = payload == Payload.FLOAT || payload == Payload.DOUBLE
     private val isNaNValue = isFloating && topic.counts.empty == 0
     private val isNaNGap = isFloating && !isNaNValue && !topic.isSparse
+
+    // What is said twice was said twice.
+    private val happens = topic.kind == TopicKind.EVENT || "log" in topic.attributes
     private var next = 0
     private var nextText = 0
     private var last = Double.NaN
@@ -69,7 +72,7 @@ internal class EntryWriter(
     private fun hasNumber(index: Int) = topic.samples.isNotEmpty() && !topic.samples[index].isNaN()
 
     private fun writeText(out: RecordBuffer, micros: Double, text: Int) {
-        if (changesOnly && text == lastText) {
+        if (changesOnly && text == lastText && !happens) {
             repeats++
             return
         }

@@ -17,6 +17,9 @@ internal abstract class PayloadDecoder {
     /** What was made of them; may be empty. */
     abstract val blocks: List<SampleBlock>
 
+    /** Whether the payload from [from] until [until] has the bytes that the type asks for. */
+    open fun fits(bytes: ByteArray, from: Int, until: Int): Boolean = true
+
     /** Takes the payload from [from] until [until] of a record at [time]. */
     abstract fun accept(time: Double, bytes: ByteArray, from: Int, until: Int)
 
@@ -37,13 +40,15 @@ internal class LayoutDecoder(source: ColumnSource, private val layout: ValueLayo
     private val leaves = layout.leaves.toTypedArray()
 
     override fun accept(time: Double, bytes: ByteArray, from: Int, until: Int) {
-        if (until - from != layout.width) {
+        if (!fits(bytes, from, until)) {
             badCount++
             return
         }
         for (i in leaves.indices) leaves[i].read(bytes, from, columns[i])
         timestamps.add(time)
     }
+
+    override fun fits(bytes: ByteArray, from: Int, until: Int): Boolean = until - from == layout.width
 }
 
 /** Payloads that are a text. */
@@ -97,12 +102,11 @@ internal class LayoutArrayDecoder(source: ColumnSource, private val layout: Valu
     private val leaves = layout.leaves.toTypedArray()
 
     override fun accept(time: Double, bytes: ByteArray, from: Int, until: Int) {
-        val size = until - from
-        if (layout.width == 0 || size % layout.width != 0) {
+        if (!fits(bytes, from, until)) {
             badCount++
             return
         }
-        val count = size / layout.width
+        val count = (until - from) / layout.width
         for (index in 0 until count) {
             val block = elements.next(index, time)
             if (block == null) {
@@ -114,6 +118,8 @@ internal class LayoutArrayDecoder(source: ColumnSource, private val layout: Valu
         }
         elements.end(count, time)
     }
+
+    override fun fits(bytes: ByteArray, from: Int, until: Int): Boolean = layout.width > 0 && (until - from) % layout.width == 0
 }
 
 /** Arrays of texts: their number, then each with its length before it. */
@@ -137,6 +143,8 @@ internal class TextArrayDecoder(source: ColumnSource) : ArrayDecoder(source, lis
         }
         elements.end(count, time)
     }
+
+    override fun fits(bytes: ByteArray, from: Int, until: Int): Boolean = countOf(bytes, from, until) >= 0
 
     /** How many texts there are; -1 unless they fill the payload. */
     private fun countOf(bytes: ByteArray, from: Int, until: Int): Int {

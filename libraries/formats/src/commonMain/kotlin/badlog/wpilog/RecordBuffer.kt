@@ -21,9 +21,9 @@ internal class RecordBuffer {
     }
 
     /** Begins entry [id]. */
-    fun start(id: Int, name: String, type: String, metadata: String) {
+    fun start(id: Int, name: String, type: String, metadata: String, micros: Double = 0.0) {
         val texts = listOf(name, type, metadata).map { it.encodeToByteArray() }
-        head(0, 0.0, 1 + Int.SIZE_BYTES + texts.sumOf { Int.SIZE_BYTES + it.size })
+        head(0, micros, 1 + Int.SIZE_BYTES + texts.sumOf { Int.SIZE_BYTES + it.size })
         byte(0)
         number(id, Int.SIZE_BYTES)
         for (text in texts) {
@@ -55,6 +55,19 @@ internal class RecordBuffer {
     fun string(id: Int, micros: Double, text: ByteArray) {
         head(id, micros, text.size)
         raw(text)
+    }
+
+    /** A record, or part of a file, as it stands in [source] from [from] until [until]. */
+    fun copy(source: ByteArray, from: Int, until: Int) {
+        reserve(until - from)
+        source.copyInto(bytes, size, from, until)
+        size += until - from
+    }
+
+    /** A record of entry [id], 0 for a control record, with the payload that stands in [source] from [from] until [until]. */
+    fun record(id: Int, micros: Double, source: ByteArray, from: Int, until: Int) {
+        head(id, micros, until - from)
+        copy(source, from, until)
     }
 
     // Each length in as few bytes as it fits in, as WPILib's own writer has it.

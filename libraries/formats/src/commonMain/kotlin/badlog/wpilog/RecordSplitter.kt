@@ -17,8 +17,8 @@ internal interface RecordSink {
     /** The twelve bytes of the header at [from] and the text after them, up to [until]; false when this is not a WPILOG. */
     fun header(bytes: ByteArray, from: Int, until: Int): Boolean
 
-    /** A record of entry [id] at [micros], with its payload from [from] until [until]. */
-    fun record(id: Int, micros: Double, bytes: ByteArray, from: Int, until: Int): RecordFate
+    /** A record of entry [id] at [micros], which begins at [head] and has its payload from [from] until [until]. */
+    fun record(id: Int, micros: Double, bytes: ByteArray, head: Int, from: Int, until: Int): RecordFate
 }
 
 /** Cuts bytes that arrive in pieces into the records of a WPILOG. Holds one record at most, and only what has arrived. */
@@ -138,7 +138,7 @@ internal class RecordSplitter(private val sink: RecordSink) {
         val timeAt = from + 1 + idSize + (head shr 2 and 3) + 1
         val timeSize = (head shr 4 and 7) + 1
         val id = unsignedAt(bytes, from + 1, idSize)
-        return sink.record(id, wideAt(bytes, timeAt, timeSize), bytes, timeAt + timeSize, until)
+        return sink.record(id, wideAt(bytes, timeAt, timeSize), bytes, from, timeAt + timeSize, until)
     }
 
     // Bytes after damage may look like records of entries that there are not.

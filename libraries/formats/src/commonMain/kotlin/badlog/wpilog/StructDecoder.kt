@@ -33,6 +33,8 @@ internal class StructDecoder(
         if (heldBytes > MAX_HELD) decodeBy(SizeDecoder(source))
     }
 
+    override fun fits(bytes: ByteArray, from: Int, until: Int): Boolean = decoder?.fits(bytes, from, until) != false
+
     override fun finish() {
         if (decoder == null) tryToDecode()
         known()

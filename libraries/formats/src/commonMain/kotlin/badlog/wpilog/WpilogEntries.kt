@@ -65,14 +65,14 @@ internal class WpilogEntries(private val source: ColumnSource, private val probl
         return true
     }
 
-    override fun record(id: Int, micros: Double, bytes: ByteArray, from: Int, until: Int): RecordFate {
+    override fun record(id: Int, micros: Double, bytes: ByteArray, head: Int, from: Int, until: Int): RecordFate {
         if (id == 0) {
             if (!control(bytes, from, until)) return RecordFate.NONSENSE
             recordCount++
             return RecordFate.READ
         }
         recordCount++
-        val entry = if (id in byId.indices) byId[id] else byLargeId[id]
+        val entry = entryOf(id)
         if (entry == null) {
             if (unknownCount++ == 0) firstUnknown = id
             return RecordFate.UNKNOWN
@@ -88,6 +88,9 @@ internal class WpilogEntries(private val source: ColumnSource, private val probl
         return RecordFate.READ
     }
 
+    /** The entry that has the number [id] now, or null. */
+    fun entryOf(id: Int): Entry? = if (id in byId.indices) byId[id] else byLargeId[id]
+
     private fun control(bytes: ByteArray, from: Int, until: Int): Boolean {
         if (until - from < CONTROL_HEAD) return false
         val id = intAt(bytes, from + 1)
@@ -102,7 +105,7 @@ internal class WpilogEntries(private val source: ColumnSource, private val probl
 
             SET_METADATA -> {
                 val texts = texts(bytes, from + CONTROL_HEAD, until, 1) ?: return false
-                (if (id in byId.indices) byId[id] else byLargeId[id])?.metadata = texts[0]
+                entryOf(id)?.metadata = texts[0]
             }
 
             else -> return false
@@ -180,9 +183,9 @@ internal class WpilogEntries(private val source: ColumnSource, private val probl
 
     companion object {
         const val MICROS = 1e6
-        private const val START = 0
-        private const val FINISH = 1
-        private const val SET_METADATA = 2
+        const val START = 0
+        const val FINISH = 1
+        const val SET_METADATA = 2
         private const val CONTROL_HEAD = 5
 
         /** Numbers up to here are found in an array; loggers count from 1. */

@@ -7,17 +7,18 @@ import badlog.report.hook.withShutdownHook
 internal class CachedResult<out R>(val result: R, val isLasting: Boolean)
 
 /**
- * Does [work] on those of [files] that [cache] does not know, and gives all results in the order of the files to [each] on this thread.
- * What lasts is in the cache's file afterwards, also when [each] throws, the thread is interrupted, or the program is asked to end.
+ * Does [work], with so many cores, on those of [files] that [cache] does not know, and gives all results in the order of the files to
+ * [each] on this thread. What lasts is in the cache's file afterwards, also when [each] throws, the thread is interrupted, or the
+ * program is asked to end.
  */
 internal fun <R : Any> runCached(
     files: List<LogFile>,
     cache: ResultCache<R>?,
-    work: (LogFile) -> CachedResult<R>,
+    work: (file: LogFile, cores: Int) -> CachedResult<R>,
     each: (LogFile, R) -> Unit,
 ) {
-    val remembering = { file: LogFile ->
-        cache?.get(file) ?: work(file).let {
+    val remembering = { file: LogFile, cores: Int ->
+        cache?.get(file) ?: work(file, cores).let {
             if (it.isLasting) cache?.set(file, it.result)
             it.result
         }

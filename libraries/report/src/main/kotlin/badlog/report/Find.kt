@@ -64,9 +64,9 @@ public class Find(
         return results
     }
 
-    private fun ask(file: LogFile): CachedResult<Stored> {
+    private fun ask(file: LogFile, cores: Int): CachedResult<Stored> {
         if (mistake != null) return CachedResult(Stored(null, mistake), isLasting = false)
-        return LogContent.examined(file, virtualTopics, xTopic, named, ::ask)
+        return LogContent.examined(file, virtualTopics, xTopic, named, cores, ::ask)
     }
 
     private fun ask(content: LogContent): CachedResult<Stored> = when (content) {

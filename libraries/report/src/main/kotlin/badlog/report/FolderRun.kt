@@ -17,15 +17,17 @@ internal class FolderRun(private val threads: Int = Runtime.getRuntime().availab
     private val room = Semaphore(ROOM, true)
 
     /**
-     * Does [work] on each of [files], and gives what comes of it to [each] on this thread. What [work] or [each] throws stops
-     * all and is passed on.
+     * Does [work] on each of [files] with so many cores, and gives what comes of it to [each] on this thread. What [work] or [each]
+     * throws stops all and is passed on.
      */
-    fun <R> forEach(files: List<LogFile>, work: (LogFile) -> R, each: (LogFile, R) -> Unit) {
+    fun <R> forEach(files: List<LogFile>, work: (file: LogFile, cores: Int) -> R, each: (LogFile, R) -> Unit) {
+        // Those that no other file takes.
+        val cores = threads / files.size.coerceIn(1, threads)
         val pool = Executors.newFixedThreadPool(threads) { Thread(it, "badlog-report").apply { isDaemon = true } }
         try {
             val underWay = ArrayDeque<Pair<LogFile, Future<R>>>()
             for (file in files) {
-                underWay += file to pool.submit<R> { withRoom(file) { work(file) } }
+                underWay += file to pool.submit<R> { withRoom(file) { work(file, cores) } }
                 if (underWay.size >= threads * AHEAD) finishFirst(underWay, each)
             }
             while (underWay.isNotEmpty()) finishFirst(underWay, each)

@@ -30,8 +30,8 @@ internal sealed interface LogContent {
     class None(val message: String, val isNoLog: Boolean) : LogContent
 
     companion object {
-        private fun of(file: LogFile, definitions: List<String>, xTopic: String?, sinks: NumberSinks): LogContent = try {
-            val recording = readRecording(file.path, LOG_FORMATS, sinks = sinks)
+        private fun of(file: LogFile, definitions: List<String>, xTopic: String?, sinks: NumberSinks, cores: Int): LogContent = try {
+            val recording = readRecording(file.path, LOG_FORMATS, sinks = sinks, cores = cores)
             val problem = recording.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
             if (problem != null) {
                 None(problem.message, isNoLog = true)
@@ -45,7 +45,7 @@ internal sealed interface LogContent {
         }
 
         /**
-         * What [work] makes of [file], read with the topics of [definitions], and with [xTopic] as x axis if it is not null; [sinks] says
+         * What [work] makes of [file], read on [cores] cores with the topics of [definitions], and with [xTopic] as x axis if it is not null; [sinks] says
          * which numbers are needed.
          * Whatever fails, fails for this file alone: [work] is then given a [None] that says so.
          *
@@ -56,9 +56,10 @@ internal sealed interface LogContent {
             definitions: List<String>,
             xTopic: String? = null,
             sinks: NumberSinks = NumberSinks.RECORDING,
+            cores: Int = 1,
             work: (LogContent) -> R,
         ): R = try {
-            work(of(file, definitions, xTopic, sinks))
+            work(of(file, definitions, xTopic, sinks, cores))
         } catch (_: OutOfMemoryError) {
             work(tooLarge())
         } catch (e: InterruptedException) {

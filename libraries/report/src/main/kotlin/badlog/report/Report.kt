@@ -87,7 +87,8 @@ public class Report(
         return ReportResult(logs, skipped)
     }
 
-    private fun examine(file: LogFile): CachedResult<Stored> = LogContent.examined(file, virtualTopics, xTopic) { examine(file, it) }
+    private fun examine(file: LogFile, cores: Int): CachedResult<Stored> =
+        LogContent.examined(file, virtualTopics, xTopic, cores = cores) { examine(file, it) }
 
     private fun examine(file: LogFile, content: LogContent): CachedResult<Stored> = when (content) {
         is LogContent.None -> CachedResult(Stored(null, emptyList(), emptyList(), content.message, content.isNoLog), content.isNoLog)

@@ -28,6 +28,10 @@ public class Finding(
     public val timeUnit: String,
     public val isOfHook: Boolean = false,
 ) {
+    /** Everywhere it was found, where to look first before the others; empty when it is about the whole log. */
+    public val places: List<Span>
+        get() = if (time.isFinite()) spans.ifEmpty { listOf(Span(time, time)) } else emptyList()
+
     public companion object {
         /** So many [spans] are kept of a finding. */
         public const val MAX_SPANS: Int = 100

@@ -28,8 +28,6 @@ public class FolderRules private constructor(public val rules: RuleSet, public v
                 "It is larger than 1 MB; take out what is not a rule."
             } catch (e: RulesException) {
                 e.message
-            } catch (_: StackOverflowError) {
-                "It is nested too deeply; a list of texts needs one pair of brackets."
             } catch (_: CharacterCodingException) {
                 "It is not in UTF-8; save it so in your editor."
             } catch (_: IOException) {

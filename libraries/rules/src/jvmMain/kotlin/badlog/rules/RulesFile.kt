@@ -20,7 +20,11 @@ public class RulesFile internal constructor(public val rules: RuleSet, public va
          *
          * @throws RulesException at the first mistake.
          */
-        public fun parse(text: String): RulesFile = RulesReader(text.removePrefix(BYTE_ORDER_MARK)).read()
+        public fun parse(text: String): RulesFile = try {
+            RulesReader(text.removePrefix(BYTE_ORDER_MARK)).read()
+        } catch (_: StackOverflowError) {
+            throw RulesException(1, "It is nested too deeply to be read; a list of texts needs one pair of brackets.")
+        }
 
         /** No rules, no hooks. */
         public val NONE: RulesFile = RulesFile(RuleSet.NONE, emptyList(), "")

@@ -43,4 +43,15 @@ class FolderRulesSpec : FunSpec({
         Files.write(folder.resolve(RulesFile.NAME), byteArrayOf(-1, -2, 0))
         FolderRules.of(folder.resolve("a.bag"), folder).problem.shouldNotBeNull() shouldContain "not in UTF-8"
     }
+
+    test("a file nested however deeply is a problem like any other, and no crash") {
+        val folder = tempdir().toPath()
+        val depth = 100_000
+        for (text in listOf("aliases = " + "[".repeat(depth) + "]".repeat(depth), "a" + ".a".repeat(depth) + " = 1", "a=" + "{a=".repeat(depth))) {
+            Files.writeString(folder.resolve(RulesFile.NAME), text)
+            val rules = FolderRules.of(folder.resolve("a.bag"), folder)
+            rules.rules shouldBe RuleSet.BUILT_IN
+            rules.problem.shouldNotBeNull().lines()[0] shouldContain "The built-in rules are used instead of"
+        }
+    }
 })

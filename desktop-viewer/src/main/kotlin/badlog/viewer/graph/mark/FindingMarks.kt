@@ -16,10 +16,13 @@ import badlog.viewer.findings.findingColor
 import badlog.viewer.graph.plot.pixelOf
 import badlog.viewer.theme.Palette
 
-/** Draws the marks of [findings] along the bottom, where [visible] is seen: a bar while one lasts, and a glyph where it begins. */
-internal fun DrawScope.drawFindings(findings: FindingTimeline<Finding>?, visible: Span, palette: Palette) {
+/**
+ * Draws the marks of [findings] along the bottom, where [visible] is seen: a bar while one lasts, and a glyph where it begins.
+ *
+ * @param marks are placed anew; remembered by whoever draws again and again.
+ */
+internal fun DrawScope.drawFindings(findings: FindingTimeline<Finding>?, marks: FindingMarks, visible: Span, palette: Palette) {
     if (findings == null) return
-    val marks = FindingMarks()
     marks.place(findings, visible, size.width.toDouble(), density.toDouble())
     val bar = BAR * density
     for (i in 0 until marks.runCount) {

@@ -7,6 +7,7 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.padding
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.remember
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.drawBehind
 import androidx.compose.ui.input.pointer.PointerEventType
@@ -14,6 +15,7 @@ import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
+import badlog.plot.timeline.FindingMarks
 import badlog.viewer.graph.scene.GraphScene
 import badlog.viewer.theme.LocalPalette
 
@@ -24,6 +26,7 @@ import badlog.viewer.theme.LocalPalette
 @Composable
 internal fun FindingStrip(scene: GraphScene) {
     val palette = LocalPalette.current
+    val marks = remember { FindingMarks() }
     Box(Modifier.fillMaxWidth().height(HEIGHT.dp).background(palette.surface)) {
         Box(
             Modifier
@@ -31,7 +34,7 @@ internal fun FindingStrip(scene: GraphScene) {
                 .padding(start = GraphScene.LEFT_GUTTER, end = scene.rightGutter)
                 .semantics { contentDescription = "Findings on the time axis" }
                 .findingPointer(scene)
-                .drawBehind { drawFindings(scene.findings.state.list?.timeline, scene.view.viewport.visible, palette) },
+                .drawBehind { drawFindings(scene.findings.state.list?.timeline, marks, scene.view.viewport.visible, palette) },
         )
     }
 }

@@ -19,13 +19,14 @@ import java.util.concurrent.CancellationException
 
 /**
  * Reads [file] and keeps what the library wants to know of it. Whatever is wrong with the file becomes part of the entry.
+ * It keeps to one core: the library reads several files at a time, and the window is in use.
  *
  * @param checkpoint is called again and again while the file is read; to give up, it may throw a [CancellationException], the
  *   only exception that comes out.
  */
 internal fun summarize(file: LogFile, checkpoint: () -> Unit = {}): LogEntry = try {
     when {
-        isLikelyLog(file) -> summaryOf(file, LogView.of(readRecording(file.path, LOG_FORMATS) { _, _ -> checkpoint() }))
+        isLikelyLog(file) -> summaryOf(file, LogView.of(readRecording(file.path, LOG_FORMATS, cores = 1) { _, _ -> checkpoint() }))
         else -> unreadable(file, "${file.name} is not a log.").copy(content = Content.NO_LOG)
     }
 } catch (e: CancellationException) {
@@ -41,7 +42,7 @@ internal fun summarize(file: LogFile, checkpoint: () -> Unit = {}): LogEntry = t
 
 /** The summary of a file whose samples do not fit into memory. */
 private fun withoutSamples(file: LogFile, checkpoint: () -> Unit): LogEntry = try {
-    val recording = readRecording(file.path, LOG_FORMATS, keepSamples = false) { _, _ -> checkpoint() }
+    val recording = readRecording(file.path, LOG_FORMATS, keepSamples = false, cores = 1) { _, _ -> checkpoint() }
     summaryOf(file, LogView.of(recording)).copy(content = Content.SOMETHING)
 } catch (e: IOException) {
     unreadable(file, e.message ?: "${file.name} could not be read; is its drive still connected?")

@@ -72,6 +72,12 @@ public fun lineColor(index: Int, isDark: Boolean): Int = (if (isDark) DARK_LINES
 /** How much of a line's color a lane has, so that text can be read on it. */
 public fun stateOpacity(isDark: Boolean): Double = if (isDark) 0.45 else 0.35
 
+/** [color], as `0xRRGGBB`, as style sheets write it, with so much [opacity], 0 to 1. */
+public fun cssColor(color: Int, opacity: Double = 1.0): String {
+    val solid = "#" + color.toString(16).padStart(6, '0')
+    return if (opacity == 1.0) solid else solid + (opacity * 255).toInt().toString(16).padStart(2, '0')
+}
+
 private val LIGHT_LINES = intArrayOf(
     0x0B62C4, 0xD4501A, 0x0A8062, 0x9B3FA0, 0xB07A00, 0x1591B5, 0xC2255C, 0x5B6B14,
     0x5F46C9, 0x8A4B20, 0x39424F, 0x13AA8B, 0xE36AA5, 0x123F8C, 0xE08E00, 0x7C8797,

@@ -3,6 +3,7 @@ package badlog.plot.color
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeUnique
 import io.kotest.matchers.doubles.shouldBeGreaterThan
+import io.kotest.matchers.shouldBe
 import kotlin.math.pow
 
 /** How far apart two colors are in brightness, from 1 to 21, as the guidelines for accessible pages count it. */
@@ -18,6 +19,13 @@ private fun contrast(one: Int, other: Int): Double {
 }
 
 class ShadeSpec : FunSpec({
+    test("style sheets get all digits of a colour, and of an opacity however small") {
+        cssColor(0x0B62C4) shouldBe "#0b62c4"
+        cssColor(0xFF, 0.5) shouldBe "#0000ff7f"
+        cssColor(0xFFFFFF, 0.05) shouldBe "#ffffff0c"
+        cssColor(0, 0.0) shouldBe "#00000000"
+    }
+
     for (isDark in listOf(false, true)) {
         val theme = if (isDark) "dark" else "light"
 

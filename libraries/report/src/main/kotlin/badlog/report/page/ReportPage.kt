@@ -2,6 +2,8 @@ package badlog.report.page
 
 import badlog.file.LogFile
 import badlog.html.BADLOG_VERSION
+import badlog.plot.color.Shade
+import badlog.plot.color.cssColor
 import badlog.report.LogReport
 import badlog.report.ORDER
 import badlog.report.ReportResult
@@ -25,7 +27,8 @@ import java.util.Base64
  * @param pageOf where the page of a log is, as a path with `/` relative to this page, or null without one.
  */
 public fun reportPage(result: ReportResult, title: String = "Report", pageOf: (LogReport) -> String? = { null }): String {
-    val style = STYLE.trimIndent()
+    val style = ":root { color-scheme: light dark; ${colors(isDark = false)} }\n" +
+        "@media (prefers-color-scheme: dark) { :root { ${colors(isDark = true)} } }\n" + STYLE.trimIndent()
     val out = StringBuilder()
     out.append("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n")
     out.append("<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'sha256-${hash(style)}'; ")
@@ -110,11 +113,12 @@ internal const val GENERATOR = "<meta name=\"generator\" content=\"badlog "
 private fun hash(text: String): String =
     Base64.getEncoder().encodeToString(MessageDigest.getInstance("SHA-256").digest(text.encodeToByteArray()))
 
+private fun colors(isDark: Boolean) = USED_SHADES.joinToString(" ") { "--${it.name.lowercase()}: ${cssColor(it.of(isDark))};" }
+
+private val USED_SHADES =
+    listOf(Shade.TEXT, Shade.PAGE, Shade.SURFACE, Shade.BORDER, Shade.MUTED, Shade.ACCENT, Shade.ERROR, Shade.WARNING)
+
 private const val STYLE = """
-    :root { color-scheme: light dark; --text: #1b2330; --page: #f4f5f7; --surface: #fff; --border: #dfe3e8; --muted: #596477;
-      --accent: #0b62c4; --error: #b3261e; --warning: #8a5300; --note: #596477; }
-    @media (prefers-color-scheme: dark) { :root { --text: #e6eaf0; --page: #12161c; --surface: #1a2028; --border: #303a46;
-      --muted: #9eabbb; --accent: #6cb0ff; --error: #ff8f85; --warning: #f3bd62; --note: #9eabbb; } }
     body { margin: 2rem auto; padding: 0 1rem; max-width: 75rem; background: var(--page); color: var(--text);
       font: 15px/1.45 system-ui, sans-serif; }
     h1 { font-size: 1.5rem; } h2 { font-size: 1.1rem; }
@@ -122,6 +126,6 @@ private const val STYLE = """
     th, td { padding: .4rem .6rem; text-align: left; vertical-align: top; border-top: 1px solid var(--border); overflow-wrap: anywhere; }
     thead th { color: var(--muted); font-weight: 600; } tbody { border-top: 2px solid var(--border); }
     .time { white-space: nowrap; font-variant-numeric: tabular-nums; } small { color: var(--muted); font-weight: 400; }
-    .error b { color: var(--error); } .warning b { color: var(--warning); } .note b { color: var(--note); }
+    .error b { color: var(--error); } .warning b { color: var(--warning); } .note b { color: var(--muted); }
     a { color: var(--accent); } li { white-space: pre-wrap; }
 """

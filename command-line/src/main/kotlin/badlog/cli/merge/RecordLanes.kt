@@ -1,0 +1,96 @@
+package badlog.cli.merge
+
+import badlog.cli.output.Omissions
+import badlog.cli.output.newLog
+import badlog.cli.output.recordsOf
+import badlog.cli.output.topicOf
+import badlog.file.readRecording
+import badlog.formats.LOG_FORMATS
+import badlog.terminal.Progress
+import badlog.wpilog.record.RecordEntry
+import badlog.wpilog.record.RecordLane
+import badlog.wpilog.record.RecordLog
+import badlog.wpilog.record.RecordMerge
+import badlog.wpilog.record.RecordPiece
+import java.nio.file.Path
+
+/**
+ * Makes one WPILOG of the records of several logs, as they stand there.
+ *
+ * @param parts the logs, without rows.
+ */
+internal class RecordLanes(parts: List<LogPart>, mode: MergeMode) {
+    private class Source(val part: LogPart, val records: RecordLog)
+
+    /** What several logs of a group may have: what [first] calls [entry], with the records of all of them. */
+    private class Lane(val name: String, val first: Source, val entry: RecordEntry) {
+        val pieces = ArrayList<RecordPiece>()
+
+        fun add(source: Source, entry: RecordEntry) {
+            pieces += RecordPiece(entry, source.part.offset * MICROS)
+        }
+    }
+
+    private val names = MergedNames()
+    private val valueNames = MergedNames()
+    private val schemas = HashMap<Pair<String, String>, Lane>()
+    private val groups: List<List<LogPart>> = mode.groupsOf(parts).map { group -> group.sortedBy { it.firstX } }
+
+    /** What the logs that have rows say and no record can. */
+    var leftOut = Omissions()
+        private set
+
+    /** Writes all to [target]; returns what came of it. To be called once. */
+    fun write(target: Path, progress: Progress): Merged {
+        val sources = groups.map { group -> group.map(::sourceOf) }
+        val lanes = valueLanes(sources.flatten()) + sources.flatMap(::lanesOf)
+        val merge = RecordMerge(
+            lanes.map { lane ->
+                val isRenamed = lane.name != lane.entry.name
+                RecordLane(lane.name, lane.pieces, if (isRenamed) lane.first.part.recording.topicOf(lane.entry) else null)
+            },
+        )
+        newLog(target) { stream -> merge.write(progress::advanced) { bytes, size -> stream.write(bytes, 0, size) } }
+        val written = readRecording(target, LOG_FORMATS, keepSamples = false)
+        // Only logs that follow each other repeat something.
+        val repeated = groups.map { group -> lanes.indices.filter { lanes[it].first.part in group }.sumOf { merge.repeated[it] } }
+        return Merged(written, groups.zip(repeated) { group, count -> Merged.Group(group, count) }, names.renamed + valueNames.renamed)
+    }
+
+    private fun sourceOf(part: LogPart): Source {
+        if (part.isOfFile) return Source(part, recordsOf(part.file))
+        val (records, omissions) = recordsOf(part.recording)
+        leftOut += omissions
+        return Source(part, records)
+    }
+
+    /** Values that say the same are there once. */
+    private fun valueLanes(sources: List<Source>): List<Lane> {
+        val known = HashSet<Pair<String, List<Byte>>>()
+        return sources.flatMap { source ->
+            source.records.entries.filter { it.isValue && it.size > 0 && known.add(it.name to it.payload(it.size - 1).asList()) }
+                .map { entry -> Lane(valueNames.take(entry.name, source.part), source, entry).apply { add(source, entry) } }
+        }
+    }
+
+    /** What logs of a [group] call by one name becomes one entry, where it is of one type. */
+    private fun lanesOf(group: List<Source>): List<Lane> {
+        val made = ArrayList<Lane>()
+        val known = HashMap<Pair<String, String>, Lane>()
+        for (source in group) {
+            for (entry in source.records.entries) {
+                if (entry.isValue) continue
+                // What describes a type is meant for all logs, and found by its name.
+                val alike = if (SCHEMA_FOLDER in entry.name) schemas else known
+                alike.getOrPut(entry.name to entry.type) { Lane(names.take(entry.name, source.part), source, entry).also(made::add) }
+                    .add(source, entry)
+            }
+        }
+        return made
+    }
+
+    private companion object {
+        const val MICROS = 1e6
+        const val SCHEMA_FOLDER = "/.schema/"
+    }
+}

@@ -1,0 +1,171 @@
+package badlog.wpilog.record
+
+import badlog.analysis.Span
+import badlog.recording.Topic
+import badlog.wpilog.RecordBuffer
+import badlog.wpilog.VALUE_METADATA
+import badlog.wpilog.WpilogEntries
+import badlog.wpilog.WpilogParser
+import badlog.wpilog.metadataOf
+import kotlin.math.round
+
+/**
+ * Writes the records of [log] again, or some of them, each as it stands there.
+ *
+ * @param progress hears after each piece how many records are done, and how many there are. What it throws stops the writing and
+ *   is passed on.
+ * @param sink gets the file in pieces of about 64 KiB, each `[0, size)` of the array, which is used again after the call. What it
+ *   throws stops the writing and is passed on.
+ */
+public class RecordCopy(
+    private val log: RecordLog,
+    private val progress: (done: Long, total: Long) -> Unit = { _, _ -> },
+    private val sink: (bytes: ByteArray, size: Int) -> Unit,
+) {
+    /** A record that stands once more, at another time, before the record [place]. */
+    private class Held(val record: Int, val micros: Double, val place: Int)
+
+    private val store = log.store
+    private val out = RecordBuffer()
+
+    /** Writes all of them. */
+    public fun all() {
+        write(BooleanArray(store.size) { true })
+        flush()
+    }
+
+    /**
+     * Writes those that are not the same as the one before them in their entry.
+     *
+     * @param isEvent whether the records of an entry happen, each anew, rather than hold until the next.
+     * @return how many were left out.
+     */
+    public fun changes(isEvent: (RecordEntry) -> Boolean): Int {
+        val isKept = BooleanArray(store.size) { true }
+        var repeats = 0
+        for (entry in log.entries) {
+            if (isEvent(entry)) continue
+            val records = entry.records
+            for (i in 1 until records.size) {
+                if (!store.isSame(records[i - 1], store, records[i])) continue
+                isKept[records[i]] = false
+                repeats++
+            }
+        }
+        write(isKept)
+        flush()
+        return repeats
+    }
+
+    /**
+     * Writes those that lie in [spans], which ascend and do not touch, in s; and where each span begins, the last one before it of
+     * each entry, at the time of that beginning: it holds there. All control records stay. What the log says of its run, as the
+     * match it was, is written as values where the part would not say it any more.
+     *
+     * @param isEvent whether the records of an entry happen rather than hold, so that none comes again.
+     * @param described a topic that says the unit and the attributes of an entry anew, or null.
+     */
+    public fun spans(spans: List<Span>, isEvent: (RecordEntry) -> Boolean, described: (RecordEntry) -> Topic? = { null }) {
+        val isKept = BooleanArray(store.size) { store.isControl(it) }
+        val begins = IntArray(spans.size) { store.size }
+        var first = spans.firstOrNull()?.let { round(it.from * WpilogEntries.MICROS) } ?: 0.0
+        for (entry in log.entries) {
+            for ((index, span) in spans.withIndex()) {
+                for (i in firstAt(entry, span.from) until firstAfter(entry, span.to)) {
+                    val record = entry.records[i]
+                    isKept[record] = true
+                    begins[index] = minOf(begins[index], record)
+                    first = minOf(first, log.micros(record))
+                }
+            }
+        }
+        val held = log.entries.filter { !it.isSystemTime && !isEvent(it) }.flatMap { entry ->
+            // Once is enough for what never changes.
+            val where = if (entry.isValue) spans.take(1) else spans
+            where.mapIndexedNotNull { index, span -> heldIn(entry, span, begins[index]) }
+        }
+        val anew = log.entries.mapIndexedNotNull { index, entry -> described(entry)?.let { index to metadataOf(it) } }.toMap()
+        val written = WpilogParser(keepSamples = false)
+        write(isKept, held, anew) { written.accept(out.bytes, 0, out.size) }
+        written.accept(out.bytes, 0, out.size)
+        val said = written.finish().values.mapTo(HashSet()) { it.name }
+        var id = 0
+        for (value in log.valuesAt(first)) {
+            if (value.name in said) continue
+            id = store.freeId(id + 1)
+            out.start(id, value.name, "string", VALUE_METADATA, first)
+            out.string(id, first, value.text.encodeToByteArray())
+        }
+        flush()
+    }
+
+    /** The record of [entry] that holds where [span] begins, which is at record [begin] of the file, where it has none of that moment. */
+    private fun heldIn(entry: RecordEntry, span: Span, begin: Int): Held? {
+        val micros = round(span.from * WpilogEntries.MICROS)
+        val next = firstAt(entry, span.from)
+        val isThere = next < firstAfter(entry, span.to) && log.micros(entry.records[next]) <= micros
+        if (next == 0 || isThere) return null
+        val record = entry.records[next - 1]
+        // By then its number may stand for another entry.
+        val isValid = begin > record && store.sessionEnd(record) > begin
+        return Held(record, micros, if (isValid) begin else record + 1)
+    }
+
+    private fun firstAt(entry: RecordEntry, seconds: Double) = firstWhere(entry) { it >= seconds }
+
+    private fun firstAfter(entry: RecordEntry, seconds: Double) = firstWhere(entry) { it > seconds }
+
+    private inline fun firstWhere(entry: RecordEntry, isThere: (Double) -> Boolean): Int {
+        var low = 0
+        var high = entry.size
+        while (low < high) {
+            val middle = (low + high) ushr 1
+            if (isThere(entry.time(middle))) high = middle else low = middle + 1
+        }
+        return low
+    }
+
+    /**
+     * Writes the header, the records that [isKept], and [held] ones between them. The last piece stays in [out].
+     *
+     * @param metadata what to say of some entries instead of what the file says of them.
+     * @param onPiece is called for each piece.
+     */
+    private fun write(
+        isKept: BooleanArray,
+        held: List<Held> = emptyList(),
+        metadata: Map<Int, String> = emptyMap(),
+        onPiece: () -> Unit = {},
+    ) {
+        out.copy(log.header, 0, log.header.size)
+        val waiting = ArrayDeque(held.sortedBy { it.place })
+        for (index in 0..store.size) {
+            while (waiting.isNotEmpty() && waiting.first().place == index) {
+                waiting.removeFirst().let { store.copy(it.record, store.id(it.record), it.micros, out) }
+            }
+            if (index == store.size) break
+            if (isKept[index] && !store.isDropped(index)) copy(index, metadata)
+            if (out.size < PIECE) continue
+            onPiece()
+            flush()
+            progress(index.toLong(), store.size.toLong())
+        }
+    }
+
+    private fun copy(index: Int, metadata: Map<Int, String>) {
+        val anew = if (store.isControl(index)) metadata[store.entry(index)] else null
+        if (anew == null || store.controlKind(index) == WpilogEntries.FINISH) return store.copy(index, out)
+        if (store.controlKind(index) == WpilogEntries.SET_METADATA) return
+        val entry = log.entries[store.entry(index)]
+        out.start(store.id(index), entry.name, entry.type, anew, store.micros(index))
+    }
+
+    private fun flush() {
+        if (out.size > 0) sink(out.bytes, out.size)
+        out.clear()
+    }
+
+    private companion object {
+        const val PIECE = 1 shl 16
+    }
+}
