@@ -30,6 +30,8 @@ internal class AliveAnswer : Draft_6455() {
     override fun createHandshake(handshake: Handshakedata, withContent: Boolean): List<ByteBuffer> =
         listOf(ByteBuffer.wrap(ANSWER.encodeToByteArray()))
 
+    override fun translateHandshake(bytes: ByteBuffer): Handshakedata = BoundedDraft.bounded(bytes, {}) { super.translateHandshake(bytes) }
+
     override fun getCloseHandshakeType(): CloseHandshakeType = CloseHandshakeType.NONE
 
     override fun copyInstance(): Draft = AliveAnswer()

@@ -86,7 +86,7 @@ internal class Client(
 
     private fun announcement(id: Int, publisher: Long? = null): JsonObject {
         val signal = signals[id]
-        return announce(signal.name, id, signal.type.typeName, propertiesOf(signal), publisher)
+        return announce(signal.name, id, signal.typeName, propertiesOf(signal), publisher)
     }
 
     private companion object {

@@ -4,21 +4,58 @@ import badlog.analysis.LogView
 import badlog.analysis.Series
 import badlog.analysis.Units
 import badlog.analysis.XAxis
+import badlog.analysis.enabledSpans
 import badlog.recording.Topic
 import badlog.recording.TopicKind
 import badlog.text.UniqueNames
 
-/** The topics of [view]'s recording, then its values below `Values/`, as NetworkTables shows them. */
-internal fun signalsOf(view: LogView, prefix: String): List<Signal> {
+/**
+ * The topics of [view]'s recording, then its values below `Values/`, as NetworkTables shows them, and when the robot was enabled where
+ * no topic says so as dashboards know it.
+ *
+ * @param logged what is sent as it was logged; of the recording's topics then only those that have no type, which were calculated.
+ */
+internal fun signalsOf(view: LogView, prefix: String, logged: List<LoggedTopic> = emptyList()): List<Signal> {
     val names = TopicNames(prefix)
-    return view.recording.topics.map { signalOf(it, view, names.nameOf(it.name)) } +
+    val described = view.recording.topics.filter { logged.isEmpty() || it.type.isEmpty() }
+    val signals = logged.map { signalOf(it, names.nameOf(it.name)) } +
+        described.map { signalOf(it, view, names.nameOf(it.name)) } +
         view.recording.values.map { value ->
             // Before every position, so it holds from the start on.
             val sample = Series(doubleArrayOf(Double.NEGATIVE_INFINITY), doubleArrayOf(0.0))
             val name = names.nameOf("Values/" + value.name.trimStart('/'))
             Signal(name, SignalType.STRING, Topic.UNITLESS, sample, listOf(value.text.encodeToByteArray()))
         }
+    val isKnown = signals.any { it.name.endsWith(CONTROL_WORD, ignoreCase = true) }
+    return if (isKnown) signals else signals + listOfNotNull(controlWordOf(view))
 }
+
+private fun signalOf(topic: LoggedTopic, name: String): Signal {
+    val type = SignalType.of(topic.type)
+    val typeName = if (type == SignalType.RAW || topic.type == "json") topic.type else type.typeName
+    return Signal(name, type, topic.unit, Series(topic.times, topic.times), typeName = typeName, payload = topic.payload)
+}
+
+/** When the robot was enabled, and by what, in the bits of a robot's own topic for it; null where the log does not tell. */
+private fun controlWordOf(view: LogView): Signal? {
+    val spans = view.enabledSpans()
+    val start = view.xAxis.range?.start ?: return null
+    if (spans.isEmpty()) return null
+    val words = sortedMapOf(start to ATTACHED)
+    for (enabled in spans) {
+        words[enabled.span.from] = ATTACHED or ENABLED or if (enabled.isAutonomous) AUTONOMOUS else 0
+        if (spans.none { it.span.from == enabled.span.to }) words[enabled.span.to] = ATTACHED
+    }
+    val samples = Series(words.keys.toDoubleArray(), DoubleArray(words.size) { words.values.elementAt(it).toDouble() })
+    return Signal("/FMSInfo$CONTROL_WORD", SignalType.INT, Topic.UNITLESS, samples)
+}
+
+private const val CONTROL_WORD = "/FMSControlData"
+private const val ENABLED = 1
+private const val AUTONOMOUS = 2
+
+/** The driver station is there. */
+private const val ATTACHED = 32
 
 private fun signalOf(topic: Topic, view: LogView, name: String): Signal {
     if (topic.kind == TopicKind.EVENT || "log" in topic.attributes) return eventsOf(topic, view, name)
@@ -50,13 +87,23 @@ internal fun rangeOf(signals: List<Signal>): ClosedFloatingPointRange<Double> {
     return if (ranges.isEmpty()) 0.0..0.0 else ranges.minOf { it.start }..ranges.maxOf { it.endInclusive }
 }
 
-/** Names of a recording as NetworkTables has them: `/Folder/Name`, each once, all below [prefix] if there is one. */
+/**
+ * Names of a recording as NetworkTables has them: `/Folder/Name`, each once, all below [prefix] if there is one. Only what describes
+ * types stays where dashboards look for it.
+ */
 internal class TopicNames(prefix: String) {
     private val start = prefix.trim('/').let { if (it.isEmpty()) "/" else "/$it/" }
     private val names = UniqueNames()
 
     /** A name that no other call gives. What a log took from NetworkTables, `NT:/…`, gets its name of then back. */
-    fun nameOf(name: String): String = names.give(start + name.removePrefix("NT:").trimStart('/'))
+    fun nameOf(name: String): String {
+        val bare = name.removePrefix("NT:").trimStart('/')
+        return names.give(if (bare.startsWith(SCHEMAS)) "/$bare" else start + bare)
+    }
+
+    private companion object {
+        const val SCHEMAS = ".schema/"
+    }
 }
 
 /** A recording without a time is played as if its robot had logged every 20 ms, which is what robots do. */

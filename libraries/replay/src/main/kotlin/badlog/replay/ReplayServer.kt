@@ -9,14 +9,18 @@ import java.util.concurrent.TimeUnit
 /**
  * Shows a recording again in its own time, to dashboards that speak WPILib's NetworkTables 4: it is a server of that protocol,
  * whose topics are those of the recording. Numbers are `double`, truth values `boolean`, states and events `string`, and the
- * header's values are strings below `/Values/`. The unit is the property `unit`.
+ * header's values are strings below `/Values/`. The unit is the property `unit`. When the robot was enabled stands in
+ * `/FMSInfo/FMSControlData`, as a robot has it.
  *
  * Safe for all threads. Its own threads end with [close] and keep no program running.
  *
  * @property options how it is replayed.
+ * @param logged topics that are sent as they were logged, with the types they have there, instead of the recording's; of those only
+ *   calculated ones are left.
  */
-public class ReplayServer(view: LogView, public val options: ReplayOptions = ReplayOptions()) : Closeable {
-    private val signals = signalsOf(view, options.prefix)
+public class ReplayServer(view: LogView, public val options: ReplayOptions = ReplayOptions(), logged: List<LoggedTopic> = emptyList()) :
+    Closeable {
+    private val signals = signalsOf(view, options.prefix, logged)
     private val startNanos = System.nanoTime()
     private val ignored = IgnoredMessages()
     private val frames = ValueFrames(signals)

@@ -11,6 +11,8 @@ import badlog.analysis.Units
  * @property samples its values; ordered, and without gaps but for a [SignalType.DOUBLE], of which NaN says that there is
  *   no number from then on.
  * @property texts what the samples of a [SignalType.STRING] stand for, in UTF-8; else empty.
+ * @property typeName what its announcement calls the type.
+ * @property payload gives the bytes of a sample, as a WPILOG has them, where these count and not the samples' numbers; else null.
  */
 internal class Signal(
     val name: String,
@@ -18,6 +20,8 @@ internal class Signal(
     unit: String,
     val samples: Series,
     val texts: List<ByteArray> = emptyList(),
+    val typeName: String = type.typeName,
+    val payload: ((index: Int) -> ByteArray)? = null,
 ) {
     val unit: String? = unit.takeUnless(Units::isNone)
 
@@ -34,7 +38,28 @@ internal class Signal(
 internal enum class SignalType(val typeName: String, val code: Int) {
     BOOLEAN("boolean", 0),
     DOUBLE("double", 1),
+    INT("int", 2),
+    FLOAT("float", 3),
     STRING("string", 4),
+
+    /** Bytes, whatever the topic says they are. */
+    RAW("raw", 5),
+    BOOLEANS("boolean[]", 16),
+    DOUBLES("double[]", 17),
+    INTS("int[]", 18),
+    FLOATS("float[]", 19),
+    STRINGS("string[]", 20),
+    ;
+
+    companion object {
+        /** What values of a WPILOG's type [name] are here. */
+        fun of(name: String): SignalType = when (name) {
+            "int64" -> INT
+            "int64[]" -> INTS
+            "json" -> STRING
+            else -> entries.find { it.typeName == name } ?: RAW
+        }
+    }
 }
 
 /** These samples in the order of x; those of one x keep their order. */

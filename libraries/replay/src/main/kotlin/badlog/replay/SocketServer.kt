@@ -2,10 +2,8 @@ package badlog.replay
 
 import org.java_websocket.WebSocket
 import org.java_websocket.WebSocketImpl
-import org.java_websocket.drafts.Draft_6455
 import org.java_websocket.framing.Framedata
 import org.java_websocket.handshake.ClientHandshake
-import org.java_websocket.protocols.Protocol
 import org.java_websocket.server.WebSocketServer
 import org.msgpack.core.MessagePackException
 import java.io.IOException
@@ -26,7 +24,7 @@ internal class SocketServer(
     private val micros: () -> Long,
     private val listener: Listener,
     private val ignored: IgnoredMessages,
-) : WebSocketServer(address, 1, listOf(NT4, AliveAnswer())) {
+) : WebSocketServer(address, 1, listOf(BoundedDraft(address.address.hostAddress, ignored::add), AliveAnswer())) {
     private val binding = CompletableFuture<Unit>()
 
     init {
@@ -81,6 +79,23 @@ internal class SocketServer(
         endIfFlooded(socket, connection)
     }
 
+    override fun onWebsocketPing(socket: WebSocket, frame: Framedata) {
+        super.onWebsocketPing(socket, frame)
+        heard(socket)?.let { endIfFlooded(socket, it) }
+    }
+
+    /** One whose handshake was refused is left open by the library, which waits for it to take what it never was promised. */
+    override fun onClosing(socket: WebSocket, code: Int, reason: String?, isRemote: Boolean) {
+        val refused = socket as WebSocketImpl
+        if (refused.draft != null) return
+        try {
+            generateSequence { refused.outQueue.poll() }.forEach { refused.channel.write(it) }
+        } catch (_: IOException) {
+            // It has gone by itself.
+        }
+        refused.closeConnection(code, reason.orEmpty())
+    }
+
     override fun onWebsocketPong(socket: WebSocket, frame: Framedata) {
         heard(socket)
     }
@@ -103,8 +118,6 @@ internal class SocketServer(
     private companion object {
         const val BINDING_SECONDS = 10L
         const val MAX_FRAMES = 4_000
-        const val MAX_FRAME = 1 shl 20
-        val NT4 = Draft_6455(emptyList(), SubProtocol.entries.map { Protocol(it.id) }, MAX_FRAME)
     }
 }
 

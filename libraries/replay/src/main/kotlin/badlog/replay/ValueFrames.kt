@@ -5,6 +5,7 @@ import org.msgpack.core.MessagePack
 import org.msgpack.core.MessagePackException
 import org.msgpack.value.ValueType
 import java.nio.ByteBuffer
+import java.nio.ByteOrder
 
 /** Writes values as NT4's binary frames: MessagePack arrays of a topic's id, microseconds, type and value. */
 internal class ValueFrames(private val signals: List<Signal>) {
@@ -26,13 +27,56 @@ internal class ValueFrames(private val signals: List<Signal>) {
 
     private fun pack(packer: MessageBufferPacker, update: Update) {
         val signal = signals[update.signal]
-        val value = signal.samples.y[update.index]
         packer.packArrayHeader(4).packInt(update.signal).packLong(update.micros).packInt(signal.type.code)
+        val payload = signal.payload
+        if (payload != null) return packPayload(packer, signal.type, payload(update.index))
+        val value = signal.samples.y[update.index]
         when (signal.type) {
             SignalType.BOOLEAN -> packer.packBoolean(value != 0.0)
-            SignalType.DOUBLE -> packer.packDouble(value)
-            SignalType.STRING -> signal.texts[value.toInt()].let { packer.packRawStringHeader(it.size).writePayload(it) }
+            SignalType.INT -> packer.packLong(value.toLong())
+            SignalType.STRING -> packText(packer, signal.texts[value.toInt()])
+            else -> packer.packDouble(value)
         }
+    }
+
+    /** Packs the [bytes] that a record of a WPILOG has for a value of [type]. */
+    private fun packPayload(packer: MessageBufferPacker, type: SignalType, bytes: ByteArray) {
+        val buffer = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN)
+        fun array(width: Int, pack: () -> Unit) {
+            packer.packArrayHeader(bytes.size / width)
+            repeat(bytes.size / width) { pack() }
+        }
+        when (type) {
+            SignalType.BOOLEAN -> packer.packBoolean(bytes[0].toInt() != 0)
+
+            SignalType.INT -> packer.packLong(buffer.getLong())
+
+            SignalType.FLOAT -> packer.packFloat(buffer.getFloat())
+
+            SignalType.DOUBLE -> packer.packDouble(buffer.getDouble())
+
+            SignalType.STRING -> packText(packer, bytes)
+
+            SignalType.RAW -> packer.packBinaryHeader(bytes.size).writePayload(bytes)
+
+            SignalType.BOOLEANS -> array(1) { packer.packBoolean(buffer.get().toInt() != 0) }
+
+            SignalType.INTS -> array(Long.SIZE_BYTES) { packer.packLong(buffer.getLong()) }
+
+            SignalType.FLOATS -> array(Float.SIZE_BYTES) { packer.packFloat(buffer.getFloat()) }
+
+            SignalType.DOUBLES -> array(Double.SIZE_BYTES) { packer.packDouble(buffer.getDouble()) }
+
+            SignalType.STRINGS -> {
+                val count = buffer.getInt()
+                packer.packArrayHeader(count)
+                repeat(count) { packText(packer, ByteArray(buffer.getInt()).also(buffer::get)) }
+            }
+        }
+    }
+
+    private fun packText(packer: MessageBufferPacker, text: ByteArray) {
+        packer.packRawStringHeader(text.size).writePayload(text)
     }
 
     private fun MessageBufferPacker.take(): ByteBuffer = ByteBuffer.wrap(toByteArray()).also { clear() }

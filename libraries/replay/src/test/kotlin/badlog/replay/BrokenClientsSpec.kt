@@ -2,6 +2,7 @@ package badlog.replay
 
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
 import java.net.Socket
 import java.util.Random
 import java.util.concurrent.TimeUnit
@@ -78,6 +79,77 @@ class BrokenClientsSpec : FunSpec({
             }
             shouldStillServe(server)
             waitUntil { server.clientNames.isEmpty() }
+        }
+    }
+
+    fun handshake(vararg more: String) = "GET /nt/raw HTTP/1.1\r\nHost: a\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n" +
+        "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n" + more.joinToString("") { "$it\r\n" } + "\r\n"
+
+    /** What the server answers to [request] before it ends the connection. */
+    fun answerTo(server: ReplayServer, request: String): String = Socket("127.0.0.1", server.port).use { socket ->
+        socket.soTimeout = 10_000
+        socket.getOutputStream().write(request.toByteArray())
+        socket.getInputStream().readBytes().decodeToString()
+    }
+
+    test("A handshake without an end is ended and told of") {
+        ReplayServer(VARIED_VIEW, ReplayOptions(0)).use { server ->
+            server.open()
+            Socket("127.0.0.1", server.port).use { socket ->
+                socket.soTimeout = 10_000
+                val line = "X-Line: ${"x".repeat(1000)}\r\n".toByteArray()
+                runCatching {
+                    socket.getOutputStream().write("GET / HTTP/1.1\r\n".toByteArray())
+                    repeat(10_000) { socket.getOutputStream().write(line) }
+                }
+                runCatching { socket.getInputStream().readBytes() }
+            }
+            waitUntil { server.note == "A message was ignored: “somebody” sent a handshake without an end." }
+            shouldStillServe(server)
+        }
+    }
+
+    test("A message of pieces without an end is ended and told of, however small they are") {
+        ReplayServer(VARIED_VIEW, ReplayOptions(0)).use { server ->
+            server.open()
+            rawClient(server.port).use { socket ->
+                waitUntil { server.clientNames == listOf("raw") }
+                val begin = byteArrayOf(1, 0x80.toByte(), 0, 0, 0, 0)
+                val piece = byteArrayOf(0, 0x80.toByte(), 0, 0, 0, 0)
+                runCatching {
+                    socket.getOutputStream().write(begin)
+                    repeat(100_000) { socket.getOutputStream().write(piece) }
+                }
+                waitUntil { server.clientNames.isEmpty() }
+            }
+            server.note shouldBe "A message was ignored: “raw” sent a message without an end."
+            shouldStillServe(server)
+        }
+    }
+
+    test("Web pages of the internet may not connect, programs and pages of this computer may") {
+        ReplayServer(VARIED_VIEW, ReplayOptions(0)).use { server ->
+            server.open()
+            val protocol = "Sec-WebSocket-Protocol: ${TestClient.V4_1}"
+            for (origin in listOf("https://example.org", "http://127.0.0.1.example.org", "null", "http://")) {
+                answerTo(server, handshake(protocol, "Origin: $origin")).lines()[0] shouldContain "404"
+            }
+            server.ignoredMessages shouldBe 4
+            for (origin in listOf("file://", "http://localhost:8080", "http://127.0.0.1", "app://advantagescope")) {
+                Socket("127.0.0.1", server.port).use { socket ->
+                    socket.getOutputStream().write(handshake(protocol, "Origin: $origin").toByteArray())
+                    socket.getInputStream().bufferedReader().readLine() shouldContain "101"
+                }
+            }
+        }
+    }
+
+    test("A connection that is refused is closed") {
+        ReplayServer(VARIED_VIEW, ReplayOptions(0)).use { server ->
+            server.open()
+            answerTo(server, handshake("Sec-WebSocket-Protocol: nonsense")).lines()[0] shouldContain "404"
+            answerTo(server, handshake()).isEmpty() shouldBe false
+            shouldStillServe(server)
         }
     }
 

@@ -60,6 +60,24 @@ class RecordingSignalsSpec : FunSpec({
         TopicNames("").nameOf("NT:/SmartDashboard/X") shouldBe "/SmartDashboard/X"
     }
 
+    test("What describes types stays where dashboards look for it") {
+        TopicNames("/badlog").nameOf("NT:/.schema/struct:Pose2d") shouldBe "/.schema/struct:Pose2d"
+        TopicNames("/badlog").nameOf("/.schema/proto:A") shouldBe "/.schema/proto:A"
+    }
+
+    test("When the robot was enabled stands where a robot has it, but not twice") {
+        val header = "{\"topics\":[{\"name\":\"T\",\"unit\":\"s\",\"attrs\":[\"xaxis\"]},{\"name\":\"Enabled\"},{\"name\":\"Autonomous\"}],\"values\":[]}\n"
+        val view = viewOf("${header}T,Enabled,Autonomous\n0,false,false\n1,true,true\n2,true,false\n3,false,false\n4,false,false\n")
+        val word = signalsOf(view, "/badlog").last()
+        word.name shouldBe "/FMSInfo/FMSControlData"
+        word.typeName shouldBe "int"
+        word.samples.x.toList() shouldContainExactly listOf(0.0, 1.0, 2.0, 3.0)
+        word.samples.y.toList() shouldContainExactly listOf(32.0, 35.0, 33.0, 32.0)
+        val known = LoggedTopic("NT:/FMSInfo/FMSControlData", "int64", "", doubleArrayOf(0.0)) { ByteArray(8) }
+        signalsOf(view, "", listOf(known)).map { it.name } shouldContainExactly listOf("/FMSInfo/FMSControlData", "/T", "/Enabled", "/Autonomous")
+        signalsOf(viewOf("T,Enabled\n0,false\n"), "").size shouldBe 2
+    }
+
     test("Rows without a time are those of a robot's loop; other units of time are converted") {
         fun factor(unit: String) = unitsPerSecond(
             viewOf("{\"topics\":[{\"name\":\"T\",\"unit\":\"$unit\",\"attrs\":[\"xaxis\"]}],\"values\":[]}\nT\n1\n").xAxis,

@@ -230,4 +230,25 @@ class ReplayServerSpec : FunSpec({
         shouldThrow<IllegalArgumentException> { ReplayOptions(range = 2.0..1.0) }
         ReplayOptions().address.isLoopbackAddress shouldBe true
     }
+
+    test("What was logged arrives with its own type, beside what was calculated of it") {
+        val poses = LoggedTopic("NT:/Pose", "struct:Pose2d", "", doubleArrayOf(10.0, 10.1)) { byteArrayOf(it.toByte(), 7) }
+        val schema = LoggedTopic("NT:/.schema/struct:Pose2d", "structschema", "", doubleArrayOf(10.0)) { "double x".encodeToByteArray() }
+        ReplayServer(VARIED_VIEW, ReplayOptions(0, prefix = "old"), listOf(poses, schema)).use { server ->
+            server.open()
+            TestClient(server.port).use { client ->
+                client.subscribe("", options = TestClient.ALL_CHANGES)
+                client.settle()
+                val types = client.params("announce").associate { it["name"]!!.jsonPrimitive.content to it["type"]!!.jsonPrimitive.content }
+                types["/old/Pose"] shouldBe "struct:Pose2d"
+                types["/.schema/struct:Pose2d"] shouldBe "structschema"
+                types["/old/Arm/Angle"] shouldBe "double"
+                client.valuesOf("/.schema/struct:Pose2d").single().value.asBinaryValue().asByteArray().decodeToString() shouldBe "double x"
+                server.start()
+                waitUntil { client.valuesOf("/old/Pose").size == 2 }
+                client.valuesOf("/old/Pose").map { it.value.asBinaryValue().asByteArray().toList() } shouldBe
+                    listOf(listOf<Byte>(0, 7), listOf<Byte>(1, 7))
+            }
+        }
+    }
 })

@@ -33,6 +33,29 @@ class ValueFramesSpec : FunSpec({
         frame(SignalType.STRING, 1.0, "no", "é", micros = 1) shouldBe "94000104a2c3a9"
     }
 
+    test("What was logged is sent as it was, each type as NetworkTables has it") {
+        fun frame(type: String, vararg bytes: Int): String {
+            val payload = ByteArray(bytes.size) { bytes[it].toByte() }
+            val topic = LoggedTopic("A", type, "", doubleArrayOf(0.0)) { payload }
+            val signal = signalsOf(viewOf("A\n1\n"), "", listOf(topic)).first()
+            return signal.typeName + " " + ValueFrames(listOf(signal)).of(listOf(Update(0, 0, 1))).single().hex().removePrefix("940001")
+        }
+        frame("boolean", 1) shouldBe "boolean 00c3"
+        frame("int64", 1, 0, 0, 0, 0, 0, 32, 0) shouldBe "int 02cf0020000000000001"
+        frame("float", 0, 0, 0x80, 0x3f) shouldBe "float 03ca3f800000"
+        frame("double", 0, 0, 0, 0, 0, 0, 0xf0, 0x3f) shouldBe "double 01cb3ff0000000000000"
+        frame("string", 0x61, 0x62) shouldBe "string 04a26162"
+        frame("json", 0x7b, 0x7d) shouldBe "json 04a27b7d"
+        frame("raw", 1, 2, 3) shouldBe "raw 05c403010203"
+        frame("struct:Pose2d", 1, 2) shouldBe "struct:Pose2d 05c4020102"
+        frame("structschema", 0x78) shouldBe "structschema 05c40178"
+        frame("boolean[]", 1, 0) shouldBe "boolean[] 1092c3c2"
+        frame("double[]") shouldBe "double[] 1190"
+        frame("int64[]", 5, 0, 0, 0, 0, 0, 0, 0) shouldBe "int[] 129105"
+        frame("float[]", 0, 0, 0x80, 0x3f) shouldBe "float[] 1391ca3f800000"
+        frame("string[]", 2, 0, 0, 0, 1, 0, 0, 0, 0x61, 0, 0, 0, 0) shouldBe "string[] 1492a161a0"
+    }
+
     test("Many values go into frames about as long as a packet, in order") {
         val signal = Signal("/A", SignalType.DOUBLE, "", Series(DoubleArray(1000), DoubleArray(1000) { it.toDouble() }))
         val frames = ValueFrames(listOf(signal)).of(List(1000) { Update(0, it, it.toLong()) })

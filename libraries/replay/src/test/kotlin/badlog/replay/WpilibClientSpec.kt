@@ -35,7 +35,7 @@ private fun hasClient(python: String): Boolean = try {
 /** What WPILib's client receives of a replay from its start to its end, [values] values at least: its lines. */
 private fun linesOf(view: LogView, options: ReplayOptions, values: Int): List<JsonObject> = ReplayServer(view, options).use { server ->
     server.open()
-    val topics = view.recording.topics.size + view.recording.values.size
+    val topics = signalsOf(view, options.prefix).size
     val client = ProcessBuilder(PYTHON, "src/test/python/listen.py", "${server.port}", "$topics")
         .redirectError(ProcessBuilder.Redirect.INHERIT).apply { environment()["PYTHONIOENCODING"] = "utf-8" }.start()
     try {
@@ -64,7 +64,9 @@ private fun linesOf(view: LogView, options: ReplayOptions, values: Int): List<Js
 private fun Signal.textAt(index: Int): String = when (type) {
     SignalType.BOOLEAN -> "${samples.y[index] != 0.0}"
     SignalType.DOUBLE -> "${samples.y[index]}"
+    SignalType.INT -> "${samples.y[index].toLong()}"
     SignalType.STRING -> texts[samples.y[index].toInt()].decodeToString()
+    else -> error("not of a bag")
 }
 
 private fun JsonPrimitive.textAs(type: SignalType): String = when (type) {
