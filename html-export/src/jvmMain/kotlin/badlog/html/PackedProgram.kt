@@ -43,12 +43,24 @@ internal const val UNPACKING = """/* Unpacks the program of this page, which hol
     fail('This browser is too old. This page needs Chrome 80, Edge 80, Firefox 113, Safari 16.4 or newer.');
     return;
   }
-  Promise.resolve().then(() => {
-    const text = atob(document.getElementById('packed').textContent);
+  const unpack = async element => {
+    const text = atob(element.textContent);
     const bytes = new Uint8Array(text.length);
     for (let i = 0; i < bytes.length; i++) bytes[i] = text.charCodeAt(i);
     return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).text();
-  }).then(text => {
+  };
+  const packed = document.getElementById('packed-additions');
+  Promise.all([
+    unpack(document.getElementById('packed')),
+    packed ? unpack(packed).catch(() => '') : null,
+  ]).then(([text, additions]) => {
+    if (packed) {
+      const data = document.createElement('script');
+      data.type = 'application/json';
+      data.id = 'additions';
+      data.textContent = additions;
+      packed.replaceWith(data);
+    }
     const end = text.indexOf('\0');
     const style = document.createElement('style');
     style.textContent = text.slice(0, end);

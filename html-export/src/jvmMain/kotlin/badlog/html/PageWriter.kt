@@ -44,8 +44,8 @@ internal class PageWriter(private val out: OutputStream, private val parts: Page
     /** What the page shows besides the recording; no byte when that is nothing. */
     fun additions(additions: PageAdditions) {
         if (additions.isEmpty) return
-        text("<script type=\"application/json\" id=\"additions\">")
-        text(additions.toJson())
+        text("<script type=\"application/octet-stream\" id=\"packed-additions\">")
+        out.write(packed(additions.toJson()))
         text("</script>\n")
     }
 

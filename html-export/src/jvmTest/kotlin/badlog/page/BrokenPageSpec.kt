@@ -59,7 +59,7 @@ internal class BrokenPageSpec : PageSpec({
     browserTest("a page whose findings cannot be read shows the recording, and says so") {
         val bag = stepBag(graphs = 1)
         val page = TestPages.of(bag, additions = PageAdditions(listOf("Twice = Step 1 * 2")))
-        OpenPage.open(changed(page, "id=\"additions\">") { it.dropLast(3) }, Screen.WIDE, null).use {
+        OpenPage.open(changed(page, "id=\"packed-additions\">") { it.dropLast(3) }, Screen.WIDE, null).use {
             it.awaitState("ready")
             it.graphNames shouldBe listOf("Step 1")
             it.texts(".problem-text").single() shouldContain "cannot read the findings"

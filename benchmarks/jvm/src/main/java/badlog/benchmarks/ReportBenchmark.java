@@ -7,6 +7,7 @@ import badlog.report.FindTextKt;
 import badlog.report.Report;
 import badlog.report.ReportTextKt;
 import badlog.rules.RulesFile;
+import badlog.rules.signal.SignalVocabulary;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -30,7 +31,7 @@ public final class ReportBenchmark {
         try {
             for (String run : List.of("read", "from the cache")) {
                 measure("find, " + run, () -> FindTextKt.findText(
-                    new Find(QUESTION, List.of(), cache, null).over(files, ReportBenchmark::ignore, result -> Unit.INSTANCE)));
+                    new Find(QUESTION, List.of(), cache, null, SignalVocabulary.Companion.getNONE()).over(files, ReportBenchmark::ignore, result -> Unit.INSTANCE)));
                 measure("report, " + run, () -> ReportTextKt.reportText(
                         new Report(RulesFile.Companion.getBUILT_IN().getRules(), List.of(), List.of(), cache, null)
                         .over(files, ReportBenchmark::ignore, (log, hooks) -> Unit.INSTANCE)));

@@ -9,6 +9,7 @@ import badlog.cli.command.Task
 import badlog.cli.command.VirtualTopicOption
 import badlog.cli.command.cacheFolder
 import badlog.cli.console.Console
+import badlog.cli.search.rulesBeside
 import badlog.cli.text.jsonOf
 import badlog.expression.syntax.ExpressionErrorKind
 import badlog.report.Find
@@ -59,7 +60,7 @@ internal class FindTask(
     private val isJson: Boolean,
 ) : Task {
     override fun run(console: Console): ExitCode {
-        val find = Find(question, virtualTopics, cache, xTopic)
+        val find = Find(question, virtualTopics, cache, xTopic, rulesBeside(paths, console::warn).signals)
         find.mistake?.let {
             console.warn(it.pointed)
             return ExitCode.USAGE

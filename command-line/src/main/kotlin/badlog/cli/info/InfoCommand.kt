@@ -14,6 +14,8 @@ import badlog.expression.withVirtualTopics
 import badlog.report.NamedTopics
 import badlog.report.UndefinedTopic
 import badlog.report.undefinedTexts
+import badlog.rules.FolderRules
+import badlog.rules.signalTopicsOf
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.help
@@ -31,6 +33,7 @@ internal class InfoCommand :
     ) {
     private val showsTopics by option("--topics").flag().help("Show the topics, of several logs too.")
     private val showsAttributes by option("--attributes").flag().help("Show the topics with their attributes.")
+    private val showsSignals by option("--signals").flag().help("Show which topic is the battery, the total current and so on.")
     private val showsValues by option("--values").flag().help("Show the values, of several logs too.")
     private val showsProblems by option("--problems").flag().help("Show the problems, of several logs too.")
     private val xTopic by option("--x", metavar = "TOPIC").help("Use this topic as x axis; CSV does not name one.")
@@ -40,6 +43,7 @@ internal class InfoCommand :
         val parts = buildSet {
             if (showsTopics || showsAttributes) add(InfoPart.TOPICS)
             if (showsAttributes) add(InfoPart.ATTRIBUTES)
+            if (showsSignals) add(InfoPart.SIGNALS)
             if (showsValues) add(InfoPart.VALUES)
             if (showsProblems) add(InfoPart.PROBLEMS)
         }
@@ -54,6 +58,9 @@ internal enum class InfoPart {
 
     /** Below each topic its attributes. */
     ATTRIBUTES,
+
+    /** Which topics mean what. */
+    SIGNALS,
 
     /** The values. */
     VALUES,
@@ -88,15 +95,16 @@ internal class InfoTask(
             val numbers = StreamedNumbers(NamedTopics(virtualTopics, xTopic))
             val recording = readLog(input.file, progress, xTopic, numbers)
             val with = LogView.of(recording).withVirtualTopics(virtualTopics)
+            val signals = signalTopicsOf(with.view, FolderRules.of(input.file).rules.signals).all
             val summary = LogSummary(input.file, Files.size(input.file), with.view, numbers)
             val text = when {
                 isJson -> ""
                 isOverview -> (if (isFirst) OverviewText.titles() + "\n" else "") + OverviewText.line(summary)
-                else -> (if (isFirst) "" else "\n") + InfoText(summary, shown).text()
+                else -> (if (isFirst) "" else "\n") + InfoText(summary, shown, signals).text()
             }
             isFirst = false
             undefined += with.errors.map(::UndefinedTopic)
-            val json = if (isJson) jsonOf(InfoJson(summary, with.errors)) else emptyMap()
+            val json = if (isJson) jsonOf(InfoJson(summary, signals, with.errors)) else emptyMap()
             Outcome(recording.isSalvaged, text, json)
         }
         if (!isJson) undefinedTexts(undefined).forEach(console::say)

@@ -8,6 +8,7 @@ import badlog.expression.ExpressionError
 import badlog.recording.CellCounts
 import badlog.recording.Value
 import badlog.report.UndefinedJson
+import badlog.rules.signal.SignalTopic
 import kotlinx.serialization.Serializable
 
 /** All about one log, for a program. */
@@ -20,11 +21,12 @@ internal class InfoJson private constructor(
     private val x: AxisJson,
     private val values: List<ValueJson>,
     private val topics: List<TopicJson>,
+    private val signals: List<SignalJson>,
     private val problems: List<ProblemJson>,
     private val undefined: List<UndefinedJson>,
 ) {
-    /** Of a log to which virtual topics could not be added for the reasons [errors]. */
-    constructor(summary: LogSummary, errors: List<ExpressionError>) : this(
+    /** Of a log in which [signals] mean something, and to which virtual topics could not be added for the reasons [errors]. */
+    constructor(summary: LogSummary, signals: List<SignalTopic>, errors: List<ExpressionError>) : this(
         summary.view.recording.format.name.lowercase(),
         summary.bytes,
         summary.view.title,
@@ -32,6 +34,7 @@ internal class InfoJson private constructor(
         AxisJson(summary.view.xAxis, summary),
         summary.view.recording.values.map(::ValueJson),
         summary.topics.map(::TopicJson),
+        signals.map(::SignalJson),
         summary.view.problems.map(::ProblemJson),
         errors.map(::UndefinedJson),
     )

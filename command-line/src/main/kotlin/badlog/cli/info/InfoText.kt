@@ -11,6 +11,7 @@ import badlog.cli.text.wrapped
 import badlog.recording.RecordingFormat
 import badlog.recording.Severity
 import badlog.recording.TopicKind
+import badlog.rules.signal.SignalTopic
 import badlog.terminal.TextTable
 import badlog.terminal.TextTable.Column
 import badlog.terminal.displayWidth
@@ -21,8 +22,9 @@ import kotlin.math.roundToLong
  * All about one log, for a person, in lines that fit a terminal.
  *
  * @param parts what to show below its summary.
+ * @param signals which topics mean what.
  */
-internal class InfoText(private val summary: LogSummary, private val parts: Set<InfoPart>) {
+internal class InfoText(private val summary: LogSummary, private val parts: Set<InfoPart>, private val signals: List<SignalTopic>) {
     private val view = summary.view
     private val recording = view.recording
 
@@ -31,6 +33,7 @@ internal class InfoText(private val summary: LogSummary, private val parts: Set<
         summaryLines(),
         if (InfoPart.VALUES in parts) valueLines() else emptyList(),
         if (InfoPart.TOPICS in parts) topicLines() else emptyList(),
+        if (InfoPart.SIGNALS in parts) signalLines(signals) else emptyList(),
         when {
             InfoPart.PROBLEMS in parts -> problemLines(view.problems)
             InfoPart.WORST in parts -> worstLines()

@@ -8,6 +8,7 @@ import badlog.cli.command.Task
 import badlog.cli.console.Console
 import badlog.cli.search.Search
 import badlog.cli.search.SearchException
+import badlog.cli.search.rulesBeside
 import badlog.cli.text.jsonOf
 import badlog.html.ExportException
 import badlog.report.LogReport
@@ -19,10 +20,7 @@ import badlog.report.page.ReportFolder
 import badlog.report.reportCsv
 import badlog.report.reportText
 import badlog.rules.BUILT_IN
-import badlog.rules.FolderRules
 import badlog.rules.RuleSet
-import badlog.rules.RulesFile
-import java.nio.file.Files
 import java.nio.file.Path
 
 /**
@@ -47,7 +45,8 @@ internal class ReportTask(
         val rules: RuleSet
         val report = try {
             val named = search.namedRules()
-            rules = named?.rules ?: rulesBeside(console)
+            val beside = rulesBeside(paths, console::warn)
+            rules = named?.rules?.with(beside.signals) ?: beside
             Report(rules, search.hooksWith(named), search.virtualTopics, cache, xTopic)
         } catch (e: SearchException) {
             console.warn(e.message)
@@ -77,14 +76,6 @@ internal class ReportTask(
         val code = outcomes.end()
         if (form != ReportForm.JSON && pages?.index != null) console.warn("The index is ${pages.index}.")
         return if (result.skipped.any { it.isMistake }) ExitCode.USAGE else code
-    }
-
-    /** The rules that lie beside the logs, where all of them have the same; else the built-in ones. */
-    private fun rulesBeside(console: Console): RuleSet {
-        val beside = paths.map { FolderRules.of(if (Files.isDirectory(it)) it.resolve(RulesFile.NAME) else it) }
-        val rules = beside.distinctBy { it.file }.singleOrNull() ?: return RuleSet.BUILT_IN
-        rules.problem?.let(console::warn)
-        return rules.rules
     }
 
     private fun report(log: LogReport, pages: ReportPages?, outcomes: Outcomes, console: Console) {

@@ -57,7 +57,7 @@ class ExportSpec : FunSpec({
             val ended = badlog("export", log, "--topic", "Twice = Speed * 2", "--topic", "Odd = Sped * 2")
             ended.code shouldBe ExitCode.WHOLE
             ended.out shouldContain "There is no topic “Sped”"
-            (folder / "a.bag.html").readText() shouldContain "Twice = Speed * 2"
+            additionsOf(folder / "a.bag.html") shouldContain "Twice = Speed * 2"
         }
     }
 
@@ -67,7 +67,7 @@ class ExportSpec : FunSpec({
             val builtIn = "The roboRIO browned out"
             fun export(vararg options: Any): String {
                 badlog("export", log, "--force", *options).code shouldBe ExitCode.WHOLE
-                return (folder / "a.bag.html").readText()
+                return additionsOf(folder / "a.bag.html")
             }
             export() shouldContain builtIn
             export("--no-rules") shouldNotContain builtIn
@@ -90,7 +90,7 @@ class ExportSpec : FunSpec({
             val ended = badlog("export", log)
             ended.code shouldBe ExitCode.SALVAGED
             ended.err shouldContain "badlog-rules.toml: Line 3: A severity is"
-            (folder / "a.bag.html").readText() shouldContain "The roboRIO browned out"
+            additionsOf(folder / "a.bag.html") shouldContain "The roboRIO browned out"
         }
     }
 
@@ -129,8 +129,8 @@ class ExportSpec : FunSpec({
             val ended = badlog("export", log, "--rules", rules, "--hook", "python3 '$one'")
             ended.code shouldBe ExitCode.WHOLE
             ended.out shouldContain "1 finding"
-            (folder / "a.bag.html").readText() shouldContain "found by one"
-            (folder / "a.bag.html").readText() shouldContain "found by two"
+            additionsOf(folder / "a.bag.html") shouldContain "found by one"
+            additionsOf(folder / "a.bag.html") shouldContain "found by two"
         }
     }
 

@@ -64,7 +64,7 @@ class InfoSpec : FunSpec({
             fun json(needed: NumberSinks): JsonObject {
                 val numbers = StreamedNumbers(needed)
                 val view = LogView.of(readRecording(file, LOG_FORMATS, sinks = numbers))
-                return jsonOf(InfoJson(LogSummary(file, 0, view, numbers), emptyList()))
+                return jsonOf(InfoJson(LogSummary(file, 0, view, numbers), emptyList(), emptyList()))
             }
             json(NamedTopics(emptyList())) shouldBe json(NumberSinks.RECORDING)
         }

@@ -4,6 +4,7 @@ import badlog.plot.timeline.FindingTimeline
 import badlog.recording.Severity
 import badlog.rules.Finding
 import badlog.rules.SkippedRule
+import badlog.rules.worstFirst
 import java.nio.file.Path
 
 /**
@@ -35,7 +36,7 @@ internal data class Findings(
 /**
  * What rules found in a recording.
  *
- * @property all the findings: those of the whole log first, then the others by time.
+ * @property all the findings, the worst first, and of one severity in the order of time.
  * @property skipped the rules that were skipped for it.
  * @property rulesFile where the rules come from; null for the built-in ones.
  * @property trouble why a file of rules is not used, or why nothing was found out, as a sentence; null when all is well.
@@ -46,7 +47,7 @@ internal class FindingList(
     val rulesFile: Path? = null,
     val trouble: String? = null,
 ) {
-    val all: List<Finding> = found.sortedWith(compareBy({ it.time.isFinite() }, { it.time }))
+    val all: List<Finding> = found.worstFirst()
 
     /** They by their places on x. */
     val timeline: FindingTimeline<Finding> = FindingTimeline(all, { it.severity }, { it.places })

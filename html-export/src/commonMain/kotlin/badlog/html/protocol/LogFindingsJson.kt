@@ -45,6 +45,8 @@ internal fun findingJson(finding: Finding): String = jsonObject(
     "spanCount" to finding.spanCount.toString(),
     "timeUnit" to quotedJson(finding.timeUnit),
     "isOfHook" to finding.isOfHook.toString(),
+    "evidence" to array(finding.evidence, ::quotedJson),
+    "next" to finding.next.takeIf { it.isNotEmpty() }?.let(::quotedJson),
 )
 
 internal fun findingOf(value: JsonValue): Finding {
@@ -63,5 +65,7 @@ internal fun findingOf(value: JsonValue): Finding {
         spanCount = json["spanCount"].number.toInt(),
         timeUnit = json["timeUnit"].string,
         isOfHook = json["isOfHook"].boolean,
+        evidence = json.list("evidence") { it.string },
+        next = json.find("next")?.string.orEmpty(),
     )
 }

@@ -49,6 +49,8 @@ private val FINDINGS = arbitrary {
         spanCount = Arb.int(0..Int.MAX_VALUE).bind(),
         timeUnit = TEXTS.bind(),
         isOfHook = Arb.boolean().bind(),
+        evidence = Arb.list(TEXTS, 0..3).bind(),
+        next = TEXTS.bind(),
     )
 }
 
@@ -70,12 +72,15 @@ private val RULES = arbitrary {
     val each = if (Arb.boolean().bind()) ",\"each\":{\"names\":[$name],\"except\":[],\"unit\":$name}" else ""
     val rule = "{\"name\":$name,\"severity\":\"note\",\"when\":$name,\"text\":$text,\"only\":[$name]$each," +
         "\"place\":{\"number\":3,\"line\":$name,\"column\":2,\"isLiteral\":true}}"
-    RuleSet.fromJson("{\"aliases\":[{\"name\":$name,\"names\":[$name],\"unit\":$name}],\"rules\":[$rule]}").shouldNotBeNull()
+    val alias = "{\"name\":$name,\"names\":[$name],\"unit\":$name}"
+    val signals = "{\"signals\":[{\"name\":$name,\"topics\":[$name,[$name,$name]]}],\"units\":[[$name,$name]],\"linked\":[[$name]]}"
+    RuleSet.fromJson("{\"aliases\":[$alias],\"rules\":[$rule],\"signals\":$signals}").shouldNotBeNull()
 }
 
 class ProtocolSpec : FunSpec({
     fun partsOf(finding: Finding) = finding.run {
-        listOf(rule, severity, topic, text, if (time.isNaN()) null else time, spans.map { it.from to it.to }, spanCount, timeUnit, isOfHook)
+        val at = if (time.isNaN()) null else time
+        listOf(rule, severity, topic, text, at, spans.map { it.from to it.to }, spanCount, timeUnit, isOfHook, evidence, next)
     }
 
     fun bitsOf(series: PageSeries) = listOf(series.data.x, series.data.y).map { numbers -> numbers.map { it.toBits() } }

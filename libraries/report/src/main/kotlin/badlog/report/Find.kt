@@ -3,10 +3,14 @@ package badlog.report
 import badlog.expression.Answer
 import badlog.expression.Expression
 import badlog.expression.ExpressionError
-import badlog.expression.LogViewSignals
 import badlog.expression.ParsedExpression
-import badlog.expression.signals.Vocabulary
 import badlog.file.LogFile
+import badlog.rules.BUILT_IN
+import badlog.rules.LogShape
+import badlog.rules.QuestionNames
+import badlog.rules.RuleSet
+import badlog.rules.signal.SignalVocabulary
+import badlog.rules.signal.toJson
 import kotlinx.serialization.Serializable
 import java.nio.file.Path
 
@@ -17,15 +21,23 @@ import java.nio.file.Path
  * @param virtualTopics definitions of topics that the question may use beside the log's own, such as `Power = Voltage * Current`.
  * @param cache a folder for what was found out before, so that a file that did not change is not read again; null for none.
  * @param xTopic the topic to take as x axis, which plain CSV does not name; null for what the log itself says.
+ * @param signals what topics are called that the question names by their meaning.
  */
 public class Find(
     private val question: String,
     private val virtualTopics: List<String> = emptyList(),
     private val cache: Path? = null,
     private val xTopic: String? = null,
+    signals: SignalVocabulary = RuleSet.BUILT_IN.signals,
 ) {
-    private val named = NamedTopics(virtualTopics + question, xTopic)
-    private val parsed = LruCache<Vocabulary, ParsedExpression>(MAX_VOCABULARIES) { Expression.parse(question, it) }
+    private val usedSignals = signals.namedIn(question)
+    private val named = NamedTopics(virtualTopics + question, xTopic, usedSignals)
+    private val asked = LruCache<LogShape, Asked>(MAX_SHAPES) { Asked(it) }
+
+    private inner class Asked(shape: LogShape) {
+        val names = QuestionNames(usedSignals, shape)
+        val expression: ParsedExpression = Expression.parse(question, names.vocabulary)
+    }
 
     /** What is wrong with the question whatever a log has, such as a parenthesis that is never closed; null when nothing seems to be. */
     public val mistake: Reply.NotAsked? = errorForEveryLog(question)?.let(::notAsked)
@@ -53,8 +65,8 @@ public class Find(
         each: (FindResult) -> Unit = {},
     ): List<FindResult> {
         val results = ArrayList<FindResult>(files.size)
-        val asked = "find\n${virtualTopics.joinToString("\n")}\n\n${xTopic.orEmpty()}\n$question"
-        val known = cache?.let { ResultCache(it, asked, Stored.serializer()) }
+        val key = "find\n${virtualTopics.joinToString("\n")}\n\n${xTopic.orEmpty()}\n${usedSignals.toJson()}\n$question"
+        val known = cache?.let { ResultCache(it, key, Stored.serializer()) }
         runCached(files, known, ::ask) { file, stored ->
             val result = FindResult(file, stored.title, stored.reply, stored.undefined, stored.isSalvaged)
             results += result
@@ -73,10 +85,10 @@ public class Find(
         is LogContent.None -> CachedResult(Stored(null, Reply.Unreadable(content.message, content.isNoLog)), content.isNoLog)
 
         is LogContent.Log -> {
-            val signals = LogViewSignals(content.view)
-            val reply = when (val expression = parsed[signals.vocabulary]) {
+            val asked = asked[LogShape.of(content.view)]
+            val reply = when (val expression = asked.expression) {
                 is ExpressionError -> notAsked(expression)
-                is Expression -> answered(expression.answer(signals))
+                is Expression -> answered(expression.answer(asked.names.signalsOf(content.view)))
             }
             CachedResult(Stored(content.view.title, reply, content.undefined, content.recording.isSalvaged), isLasting = true)
         }
@@ -84,7 +96,7 @@ public class Find(
 
     private companion object {
         const val MAX_SPANS = 100
-        const val MAX_VOCABULARIES = 64
+        const val MAX_SHAPES = 64
 
         fun answered(answer: Answer) = Reply.Answered(
             answer.outcome,

@@ -2,6 +2,7 @@ package badlog.report
 
 import badlog.recording.NumberSink
 import badlog.recording.NumberSinks
+import badlog.rules.signal.SignalVocabulary
 
 /**
  * Drops the numbers of topics that none of some expressions can name, so that a question costs no memory for them. What stays is
@@ -10,15 +11,21 @@ import badlog.recording.NumberSinks
  *
  * @param expressions questions, and definitions of virtual topics.
  * @param xTopic the topic to take as x axis, or null.
+ * @param signals the signals that the expressions name.
  */
-public class NamedTopics(expressions: List<String>, private val xTopic: String? = null) : NumberSinks {
+public class NamedTopics(
+    expressions: List<String>,
+    private val xTopic: String? = null,
+    private val signals: SignalVocabulary = SignalVocabulary.NONE,
+) : NumberSinks {
     private val text = expressions.joinToString("\n", transform = ::folded)
     private val needsEnabled = "enabled" in text || "autonomous" in text
 
     override fun of(name: String, attributes: List<String>): NumberSink? = if (isNeeded(name, attributes)) null else NumberSink.NONE
 
     private fun isNeeded(name: String, attributes: List<String>): Boolean =
-        isNamed(name) || attributes.any { it.contains(X_AXIS, ignoreCase = true) } || name.equals(xTopic, ignoreCase = true) ||
+        isNamed(name) || signals.mayBe(name) || attributes.any { it.contains(X_AXIS, ignoreCase = true) } ||
+            name.equals(xTopic, ignoreCase = true) ||
             (needsEnabled && folded(name).let { folded -> MODES.any { it in folded } })
 
     /** By the last part of its path, which every way to write it holds; a quote in it would be written twice. */

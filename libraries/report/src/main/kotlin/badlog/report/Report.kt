@@ -11,6 +11,7 @@ import badlog.rules.RuleProgram
 import badlog.rules.RuleSet
 import badlog.rules.SkippedRule
 import badlog.rules.toJson
+import badlog.rules.worstFirst
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.Transient
 import java.nio.file.Path
@@ -32,6 +33,7 @@ public class Report(
     private val cache: Path? = null,
     private val xTopic: String? = null,
 ) {
+    private val ruleOf = rules.rules.associateBy { it.name }
     private val programs = LruCache<LogShape, RuleProgram>(MAX_PROGRAMS) { RuleProgram(rules, it) }
 
     @Serializable
@@ -72,7 +74,11 @@ public class Report(
         runCached(files, known, ::examine) { file, stored ->
             val failures = stored.hooks.mapNotNull { hook -> hook.failure?.let { HookFailure(hook.hook, it.message) } }
             val log = LogReport(
-                file, stored.title, stored.findings, stored.asked.mapNotNull { skipped(it.rule, listOf(it)) }, stored.unreadable,
+                file, stored.title, stored.findings,
+                stored.asked.mapNotNull {
+                    skipped(ruleOf.getValue(it.rule), listOf(it))
+                },
+                stored.unreadable,
                 stored.isNoLog, stored.isSalvaged, stored.undefined, failures,
             )
             logs += log
@@ -82,7 +88,7 @@ public class Report(
         }
         val readable = logs.count { it.unreadable == null }
         val skipped = rules.rules.mapNotNull { rule ->
-            asked[rule.name].let { if (it == null) unasked(rule, readable) else skipped(rule.name, it) }
+            asked[rule.name].let { if (it == null) unasked(rule, readable) else skipped(rule, it) }
         }
         return ReportResult(logs, skipped)
     }
@@ -104,7 +110,15 @@ public class Report(
             for (outcome in outcomes) findings += outcome.findings(content.view.xAxis.unit)
             val isSalvaged = content.recording.isSalvaged
             val stored =
-                Stored(content.view.title, findings, asked, null, isSalvaged = isSalvaged, undefined = content.undefined, hooks = outcomes)
+                Stored(
+                    content.view.title,
+                    findings.worstFirst(),
+                    asked,
+                    null,
+                    isSalvaged = isSalvaged,
+                    undefined = content.undefined,
+                    hooks = outcomes,
+                )
             CachedResult(stored, isLasting = true)
         }
     }
@@ -114,13 +128,13 @@ public class Report(
         return if (logs == 0) null else SkippedRule(rule.name, logs, "it is only for matches of the type $types", isMistake = false)
     }
 
-    private fun skipped(rule: String, asked: List<Asked>): SkippedRule? {
+    private fun skipped(rule: Rule, asked: List<Asked>): SkippedRule? {
         val refused = asked.filter { it.refusal != null }
         val mistaken = refused.find { it.mistake != null }
         val first = mistaken ?: refused.firstOrNull() ?: return null
         // A rule that can be asked of one log is right; another log only lacks its topics.
         val isMistake = mistaken != null && refused.size == asked.size
-        return SkippedRule(rule, refused.size, (if (isMistake) first.mistake else first.refusal).orEmpty(), isMistake)
+        return SkippedRule(rule.name, refused.size, (if (isMistake) first.mistake else first.refusal).orEmpty(), isMistake, rule.isBuiltIn)
     }
 
     private companion object {

@@ -33,6 +33,8 @@ internal class FindingJson(
     private val spans: List<SpanJson>,
     private val spanCount: Int,
     private val isOfHook: Boolean,
+    private val evidence: List<String>,
+    private val next: String,
 ) {
     constructor(finding: Finding) : this(
         finding.rule,
@@ -44,6 +46,8 @@ internal class FindingJson(
         finding.spans.map(::SpanJson),
         finding.spanCount,
         finding.isOfHook,
+        finding.evidence,
+        finding.next,
     )
 }
 

@@ -21,7 +21,7 @@ public class ReportResult internal constructor(public val logs: List<LogReport>,
  *
  * @property file the file.
  * @property title what match it is, from its values; null when they do not say or it cannot be read.
- * @property findings in the order of the rules, then of the hooks.
+ * @property findings the worst first, and of one severity in the order of time.
  * @property skipped the rules that were skipped for it, in the order of the rules; one that is a mistake here may be right for
  *   another log.
  * @property unreadable why the file cannot be read or is not a log, as a sentence; null when all is well.

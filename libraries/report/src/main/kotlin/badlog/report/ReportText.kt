@@ -29,7 +29,19 @@ public fun reportText(result: ReportResult): String {
 /** What was not looked for, and why: rules, virtual topics and hooks, each as a sentence or more. */
 public fun notesOf(result: ReportResult): List<String> {
     val readable = result.logs.filter { it.unreadable == null }
-    return result.skipped.map { it.toString() } + undefinedTexts(readable.map { it.undefined }) + hookTexts(readable)
+    val (builtIn, others) = result.skipped.partition { it.isBuiltIn && !it.isMistake }
+    return listOfNotNull(builtInText(builtIn.size)) + others.map { it.toString() } + undefinedTexts(readable.map { it.undefined }) +
+        hookTexts(readable)
+}
+
+/** No log has all topics that the built-in rules know. */
+private fun builtInText(skipped: Int): String? = if (skipped == 0) {
+    null
+} else {
+    "${count(
+        skipped,
+        "built-in rule",
+    )} ${if (skipped == 1) "was" else "were"} skipped for logs without their topics; see badlog info --signals."
 }
 
 /** What fails in one log mostly does in all. */

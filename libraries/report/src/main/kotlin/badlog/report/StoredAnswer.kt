@@ -51,15 +51,17 @@ internal object FindingSerializer : KSerializer<Finding> {
         val spanCount: Int,
         val timeUnit: String,
         val isOfHook: Boolean,
+        val evidence: List<String>,
+        val next: String,
     )
 
     override val descriptor: SerialDescriptor = Stored.serializer().descriptor
 
     override fun serialize(encoder: Encoder, value: Finding) = encoder.encodeSerializableValue(
         Stored.serializer(),
-        value.run { Stored(rule, severity, topic, text, time, spans, spanCount, timeUnit, isOfHook) },
+        value.run { Stored(rule, severity, topic, text, time, spans, spanCount, timeUnit, isOfHook, evidence, next) },
     )
 
     override fun deserialize(decoder: Decoder): Finding = decoder.decodeSerializableValue(Stored.serializer())
-        .run { Finding(rule, severity, topic, text, time, spans, spanCount, timeUnit, isOfHook) }
+        .run { Finding(rule, severity, topic, text, time, spans, spanCount, timeUnit, isOfHook, evidence, next) }
 }

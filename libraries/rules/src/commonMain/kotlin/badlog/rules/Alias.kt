@@ -3,9 +3,11 @@ package badlog.rules
 import badlog.analysis.Units
 import badlog.expression.signals.Signal
 import badlog.expression.signals.SignalKind
+import badlog.rules.signal.NamePattern
+import badlog.rules.signal.unitScale
 
 /**
- * A name that rules use for a topic which is called differently from log to log.
+ * A name that a file of rules gives to a topic which is called differently from log to log.
  *
  * @property names the patterns, the first that fits a topic counts.
  * @property unit the unit in which rules get the numbers, or null for the topic's own.
@@ -17,24 +19,13 @@ internal class Alias(val name: String, val names: List<NamePattern>, val unit: S
     }
 
     private fun named(signal: Signal): NamedSignal? {
-        val wanted = unit ?: return NamedSignal(name, signal, 1.0, signal.unit)
+        val wanted = unit ?: return NamedSignal.of(name, signal)
         if (signal.kind != SignalKind.NUMBER) return null
-        val scale = scale(signal.unit, wanted) ?: return null
-        return NamedSignal(name, signal, scale, wanted)
+        val scale = if (!Units.isNone(signal.unit)) unitScale(signal.unit, wanted) ?: return null else 1.0.takeIf { wanted != PERCENT }
+        return NamedSignal(name, listOf(ScaledSignal(signal, scale, NamedSignal.wholeIn(wanted))), wanted)
+    }
+
+    private companion object {
+        const val PERCENT = "%"
     }
 }
-
-/** What a number in [from] is to be multiplied with to be one in [to]; null when they do not measure the same. */
-private fun scale(from: String, to: String): Double? {
-    if (Units.isNone(from) || from.equals(to, ignoreCase = true)) return 1.0
-    val seconds = Units.secondsIn(from)
-    if (seconds != null) return Units.secondsIn(to)?.let { seconds / it }
-    val group = UNITS.find { from.lowercase() in it && to.lowercase() in it } ?: return null
-    return group.getValue(from.lowercase()) / group.getValue(to.lowercase())
-}
-
-private val UNITS = listOf(
-    mapOf("kv" to 1e3, "v" to 1.0, "volt" to 1.0, "volts" to 1.0, "mv" to 1e-3),
-    mapOf("a" to 1.0, "amp" to 1.0, "amps" to 1.0, "ma" to 1e-3),
-    mapOf("%" to 1.0, "percent" to 1.0),
-)

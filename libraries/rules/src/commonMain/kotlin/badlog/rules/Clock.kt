@@ -1,12 +1,18 @@
 package badlog.rules
 
+import badlog.analysis.EnabledSpan
+import badlog.analysis.LogView
 import badlog.analysis.Series
 import badlog.analysis.XAxis
+import badlog.analysis.enabledTopics
 import badlog.expression.signals.Signal
 import badlog.expression.signals.SignalKind
 
 /** What `time` is where no topic is the x axis, but topics have times of their own: every time at which there is a sample. */
 internal val CLOCK = Signal(RuleProgram.TIME, SignalKind.NUMBER, "s")
+
+/** What `active` is: whether the robot is enabled, and always true where the log does not tell. */
+internal val ACTIVITY = Signal(RuleProgram.ACTIVE, SignalKind.CONDITION)
 
 /** The samples of [CLOCK]. */
 internal fun clockOf(xAxis: XAxis): Series {
@@ -20,4 +26,26 @@ internal fun clockOf(xAxis: XAxis): Series {
     var kept = 0
     for (time in times) if (kept == 0 || time > times[kept - 1]) times[kept++] = time
     return times.copyOf(kept).let { Series(it, it) }
+}
+
+/** The samples of [ACTIVITY] in [view], where the robot was [enabled]. */
+internal fun activeIn(view: LogView, enabled: List<EnabledSpan>): Series {
+    val range = view.xAxis.range ?: return Series(DoubleArray(0), DoubleArray(0))
+    if (view.enabledTopics().isEmpty()) return Series(doubleArrayOf(range.start), doubleArrayOf(1.0))
+    val times = ArrayList<Double>()
+    val states = ArrayList<Double>()
+    fun set(time: Double, state: Double) {
+        if (times.isEmpty() || time > times.last()) {
+            times += time
+            states += state
+        } else {
+            states[states.lastIndex] = state
+        }
+    }
+    set(range.start, 0.0)
+    for (stretch in enabled) {
+        set(stretch.span.from, 1.0)
+        if (stretch.span.to < range.endInclusive) set(stretch.span.to, 0.0)
+    }
+    return Series(times.toDoubleArray(), states.toDoubleArray())
 }

@@ -16,6 +16,8 @@ import badlog.recording.Severity
  * @property spanCount how often.
  * @property timeUnit the unit of all times, empty where x has none.
  * @property isOfHook whether a hook found it, and no rule.
+ * @property evidence the full names of the topics that show it, those of the rule's condition first.
+ * @property next what to look at next, as a sentence; empty where nobody says.
  */
 public class Finding(
     public val rule: String,
@@ -27,6 +29,8 @@ public class Finding(
     public val spanCount: Int,
     public val timeUnit: String,
     public val isOfHook: Boolean = false,
+    public val evidence: List<String> = listOfNotNull(topic),
+    public val next: String = "",
 ) {
     /** Everywhere it was found, where to look first before the others; empty when it is about the whole log. */
     public val places: List<Span>
@@ -37,6 +41,10 @@ public class Finding(
         public const val MAX_SPANS: Int = 100
     }
 }
+
+/** The worst first, and of one severity in the order of time; those about the whole log come before those with a place. */
+public fun List<Finding>.worstFirst(): List<Finding> =
+    sortedWith(compareBy({ -it.severity.ordinal }, { if (it.time.isNaN()) Double.NEGATIVE_INFINITY else it.time }))
 
 /** [time] as a person reads it, such as `93.7 s`; empty when it is NaN. */
 public fun timeText(time: Double, unit: String): String = if (time.isNaN()) "" else Quantity("", time, unit, Double.NaN).text

@@ -22,8 +22,15 @@ public class LogFindings(public val findings: List<Finding>, public val skipped:
  * @property logs for how many logs.
  * @property message why, in the first of them.
  * @property isMistake whether the rule itself is wrong; [message] then points at the mistake in the file of rules.
+ * @property isBuiltIn whether it is one of badlog's own, which few logs have all topics for.
  */
-public class SkippedRule(public val rule: String, public val logs: Int, public val message: String, public val isMistake: Boolean) {
+public class SkippedRule(
+    public val rule: String,
+    public val logs: Int,
+    public val message: String,
+    public val isMistake: Boolean,
+    public val isBuiltIn: Boolean = false,
+) {
     /** As a sentence, or more where the rule is wrong. */
     override fun toString(): String = if (isMistake) {
         "The rule “$rule” is wrong. $message"

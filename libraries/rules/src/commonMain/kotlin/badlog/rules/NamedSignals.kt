@@ -1,38 +1,98 @@
 package badlog.rules
 
+import badlog.analysis.LogView
 import badlog.analysis.Series
 import badlog.expression.signals.Signal
+import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Signals
 import badlog.expression.signals.Vocabulary
+import badlog.rules.signal.FRACTION
+import badlog.rules.signal.SignalTopic
+import kotlin.math.abs
 
-/** [signal] under the name [name], its numbers times [scale] in [unit]. */
-internal class NamedSignal(val name: String, val signal: Signal, val scale: Double, unit: String) {
+/** The numbers of [signal] times [scale]; where that is null, so that all is [whole], whether they are percent or fractions. */
+internal data class ScaledSignal(val signal: Signal, val scale: Double?, val whole: Double = 1.0)
+
+/** The sum of [summands], mostly a single one, under the name [name], in [unit]. */
+internal class NamedSignal(val name: String, val summands: List<ScaledSignal>, unit: String) {
     /** How a vocabulary lists it. */
-    val listed = Signal(name, signal.kind, unit)
+    val listed: Signal = Signal(name, if (summands.size > 1) SignalKind.NUMBER else summands[0].signal.kind, unit)
+
+    /** The names of its topics. */
+    val topics: List<String> get() = summands.map { it.signal }.filter { it !== CLOCK && it !== ACTIVITY }.map { it.name }
+
+    /** The only one; null of a sum. */
+    val only: Signal? get() = summands.singleOrNull()?.signal
+
+    companion object {
+        fun of(name: String, signal: Signal): NamedSignal = NamedSignal(name, listOf(ScaledSignal(signal, 1.0)), signal.unit)
+
+        /** The sum of [topics] as [name]. */
+        fun of(name: String, topics: List<SignalTopic>): NamedSignal =
+            NamedSignal(name, topics.map { ScaledSignal(it.source, it.scale, wholeIn(it.unit)) }, topics[0].unit)
+
+        /** What all of something is in [unit]. */
+        fun wholeIn(unit: String): Double = if (unit == FRACTION) 1.0 else PERCENT
+
+        private const val PERCENT = 100.0
+    }
 }
 
-/**
- * The signals of a log, and some of them under further names.
- *
- * @param clock gives the samples of [CLOCK], if that is among [named].
- */
+/** The samples of [view], of which [log] has the topics, under the names of [NamedSignal]s, each made once however many rules ask for it. */
+internal class NamedSamples(private val log: Signals, private val view: LogView) {
+    private val made = HashMap<List<ScaledSignal>, Series>()
+
+    fun of(named: NamedSignal): Series = made.getOrPut(named.summands) {
+        named.summands.singleOrNull()?.let(::scaled) ?: sumOf(named.summands.map(::scaled))
+    }
+
+    private fun scaled(source: ScaledSignal): Series {
+        if (source.signal === CLOCK) return clockOf(view.xAxis)
+        if (source.signal === ACTIVITY) return activeIn(view, log.enabled)
+        val series = log.series(source.signal.name)
+        val scale = source.scale ?: if (isFraction(series)) source.whole else source.whole / PERCENT
+        return if (scale == 1.0) series else Series(series.x, DoubleArray(series.size) { series.y[it] * scale })
+    }
+
+    // No robot has a load of so few percent all the time.
+    private fun isFraction(series: Series): Boolean = series.y.all { it.isNaN() || abs(it) <= MAX_FRACTION }
+
+    private fun sumOf(summands: List<Series>): Series {
+        val x = summands[0].x
+        if (summands.all { it.x === x }) {
+            return Series(x, DoubleArray(x.size) { i -> summands.sumOf { it.y[i].orZero() } })
+        }
+        // Samples stay until the next, so that each time at which one changes has a sum.
+        val times = summands.flatMapTo(HashSet()) { it.x.asIterable() }.toDoubleArray().apply { sort() }
+        val sums = DoubleArray(times.size)
+        for (series in summands) {
+            var next = 0
+            for (i in times.indices) {
+                while (next < series.size && series.x[next] <= times[i]) next++
+                if (next > 0) sums[i] += series.y[next - 1].orZero()
+            }
+        }
+        return Series(times, sums)
+    }
+
+    private fun Double.orZero() = if (isNaN()) 0.0 else this
+
+    private companion object {
+        const val PERCENT = 100.0
+
+        // A controller may want a little more than all.
+        const val MAX_FRACTION = 2.0
+    }
+}
+
+/** The signals of a log, and some of them under further names, as [samples] has them. */
 internal class NamedSignals(
     private val log: Signals,
     private val named: Map<String, NamedSignal>,
     override val vocabulary: Vocabulary,
-    private val clock: () -> Series,
+    private val samples: NamedSamples,
 ) : Signals by log {
-    private val scaled = HashMap<String, Series>()
+    override fun series(name: String): Series = named[name]?.let(samples::of) ?: log.series(name)
 
-    override fun series(name: String): Series {
-        val named = named[name] ?: return log.series(name)
-        val series = if (named.signal === CLOCK) clock() else log.series(named.signal.name)
-        if (named.scale == 1.0) return series
-        return scaled.getOrPut(name) { Series(series.x, DoubleArray(series.size) { series.y[it] * named.scale }) }
-    }
-
-    override fun states(name: String): List<String> = log.states(named[name]?.signal?.name ?: name)
+    override fun states(name: String): List<String> = log.states(named[name]?.only?.name ?: name)
 }
-
-/** These signals' names after those of [named], which go first. */
-internal fun Vocabulary.with(named: Collection<NamedSignal>): Vocabulary = Vocabulary(named.map { it.listed } + signals, hasTime)

@@ -7,8 +7,11 @@ import badlog.recording.Severity
  *
  * @property name what it is called; no two rules of a set have the same.
  * @property severity how bad it is.
- * @property condition the expression under `when`.
+ * @property condition the expression under `when`, its limits filled in.
  * @property only the types of match that it is for; empty for all.
+ * @property group what it is about, such as `power`; empty for none.
+ * @property reason why it is looked for, as a sentence; empty where nobody says.
+ * @property next what to look at next where it holds, as a sentence; empty where nobody says.
  */
 public class Rule internal constructor(
     public val name: String,
@@ -17,8 +20,17 @@ public class Rule internal constructor(
     internal val text: RuleText,
     public val only: List<String>,
     internal val each: TopicChoice?,
-    internal val place: RulePlace,
+    internal val place: RulePlace?,
+    public val group: String = "",
+    public val reason: String = "",
+    public val next: String = "",
+    internal val show: List<String> = emptyList(),
+    internal val unless: List<String> = emptyList(),
+    internal val isForEachText: Boolean = false,
 ) {
+    /** Whether it is badlog's own, in which nobody need look for a mistake. */
+    public val isBuiltIn: Boolean get() = place == null
+
     /** Whether it is to be asked of a match of the type [type]. */
     internal fun isFor(type: String?): Boolean = only.isEmpty() || (type != null && only.any { it.equals(type, ignoreCase = true) })
 }

@@ -1,14 +1,19 @@
 package badlog.rules
 
 import badlog.analysis.LogView
+import badlog.analysis.Units
 import badlog.expression.Expression
 import badlog.expression.ExpressionError
 import badlog.expression.LogViewSignals
 import badlog.expression.signals.Signal
+import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Vocabulary
 import badlog.expression.syntax.ExpressionErrorKind
 import badlog.recording.PathName
 import badlog.recording.Value
+import badlog.rules.signal.NamePattern
+import badlog.rules.signal.SignalTopic
+import badlog.rules.signal.SignalTopics
 
 /**
  * What decides how rules are asked of a log. Logs of an equal shape share a [RuleProgram].
@@ -44,16 +49,24 @@ public class AskedRule internal constructor(public val rule: Rule, public val fi
  */
 public class Refusal internal constructor(public val message: String, public val mistake: String? = null) {
     /** [rule] as one that was skipped for so many [logs] by this. */
-    public fun of(rule: Rule, logs: Int): SkippedRule = SkippedRule(rule.name, logs, mistake ?: message, isMistake = mistake != null)
+    public fun of(rule: Rule, logs: Int): SkippedRule =
+        SkippedRule(rule.name, logs, mistake ?: message, isMistake = mistake != null, rule.isBuiltIn)
 }
 
 /** [rules] made ready for all logs of an equal [shape]. Safe for several threads. */
-public class RuleProgram(rules: RuleSet, private val shape: LogShape) {
+public class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
     /** What an expression comes to. */
     internal sealed interface Parsed
 
-    /** An expression to evaluate, with the signals it names. */
-    internal class Question(val expression: Expression, val named: Map<String, NamedSignal>, val topic: String?) : Parsed
+    /** An expression to evaluate, with the signals it names; about [topic], and of two linked ones about [other]. */
+    internal class Question(
+        val expression: Expression,
+        val named: Map<String, NamedSignal>,
+        val topic: String?,
+        val other: String?,
+        val device: String,
+        val evidence: List<String>,
+    ) : Parsed
 
     /** Why an expression cannot be evaluated. */
     internal class Refused(val refusal: Refusal) : Parsed
@@ -61,34 +74,54 @@ public class RuleProgram(rules: RuleSet, private val shape: LogShape) {
     /** What a rule comes to: [questions] to ask, or why there are none. */
     internal class Step(val rule: Rule, val questions: List<Question>, val refusal: Refusal?)
 
+    /** The names that a rule has for some topics: those it is asked of one by one, of which [topic] is the first. */
+    private class Turn(val named: Map<String, NamedSignal>, val topic: String, val other: String? = null, val device: String = "")
+
     private val vocabulary get() = shape.vocabulary
     private val timeTopic get() = shape.timeTopic
-    private val aliases: Map<String, NamedSignal>
+    private val signals = SignalTopics(rules.signals, vocabulary, timeTopic)
+    private val time = (vocabulary.signals.find { it.name == timeTopic } ?: CLOCK).let { x ->
+        // Without a unit, an x axis that is time counts seconds.
+        NamedSignal(TIME, listOf(ScaledSignal(x, 1.0)), if (vocabulary.hasTime && Units.isNone(x.unit)) "s" else x.unit)
+    }
+
+    // Of rules that are built in the signals mean what they say; others may use any name for a topic of their logs.
+    private val named: Map<String, NamedSignal>
+    private val namedOfTeam: Map<String, NamedSignal>
+    private val absent: Map<String, Signal>
     private val missing: List<Alias>
 
     init {
         val found = LinkedHashMap<String, NamedSignal>()
-        val time = vocabulary.signals.find { it.name == timeTopic } ?: CLOCK
-        found[TIME] = NamedSignal(TIME, time, 1.0, time.unit)
+        val lacking = LinkedHashMap<String, Signal>()
+        for (signal in rules.signals.signals.filter { !it.isMany }) {
+            val topics = signals.of(signal.name).ifEmpty { signals.summandsOf(signal.name) }
+            if (topics.isEmpty()) {
+                lacking[signal.name] = Signal(signal.name, signal.content.usualKind)
+            } else {
+                found[signal.name] = NamedSignal.of(signal.name, topics)
+            }
+        }
+        val aliases = LinkedHashMap<String, NamedSignal>()
         missing = rules.aliases.filter { alias ->
             val signal = alias.find(vocabulary.signals)
-            if (signal != null) found[alias.name] = signal
+            if (signal != null) aliases[alias.name] = signal
             signal == null
         }
-        aliases = found
+        val always = mapOf(TIME to time, ACTIVE to NamedSignal.of(ACTIVE, ACTIVITY))
+        named = always + found
+        namedOfTeam = (always - ACTIVE + found).filterKeys { !vocabulary.knows(it) } + (TIME to time) + aliases
+        absent = lacking
     }
 
-    // With the topic in turn, which is the same to an expression as all of its kind and unit.
-    private val vocabularies = HashMap<Signal, Vocabulary>()
-    private val withAliases = vocabulary.with(aliases.values)
+    // With the topics in turn, which are the same to an expression as all of their kinds and units.
+    private val vocabularies = HashMap<List<Signal>, Vocabulary>()
 
     /** In the order of the rules. */
     private val steps: List<Step> = rules.rules.map(::stepOf)
 
     /** The names of the topics whose samples the rules look at, beside those of the time and of when the robot was enabled. */
-    public val topics: Set<String> = steps.flatMap { it.questions }.flatMapTo(LinkedHashSet()) { question ->
-        question.expression.topics.map { question.named[it]?.signal?.name ?: it }
-    }
+    public val topics: Set<String> = steps.flatMap { it.questions }.flatMapTo(LinkedHashSet(), ::topicsOf)
 
     /**
      * Asks the rules of [view], which was read from a file called [file] and is of the program's shape: each when its turn
@@ -107,24 +140,47 @@ public class RuleProgram(rules: RuleSet, private val shape: LogShape) {
     }
 
     private fun stepOf(rule: Rule): Step {
-        val each = rule.each ?: return step(rule, listOf(parsed(rule, aliases, withAliases, null)))
-        val topics = vocabulary.signals.filter { it.name != timeTopic && each.takes(it) }
-        if (topics.isEmpty()) return Step(rule, emptyList(), Refusal("no topic matches $each"))
-        val parsedOf = topics.groupBy { it.copy(name = TOPIC) }.mapValues { (listed, alike) ->
-            val named = aliases + (TOPIC to NamedSignal(TOPIC, alike[0], 1.0, listed.unit))
-            parsed(rule, named, vocabularies.getOrPut(listed) { vocabulary.with(named.values) }, TOPIC)
+        val turns = when (val each = rule.each) {
+            null -> null
+            is TopicsByName -> turnsOf(each)
+            is TopicsOfSignal -> turnsOf(each)
         }
-        return step(rule, topics.map { topic -> forTopic(parsedOf.getValue(topic.copy(name = TOPIC)), topic) })
+        if (turns == null) return step(rule, listOf(parsed(rule, null)))
+        if (turns.isEmpty()) return Step(rule, emptyList(), Refusal(whyNone(checkNotNull(rule.each))))
+        val parsedOf = HashMap<List<Signal>, Parsed>()
+        return step(
+            rule,
+            turns.map { turn ->
+                val parsed = parsedOf.getOrPut(turn.named.values.map { it.listed }) { parsed(rule, turn) }
+                if (parsed is Question) question(rule, parsed.expression, turn) else parsed
+            },
+        )
     }
 
-    private fun forTopic(parsed: Parsed, topic: Signal): Parsed = if (parsed !is Question) {
-        parsed
-    } else {
-        Question(
-            parsed.expression,
-            parsed.named + (TOPIC to NamedSignal(TOPIC, topic, 1.0, topic.unit)),
-            topic.name,
-        )
+    private fun turnsOf(each: TopicsByName) = vocabulary.signals.filter { it.name != timeTopic && each.takes(it) }
+        .map { Turn(mapOf(TOPIC to NamedSignal.of(TOPIC, it)), it.name) }
+
+    private fun turnsOf(each: TopicsOfSignal): List<Turn> {
+        val topics = signals.of(each.signal)
+        val pairs = if (each.isLinked) signals.linked(topics) else topics.map { it to null }
+        return pairs.mapNotNull { (topic, other) ->
+            val bound = linkedMapOf(TOPIC to NamedSignal.of(TOPIC, listOf(topic)))
+            if (other != null) bound[OTHER] = NamedSignal.of(OTHER, listOf(other))
+            for (name in each.with) bound[name] = NamedSignal.of(name, listOf(besides(topic, name) ?: return@mapNotNull null))
+            Turn(bound, topic.topic, other?.topic, topic.device)
+        }
+    }
+
+    private fun besides(topic: SignalTopic, signal: String) =
+        signals.of(signal).find { it.device.equals(topic.device, ignoreCase = true) && it.topic != topic.topic }
+
+    private fun whyNone(each: TopicChoice): String = when (each) {
+        is TopicsByName -> "no topic matches $each"
+
+        is TopicsOfSignal -> {
+            val beside = if (each.with.isEmpty()) "" else " with ${each.with.joinToString(" and ") { "“$it”" }} of the same device"
+            "no ${if (each.isLinked) "two linked topics are" else "topic is"} the signal “${each.signal}”$beside"
+        }
     }
 
     private fun step(rule: Rule, parsed: List<Parsed>): Step {
@@ -135,22 +191,51 @@ public class RuleProgram(rules: RuleSet, private val shape: LogShape) {
         return Step(rule, if (refusal == null) questions else emptyList(), refusal)
     }
 
-    private fun parsed(rule: Rule, named: Map<String, NamedSignal>, vocabulary: Vocabulary, each: String?): Parsed =
-        when (val parsed = Expression.parse(rule.condition, vocabulary)) {
-            is ExpressionError -> Refused(refusal(rule, parsed, each != null))
+    private fun namesFor(rule: Rule, turn: Turn?) = (if (rule.isBuiltIn) named else namedOfTeam) + turn?.named.orEmpty()
 
-            is Expression -> {
-                val signals = parsed.topics.map { name -> named[name]?.signal to name }
-                val topic = signals.firstOrNull()?.takeIf { it.first !== CLOCK }?.let { (signal, name) -> signal?.name ?: name }
-                when {
-                    !shape.hasClock && signals.any { it.first === CLOCK } -> Refused(Refusal(NO_AXIS))
-                    parsed.type.isCondition -> Question(parsed, named, topic)
-                    else -> Refused(Refusal(NO_CONDITION, rule.place.pointed("This is a number; compare it, as in x < 7.")))
-                }
-            }
+    private fun parsed(rule: Rule, turn: Turn?): Parsed {
+        val names = namesFor(rule, turn)
+        val lacking = absent.values.filter { it.name !in names && (rule.isBuiltIn || !vocabulary.knows(it.name)) }
+        val listed = names.values.map { it.listed } + lacking
+        val known = vocabularies.getOrPut(listed) { Vocabulary(listed + vocabulary.signals, vocabulary.hasTime) }
+        val expression = when (val parsed = Expression.parse(rule.condition, known)) {
+            is Expression -> parsed
+            is ExpressionError -> return Refused(refusal(rule, parsed, names, lacking))
         }
+        val lacked = lacking.find { it.name in expression.topics }
+        return when {
+            lacked != null -> Refused(Refusal("no topic is the signal “${lacked.name}”"))
+            expression.topics.any { names[it]?.only === CLOCK } && !shape.hasClock -> Refused(Refusal(NO_AXIS))
+            expression.type.isCondition -> question(rule, expression, turn)
+            fitsElsewhere(rule, names, lacking) -> Refused(Refusal(NO_CONDITION))
+            else -> Refused(Refusal(NO_CONDITION, rule.place?.pointed("This is a number; compare it, as in x < 7.")))
+        }
+    }
 
-    private fun refusal(rule: Rule, error: ExpressionError, isForEach: Boolean): Refusal {
+    private fun question(rule: Rule, expression: Expression, turn: Turn?): Question {
+        val names = namesFor(rule, turn)
+        val used = expression.topics.flatMap { names[it]?.topics ?: listOf(it) }
+        val shown = rule.show.flatMap { names[it]?.topics ?: topicsCalled(it) }
+        return Question(
+            expression,
+            names,
+            turn?.topic ?: used.firstOrNull(),
+            turn?.other,
+            turn?.device.orEmpty(),
+            (used + shown).filter { it != timeTopic }.distinct().take(MAX_EVIDENCE),
+        )
+    }
+
+    /** The topics of the signal [name], or those that fit it as a pattern. */
+    private fun topicsCalled(name: String): List<String> {
+        if (rules.signals.find(name) != null) return signals.of(name).map { it.topic }
+        val pattern = NamePattern(name)
+        return vocabulary.signals.filter { pattern.matches(it.name) }.map { it.name }
+    }
+
+    private fun topicsOf(question: Question) = question.expression.topics.flatMap { question.named[it]?.topics ?: listOf(it) }
+
+    private fun refusal(rule: Rule, error: ExpressionError, names: Map<String, NamedSignal>, lacking: List<Signal>): Refusal {
         val name = error.text.substring(error.from, error.until)
         return when (error.kind) {
             ExpressionErrorKind.UNKNOWN_TOPIC -> Refusal(whyMissing(name, error.message))
@@ -159,10 +244,17 @@ public class RuleProgram(rules: RuleSet, private val shape: LogShape) {
 
             else -> {
                 val reason = if (error.kind == ExpressionErrorKind.SYNTAX) NOT_ALL_THERE else error.message.trimEnd('.')
-                val isOfTopic = isForEach && error.kind == ExpressionErrorKind.TYPE
-                Refusal(reason, rule.place.pointed(error.message, error.from, error.until).takeIf { !isOfTopic })
+                val isForOthers = error.kind == ExpressionErrorKind.TYPE && fitsElsewhere(rule, names, lacking)
+                Refusal(reason, rule.place?.pointed(error.message, error.from, error.until).takeIf { !isForOthers })
             }
         }
+    }
+
+    /** Whether [rule] would be right where what it has names for were numbers, truth values or texts, as in other logs. */
+    private fun fitsElsewhere(rule: Rule, names: Map<String, NamedSignal>, lacking: List<Signal>) = SignalKind.entries.any { kind ->
+        val others = names.values.map { if (it.name == TIME || it.name == ACTIVE) it.listed else it.listed.copy(kind = kind) }
+        val parsed = Expression.parse(rule.condition, Vocabulary(others + lacking + vocabulary.signals, vocabulary.hasTime))
+        parsed is Expression && parsed.type.isCondition
     }
 
     private fun whyMissing(name: String, message: String): String {
@@ -175,15 +267,24 @@ public class RuleProgram(rules: RuleSet, private val shape: LogShape) {
         /** The name of each topic in turn, in a rule with `each`. */
         const val TOPIC = "topic"
 
+        /** The name of the second of two linked topics. */
+        const val OTHER = "other"
+
         /** The x axis. */
         const val TIME = "time"
+
+        /** Whether the robot is enabled, or nothing tells. */
+        const val ACTIVE = "active"
         private const val NO_AXIS = "the log has no x axis"
         private const val NO_CONDITION = "“when” is a number"
 
         // Where a name is missing, what is left of it may read as anything.
         private const val NOT_ALL_THERE = "not all topics of “when” are there"
 
-        val RESERVED = setOf(TOPIC, TIME)
+        /** Nobody looks at more graphs at once. */
+        private const val MAX_EVIDENCE = 12
+
+        val RESERVED = setOf(TOPIC, TIME, ACTIVE)
     }
 }
 

@@ -1,6 +1,7 @@
 package badlog.rules
 
 import badlog.analysis.LogView
+import badlog.analysis.Span
 import badlog.expression.Answer
 import badlog.expression.LogViewSignals
 import badlog.expression.signals.SignalKind
@@ -10,30 +11,57 @@ import badlog.expression.signals.Signals
 internal class RuleRun(view: LogView, private val file: String) {
     private val log = LogViewSignals(view)
     private val match = view.title ?: file
-    private val clock by lazy { clockOf(view.xAxis) }
+    private val samples = NamedSamples(log, view)
+
+    /** The topics that each rule has found something in. */
+    private val found = HashMap<String, Set<String?>>()
 
     /** What comes of asking [step]. */
-    fun ask(step: RuleProgram.Step): AskedRule = AskedRule(step.rule, step.questions.mapNotNull { find(step.rule, it) }, step.refusal)
-
-    private fun find(rule: Rule, question: RuleProgram.Question): Finding? {
-        val signals = NamedSignals(log, question.named, question.expression.vocabulary) { clock }
-        val answer = question.expression.answer(signals)
-        return if (answer.matches) finding(rule, question, answer, signals) else null
+    fun ask(step: RuleProgram.Step): AskedRule {
+        val rule = step.rule
+        val known = rule.unless.flatMapTo(HashSet()) { found[it].orEmpty() }
+        val findings = step.questions.filter { it.topic !in known }.flatMap { find(rule, it) }
+        if (findings.isNotEmpty()) found[rule.name] = findings.mapTo(HashSet()) { it.topic }
+        return AskedRule(rule, findings, step.refusal)
     }
 
-    private fun finding(rule: Rule, question: RuleProgram.Question, answer: Answer, signals: Signals): Finding {
+    private fun find(rule: Rule, question: RuleProgram.Question): List<Finding> {
+        val signals = NamedSignals(log, question.named, question.expression.vocabulary, samples)
+        val answer = question.expression.answer(signals)
+        if (!answer.matches) return emptyList()
+        val texts = textsOf(question, signals)
+        if (!rule.isForEachText || texts == null || answer.spans.isEmpty()) {
+            return listOf(finding(rule, question, answer, answer.spans, answer.times, texts, signals))
+        }
+        // What differs in its numbers alone says the same.
+        val alike = answer.spans.groupBy { span -> texts.at(span.from).map { if (it.isDigit()) '0' else it }.joinToString("") }
+        return alike.values.take(MAX_TEXTS).map { finding(rule, question, answer, it, it.size, texts, signals) }
+    }
+
+    private fun finding(
+        rule: Rule,
+        question: RuleProgram.Question,
+        answer: Answer,
+        found: List<Span>,
+        times: Int,
+        texts: Texts?,
+        signals: Signals,
+    ): Finding {
         // What is said of the whole recording holds from its start to its end.
-        val whole = listOfNotNull(signals.range).takeIf { answer.spans.isEmpty() }
-        val spans = whole ?: answer.spans
-        val time = if (answer.time.isNaN() && spans.isNotEmpty()) spans[0].from else answer.time
+        val whole = listOfNotNull(signals.range).takeIf { found.isEmpty() }
+        val spans = whole ?: found
+        val at = if (found.isEmpty()) answer.time else found[0].from
+        val time = if (at.isNaN() && spans.isNotEmpty()) spans[0].from else at
         val text = rule.text.filled(
             mapOf(
-                "value" to (answer.quantities.firstOrNull()?.text ?: textAt(answer.time, question, signals)),
+                "value" to (answer.quantities.firstOrNull()?.text ?: texts?.at(at).orEmpty()),
                 "time" to timeText(time, answer.timeUnit),
                 "match" to match,
                 "file" to file,
                 "topic" to question.topic.orEmpty(),
-                "count" to (if (whole == null) answer.times else whole.size).toString(),
+                "other" to question.other.orEmpty(),
+                "device" to question.device,
+                "count" to (if (whole == null) times else whole.size).toString(),
                 "duration" to timeText(spans.sumOf { it.width }, answer.timeUnit),
             ),
         )
@@ -42,21 +70,41 @@ internal class RuleRun(view: LogView, private val file: String) {
             rule.severity,
             question.topic,
             text,
-            answer.time,
-            answer.spans.take(Finding.MAX_SPANS),
-            answer.times,
+            at,
+            found.take(Finding.MAX_SPANS),
+            times,
             answer.timeUnit,
+            evidence = question.evidence,
+            next = rule.next,
         )
     }
 
-    /** What the first text of [question] is at [time]; empty without one. */
-    private fun textAt(time: Double, question: RuleProgram.Question, signals: Signals): String {
+    /** The texts of the first topic of [question] that has some, or null. */
+    private fun textsOf(question: RuleProgram.Question, signals: Signals): Texts? {
         val name = question.expression.topics.firstOrNull { topic ->
             val kind = signals.vocabulary.signals.first { it.name == topic }.kind
             kind == SignalKind.EVENT || kind == SignalKind.STATE
-        } ?: return ""
-        val series = signals.series(name)
-        val at = series.x.indices.lastOrNull { series.x[it] <= time && !series.y[it].isNaN() } ?: return ""
-        return signals.states(name)[series.y[at].toInt()]
+        }
+        return name?.let { Texts(signals, it) }
+    }
+
+    private class Texts(private val signals: Signals, private val name: String) {
+        private val series = signals.series(name)
+
+        /** What was said last at [time]; empty before the first. */
+        fun at(time: Double): String {
+            var found = if (series.isOrdered) series.firstAfter(time) - 1 else series.x.indexOfLast { it <= time }
+            while (found >= 0 && series.y[found].isNaN()) found--
+            val text = if (found < 0) "" else signals.states(name)[series.y[found].toInt()].trim()
+            return if (text.length > MAX_LETTERS) text.take(MAX_LETTERS) + "…" else text
+        }
+    }
+
+    private companion object {
+        /** So many different texts of a topic are listed for a rule. */
+        const val MAX_TEXTS = 20
+
+        /** What is longer, such as a stack trace, is read where it was logged. */
+        const val MAX_LETTERS = 300
     }
 }

@@ -1,13 +1,23 @@
 package badlog.rules
 
+import badlog.rules.signal.SignalVocabulary
+
 /**
- * Rules to run over logs, and the aliases they use. `docs/rules.md` has the format of the file that they are read from.
+ * Rules to run over logs, and the names they use. `docs/rules.md` has the format of the file that they are read from.
  *
  * @property rules in the order of the file; no two have the same name.
+ * @property signals what topics are called that rules name by their meaning.
  */
-public class RuleSet internal constructor(internal val aliases: List<Alias>, public val rules: List<Rule>) {
+public class RuleSet internal constructor(
+    internal val aliases: List<Alias>,
+    public val rules: List<Rule>,
+    public val signals: SignalVocabulary,
+) {
+    /** These rules where topics are called as [signals] has them. */
+    public fun with(signals: SignalVocabulary): RuleSet = RuleSet(aliases, rules, signals)
+
     public companion object {
         /** No rules. */
-        public val NONE: RuleSet = RuleSet(emptyList(), emptyList())
+        public val NONE: RuleSet = RuleSet(emptyList(), emptyList(), SignalVocabulary.NONE)
     }
 }

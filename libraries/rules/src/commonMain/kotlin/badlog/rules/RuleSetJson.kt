@@ -1,102 +1,126 @@
 package badlog.rules
 
-import badlog.json.JsonMember
 import badlog.json.JsonReader
 import badlog.json.JsonValue
 import badlog.json.quotedJson
 import badlog.recording.Severity
+import badlog.rules.json.JsonFields
+import badlog.rules.json.UnreadableJsonException
+import badlog.rules.json.jsonArray
+import badlog.rules.json.jsonList
+import badlog.rules.json.jsonObject
+import badlog.rules.signal.SignalVocabulary
+import badlog.rules.signal.fromJson
+import badlog.rules.signal.patterns
+import badlog.rules.signal.patternsJson
+import badlog.rules.signal.toJson
 
 /** These rules as a line of JSON, which says all there is to know of them: equal texts are equal rules. */
-public fun RuleSet.toJson(): String = "{\"aliases\":${array(aliases, ::aliasJson)},\"rules\":${array(rules, ::ruleJson)}}"
+public fun RuleSet.toJson(): String = jsonObject(
+    "aliases" to jsonList(aliases, ::aliasJson),
+    "rules" to jsonArray(rules, ::ruleJson),
+    "signals" to signals.toJson(),
+)
 
 /** The rules that [text] is of, or null when [RuleSet.toJson] did not write it. */
 public fun RuleSet.Companion.fromJson(text: String): RuleSet? = try {
-    val json = Fields(JsonReader.readObject(text))
-    RuleSet(json.list("aliases", ::aliasOf), json.list("rules", ::ruleOf))
-} catch (_: UnreadableRules) {
+    val json = JsonFields(JsonReader.readObject(text))
+    val signals = json.find("signals")?.let { SignalVocabulary.fromJson(it.json) } ?: throw UnreadableJsonException()
+    RuleSet(json.list("aliases", ::aliasOf), json.list("rules", ::ruleOf), signals)
+} catch (_: UnreadableJsonException) {
     null
 }
 
-private fun aliasJson(alias: Alias): String =
-    "{\"name\":${quotedJson(alias.name)},\"names\":${patternsJson(alias.names)}${optional("unit", alias.unit)}}"
+private fun aliasJson(alias: Alias): String = jsonObject(
+    "name" to quotedJson(alias.name),
+    "names" to patternsJson(alias.names),
+    "unit" to alias.unit?.let(::quotedJson),
+)
 
 private fun aliasOf(value: JsonValue): Alias {
-    val json = Fields(value.members)
+    val json = JsonFields(value.members)
     return Alias(json.string("name"), json.patterns("names"), json.optional("unit"))
 }
 
-private fun ruleJson(rule: Rule): String {
-    val each = rule.each?.let { ",\"each\":${choiceJson(it)}" }.orEmpty()
-    return "{\"name\":${quotedJson(rule.name)},\"severity\":\"${rule.severity.name.lowercase()}\",\"when\":${quotedJson(rule.condition)}," +
-        "\"text\":${quotedJson(rule.text.source)},\"only\":${array(rule.only, ::quotedJson)}$each," +
-        "\"place\":${placeJson(rule.place, rule.condition)}}"
-}
+private fun ruleJson(rule: Rule): String = jsonObject(
+    "name" to quotedJson(rule.name),
+    "severity" to quotedJson(rule.severity.name.lowercase()),
+    "when" to quotedJson(rule.condition),
+    "text" to quotedJson(rule.text.source),
+    "only" to textsJson(rule.only),
+    "each" to rule.each?.let(::choiceJson),
+    "group" to textJson(rule.group),
+    "why" to textJson(rule.reason),
+    "next" to textJson(rule.next),
+    "show" to textsJson(rule.show),
+    "unless" to textsJson(rule.unless),
+    "eachText" to "true".takeIf { rule.isForEachText },
+    "place" to rule.place?.let { placeJson(it, rule.condition) },
+)
 
 private fun ruleOf(value: JsonValue): Rule {
-    val json = Fields(value.members)
+    val json = JsonFields(value.members)
     val severity = json.string("severity")
     val condition = json.string("when")
     return Rule(
         name = json.string("name"),
-        severity = Severity.entries.find { it.name.lowercase() == severity } ?: throw UnreadableRules(),
+        severity = Severity.entries.find { it.name.lowercase() == severity } ?: throw UnreadableJsonException(),
         condition = condition,
-        text = json.text("text"),
-        only = json.list("only") { it.text ?: throw UnreadableRules() },
+        text = textOf(json.string("text")),
+        only = json.strings("only"),
         each = json.find("each")?.let(::choiceOf),
-        place = placeOf(json.find("place"), condition),
+        place = json.find("place")?.let { placeOf(it, condition) },
+        group = json.optional("group").orEmpty(),
+        reason = json.optional("why").orEmpty(),
+        next = json.optional("next").orEmpty(),
+        show = json.strings("show"),
+        unless = json.strings("unless"),
+        isForEachText = json.isTrue("eachText"),
     )
 }
 
-private fun choiceJson(choice: TopicChoice): String =
-    "{\"names\":${patternsJson(choice.patterns)},\"except\":${patternsJson(choice.except)}${optional("unit", choice.unit)}}"
+private fun textOf(source: String): RuleText = try {
+    RuleText.parse(source)
+} catch (_: RuleText.Mistake) {
+    throw UnreadableJsonException()
+}
+
+private fun choiceJson(choice: TopicChoice): String = when (choice) {
+    is TopicsByName -> jsonObject(
+        "names" to patternsJson(choice.patterns),
+        "except" to patternsJson(choice.except),
+        "unit" to choice.unit?.let(::quotedJson),
+    )
+
+    is TopicsOfSignal -> jsonObject(
+        "signal" to quotedJson(choice.signal),
+        "with" to textsJson(choice.with),
+        "linked" to "true".takeIf { choice.isLinked },
+    )
+}
 
 private fun choiceOf(value: JsonValue): TopicChoice {
-    val json = Fields(value.members)
-    return TopicChoice(json.patterns("names"), json.patterns("except"), json.optional("unit"))
+    val json = JsonFields(value.members)
+    val signal = json.optional("signal") ?: return TopicsByName(json.patterns("names"), json.patterns("except"), json.optional("unit"))
+    return TopicsOfSignal(signal, json.strings("with"), json.isTrue("linked"))
 }
 
 // Most conditions stand alone on their lines, which need not be written twice.
-private fun placeJson(place: RulePlace, condition: String): String {
-    val line = optional("line", place.line.takeIf { it != usualLine(condition) })
-    return "{\"number\":${place.lineNumber}$line,\"column\":${place.column},\"isLiteral\":${place.literal != null}}"
-}
+private fun placeJson(place: RulePlace, condition: String): String = jsonObject(
+    "number" to place.lineNumber.toString(),
+    "line" to place.line.takeIf { it != usualLine(condition) }?.let(::quotedJson),
+    "column" to place.column.toString(),
+    "isLiteral" to "true".takeIf { place.literal != null },
+)
 
 private fun usualLine(condition: String) = "when = ${quotedJson(condition)}"
 
-private fun placeOf(value: JsonValue?, condition: String): RulePlace {
-    val json = Fields(value?.members)
-    val isLiteral = json.find("isLiteral")?.json == "true"
+private fun placeOf(value: JsonValue, condition: String): RulePlace {
+    val json = JsonFields(value.members)
     val line = json.optional("line") ?: usualLine(condition)
-    return RulePlace(json.number("number"), line, json.number("column"), condition.takeIf { isLiteral })
+    return RulePlace(json.number("number"), line, json.number("column"), condition.takeIf { json.isTrue("isLiteral") })
 }
 
-private fun patternsJson(patterns: List<NamePattern>) = array(patterns) { quotedJson(it.text) }
+private fun textJson(text: String) = if (text.isEmpty()) null else quotedJson(text)
 
-private fun optional(key: String, text: String?) = if (text == null) "" else ",\"$key\":${quotedJson(text)}"
-
-private fun <T> array(items: List<T>, json: (T) -> String) = items.joinToString(",", "[", "]", transform = json)
-
-private class UnreadableRules : Exception()
-
-/** The members of an object that has to be there. */
-private class Fields(members: List<JsonMember>?) {
-    private val values = (members ?: throw UnreadableRules()).associate { it.key to it.value }
-
-    fun find(key: String): JsonValue? = values[key]
-
-    fun string(key: String): String = optional(key) ?: throw UnreadableRules()
-
-    fun optional(key: String): String? = values[key]?.text
-
-    fun number(key: String): Int = values[key]?.json?.toIntOrNull() ?: throw UnreadableRules()
-
-    fun <T> list(key: String, read: (JsonValue) -> T): List<T> = (values[key]?.items ?: throw UnreadableRules()).map(read)
-
-    fun patterns(key: String): List<NamePattern> = list(key) { NamePattern(it.text ?: throw UnreadableRules()) }
-
-    fun text(key: String): RuleText = try {
-        RuleText.parse(string(key))
-    } catch (_: RuleText.Mistake) {
-        throw UnreadableRules()
-    }
-}
+private fun textsJson(texts: List<String>) = jsonList(texts, ::quotedJson)

@@ -11,7 +11,7 @@ internal class RuleText private constructor(val source: String, private val part
     class Mistake(val from: Int, val until: Int, override val message: String) : Exception(message)
 
     companion object {
-        val PLACES = listOf("value", "time", "match", "file", "topic", "count", "duration")
+        val PLACES = listOf("value", "time", "match", "file", "topic", "other", "device", "count", "duration")
 
         /** Reads [text]; throws a [Mistake]. */
         fun parse(text: String): RuleText {

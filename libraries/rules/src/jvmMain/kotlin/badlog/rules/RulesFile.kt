@@ -1,11 +1,12 @@
 package badlog.rules
 
+import badlog.rules.signal.SignalVocabulary
 import kotlin.time.Duration
 
 /**
  * What a file of rules says.
  *
- * @property rules the rules with their aliases.
+ * @property rules the rules with their names for topics.
  * @property hooks the programs that it names. They are to be run only where the person who starts badlog named the file: one that
  *   lay among the logs came with them.
  * @property source the whole text.
@@ -18,12 +19,11 @@ public class RulesFile internal constructor(public val rules: RuleSet, public va
         /**
          * Reads [text], which is TOML. The expressions are checked when they meet a log, because what is a name depends on it.
          *
+         * @param signals what topics are called.
          * @throws RulesException at the first mistake.
          */
-        public fun parse(text: String): RulesFile = try {
-            RulesReader(text.removePrefix(BYTE_ORDER_MARK)).read()
-        } catch (_: StackOverflowError) {
-            throw RulesException(1, "It is nested too deeply to be read; a list of texts needs one pair of brackets.")
+        public fun parse(text: String, signals: SignalVocabulary = RuleSet.BUILT_IN.signals): RulesFile = notTooDeep {
+            RulesReader(text, signals).read()
         }
 
         /** No rules, no hooks. */
@@ -31,19 +31,16 @@ public class RulesFile internal constructor(public val rules: RuleSet, public va
 
         /** The built-in rules. */
         public val BUILT_IN: RulesFile by lazy { RulesFile(RuleSet.BUILT_IN, emptyList(), resource(NAME)) }
-
-        /** What some editors of Windows begin a file with. */
-        private const val BYTE_ORDER_MARK = "\uFEFF"
     }
 }
 
-/** The built-in rules. */
+/** The built-in rules, with the built-in vocabulary. */
 public val RuleSet.Companion.BUILT_IN: RuleSet get() = BUILT_IN_RULES
 
 // Reading TOML takes longer than exporting a small page, so that these are also there as JSON.
 private val BUILT_IN_RULES by lazy { checkNotNull(RuleSet.fromJson(resource("badlog-rules.json"))) }
 
-private fun resource(name: String): String =
+internal fun resource(name: String): String =
     checkNotNull(RulesFile::class.java.getResourceAsStream("/badlog/rules/$name")).use { it.readBytes().decodeToString() }
 
 /**

@@ -5,40 +5,86 @@ import badlog.expression.signals.Signal
 import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Vocabulary
 import badlog.recording.Severity
-import org.tomlj.Toml
-import org.tomlj.TomlArray
-import org.tomlj.TomlPosition
+import badlog.rules.signal.SignalVocabulary
 import org.tomlj.TomlTable
 import kotlin.time.Duration
 import kotlin.time.Duration.Companion.seconds
 
-/** Reads a file of rules. Throws [RulesException] at the first mistake. */
-internal class RulesReader(private val source: String) {
-    private val lines = source.lines()
+/**
+ * Reads a file of rules that name topics by [signals]. Throws [RulesException] at the first mistake.
+ *
+ * @param isBuiltIn whether the file is badlog's own, in which nobody looks for a mistake.
+ */
+internal class RulesReader(private val source: String, private val signals: SignalVocabulary, private val isBuiltIn: Boolean = false) {
+    private val toml = TomlText(source)
 
     fun read(): RulesFile {
-        val root = Toml.parse(source)
-        root.errors().firstOrNull()?.let { error ->
-            val said = error.message.orEmpty().lineSequence().first().trim().trimEnd('.')
-            fail(place(error.position(), null), "This is not TOML: $said.")
+        val root = toml.root(setOf("extends", "off", "limits", "aliases", "rule", "hook"))
+        val own = rules(root, emptyMap())
+        val inherited = inherited(root)
+        val taken = own.mapTo(HashSet()) { it.name }
+        return RulesFile(RuleSet(aliases(root), inherited.filter { it.name !in taken } + own, signals), hooks(root), source)
+    }
+
+    /** The built-in rules where the file goes on from them, with its limits and without those that it switches off. */
+    private fun inherited(root: TomlTable): List<Rule> {
+        val extends = toml.string(root, "extends")
+        if (extends != null &&
+            extends != DEFAULT
+        ) {
+            toml.fail(toml.placeOf(root, "extends"), "A file of rules extends “$DEFAULT”, not “$extends”.")
         }
-        requireKnown(root, setOf("aliases", "rule", "hook"), "the file")
-        return RulesFile(RuleSet(aliases(root), rules(root)), hooks(root), source)
+        if (listOf("extends", "off", "limits").none { root.contains(listOf(it)) }) return emptyList()
+        val off = toml.optionalStrings(root, "off").toSet()
+        val limits = limits(root)
+        val rules = RulesReader(resource(RulesFile.NAME), signals, isBuiltIn = true).rules(limits)
+        val groups = rules.mapTo(HashSet()) { it.group }
+        val names = rules.mapTo(HashSet()) { it.name }
+        off.find { it !in names && it !in groups }
+            ?.let { toml.fail(toml.placeOf(root, "off"), "There is no built-in rule or group “$it”; docs/rules.md lists them.") }
+        limits.keys.find { it !in names }?.let { name ->
+            val table = root.get(listOf("limits")) as TomlTable
+            toml.fail(toml.placeOf(table, name, isKey = true), "There is no built-in rule “$name”; docs/rules.md lists them.")
+        }
+        return rules.filter { it.name !in off && it.group !in off }
+    }
+
+    /** The rules of the file with other [limits], by the rules' names. */
+    fun rules(limits: Map<String, Map<String, Double>>): List<Rule> = rules(toml.root(setOf("rule")), limits)
+
+    private fun limits(root: TomlTable): Map<String, Map<String, Double>> {
+        if (!root.contains(listOf("limits"))) return emptyMap()
+        val table = root.get(listOf("limits")) as? TomlTable ?: toml.fail(toml.placeOf(root, "limits"), "“limits” is a table: [limits].")
+        return table.keySet().associateWith { name ->
+            limitsOf(table.get(listOf(name))) ?: toml.fail(
+                toml.placeOf(table, name, isKey = true),
+                "Limits are numbers by their names, as in \"Low battery\" = { volts = 6.5 }.",
+            )
+        }
+    }
+
+    private fun limitsOf(value: Any?): Map<String, Double>? {
+        val table = value as? TomlTable ?: return null
+        return table.keySet().associateWith { (table.get(listOf(it)) as? Number ?: return null).toDouble() }
     }
 
     private fun aliases(root: TomlTable): List<Alias> {
         if (!root.contains(listOf("aliases"))) return emptyList()
-        val table = root.get(listOf("aliases")) as? TomlTable ?: fail(placeOf(root, "aliases"), "“aliases” is a table: [aliases].")
+        val table =
+            root.get(listOf("aliases")) as? TomlTable ?: toml.fail(toml.placeOf(root, "aliases"), "“aliases” is a table: [aliases].")
         return table.keySet().map { name ->
             if (!isUsable(name)) {
-                fail(placeOf(table, name), "“$name” cannot be an alias; use letters, digits and _, but not a word of the language.")
+                toml.fail(
+                    toml.placeOf(table, name),
+                    "“$name” cannot be an alias; use letters, digits and _, but not a word of the language.",
+                )
             }
             val value = table.get(listOf(name))
             if (value is TomlTable) {
-                requireKnown(value, setOf("names", "unit"), "an alias")
-                Alias(name, patterns(value, "names", isNeeded = true), string(value, "unit"))
+                toml.requireKnown(value, setOf("names", "unit"), "an alias")
+                Alias(name, toml.patterns(value, "names", isNeeded = true), toml.string(value, "unit"))
             } else {
-                Alias(name, patterns(table, name, isNeeded = true), null)
+                Alias(name, toml.patterns(table, name, isNeeded = true), null)
             }
         }
     }
@@ -49,118 +95,121 @@ internal class RulesReader(private val source: String) {
         return alone is Expression && alone.topics == listOf(name)
     }
 
-    private fun rules(root: TomlTable): List<Rule> {
+    private fun rules(root: TomlTable, limits: Map<String, Map<String, Double>>): List<Rule> {
         val names = HashSet<String>()
-        return tables(root, "rule").map { (table, place) ->
-            val rule = rule(table, place)
-            if (!names.add(rule.name)) fail(placeOf(table, "name"), "There are two rules named “${rule.name}”.")
+        return toml.tables(root, "rule").map { (table, place) ->
+            val rule = rule(table, place, limits)
+            if (!names.add(rule.name)) toml.fail(toml.placeOf(table, "name"), "There are two rules named “${rule.name}”.")
             rule
         }
     }
 
-    private fun hooks(root: TomlTable): List<HookCommand> = tables(root, "hook").map { (table, place) ->
-        requireKnown(table, setOf("name", "command", "seconds"), "a hook")
-        if (!table.contains(listOf("command"))) fail(place, "This hook has no “command”.")
-        val command = string(table, "command").orEmpty()
+    private fun hooks(root: TomlTable): List<HookCommand> = toml.tables(root, "hook").map { (table, place) ->
+        toml.requireKnown(table, setOf("name", "command", "seconds"), "a hook")
+        toml.requireKeys(table, place, listOf("command"), "hook")
+        val command = toml.string(table, "command").orEmpty()
         val words = try {
             commandWords(command)
         } catch (e: IllegalArgumentException) {
-            fail(placeOf(table, "command"), e.message.orEmpty())
+            toml.fail(toml.placeOf(table, "command"), e.message.orEmpty())
         }
         val seconds = when (val value = table.get(listOf("seconds"))) {
             null -> null
             is Number -> value.toDouble().seconds
             else -> Duration.ZERO
         }
-        if (seconds?.isPositive() == false) fail(placeOf(table, "seconds"), "“seconds” is a number above 0: how long the hook may take.")
-        HookCommand(words, string(table, "name"), seconds)
+        if (seconds?.isPositive() == false) {
+            toml.fail(toml.placeOf(table, "seconds"), "“seconds” is a number above 0: how long the hook may take.")
+        }
+        HookCommand(words, toml.string(table, "name"), seconds)
     }
 
-    /** Every table of the list [key], and where it begins. */
-    private fun tables(root: TomlTable, key: String): List<Pair<TomlTable, RulePlace>> {
-        val array = root.get(listOf(key)) ?: return emptyList()
-        val mistake = "Each $key begins with [[$key]], in two brackets."
-        if (array !is TomlArray) fail(placeOf(root, key), mistake)
-        return (0 until array.size()).map { index ->
-            val table = array.get(index) as? TomlTable ?: fail(placeOf(root, key), mistake)
-            table to place(array.inputPositionOf(index), null)
-        }
-    }
-
-    private fun rule(table: TomlTable, place: RulePlace): Rule {
-        requireKnown(table, KEYS, "a rule")
-        for (key in listOf("name", "severity", "when", "text")) {
-            if (!table.contains(listOf(key))) fail(place, "This rule has no “$key”.")
-        }
-        val severity = string(table, "severity").orEmpty()
-        val each = if (table.contains(listOf("each"))) {
-            TopicChoice(patterns(table, "each", true), patterns(table, "except", false), string(table, "unit"))
-        } else {
-            listOf("except", "unit").firstOrNull { table.contains(listOf(it)) }
-                ?.let { fail(placeOf(table, it), "“$it” says which topics “each” means; without “each” it has no meaning.") }
-        }
+    private fun rule(table: TomlTable, place: RulePlace, others: Map<String, Map<String, Double>>): Rule {
+        toml.requireKnown(table, KEYS, "a rule")
+        toml.requireKeys(table, place, listOf("name", "severity", "when", "text"), "rule")
+        val name = toml.string(table, "name").orEmpty()
+        val severity = toml.string(table, "severity").orEmpty()
+        val limits = Limits(table, others[name].orEmpty())
         return Rule(
-            name = string(table, "name").orEmpty(),
+            name = name,
             severity = Severity.entries.find { it.name.lowercase() == severity }
-                ?: fail(placeOf(table, "severity"), "A severity is “error”, “warning” or “note”, not “$severity”."),
-            condition = string(table, "when").orEmpty(),
-            text = text(table),
-            only = if (table.contains(listOf("only"))) strings(table, "only") else emptyList(),
-            each = each,
-            place = placeOf(table, "when"),
+                ?: toml.fail(toml.placeOf(table, "severity"), "A severity is “error”, “warning” or “note”, not “$severity”."),
+            condition = limits.filled(toml.string(table, "when").orEmpty()),
+            text = text(table, limits),
+            only = toml.optionalStrings(table, "only"),
+            each = each(table),
+            place = if (isBuiltIn) null else toml.placeOf(table, "when"),
+            group = toml.string(table, "group").orEmpty(),
+            reason = toml.string(table, "why").orEmpty(),
+            next = toml.string(table, "next").orEmpty(),
+            show = toml.optionalStrings(table, "show"),
+            unless = toml.optionalStrings(table, "unless"),
+            isForEachText = toml.isTrue(table, "each_text"),
         )
     }
 
-    private fun text(table: TomlTable): RuleText = try {
-        RuleText.parse(string(table, "text").orEmpty())
+    /** The numbers of a rule in [table] that its `when` and `text` have in braces, or those of [others] instead. */
+    private inner class Limits(table: TomlTable, others: Map<String, Double>) {
+        private val numbers: Map<String, Double>
+
+        init {
+            val value = table.get(listOf("limits"))
+            val own = if (value == null) {
+                emptyMap()
+            } else {
+                limitsOf(value)
+                    ?: toml.fail(toml.placeOf(table, "limits"), "“limits” are numbers by their names, as in limits = { volts = 7 }.")
+            }
+            val taken = own.keys.find { it in RuleText.PLACES }
+            if (taken != null) toml.fail(toml.placeOf(table, "limits"), "“$taken” cannot be a limit, for it is a place in texts.")
+            val unknown = others.keys.find { it !in own }
+            if (unknown != null) {
+                val known = own.keys.joinToString().ifEmpty { "none" }
+                throw RulesException(1, "The rule “${toml.string(table, "name")}” has no limit “$unknown”; there are: $known.")
+            }
+            numbers = own + others
+        }
+
+        fun filled(text: String): String = numbers.entries.fold(text) { filled, (name, number) -> filled.replace("{$name}", plain(number)) }
+    }
+
+    private fun plain(number: Double) = number.toBigDecimal().stripTrailingZeros().toPlainString()
+
+    private fun each(table: TomlTable): TopicChoice? {
+        if (!table.contains(listOf("each"))) {
+            return listOf("except", "unit").firstOrNull { table.contains(listOf(it)) }
+                ?.let { toml.fail(toml.placeOf(table, it), "“$it” says which topics “each” means; without “each” it has no meaning.") }
+        }
+        val value = table.get(listOf("each"))
+        if (value !is TomlTable) {
+            return TopicsByName(toml.patterns(table, "each", true), toml.patterns(table, "except", false), toml.string(table, "unit"))
+        }
+        toml.requireKnown(value, setOf("signal", "with", "linked"), "“each”")
+        val names = listOfNotNull(toml.string(value, "signal")) + toml.optionalStrings(value, "with")
+        val unknown = names.find { signals.find(it)?.isMany != true }
+        if (unknown != null || !value.contains(listOf("signal"))) {
+            toml.fail(
+                toml.placeOf(table, "each"),
+                "“each” names a signal of many topics, as in each = { signal = \"channel current\" }" +
+                    if (unknown == null) "." else "; “$unknown” is none.",
+            )
+        }
+        return TopicsOfSignal(names[0], names.drop(1), toml.isTrue(value, "linked"))
+    }
+
+    private fun text(table: TomlTable, limits: Limits): RuleText = try {
+        RuleText.parse(limits.filled(toml.string(table, "text").orEmpty()))
     } catch (mistake: RuleText.Mistake) {
-        val place = placeOf(table, "text")
+        val place = toml.placeOf(table, "text")
         throw RulesException(place.lineNumber, place.pointed(mistake.message, mistake.from, mistake.until))
     }
 
-    private fun requireKnown(table: TomlTable, known: Set<String>, what: String) {
-        val unknown = table.keySet().firstOrNull { it !in known } ?: return
-        fail(placeOf(table, unknown, isKey = true), "“$unknown” is not a key of $what; the keys are ${known.joinToString()}.")
-    }
-
-    private fun patterns(table: TomlTable, key: String, isNeeded: Boolean): List<NamePattern> {
-        if (!isNeeded && !table.contains(listOf(key))) return emptyList()
-        return strings(table, key).map(::NamePattern)
-    }
-
-    private fun strings(table: TomlTable, key: String): List<String> {
-        val value = table.get(listOf(key))
-        val texts = if (value is String) listOf(value) else (value as? TomlArray)?.toList()?.filterIsInstance<String>().orEmpty()
-        val isWhole = value is String || (value is TomlArray && value.size() == texts.size)
-        if (!isWhole || texts.isEmpty() || texts.any { it.isBlank() }) {
-            fail(placeOf(table, key), "“$key” is a list of texts, as in $key = [\"one\", \"two\"].")
-        }
-        return texts
-    }
-
-    private fun string(table: TomlTable, key: String): String? {
-        val value = table.get(listOf(key)) ?: return null
-        if (value !is String || value.isBlank()) fail(placeOf(table, key), "“$key” is a text in quotes.")
-        return value
-    }
-
-    private fun placeOf(table: TomlTable, key: String, isKey: Boolean = false): RulePlace =
-        place(table.inputPositionOf(listOf(key)), if (isKey) key else table.get(listOf(key)) as? String)
-
-    /** Where [text] stands on the line of [position], or [position] itself. */
-    private fun place(position: TomlPosition?, text: String?): RulePlace {
-        val number = (position?.line() ?: 1).coerceIn(1, lines.size)
-        val line = lines[number - 1]
-        val column = ((position?.column() ?: 1) - 1).coerceIn(0, line.length)
-        // The value begins behind its key.
-        val found = if (text.isNullOrEmpty()) -1 else line.indexOf(text, maxOf(column, line.indexOf('=') + 1).coerceAtMost(line.length))
-        val literal = if (found < 0 && !text.isNullOrEmpty()) line.indexOf(text) else found
-        return RulePlace(number, line, if (literal >= 0) literal else column, text.takeIf { literal >= 0 })
-    }
-
-    private fun fail(place: RulePlace, message: String): Nothing = throw RulesException(place.lineNumber, place.pointed(message))
-
     private companion object {
-        val KEYS = setOf("name", "severity", "when", "text", "only", "each", "except", "unit")
+        /** What the built-in rules are called. */
+        const val DEFAULT = "default"
+        val KEYS = setOf(
+            "name", "severity", "when", "text", "only", "each", "except", "unit", "group", "why", "next", "limits", "show", "unless",
+            "each_text",
+        )
     }
 }

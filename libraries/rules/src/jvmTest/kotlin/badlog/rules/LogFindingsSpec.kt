@@ -44,11 +44,11 @@ class LogFindingsSpec : FunSpec({
     fun findingsOf(topics: List<Topic>) = RuleSet.BUILT_IN.over(LogView.of(Recording(RecordingFormat.WPILOG, null, emptyList(), topics, 0, emptyList())), "a.wpilog")
 
     test("where topics have times of their own, time is every one of them, whatever topics are called") {
-        val result = findingsOf(listOf(ownTimes("A/Time", 0.0, 0.1, 3.0), ownTimes("B/Time", 0.2, 2.9)))
+        val result = findingsOf(listOf(ownTimes("A/Time", 0.0, 0.1, 2.5, 6.0), ownTimes("B/Time", 0.2, 2.9)))
         result.findings.single { it.rule == "Gap in time" }.run {
-            text shouldBe "Nothing was logged for up to 2.7 s."
+            text shouldBe "Nothing was logged for up to 3.1 s (1×)."
             topic shouldBe null
-            time shouldBe 2.9
+            time shouldBe 6.0
         }
         result.skipped.none { it.isMistake || it.rule == "Clock set back" } shouldBe true
     }

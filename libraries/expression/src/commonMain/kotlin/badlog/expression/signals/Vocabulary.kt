@@ -21,6 +21,9 @@ public class Vocabulary(public val signals: List<Signal>, public val hasTime: Bo
 
     override fun hashCode(): Int = signals.hashCode()
 
+    /** Whether [name] means one of the signals, or several. */
+    public fun knows(name: String): Boolean = find(name).isNotEmpty()
+
     /** The signals that [name] may mean: none, the one, or those that it fails to tell apart. */
     internal fun find(name: String): List<Signal> = entries.find(name, ignoreCase = true)
 

@@ -1,4 +1,4 @@
-package badlog.rules
+package badlog.rules.signal
 
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
@@ -16,6 +16,13 @@ class NamePatternSpec : FunSpec({
         }
         pattern.matches("Battery Voltage Limit") shouldBe false
         NamePattern("Arm/Angle").matches("Big Arm/Angle") shouldBe false
+    }
+
+    test("what comes before the end of the last star is the device") {
+        NamePattern("*velocity").deviceIn("Drivetrain/Left Velocity") shouldBe "Drivetrain/Left"
+        NamePattern("*/applied volts").deviceIn("Drive/Module0/Applied_Volts") shouldBe "Drive/Module0"
+        NamePattern("*TalonFX*/Duty Cycle").deviceIn("Phoenix6/TalonFX-1/DutyCycle") shouldBe "Phoenix6/TalonFX-1"
+        NamePattern("Battery").deviceIn("Battery") shouldBe "Battery"
     }
 
     test("a star stands for anything, as a regular expression has it") {

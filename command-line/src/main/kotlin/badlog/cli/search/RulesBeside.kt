@@ -1,0 +1,16 @@
+package badlog.cli.search
+
+import badlog.rules.BUILT_IN
+import badlog.rules.FolderRules
+import badlog.rules.RuleSet
+import badlog.rules.RulesFile
+import java.nio.file.Files
+import java.nio.file.Path
+
+/** The rules that lie beside the logs at [paths], where all of them have the same; else the built-in ones. What is wrong with them is told. */
+internal fun rulesBeside(paths: List<Path>, warn: (String) -> Unit): RuleSet {
+    val beside = paths.map { FolderRules.of(if (Files.isDirectory(it)) it.resolve(RulesFile.NAME) else it) }
+    val rules = beside.distinctBy { it.file to it.rules.signals }.singleOrNull() ?: return RuleSet.BUILT_IN
+    rules.problem?.let(warn)
+    return rules.rules
+}

@@ -1,0 +1,40 @@
+package badlog.rules.json
+
+import badlog.json.JsonMember
+import badlog.json.JsonValue
+
+/** Text that this module did not write. */
+internal class UnreadableJsonException : Exception()
+
+/** The members of an object that has to be there. */
+internal class JsonFields(members: List<JsonMember>?) {
+    private val values = (members ?: throw UnreadableJsonException()).associate { it.key to it.value }
+
+    fun find(key: String): JsonValue? = values[key]
+
+    fun string(key: String): String = optional(key) ?: throw UnreadableJsonException()
+
+    fun optional(key: String): String? = values[key]?.text
+
+    fun number(key: String): Int = values[key]?.json?.toIntOrNull() ?: throw UnreadableJsonException()
+
+    fun isTrue(key: String): Boolean = values[key]?.json == "true"
+
+    /** Empty where there is none. */
+    fun <T> list(key: String, read: (JsonValue) -> T): List<T> = values[key]?.let { itemsOf(it).map(read) }.orEmpty()
+
+    fun strings(key: String): List<String> = list(key, ::stringOf)
+}
+
+internal fun itemsOf(value: JsonValue): List<JsonValue> = value.items ?: throw UnreadableJsonException()
+
+internal fun stringOf(value: JsonValue): String = value.text ?: throw UnreadableJsonException()
+
+/** An object of those [members] that have a value. */
+internal fun jsonObject(vararg members: Pair<String, String?>): String =
+    members.filter { it.second != null }.joinToString(",", "{", "}") { "\"${it.first}\":${it.second}" }
+
+internal fun <T> jsonArray(items: List<T>, json: (T) -> String): String = items.joinToString(",", "[", "]", transform = json)
+
+/** Null for an empty list, which needs no member. */
+internal fun <T> jsonList(items: List<T>, json: (T) -> String): String? = if (items.isEmpty()) null else jsonArray(items, json)

@@ -1,0 +1,85 @@
+package badlog.rules.signal
+
+import badlog.analysis.Units
+import badlog.expression.signals.Signal
+import badlog.expression.signals.Vocabulary
+
+/**
+ * A topic that was taken for a signal.
+ *
+ * @property signal the signal.
+ * @property topic the full name of the topic.
+ * @property unit the unit in which rules and questions get its numbers; empty for none.
+ * @property reason why it was taken, and how its unit is known, as part of a sentence.
+ * @property scale what its numbers are multiplied with to be in [unit]; null where the samples tell whether they are percent or
+ *   fractions.
+ * @property device what it has in common with other topics of the same device.
+ */
+public class SignalTopic internal constructor(
+    public val signal: String,
+    internal val source: Signal,
+    public val unit: String,
+    public val reason: String,
+    internal val scale: Double?,
+    internal val device: String,
+) {
+    public val topic: String get() = source.name
+}
+
+/**
+ * Which topics of a log, which are called as [names] has them, are the signals of [vocabulary].
+ *
+ * @param timeTopic the topic of the x axis, which is no other signal; or null.
+ */
+public class SignalTopics(private val vocabulary: SignalVocabulary, private val names: Vocabulary, private val timeTopic: String?) {
+    private val folded by lazy { names.signals.map { it to NamePattern.folded(it.name) } }
+    private val found = HashMap<String, List<SignalTopic>>()
+
+    /** All that was taken for a signal, in the order of the vocabulary. */
+    public val all: List<SignalTopic> get() = vocabulary.signals.flatMap { of(it.name) }
+
+    /** The topics of the signal [name]: at most one, unless it is one of many. */
+    internal fun of(name: String): List<SignalTopic> = found.getOrPut(name) { vocabulary.find(name)?.let(::search).orEmpty() }
+
+    /** The topics that make the signal [name] when they are added, where it has none of its own. */
+    internal fun summandsOf(name: String): List<SignalTopic> = vocabulary.find(name)?.sumOf?.let(::of).orEmpty()
+
+    /** Pairs of [topics] whose devices a team has linked, each in both orders. */
+    internal fun linked(topics: List<SignalTopic>): List<Pair<SignalTopic, SignalTopic>> = vocabulary.linked.flatMap { devices ->
+        val members = topics.filter { topic -> devices.any { it.matches(topic.device) } }
+        members.flatMap { one -> members.filter { it !== one }.map { one to it } }
+    }
+
+    private fun search(signal: SignalName): List<SignalTopic> {
+        val taken = LinkedHashMap<String, SignalTopic>()
+        for (pattern in signal.topics) {
+            for ((source, name) in folded) {
+                if (source.name == timeTopic || source.name in taken || !pattern.pattern.matchesFolded(name)) continue
+                if (!signal.content.isOf(source.kind) || signal.except.any { it.matchesFolded(name) }) continue
+                taken[source.name] = taken(signal, pattern, source) ?: continue
+                if (!signal.isMany) return taken.values.toList()
+            }
+        }
+        return taken.values.toList()
+    }
+
+    private fun taken(signal: SignalName, pattern: TopicPattern, source: Signal): SignalTopic? {
+        val wanted = signal.unit
+        val named = if (Units.isNone(source.unit)) vocabulary.unitIn(source.name) else null
+        val (unit, isKnownFrom) = when {
+            !Units.isNone(source.unit) -> source.unit to "unit ${source.unit} in the log"
+            pattern.unit != null -> pattern.unit to "${pattern.unit}, as such logs have it"
+            named != null -> named.unit to "unit ${named.unit} in the name"
+            wanted == PERCENT || wanted == FRACTION -> null to "percent or fraction by its samples"
+            wanted != null -> wanted to "taken to be in $wanted"
+            else -> "" to ""
+        }
+        val scale = if (wanted == null || unit == null) 1.0.takeIf { unit != null } else unitScale(unit, wanted) ?: return null
+        val reason = "fits “${pattern.pattern.text}”" + if (isKnownFrom.isEmpty()) "" else ", $isKnownFrom"
+        return SignalTopic(signal.name, source, wanted ?: unit.orEmpty(), reason, scale, pattern.pattern.deviceIn(source.name))
+    }
+
+    private companion object {
+        const val PERCENT = "%"
+    }
+}

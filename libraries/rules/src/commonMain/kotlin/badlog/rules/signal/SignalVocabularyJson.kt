@@ -1,0 +1,75 @@
+package badlog.rules.signal
+
+import badlog.json.JsonReader
+import badlog.json.JsonValue
+import badlog.json.quotedJson
+import badlog.rules.json.JsonFields
+import badlog.rules.json.UnreadableJsonException
+import badlog.rules.json.itemsOf
+import badlog.rules.json.jsonArray
+import badlog.rules.json.jsonList
+import badlog.rules.json.jsonObject
+import badlog.rules.json.stringOf
+
+/** This vocabulary as a line of JSON: equal texts are equal vocabularies. */
+public fun SignalVocabulary.toJson(): String = jsonObject(
+    "signals" to jsonArray(signals, ::signalJson),
+    "units" to jsonList(units) { "[${quotedJson(it.ending)},${quotedJson(it.unit)}]" },
+    "linked" to jsonList(linked) { checkNotNull(patternsJson(it)) },
+)
+
+/** The vocabulary that [text] is of, or null when [SignalVocabulary.toJson] did not write it. */
+internal fun SignalVocabulary.Companion.fromJson(text: String): SignalVocabulary? = try {
+    val json = JsonFields(JsonReader.readObject(text))
+    SignalVocabulary(
+        json.list("signals", ::signalOf),
+        json.list("units") { pair -> itemsOf(pair).let { (ending, unit) -> NamedUnit(stringOf(ending), stringOf(unit)) } },
+        json.list("linked") { devices -> itemsOf(devices).map { NamePattern(stringOf(it)) } },
+    )
+} catch (_: UnreadableJsonException) {
+    null
+} catch (_: IndexOutOfBoundsException) {
+    null
+}
+
+/** Null for no patterns. */
+internal fun patternsJson(patterns: List<NamePattern>): String? = jsonList(patterns) { quotedJson(it.text) }
+
+internal fun JsonFields.patterns(key: String): List<NamePattern> = strings(key).map(::NamePattern)
+
+private fun signalJson(signal: SignalName): String = jsonObject(
+    "name" to quotedJson(signal.name),
+    "means" to signal.meaning.takeIf { it.isNotEmpty() }?.let(::quotedJson),
+    "is" to signal.content.takeIf { it != SignalContent.NUMBER }?.let { quotedJson(it.name.lowercase()) },
+    "unit" to signal.unit?.let(::quotedJson),
+    "topics" to jsonArray(signal.topics) { topic ->
+        val name = quotedJson(topic.pattern.text)
+        if (topic.unit == null) name else "[$name,${quotedJson(topic.unit)}]"
+    },
+    "except" to patternsJson(signal.except),
+    "many" to "true".takeIf { signal.isMany },
+    "sumOf" to signal.sumOf?.let(::quotedJson),
+)
+
+private fun signalOf(value: JsonValue): SignalName {
+    val json = JsonFields(value.members)
+    return SignalName(
+        name = json.string("name"),
+        meaning = json.optional("means").orEmpty(),
+        content = SignalContent.entries.find { it.name.lowercase() == json.optional("is") } ?: SignalContent.NUMBER,
+        unit = json.optional("unit"),
+        topics = json.list("topics") { topic ->
+            val pair = topic.items
+            if (pair ==
+                null
+            ) {
+                TopicPattern(NamePattern(stringOf(topic)), null)
+            } else {
+                TopicPattern(NamePattern(stringOf(pair[0])), stringOf(pair[1]))
+            }
+        },
+        except = json.patterns("except"),
+        isMany = json.isTrue("many"),
+        sumOf = json.optional("sumOf"),
+    )
+}

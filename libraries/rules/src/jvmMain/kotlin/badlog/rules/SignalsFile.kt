@@ -1,0 +1,98 @@
+package badlog.rules
+
+import badlog.rules.signal.NamePattern
+import badlog.rules.signal.NamedUnit
+import badlog.rules.signal.SignalContent
+import badlog.rules.signal.SignalName
+import badlog.rules.signal.SignalVocabulary
+import badlog.rules.signal.TopicPattern
+import org.tomlj.TomlArray
+import org.tomlj.TomlTable
+
+/** A file of the names that signals have in logs; `docs/signals.md` has its format. */
+public object SignalsFile {
+    /** What such a file among the logs is called. */
+    public const val NAME: String = "badlog-signals.toml"
+
+    /** The built-in vocabulary as it is written. */
+    public val builtInSource: String by lazy { resource(NAME) }
+
+    /**
+     * Reads [text], which is TOML.
+     *
+     * @throws RulesException at the first mistake.
+     */
+    public fun parse(text: String): SignalVocabulary = notTooDeep { SignalsReader(TomlText(text)).read() }
+}
+
+private class SignalsReader(private val toml: TomlText) {
+    fun read(): SignalVocabulary {
+        val root = toml.root(setOf("signal", "units", "linked"))
+        val names = HashSet<String>()
+        val signals = toml.tables(root, "signal").map { (table, place) ->
+            val signal = signal(table, place)
+            if (!names.add(signal.name)) toml.fail(toml.placeOf(table, "name"), "There are two signals named “${signal.name}”.")
+            signal
+        }
+        return SignalVocabulary(signals, units(root), toml.tables(root, "linked").map { (table, place) -> linked(table, place) })
+    }
+
+    private fun signal(table: TomlTable, place: RulePlace): SignalName {
+        toml.requireKnown(table, KEYS, "a signal")
+        toml.requireKeys(table, place, listOf("name", "topics"), "signal")
+        val name = toml.string(table, "name").orEmpty()
+        if (!name[0].isLetter() || !name.all { it.isLetterOrDigit() || it in " _" }) {
+            toml.fail(toml.placeOf(table, "name"), "A signal's name begins with a letter and has letters, digits and spaces, not “$name”.")
+        }
+        val content = toml.string(table, "is") ?: "number"
+        return SignalName(
+            name = name,
+            meaning = toml.string(table, "means").orEmpty(),
+            content = SignalContent.entries.find { it.name.lowercase() == content }
+                ?: toml.fail(toml.placeOf(table, "is"), "A signal is a “number”, a “condition” or a “text”, not “$content”."),
+            unit = toml.string(table, "unit"),
+            topics = topics(table),
+            except = toml.patterns(table, "except", isNeeded = false),
+            isMany = toml.isTrue(table, "many"),
+            sumOf = toml.string(table, "sum_of"),
+        )
+    }
+
+    /** Names, or pairs of a name and the unit in which such logs have it. */
+    private fun topics(table: TomlTable): List<TopicPattern> {
+        val value = table.get(listOf("topics"))
+        if (value is String) return listOf(TopicPattern(NamePattern(value), null))
+        val mistake = "“topics” is a list of names or pairs, as in topics = [\"Arm/Angle\", [\"Arm/Pos\", \"rad\"]]."
+        return (value as? TomlArray)?.toList().orEmpty().map { item ->
+            val pair = (item as? TomlArray)?.toList().orEmpty().filterIsInstance<String>()
+            when {
+                item is String && item.isNotBlank() -> TopicPattern(NamePattern(item), null)
+                pair.size == 2 -> TopicPattern(NamePattern(pair[0]), pair[1])
+                else -> toml.fail(toml.placeOf(table, "topics"), mistake)
+            }
+        }.ifEmpty { toml.fail(toml.placeOf(table, "topics"), mistake) }
+    }
+
+    private fun units(root: TomlTable): List<NamedUnit> {
+        if (!root.contains(listOf("units"))) return emptyList()
+        val mistake = "“units” is a table of what names end in and the units that this tells: [units]."
+        val table = root.get(listOf("units")) as? TomlTable ?: toml.fail(toml.placeOf(root, "units"), mistake)
+        return table.keySet().map { NamedUnit(it, toml.string(table, it).orEmpty()) }
+    }
+
+    private fun linked(table: TomlTable, place: RulePlace): List<NamePattern> {
+        toml.requireKnown(table, setOf("motors"), "linked motors")
+        toml.requireKeys(table, place, listOf("motors"), "list of linked motors")
+        val motors = toml.strings(table, "motors")
+        if (motors.size <
+            2
+        ) {
+            toml.fail(toml.placeOf(table, "motors"), "“motors” names at least two that turn the same, as in [\"A\", \"B\"].")
+        }
+        return motors.map(::NamePattern)
+    }
+
+    private companion object {
+        val KEYS = setOf("name", "means", "is", "unit", "topics", "except", "many", "sum_of")
+    }
+}

@@ -1,0 +1,93 @@
+package badlog.rules
+
+import badlog.expression.signals.Signal
+import badlog.expression.signals.SignalKind
+import badlog.expression.signals.Vocabulary
+import badlog.rules.signal.SignalTopics
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.maps.shouldBeEmpty
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+
+private class Named(val topic: Signal, val signal: String?)
+
+private fun namesOf(text: String): List<Named> = text.lines().filter { it.isNotBlank() && !it.startsWith("#") }.map { line ->
+    val (name, kind, signal) = line.split(" | ")
+    val unit = Regex(" \\[([^\\]]+)]$").find(name)
+    val isOfUnit = unit != null && !name.endsWith("[0]")
+    Named(
+        Signal(if (isOfUnit) name.removeSuffix(unit.value) else name, SignalKind.valueOf(kind.uppercase()), if (isOfUnit) unit.groupValues[1] else ""),
+        signal.takeIf { it != "-" },
+    )
+}
+
+class SignalsFileSpec : FunSpec({
+    val names = namesOf(checkNotNull(SignalsFileSpec::class.java.getResource("/signal-names.txt")).readText())
+    val builtIn = RuleSet.BUILT_IN.signals
+
+    fun topics(vararg signals: Signal) = SignalTopics(builtIn, Vocabulary(signals.toList()), null)
+
+    test("each name that libraries use is the signal that it should be, and the traps are none") {
+        val wrong = names.associate { named ->
+            named.topic.name to (topics(named.topic).all.map { it.signal } to named.signal)
+        }.filterValues { (found, wanted) -> if (wanted == null) found.isNotEmpty() else wanted !in found }
+        wrong.shouldBeEmpty()
+    }
+
+    test("a unit comes from the log, from what such logs have, or from the name, and the reason says which") {
+        fun only(signal: Signal) = topics(signal).all.first()
+        only(Signal("System/Loop Time", SignalKind.NUMBER, "s")).run { scale to reason } shouldBe (1000.0 to "fits “*loop time”, unit s in the log")
+        only(Signal("/SystemStats/CANBus/Utilization", SignalKind.NUMBER)).run { scale to reason } shouldBe
+            (100.0 to "fits “*CANBus/Utilization”, fraction, as such logs have it")
+        only(Signal("/Robot/LoopTimeMicros", SignalKind.NUMBER)).reason shouldContain "unit us in the name"
+        only(Signal("CAN Load", SignalKind.NUMBER)).run { scale to reason } shouldBe (null to "fits “*CAN load”, percent or fraction by its samples")
+        topics(Signal("System/Battery Voltage", SignalKind.NUMBER, "%")).all.filter { it.signal == "battery" } shouldBe emptyList()
+    }
+
+    test("where no total is logged it is the sum of the channels") {
+        val match = TestMatch()
+        val view = match.view()
+        val signals = SignalTopics(builtIn, LogShape.of(view).vocabulary, "Time")
+        signals.of("total current") shouldBe emptyList()
+        signals.summandsOf("total current").size shouldBe 4
+    }
+
+    test("what a team adds goes first, and can be a signal of its own") {
+        val own = SignalsFile.parse(
+            """
+            [units]
+            Zaps = "V"
+            [[signal]]
+            name = "battery"
+            topics = ["My/Zaps"]
+            [[signal]]
+            name = "hood angle"
+            topics = [["Hood/Pos", "rad"]]
+            unit = "deg"
+            """.trimIndent(),
+        )
+        val found = SignalTopics(
+            builtIn.with(own),
+            Vocabulary(listOf(Signal("/SystemStats/BatteryVoltage", SignalKind.NUMBER), Signal("My/Zaps", SignalKind.NUMBER), Signal("Hood/Pos", SignalKind.NUMBER))),
+            null,
+        )
+        found.of("battery").single().topic shouldBe "My/Zaps"
+        found.of("hood angle").single().run { unit shouldBe "deg" }
+        found.all.map { it.signal } shouldContain "hood angle"
+    }
+
+    val mistakes = mapOf(
+        "[[signal]]\nname = \"a\"\n" to "Line 1: This signal has no “topics”.",
+        "[[signal]]\nname = \"1\"\ntopics = [\"b\"]\n" to "Line 2: A signal's name begins with a letter",
+        "[[signal]]\nname = \"a\"\ntopics = [1]\n" to "Line 3: “topics” is a list of names or pairs",
+        "[[signal]]\nname = \"a\"\ntopics = [\"b\"]\nis = \"x\"\n" to "Line 4: A signal is a “number”, a “condition” or a “text”, not “x”.",
+        "[[linked]]\nmotors = [\"b\"]\n" to "Line 2: “motors” names at least two",
+        "units = 1\n" to "Line 1: “units” is a table",
+        "[[signals]]\n" to "“signals” is not a key of the file",
+    )
+    for ((text, message) in mistakes) {
+        test("refuses ${text.replace('\n', ' ')}") { shouldThrow<RulesException> { SignalsFile.parse(text) }.message shouldContain message }
+    }
+})
