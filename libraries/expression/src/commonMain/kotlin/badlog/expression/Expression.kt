@@ -1,6 +1,7 @@
 package badlog.expression
 
 import badlog.analysis.Series
+import badlog.expression.checking.BoundsCheck
 import badlog.expression.checking.Checker
 import badlog.expression.samples.Column
 import badlog.expression.samples.Scalar
@@ -31,6 +32,13 @@ public class Expression internal constructor(public val text: String, public val
 
     /** Whether it holds in the recording of [signals], when, and with which numbers. */
     public fun answer(signals: Signals): Answer = Answering(text, root, signals).answer()
+
+    /**
+     * Whether the condition may hold where all samples of each topic are between [bounds], which is null for a topic of which nothing is known.
+     * Where it says no, [answer] has no need to look.
+     */
+    public fun mayHold(bounds: (topic: String) -> ClosedFloatingPointRange<Double>?): Boolean =
+        !type.isCondition || BoundsCheck(bounds).mayHold(root)
 
     /**
      * Its samples over time: numbers, or 1 and 0, with NaN for gaps. One number for the whole recording is a line from its begin

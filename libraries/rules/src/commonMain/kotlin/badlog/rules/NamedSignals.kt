@@ -46,6 +46,19 @@ internal class NamedSamples(private val log: Signals, private val view: LogView)
         named.summands.singleOrNull()?.let(::scaled) ?: sumOf(named.summands.map(::scaled))
     }
 
+    private val bounds = HashMap<DoubleArray, ClosedFloatingPointRange<Double>?>()
+
+    /** Between which numbers the samples of [series] are; null where there is none. */
+    fun boundsOf(series: Series): ClosedFloatingPointRange<Double>? = bounds.getOrPut(series.y) {
+        var low = Double.POSITIVE_INFINITY
+        var high = Double.NEGATIVE_INFINITY
+        for (sample in series.y) {
+            if (sample < low) low = sample
+            if (sample > high) high = sample
+        }
+        if (low <= high) low..high else null
+    }
+
     private fun scaled(source: ScaledSignal): Series {
         if (source.signal === CLOCK) return clockOf(view.xAxis)
         if (source.signal === ACTIVITY) return activeIn(view, log.enabled)
@@ -93,6 +106,9 @@ internal class NamedSignals(
     private val samples: NamedSamples,
 ) : Signals by log {
     override fun series(name: String): Series = named[name]?.let(samples::of) ?: log.series(name)
+
+    /** Between which numbers the samples of the signal [name] are; null where there is none. */
+    fun bounds(name: String): ClosedFloatingPointRange<Double>? = samples.boundsOf(series(name))
 
     override fun states(name: String): List<String> = log.states(named[name]?.only?.name ?: name)
 }

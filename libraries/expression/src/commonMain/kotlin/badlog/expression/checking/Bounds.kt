@@ -1,0 +1,105 @@
+package badlog.expression.checking
+
+import badlog.expression.syntax.Function
+import badlog.expression.syntax.Kind
+import badlog.expression.syntax.Node
+import badlog.expression.syntax.Operator
+import kotlin.math.abs
+
+/** Between which numbers all values of something are. */
+private class Bounds(val low: Double, val high: Double) {
+    fun isOne(): Boolean = low == high
+
+    companion object {
+        val ALL = Bounds(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY)
+        val CONDITION = Bounds(0.0, 1.0)
+    }
+}
+
+/**
+ * Says of parts of an expression, without looking at samples, whether they may hold, from the smallest and the largest sample of each topic
+ * ([ofTopic], null where that is not known). Where this says no, none of them does.
+ */
+internal class BoundsCheck(private val ofTopic: (String) -> ClosedFloatingPointRange<Double>?) {
+    /** Whether the condition [node] may be true at some time. */
+    fun mayHold(node: Node): Boolean = when (node) {
+        is Node.Truth -> node.value
+        is Node.Not -> mayFail(node.operand)
+        is Node.For -> mayHold(node.condition)
+        is Node.Topic -> ofTopic(node.signal.name)?.let { it.endInclusive != 0.0 || it.start != 0.0 } != false
+        is Node.Binary -> mayHold(node)
+        is Node.Call -> node.function !in KEEPING || node.arguments[0].type.kind != Kind.CONDITION || mayHold(node.arguments[0])
+        else -> true
+    }
+
+    private fun mayHold(node: Node.Binary): Boolean {
+        val (left, right) = node.children
+        return when (node.operator) {
+            Operator.WHEN -> mayHold(left)
+            Operator.AND -> mayHold(left) && mayHold(right)
+            Operator.OR -> mayHold(left) || mayHold(right)
+            else -> left.type.kind == Kind.TEXT || right.type.kind == Kind.TEXT || mayHold(node.operator, of(left), of(right))
+        }
+    }
+
+    private fun mayHold(operator: Operator, left: Bounds, right: Bounds): Boolean = when (operator) {
+        Operator.LESS -> left.low < right.high
+        Operator.LESS_OR_EQUAL -> left.low <= right.high
+        Operator.GREATER -> left.high > right.low
+        Operator.GREATER_OR_EQUAL -> left.high >= right.low
+        Operator.EQUAL -> left.low <= right.high && right.low <= left.high
+        Operator.NOT_EQUAL -> !left.isOne() || !right.isOne() || left.low != right.low
+        else -> true
+    }
+
+    private fun mayFail(node: Node): Boolean = when {
+        node is Node.Not -> mayHold(node.operand)
+        node is Node.Binary && node.operator in OPPOSITE -> mayHold(OPPOSITE.getValue(node.operator), of(node.left), of(node.right))
+        else -> true
+    }
+
+    private fun of(node: Node): Bounds = when {
+        node.type.kind == Kind.CONDITION -> if (mayHold(node)) Bounds.CONDITION else Bounds(0.0, 0.0)
+        node is Node.Number -> Bounds(node.value, node.value)
+        node is Node.Topic -> ofTopic(node.signal.name)?.let { Bounds(it.start, it.endInclusive) } ?: Bounds.ALL
+        node is Node.Negative -> of(node.operand).let { Bounds(-it.high, -it.low) }
+        node is Node.Binary -> of(node)
+        node is Node.Call -> of(node)
+        else -> Bounds.ALL
+    }
+
+    private fun of(node: Node.Binary): Bounds {
+        if (node.operator == Operator.WHEN) return of(node.left)
+        if (node.operator != Operator.PLUS && node.operator != Operator.MINUS) return Bounds.ALL
+        val left = of(node.left)
+        val right = of(node.right).let { if (node.operator == Operator.PLUS) it else Bounds(-it.high, -it.low) }
+        return bounds(left.low + right.low, left.high + right.high)
+    }
+
+    private fun of(call: Node.Call): Bounds {
+        if (call.function == Function.ABS) return of(call.arguments[0]).let { Bounds(0.0, maxOf(abs(it.low), abs(it.high))) }
+        if (call.function in KEEPING) return of(call.arguments[0])
+        if (call.function !in COUNTING || call.arguments[0].type.kind != Kind.CONDITION) return Bounds.ALL
+        return if (mayHold(call.arguments[0])) Bounds.ALL else Bounds(0.0, 0.0)
+    }
+
+    // Of infinities that cancel each other nothing is known.
+    private fun bounds(low: Double, high: Double) = if (low.isNaN() || high.isNaN()) Bounds.ALL else Bounds(low, high)
+
+    private companion object {
+        /** Those that give nothing beyond what their first operand has. */
+        val KEEPING = setOf(
+            Function.MIN, Function.MAX, Function.FIRST, Function.LAST, Function.WINDOW_MIN, Function.WINDOW_MAX, Function.PREVIOUS,
+            Function.HOLD, Function.SHIFT_TIME, Function.ANY,
+        )
+        val COUNTING = setOf(Function.COUNT, Function.TOTAL)
+        val OPPOSITE = mapOf(
+            Operator.LESS to Operator.GREATER_OR_EQUAL,
+            Operator.LESS_OR_EQUAL to Operator.GREATER,
+            Operator.GREATER to Operator.LESS_OR_EQUAL,
+            Operator.GREATER_OR_EQUAL to Operator.LESS,
+            Operator.EQUAL to Operator.NOT_EQUAL,
+            Operator.NOT_EQUAL to Operator.EQUAL,
+        )
+    }
+}
