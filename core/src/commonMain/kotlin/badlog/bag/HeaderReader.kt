@@ -4,7 +4,9 @@ import badlog.recording.Loss
 import badlog.recording.ProblemKind
 import badlog.recording.ProblemList
 import badlog.text.BRACE
-import badlog.text.TAB
+import badlog.text.CR
+import badlog.text.LF
+import badlog.text.NUL
 import badlog.text.TextDecoder
 
 /** Reads what stands before the rows: the line of JSON, if there is one, and the line of column titles. */
@@ -12,6 +14,9 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
     private enum class Stage { SIGNATURE, FIRST_LINE, TITLES, DONE }
 
     private var stage = Stage.SIGNATURE
+    private val firstLines = FirstLines(pending, CellReader())
+    private var sawOtherText = false
+    private var mayBeUtf16 = false
 
     /** The line of JSON as it stands there, or null without one. */
     var line: String? = null
@@ -35,7 +40,7 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
     /** Reads one line of it; returns where the next begins, or [RowScanner.INCOMPLETE]. */
     fun read(isEnd: Boolean): Int = when (stage) {
         Stage.SIGNATURE -> readSignature(isEnd)
-        Stage.FIRST_LINE -> readLine(isEnd, ::takeFirstLine)
+        Stage.FIRST_LINE -> readLine(isEnd) { lineEnd, next, _ -> takeFirstLine(lineEnd, next) }
         Stage.TITLES -> readLine(isEnd, ::takeTitles)
         Stage.DONE -> pending.end
     }
@@ -49,9 +54,8 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
             FileSignature.WPILOG -> return refuse("This is a WPILOG file, not a bag.")
             FileSignature.OTHER -> stage = Stage.FIRST_LINE
         }
-        if (seen.size >= 2 && (startsWith(seen, 0xFF, 0xFE) || startsWith(seen, 0xFE, 0xFF))) {
-            return refuse("The file is UTF-16, as Excel's “Unicode text” is; save it again as CSV UTF-8.")
-        }
+        mayBeUtf16 = seen.size >= 2 && (startsWith(seen, 0xFF, 0xFE) || startsWith(seen, 0xFE, 0xFF))
+        if (mayBeUtf16 && seen.any { it.toInt() == NUL }) return refuse(UTF_16)
         val hasMark = seen.size >= BYTE_ORDER_MARK.size && BYTE_ORDER_MARK.indices.all { seen[it] == BYTE_ORDER_MARK[it] }
         if (!hasMark) return start
         problems.add(ProblemKind.BYTE_ORDER_MARK, "The file begins with a byte order mark, which was skipped.", 1)
@@ -60,17 +64,14 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
 
     private fun startsWith(bytes: ByteArray, first: Int, second: Int) = bytes[0] == first.toByte() && bytes[1] == second.toByte()
 
-    private fun readLine(isEnd: Boolean, take: (lineEnd: Int, next: Int) -> Int): Int {
+    private fun readLine(isEnd: Boolean, take: (lineEnd: Int, next: Int, isEnd: Boolean) -> Int): Int {
         val bytes = pending.bytes
         val lineEnd = lineEndIn(bytes, pending.start, pending.end)
-        // Once the first line has shown a bag, a stray control character is no reason to lose everything.
-        val mayBeBinary = header == null && (lineEnd == pending.start || bytes[pending.start].toInt() != BRACE)
-        if (mayBeBinary && isBinary(pending.start, lineEnd)) return refuse(BINARY)
         if (lineEnd - pending.start > MAX_LINE_BYTES) return refuse(BINARY)
         if (lineEnd == pending.end && !isEnd) return RowScanner.INCOMPLETE
         val next = afterLineEnd(bytes, lineEnd, pending.end, isEnd)
         if (next == RowScanner.INCOMPLETE) return next
-        if (lineEnd > pending.start) return take(lineEnd, next)
+        if (lineEnd > pending.start) return take(lineEnd, next, isEnd)
         if (!pending.isAfterHole) problems.add(ProblemKind.BLANK_LINE, "A blank line was skipped.", pending.line)
         pending.line++
         return next
@@ -79,70 +80,178 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
     private fun takeFirstLine(lineEnd: Int, next: Int): Int {
         stage = Stage.TITLES
         if (pending.bytes[pending.start].toInt() != BRACE) return pending.start
-        val text = decode(lineEnd)
+        val text = decode(pending.start, lineEnd)
+        reportEncoding()
         line = text
         header = readHeader(text)
         if (header == null) {
-            problems.add(
-                ProblemKind.HEADER_UNREADABLE,
-                "Line ${pending.line} is cut or is not JSON, so units, attributes and values are lost; " +
-                    "the rest was read as CSV.",
-                pending.line,
-                loss = Loss(bytes = (lineEnd - pending.start).toLong()),
+            reportUnreadable(
+                "Line ${pending.line} is cut or is not JSON, so units, attributes and values are lost; the rest was read as CSV.",
+                lineEnd,
             )
         }
         if (next > lineEnd) pending.line++
         return next
     }
 
-    private fun takeTitles(lineEnd: Int, next: Int): Int {
+    private fun takeTitles(lineEnd: Int, next: Int, isEnd: Boolean): Int {
         val isCut = next == lineEnd
         // What a hole has left of the line of JSON holds no titles.
-        val isRestOfJson = line != null && header == null && pending.isAfterHole
-        if (!isRestOfJson) {
-            stage = Stage.DONE
-            val titles = titles(lineEnd)
-            if (header == null && titles.size == 1) otherSeparator(titles[0])?.let { return refuse(it) }
-            val names = header?.topics.orEmpty().map { it.name }
-            // The line of JSON knows the topics better than a line of titles that is cut, or that a hole has taken.
-            val isRow = pending.holeLine > 0 && names.isNotEmpty() && titles.none { it in names }
-            val known = if (isRow || (isCut && names.isNotEmpty())) names else titles
-            columns = HeaderColumns.match(header, known, pending.line, problems)
-            if (isRow) return pending.start
+        if (line != null && header == null && pending.isAfterHole) {
+            if (!isCut) pending.line++
+            return next
         }
+        val names = header?.topics.orEmpty().map { it.name }
+        val titles = titles(lineEnd, names)
+        val isSure = header != null && titles.sorted() == names.sorted()
+        if (!isSure && !firstLines.look(isEnd)) return RowScanner.INCOMPLETE
+        stage = Stage.DONE
+        return if (header == null) takeWithoutHeader(titles, lineEnd, next) else takeWithHeader(names, titles, isSure, next, isCut)
+    }
+
+    private fun takeWithHeader(names: List<String>, titles: List<String>, isSure: Boolean, next: Int, isCut: Boolean): Int {
+        reportEncoding()
+        val width = if (isSure) 0 else clearWidth(names.size)
+        val isNone = names.isNotEmpty() && titles.none { it in names }
+        // A hole may have taken line 2, or damage: then this is a row.
+        val isRow = isNone && (pending.holeLine > 0 || (names.size == width && titles.size == width && firstLines.lines[0].numbers > 0))
+        // The line of JSON knows the topics better than a line of titles that is cut.
+        val isOnlyNames = isRow || (isCut && names.isNotEmpty() && width == 0)
+        val known = if (isOnlyNames) ColumnTitles(names) else ColumnTitles.of(names, titles, width)
+        columns = columnsOf(known, titles)
+        val end = if (!isCut && !isRow && titles.size != width && width > 0) restOfTitles(next, width) else next
+        if (pending.holeLine == 0 && !isCut && (isRow || (width > 0 && names.size == width && titles.size != width))) {
+            problems.add(
+                ProblemKind.TITLES_DAMAGED,
+                "Line ${pending.line} does not have a title for each of the $width cells of a row; the names of line 1 were used.",
+                pending.line,
+                loss = Loss(bytes = (end - next).toLong()),
+            )
+        }
+        if (isRow) return pending.start
         if (!isCut) pending.line++
-        return next
+        pending.line += linesIn(next, end)
+        return end
+    }
+
+    /** How many cells a row has; 0 where that is not clear. */
+    private fun clearWidth(names: Int): Int = firstLines.width.takeIf { it == names || firstLines.rowsOf(it) >= LEAST_ROWS } ?: 0
+
+    /** A plain CSV file, or the rest of a bag whose first line cannot be read. */
+    private fun takeWithoutHeader(titles: List<String>, lineEnd: Int, next: Int): Int {
+        val width = clearWidth(0)
+        val isDamaged = width > 1 && titles.size != width
+        val mayBeBinary = mayBeUtf16 || FirstLines.hasControls(pending.bytes, pending.start, lineEnd)
+        if (mayBeBinary && !firstLines.hasRows) return refuse(if (mayBeUtf16) UTF_16 else BINARY)
+        reportEncoding()
+        if (titles.size == 1) otherSeparator(titles[0])?.let { return refuse(it) }
+        if (isDamaged && firstLines.hasRows) {
+            // Damage, or the remarks of whoever made the file, may stand before the titles.
+            val begin = firstLines.lines.firstOrNull { it.cells == width }
+            if (begin?.isTitles == true) return skipTo(begin)
+        }
+        val first = firstLines.lines.firstOrNull()
+        if (first != null && titles.size == width && (first.texts == 0 || (line != null && first.numbers > 0))) return takeUntitled(width)
+        val known = if (isDamaged) ColumnTitles.of(emptyList(), titles, width) else ColumnTitles(titles)
+        for (i in known.titles.indices) if (known.titles[i].any(::isControl)) known.isDoubtful[i] = true
+        columns = columnsOf(known.map { title -> title.map { if (isControl(it)) ' ' else it }.joinToString("") }, titles)
+        if (next > lineEnd) pending.line++
+        val end = if (isDamaged && next > lineEnd) restOfTitles(next, width) else next
+        pending.line += linesIn(next, end)
+        return end
+    }
+
+    private fun isControl(char: Char) = char < ' ' && char != '\t'
+
+    /** The line of titles is missing: this one is a row. */
+    private fun takeUntitled(width: Int): Int {
+        problems.add(
+            ProblemKind.TITLES_DAMAGED,
+            "Line ${pending.line} holds values where the titles should be; the $width columns are called by their numbers.",
+            pending.line,
+        )
+        columns = HeaderColumns.match(header, List(width) { "" }, pending.line, problems)
+        return pending.start
+    }
+
+    /** Goes on at the line [titles]; what stands before it is lost. */
+    private fun skipTo(titles: FirstLines.Line): Int {
+        val text = decoder.decode(pending.bytes, pending.start, firstLines.lines[0].end)
+        if (line == null && "\"name\":" in text) line = text
+        reportUnreadable("What stands on line ${pending.line} is not the beginning of a bag or a CSV file and was skipped.", titles.from)
+        pending.line += linesIn(pending.start, titles.from)
+        stage = Stage.TITLES
+        return titles.from
+    }
+
+    /** Where the lines end that damage has torn off the line of titles: they are not rows. */
+    private fun restOfTitles(next: Int, width: Int): Int = firstLines.lines.drop(1)
+        .takeWhile { it.cells != width && it.numbers == 0 && it.next > it.end }.lastOrNull()?.next ?: next
+
+    private fun linesIn(from: Int, until: Int): Int {
+        val bytes = pending.bytes
+        return (from until until).count { bytes[it].toInt() == LF || (bytes[it].toInt() == CR && bytes[it + 1].toInt() != LF) }
+    }
+
+    private fun reportUnreadable(message: String, end: Int) {
+        problems.add(ProblemKind.HEADER_UNREADABLE, message, pending.line, loss = Loss(bytes = (end - pending.start).toLong()))
+    }
+
+    private fun columnsOf(known: ColumnTitles, titles: List<String>): HeaderColumns {
+        val matched = HeaderColumns.match(header, known.titles, pending.line, problems)
+        for (i in known.titles.indices) {
+            if (!known.isDoubtful[i]) continue
+            val name = matched.columnNames[i]
+            val other = titles.getOrNull(i)?.takeIf { it != name }
+            val reason = if (other ==
+                null
+            ) {
+                "the titles and the rows do not have the same number of cells"
+            } else {
+                "line ${pending.line} has “$other” there"
+            }
+            problems.add(
+                ProblemKind.NAME_IN_DOUBT,
+                "Column ${i + 1} is shown as “$name”, but it may be another one: $reason.",
+                pending.line,
+                name,
+            )
+        }
+        return matched
     }
 
     private fun otherSeparator(title: String): String? = when {
-        ';' in title -> "The columns are separated by semicolons; save the file again as CSV with commas."
-        '\t' in title -> "The columns are separated by tabs; save the file again as CSV with commas."
+        isSeparator(';', title) -> "The columns are separated by semicolons; save the file again as CSV with commas."
+        isSeparator('\t', title) -> "The columns are separated by tabs; save the file again as CSV with commas."
         else -> null
     }
 
-    private fun titles(lineEnd: Int): List<String> {
+    private fun isSeparator(char: Char, title: String): Boolean {
+        val row = firstLines.lines.getOrNull(1) ?: return char in title
+        return char in title && (row.from until row.end).any { pending.bytes[it].toInt() == char.code }
+    }
+
+    private fun titles(lineEnd: Int, names: List<String>): List<String> {
+        sawOtherText = false
         // The original does not quote names, so a name with a comma is told only by the line of JSON.
-        val names = header?.topics?.map { it.name }
-        if (names != null && names.size > 1 && decode(lineEnd) == names.joinToString(",")) return names
+        if (names.size > 1 && decode(pending.start, lineEnd) == names.joinToString(",")) return names
         val splitter = RowSplitter()
         val count = splitter.split(pending.bytes, pending.start, lineEnd, RowSplitter.Quotes.STRICT)
         return List(count) { index ->
-            val title = decoder.decode(pending.bytes, splitter.starts[index], splitter.ends[index])
-            reportEncoding()
+            val title = decode(splitter.starts[index], splitter.ends[index])
             if (splitter.quoted[index]) title.replace("\"\"", "\"") else title.trim()
         }
     }
 
-    private fun decode(lineEnd: Int): String = decoder.decode(pending.bytes, pending.start, lineEnd).also { reportEncoding() }
-
-    private fun reportEncoding() {
-        if (!decoder.wasNotUtf8) return
-        problems.add(ProblemKind.NOT_UTF8, "The header is not UTF-8; it was read as Windows-1252.", pending.line)
+    private fun decode(from: Int, until: Int): String = decoder.decode(pending.bytes, from, until).also {
+        if (decoder.wasNotUtf8) {
+            sawOtherText =
+                true
+        }
     }
 
-    private fun isBinary(from: Int, until: Int): Boolean {
-        for (i in from until until) if (pending.bytes[i] in CONTROLS && pending.bytes[i].toInt() != TAB) return true
-        return false
+    private fun reportEncoding() {
+        if (sawOtherText) problems.add(ProblemKind.NOT_UTF8, "The header is not UTF-8; it was read as Windows-1252.", pending.line)
     }
 
     private fun refuse(message: String): Int {
@@ -156,11 +265,14 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
         const val NO_LOG = "This file is neither a bag, nor a CSV file, nor a WPILOG"
 
         private const val BINARY = "$NO_LOG: it holds bytes that no text has."
+        private const val UTF_16 = "The file is UTF-16, as Excel's “Unicode text” is; save it again as CSV UTF-8."
 
         /** No header line is longer; a file without a newline before is not a bag. */
         private const val MAX_LINE_BYTES = 1 shl 24
         private val BYTE_ORDER_MARK = byteArrayOf(0xEF.toByte(), 0xBB.toByte(), 0xBF.toByte())
-        private val CONTROLS = 1.toByte()..31.toByte()
+
+        /** So many rows of one width tell more than the titles. */
+        private const val LEAST_ROWS = 3
     }
 }
 

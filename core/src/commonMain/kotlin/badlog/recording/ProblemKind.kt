@@ -18,6 +18,12 @@ public enum class ProblemKind(public val severity: Severity) {
     /** The JSON of line 1 is cut or broken, so units, attributes and values are lost. */
     HEADER_UNREADABLE(Severity.ERROR),
 
+    /** The line of titles does not have one for each column; the names of the line of JSON were used. */
+    TITLES_DAMAGED(Severity.ERROR),
+
+    /** The header is damaged, and a column's name may be that of another one. */
+    NAME_IN_DOUBT(Severity.WARNING),
+
     /** The header is there but no sample is. */
     NO_ROWS(Severity.WARNING),
 
@@ -110,6 +116,9 @@ public enum class ProblemKind(public val severity: Severity) {
 
     /** A WPILOG ends inside a record, which was dropped. */
     RECORD_CUT(Severity.ERROR),
+
+    /** Bytes inside a WPILOG are not records; those after them were found again. */
+    RECORDS_SKIPPED(Severity.ERROR),
 
     /** What stands in a WPILOG from some byte on is not a record; nothing after it can be read. */
     RECORDS_LOST(Severity.ERROR),

@@ -48,7 +48,7 @@ class RowBatchSpec : FunSpec({
             parser.accept(batch).shouldBeFalse()
         }
         val parser = BagParser()
-        parser.accept("first,second\n".encodeToByteArray())
+        parser.accept("{\"topics\":[{\"name\":\"first\"},{\"name\":\"second\"}]}\nfirst,second\n".encodeToByteArray())
         parser.accept(batch).shouldBeTrue()
     }
 

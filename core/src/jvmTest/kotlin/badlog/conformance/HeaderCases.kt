@@ -6,8 +6,12 @@ import badlog.recording.ProblemKind.COLUMN_WITHOUT_TOPIC
 import badlog.recording.ProblemKind.DUPLICATE_TOPIC
 import badlog.recording.ProblemKind.EMPTY_FILE
 import badlog.recording.ProblemKind.HEADER_UNREADABLE
+import badlog.recording.ProblemKind.NAME_IN_DOUBT
 import badlog.recording.ProblemKind.NOT_A_RECORDING
 import badlog.recording.ProblemKind.NO_ROWS
+import badlog.recording.ProblemKind.NUL_HOLE
+import badlog.recording.ProblemKind.ROW_CUT
+import badlog.recording.ProblemKind.TITLES_DAMAGED
 import badlog.recording.ProblemKind.TOPIC_WITHOUT_COLUMN
 import badlog.recording.ProblemKind.UNUSUAL_NAME
 import badlog.recording.TopicKind.STATE
@@ -154,6 +158,116 @@ internal val HEADER_CASES = listOf(
             topic("Time", "s", cells = cells(2)),
             problems = listOf(UNUSUAL_NAME at 2 of "Speed, left"),
         ),
+    ),
+    case(
+        "titles-lost-a-comma",
+        "Line 2 has one title too few for the rows, line 1 has the right number: its names are those of the columns.",
+        "$DRIVE_JSON\nTime-Mode,Volts\n1,auto,12\n2,teleop,11\n",
+        bag(time(1, 2), mode("auto", "teleop"), volts(12, 11), problems = listOf(TITLES_DAMAGED at 2)),
+    ),
+    case(
+        "titles-torn-by-a-newline",
+        "What a newline has torn off the titles is no row, for it holds no number and has not the cells of one.",
+        "$DRIVE_JSON\nTime,Mo\nde,Volts\n1,auto,12\n2,teleop,11\n",
+        bag(time(1, 2), mode("auto", "teleop"), volts(12, 11), problems = listOf(TITLES_DAMAGED at 2)),
+    ),
+    case(
+        "titles-missing",
+        "Line 2 is lost with its newline, so the second line is a row; line 1 has as many names as it has cells.",
+        "$DRIVE_JSON\n1,auto,12\n2,teleop,11\n",
+        bag(time(1, 2), mode("auto", "teleop"), volts(12, 11), problems = listOf(TITLES_DAMAGED at 2)),
+    ),
+    case(
+        "title-unlike-its-name",
+        "A title that differs from line 1, in as many columns: the name of line 1 is used, and in doubt.",
+        "$DRIVE_JSON\nTime,Mofe,Volts\n1,auto,12\n2,teleop,11\n",
+        bag(time(1, 2), mode("auto", "teleop"), volts(12, 11), problems = listOf(NAME_IN_DOUBT at 2 of "Mode")),
+    ),
+    case(
+        "title-like-another-name",
+        "A damaged title that is another topic's name does not take that topic's place.",
+        "$DRIVE_JSON\nTime,Time,Volts\n1,auto,12\n2,teleop,11\n",
+        bag(time(1, 2), mode("auto", "teleop"), volts(12, 11), problems = listOf(NAME_IN_DOUBT at 2 of "Mode")),
+    ),
+    case(
+        "titles-reordered-and-damaged",
+        "Line 2 had an order of its own and has lost a comma, so that it is not known which column is which: all are in doubt.",
+        "$DRIVE_JSON\nVolts,Time-Mode\n12,1,auto\n11,2,teleop\n",
+        bag(
+            topic("Time", "s", cells = cells(1, 2)),
+            topic("Mode", kind = STATE, cells = cells("auto", "teleop")),
+            topic("Volts", "V", cells = cells(12, 11)),
+            problems = listOf(
+                TITLES_DAMAGED at 2,
+                NAME_IN_DOUBT at 2 of "Time",
+                NAME_IN_DOUBT at 2 of "Mode",
+                NAME_IN_DOUBT at 2 of "Volts",
+            ),
+        ),
+    ),
+    case(
+        "titles-of-csv-do-not-fit",
+        "A CSV file whose rows all have more cells than titles: each keeps them, and every name is in doubt.",
+        "Time-Volts,Mode\n1,12,auto\n2,11,teleop\n3,10,teleop\n",
+        csv(
+            topic("Time-Volts", cells = cells(1, 2, 3)),
+            topic("Mode", cells = cells(12, 11, 10)),
+            topic("Column 3", kind = STATE, cells = cells("auto", "teleop", "teleop")),
+            problems = listOf(
+                NAME_IN_DOUBT at 1 of "Time-Volts",
+                NAME_IN_DOUBT at 1 of "Mode",
+                NAME_IN_DOUBT at 1 of "Column 3",
+            ),
+        ),
+    ),
+    case(
+        "remarks-before-the-titles",
+        "The first line that has a text in each of the rows' cells has the titles; what stands before it is skipped.",
+        "Robot,1014\nFury\nTime,Volts,Mode\n1,12,auto\n2,11,teleop\n3,10,teleop\n",
+        csv(
+            topic("Time", cells = cells(1, 2, 3)),
+            topic("Volts", cells = cells(12, 11, 10)),
+            topic("Mode", kind = STATE, cells = cells("auto", "teleop", "teleop")),
+            problems = listOf(HEADER_UNREADABLE at 1),
+        ),
+    ),
+    case(
+        "control-character-in-a-title",
+        "A byte that no text has does not refuse the rows after it; it is shown as a blank, and the title is in doubt.",
+        "Time,Vo\u0003lts\n1,12\n2,11\n",
+        csv(
+            topic("Time", cells = cells(1, 2)),
+            topic("Vo lts", cells = cells(12, 11)),
+            problems = listOf(NAME_IN_DOUBT at 1 of "Vo lts"),
+        ),
+    ),
+    case(
+        "first-byte-damaged",
+        "The brace of line 1 is damaged: line 2 has the titles, and the file is a bag all the same.",
+        "[" + DRIVE.drop(1) + "1,auto,12\n2,teleop,11\n3,teleop,10\n",
+        bag(
+            topic("Time", cells = cells(1, 2, 3)),
+            mode("auto", "teleop", "teleop"),
+            topic("Volts", cells = cells(12, 11, 10)),
+            problems = listOf(HEADER_UNREADABLE at 1),
+        ),
+    ),
+    case(
+        "nul-and-control-characters-in-line-1",
+        "What a hole has left of line 1 may hold any bytes; line 2 has the titles.",
+        DRIVE_JSON.take(60) + "\u0000ab\u0003" + DRIVE_JSON.drop(64) + "\n" + DRIVE_TITLES + "1,auto,12\n",
+        bag(
+            topic("Time", cells = cells(1)),
+            mode("auto"),
+            topic("Volts", cells = cells(12)),
+            problems = listOf(HEADER_UNREADABLE at 1, NUL_HOLE at 1),
+        ),
+    ),
+    case(
+        "nul-in-the-middle-of-line-2",
+        "A hole inside the titles: line 1 knows the topics; what is left of the titles is dropped.",
+        "$DRIVE_JSON\nTime,M\u0000\u0000\u0000Volts\n1,auto,12\n2,teleop,11\n",
+        bag(time(1, 2), mode("auto", "teleop"), volts(12, 11), problems = listOf(NUL_HOLE at 2, ROW_CUT at 2)),
     ),
     case(
         "byte-order-mark",

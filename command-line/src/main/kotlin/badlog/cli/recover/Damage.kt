@@ -76,6 +76,7 @@ internal class Damage(private val recording: Recording) {
             ProblemKind.ROW_SHORT,
             ProblemKind.NOT_UTF8,
             ProblemKind.DECIMAL_COMMA,
+            ProblemKind.NAME_IN_DOUBT,
         )
 
         /** A WPILOG has all but this. */

@@ -8,6 +8,13 @@ package badlog.wpilog
  * @property isValue whether it is not a topic, but a value that badlog has written.
  */
 internal class Entry(val name: String, val type: String, val isValue: Boolean, val decoder: PayloadDecoder) {
+    // How many bytes a value has; 0 where it may be any number.
+    private val width = ValueLayout.of(type.removeSuffix("[]"))?.width ?: 0
+    private val isArray = type.endsWith("[]")
+
+    /** Whether all its records have one size. */
+    val hasOneSize: Boolean get() = width > 0 && !isArray
+
     /** What the file said of it last. */
     var metadata = ""
 
@@ -22,6 +29,9 @@ internal class Entry(val name: String, val type: String, val isValue: Boolean, v
 
     /** Whether it was the x axis of a bag that badlog has written as a WPILOG. */
     val wasXAxis: Boolean get() = X_AXIS_METADATA in metadata
+
+    /** Whether a record of it may have a payload of [size] bytes. */
+    fun fits(size: Int): Boolean = width == 0 || if (isArray) size % width == 0 else size == width
 
     companion object {
         /** The entry in which WPILib's loggers tell the time of day. */

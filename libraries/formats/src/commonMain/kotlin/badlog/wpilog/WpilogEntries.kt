@@ -1,5 +1,7 @@
 package badlog.wpilog
 
+import badlog.recording.Loss
+import badlog.recording.ProblemKind
 import badlog.recording.ProblemList
 import badlog.text.TextDecoder
 
@@ -44,10 +46,20 @@ internal class WpilogEntries(private val source: ColumnSource, private val probl
     var firstEarly: Entry? = null
         private set
 
-    /** How many belonged to no entry, and to which number the first. */
+    /** How many records belong to no entry that was begun. */
     var unknownCount = 0
         private set
-    var firstUnknown = 0
+
+    /** The numbers of such entries, in the order in which they were met; not all, where damage made thousands. */
+    val unknownIds: Collection<Int> get() = unknownCounts.keys
+    private val unknownCounts = LinkedHashMap<Int, Int>()
+
+    /** How many control records say nothing that can be understood. */
+    var badControlCount = 0
+        private set
+
+    /** Whether bytes between records were skipped. */
+    var hasGaps = false
         private set
 
     override fun header(bytes: ByteArray, from: Int, until: Int): Boolean {
@@ -65,67 +77,71 @@ internal class WpilogEntries(private val source: ColumnSource, private val probl
         return true
     }
 
-    override fun record(id: Int, micros: Double, bytes: ByteArray, head: Int, from: Int, until: Int): RecordFate {
-        if (id == 0) {
-            if (!control(bytes, from, until)) return RecordFate.NONSENSE
-            recordCount++
-            return RecordFate.READ
-        }
+    override fun expects(id: Int, size: Int): Boolean {
+        val entry = entryOf(id)
+        return if (entry != null) entry.fits(size) else (unknownCounts[id] ?: 0) > STRANGERS
+    }
+
+    override fun hasOneSize(id: Int): Boolean = entryOf(id)?.hasOneSize == true
+
+    /** The entry that has the number [id] now, or null. */
+    fun entryOf(id: Int): Entry? = if (id in byId.indices) byId[id] else byLargeId[id]
+
+    override fun record(head: RecordHead, position: Long, bytes: ByteArray, from: Int, until: Int) {
+        read(head, bytes, until)
+    }
+
+    /** Reads the record with [head] that ends at [until]; false where it is dropped. */
+    fun read(head: RecordHead, bytes: ByteArray, until: Int): Boolean {
         recordCount++
+        return take(head.id, head.micros, bytes, until - head.size, until)
+    }
+
+    override fun skipped(from: Long, until: Long) {
+        hasGaps = true
+        problems.add(
+            ProblemKind.RECORDS_SKIPPED,
+            "Bytes $from to ${until - 1} are not records; these ${until - from} bytes were skipped, and what follows was read.",
+            loss = Loss(bytes = until - from),
+        )
+    }
+
+    private fun take(id: Int, micros: Double, bytes: ByteArray, from: Int, until: Int): Boolean {
+        if (id == 0) return control(bytes, from, until).also { if (!it) badControlCount++ }
         val entry = entryOf(id)
         if (entry == null) {
-            if (unknownCount++ == 0) firstUnknown = id
-            return RecordFate.UNKNOWN
+            unknownCount++
+            if (id in unknownCounts || unknownCounts.size < MAX_UNKNOWN) unknownCounts[id] = (unknownCounts[id] ?: 0) + 1
+            return false
         }
         if (micros < 0 && micros > -TimeHistogram.NEVER) {
             if (earlyCount++ == 0) firstEarly = entry
         } else if (micros < 0 || !histogram.add(micros)) {
             if (wildCount++ == 0) firstWild = entry
-            return RecordFate.READ
+            return false
         }
+        val bad = entry.decoder.badCount
         entry.decoder.accept(micros / MICROS, bytes, from, until)
         entry.listener?.heard(micros, bytes, from, until)
-        return RecordFate.READ
+        return entry.decoder.badCount == bad
     }
-
-    /** The entry that has the number [id] now, or null. */
-    fun entryOf(id: Int): Entry? = if (id in byId.indices) byId[id] else byLargeId[id]
 
     private fun control(bytes: ByteArray, from: Int, until: Int): Boolean {
-        if (until - from < CONTROL_HEAD) return false
+        if (!isControlPayload(bytes, from, until)) return false
+        val kind = bytes[from].toInt()
         val id = intAt(bytes, from + 1)
-        when (bytes[from].toInt()) {
-            START -> {
-                val texts = texts(bytes, from + CONTROL_HEAD, until, 3) ?: return false
-                if (id == 0) return false
-                start(id, texts[0], texts[1], texts[2])
-            }
-
-            FINISH -> if (until - from == CONTROL_HEAD) put(id, null) else return false
-
-            SET_METADATA -> {
-                val texts = texts(bytes, from + CONTROL_HEAD, until, 1) ?: return false
-                entryOf(id)?.metadata = texts[0]
-            }
-
-            else -> return false
+        var at = from + CONTROL_HEAD
+        val texts = List(ControlKind.textsOf(kind)) {
+            val begin = at + Int.SIZE_BYTES
+            at = begin + intAt(bytes, at)
+            decoder.decode(bytes, begin, at)
+        }
+        when (kind) {
+            ControlKind.START -> start(id, texts[0], texts[1], texts[2])
+            ControlKind.FINISH -> put(id, null)
+            else -> entryOf(id)?.metadata = texts[0]
         }
         return true
-    }
-
-    /** The [count] texts, each with its length before it, that the bytes from [from] until [until] are; null otherwise. */
-    private fun texts(bytes: ByteArray, from: Int, until: Int, count: Int): List<String>? {
-        val texts = ArrayList<String>(count)
-        var at = from
-        repeat(count) {
-            if (until - at < Int.SIZE_BYTES) return null
-            val size = intAt(bytes, at)
-            at += Int.SIZE_BYTES
-            if (size !in 0..until - at) return null
-            texts += decoder.decode(bytes, at, at + size)
-            at += size
-        }
-        return texts.takeIf { at == until }
     }
 
     private fun start(id: Int, name: String, type: String, metadata: String) {
@@ -171,10 +187,8 @@ internal class WpilogEntries(private val source: ColumnSource, private val probl
         byId[id] = entry
     }
 
-    /** Says that the file is over; [unreal] of the records that belong to no entry were none. */
-    fun finish(unreal: Int) {
-        recordCount -= unreal
-        unknownCount -= unreal
+    /** Says that the file is over. */
+    fun finish() {
         for (entry in all) {
             entry.decoder.finish()
             reportEntry(entry, problems)
@@ -183,10 +197,10 @@ internal class WpilogEntries(private val source: ColumnSource, private val probl
 
     companion object {
         const val MICROS = 1e6
-        const val START = 0
-        const val FINISH = 1
-        const val SET_METADATA = 2
-        private const val CONTROL_HEAD = 5
+
+        /** The start of an entry with more records than this was lost; fewer may be damage. */
+        private const val STRANGERS = 1
+        private const val MAX_UNKNOWN = 1000
 
         /** Numbers up to here are found in an array; loggers count from 1. */
         private const val MAX_LISTED_ID = 1 shl 16

@@ -23,12 +23,12 @@ public object WpilogFormat : LogFormat {
  * Reads a WPILOG, the log of WPILib's DataLog, that is pushed to it in pieces of any size. Nothing in the bytes makes it
  * throw: whatever is wrong becomes a problem of the recording, by the rules in `docs/wpilog.md`.
  *
- * Besides the samples, 16 bytes a number at most, it holds one record of the file, never the file. Compressed files are to be
- * inflated before. Not safe for use by several threads.
+ * Besides the samples, 16 bytes a number at most, it holds one record of the file, or a megabyte around damage, never the file.
+ * Compressed files are to be inflated before. Not safe for use by several threads.
  *
  * @param keepSamples false to find only topics, counts and problems, in memory that does not grow with the file.
  */
-public class WpilogParser(private val keepSamples: Boolean = true) : LogParser {
+public class WpilogParser(keepSamples: Boolean = true) : LogParser {
     private val problems = ProblemList()
     private val entries = WpilogEntries(ColumnSource(keepSamples), problems)
     private val splitter = RecordSplitter(entries)
@@ -41,6 +41,7 @@ public class WpilogParser(private val keepSamples: Boolean = true) : LogParser {
     }
 
     override fun finish(): Recording {
+        splitter.finish()
         val isOther = !splitter.isPastHeader && !splitter.isInHeader
         val refusal = entries.refusal ?: if (isOther) "This is not a WPILOG file." else null
         if (refusal != null) {
@@ -48,7 +49,7 @@ public class WpilogParser(private val keepSamples: Boolean = true) : LogParser {
             return Recording(RecordingFormat.WPILOG, null, emptyList(), emptyList(), 0, problems.toList())
         }
         reportEnd()
-        entries.finish(splitter.recordsInNonsense)
+        entries.finish()
         val cluster = entries.histogram.largestCluster()
         reportLostRecords(cluster)
         val span = (cluster?.from ?: 0.0) / WpilogEntries.MICROS..((cluster?.until ?: 1.0) - 1) / WpilogEntries.MICROS
@@ -93,12 +94,23 @@ public class WpilogParser(private val keepSamples: Boolean = true) : LogParser {
 
     private fun reportLostRecords(cluster: TimeHistogram.Cluster?) {
         if (entries.unknownCount > 0) {
+            val numbers = entries.unknownIds.take(NAMED).joinToString { it.toUInt().toString() }
+            val more = if (entries.unknownIds.size > NAMED) ", …" else ""
+            val isSkipped = entries.hasGaps
+            val cause = if (isSkipped) "their start records may be among the skipped bytes" else "they were not started, or are finished"
             problems.add(
                 ProblemKind.UNKNOWN_ENTRY,
-                "${entries.unknownCount} records belong to entries that were never begun, the first to number " +
-                    "${entries.firstUnknown.toUInt()}; they were dropped.",
+                "${entries.unknownCount} records of unknown entries, numbers $numbers$more, were dropped; $cause.",
                 count = entries.unknownCount,
                 loss = Loss(cells = entries.unknownCount),
+            )
+        }
+        if (entries.badControlCount > 0) {
+            problems.add(
+                ProblemKind.BAD_RECORD,
+                "${entries.badControlCount} records that start, describe or finish an entry are malformed; they were dropped.",
+                count = entries.badControlCount,
+                loss = Loss(cells = entries.badControlCount),
             )
         }
         if (entries.earlyCount > 0) {
@@ -125,5 +137,8 @@ public class WpilogParser(private val keepSamples: Boolean = true) : LogParser {
     internal companion object {
         /** The text that badlog's own writer leaves in the header, which says nothing to anyone. */
         const val OWN_HEADER = "{\"writer\":\"badlog\"}"
+
+        /** So many entries are listed in a message. */
+        private const val NAMED = 8
     }
 }

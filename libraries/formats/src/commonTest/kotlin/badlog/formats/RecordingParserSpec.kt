@@ -32,6 +32,6 @@ class RecordingParserSpec : FunSpec({
 
     test("counts rows and records") {
         read("a,b\n1,2\n3,4\n".encodeToByteArray(), 3).apply { finish() }.rowCount shouldBe 2
-        read(VARIED_LOG.bytes, 3).rowCount shouldBe 30
+        read(VARIED_LOG.bytes, 3).apply { finish() }.rowCount shouldBe 30
     }
 })

@@ -3,10 +3,13 @@ package badlog.wpilog
 import badlog.analysis.LogView
 import badlog.analysis.enabledSpans
 import badlog.recording.ProblemKind
+import badlog.recording.ProblemList
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
+import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.ints.shouldBeLessThanOrEqual
 import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 import java.io.File
@@ -85,4 +88,36 @@ class RealLogsSpec : FunSpec({
             view.enabledSpans()
         }
     }
+
+    test("a hole of 4 KiB in a real log costs what stood in it").config(
+        enabledOrReasonIf = {
+            if (REAL_LOGS.isNotEmpty()) Enabled.enabled else Enabled.disabled("the logs are not on this machine")
+        },
+    ) {
+        for (file in REAL_LOGS) {
+            val bytes = file.readBytes()
+            val whole = positionsIn(bytes)
+            for (from in 12 until bytes.size - 5000 step 1500) {
+                val found = positionsIn(bytes.copyOf().also { it.fill(0, from, from + 4096) })
+                val begun = whole.filter { (at, id) -> id == 0 && at !in found }.size
+                val lost = whole.filter { (at, id) -> (at < from - 250 || at >= from + 4096 + 75) && at !in found && id != 0 }
+                // Those that were begun in the hole have no name any more.
+                lost.values.distinct().size shouldBeLessThanOrEqual begun
+                (found.keys - whole.keys).shouldBeEmpty()
+            }
+        }
+    }
 })
+
+/** Where each record that is read begins, and the number of its entry. */
+private fun positionsIn(bytes: ByteArray): Map<Long, Int> {
+    val positions = LinkedHashMap<Long, Int>()
+    val entries = WpilogEntries(ColumnSource(keepsSamples = false), ProblemList())
+    val sink = object : RecordSink by entries {
+        override fun record(head: RecordHead, position: Long, bytes: ByteArray, from: Int, until: Int) {
+            if (entries.read(head, bytes, until)) positions[position] = head.id
+        }
+    }
+    RecordSplitter(sink).apply { accept(bytes, 0, bytes.size) }.finish()
+    return positions
+}

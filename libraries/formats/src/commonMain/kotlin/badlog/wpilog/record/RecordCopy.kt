@@ -2,6 +2,7 @@ package badlog.wpilog.record
 
 import badlog.analysis.Span
 import badlog.recording.Topic
+import badlog.wpilog.ControlKind
 import badlog.wpilog.RecordBuffer
 import badlog.wpilog.VALUE_METADATA
 import badlog.wpilog.WpilogEntries
@@ -154,8 +155,8 @@ public class RecordCopy(
 
     private fun copy(index: Int, metadata: Map<Int, String>) {
         val anew = if (store.isControl(index)) metadata[store.entry(index)] else null
-        if (anew == null || store.controlKind(index) == WpilogEntries.FINISH) return store.copy(index, out)
-        if (store.controlKind(index) == WpilogEntries.SET_METADATA) return
+        if (anew == null || store.controlKind(index) == ControlKind.FINISH) return store.copy(index, out)
+        if (store.controlKind(index) == ControlKind.SET_METADATA) return
         val entry = log.entries[store.entry(index)]
         out.start(store.id(index), entry.name, entry.type, anew, store.micros(index))
     }

@@ -4,9 +4,10 @@ import badlog.analysis.stableOrder
 import badlog.recording.ProblemList
 import badlog.recording.Value
 import badlog.wpilog.ColumnSource
+import badlog.wpilog.ControlKind
 import badlog.wpilog.Entry
 import badlog.wpilog.MatchMetadata
-import badlog.wpilog.RecordFate
+import badlog.wpilog.RecordHead
 import badlog.wpilog.RecordSink
 import badlog.wpilog.RecordSplitter
 import badlog.wpilog.TimeHistogram
@@ -43,7 +44,10 @@ public class RecordLog internal constructor(
         public fun accept(bytes: ByteArray, from: Int = 0, until: Int = bytes.size): Unit = splitter.accept(bytes, from, until)
 
         /** What was read. To be called once, last. */
-        public fun finish(): RecordLog = keeper.finish()
+        public fun finish(): RecordLog {
+            splitter.finish()
+            return keeper.finish()
+        }
     }
 }
 
@@ -90,16 +94,21 @@ private class RecordKeeper : RecordSink {
         return entries.header(bytes, from, until)
     }
 
-    override fun record(id: Int, micros: Double, bytes: ByteArray, head: Int, from: Int, until: Int): RecordFate {
-        val wild = entries.wildCount
-        val fate = entries.record(id, micros, bytes, head, from, until)
-        if (fate != RecordFate.READ || entries.wildCount > wild) return fate
-        val subject = if (id == 0) intAt(bytes, from + 1) else id
-        if (id == 0 && bytes[from].toInt() == WpilogEntries.START) begin(subject)
-        val session = sessionOf[subject] ?: return fate
-        store.add(bytes, head, from, until, micros, session, isControl = id == 0)
-        if (id == 0 && bytes[from].toInt() == WpilogEntries.FINISH) end(subject)
-        return fate
+    override fun expects(id: Int, size: Int): Boolean = entries.expects(id, size)
+
+    override fun hasOneSize(id: Int): Boolean = entries.hasOneSize(id)
+
+    override fun skipped(from: Long, until: Long) = Unit
+
+    override fun record(head: RecordHead, position: Long, bytes: ByteArray, from: Int, until: Int) {
+        if (!entries.read(head, bytes, until)) return
+        val payload = until - head.size
+        val isControl = head.id == 0
+        val subject = if (isControl) intAt(bytes, payload + 1) else head.id
+        if (isControl && bytes[payload].toInt() == ControlKind.START) begin(subject)
+        val session = sessionOf[subject] ?: return
+        store.add(bytes, from, payload, until, head.micros, session, isControl)
+        if (isControl && bytes[payload].toInt() == ControlKind.FINISH) end(subject)
     }
 
     private fun begin(id: Int) {
@@ -113,7 +122,7 @@ private class RecordKeeper : RecordSink {
     }
 
     fun finish(): RecordLog {
-        entries.finish(0)
+        entries.finish()
         val cluster = entries.histogram.largestCluster() ?: TimeHistogram.Cluster(0.0, 1.0, 0.0)
         val all = places.keys.toList()
         val records = List(all.size) { IntList() }

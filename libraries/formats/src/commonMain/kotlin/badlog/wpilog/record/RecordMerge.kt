@@ -2,8 +2,8 @@ package badlog.wpilog.record
 
 import badlog.analysis.stableOrder
 import badlog.recording.Topic
+import badlog.wpilog.ControlKind
 import badlog.wpilog.RecordBuffer
-import badlog.wpilog.WpilogEntries
 import badlog.wpilog.WpilogParser
 import badlog.wpilog.intAt
 import badlog.wpilog.metadataOf
@@ -73,7 +73,7 @@ public class RecordMerge(private val lanes: List<RecordLane>) {
     private fun start(id: Int, lane: RecordLane) {
         val first = lane.pieces.first()
         val entry = first.entry
-        val begin = entry.controls.firstOrNull { entry.log.store.controlKind(it) == WpilogEntries.START }
+        val begin = entry.controls.firstOrNull { entry.log.store.controlKind(it) == ControlKind.START }
         val metadata = when {
             lane.described != null -> metadataOf(lane.described.copy(name = lane.name))
             lane.pieces.size > 1 || begin == null -> entry.metadata
@@ -116,8 +116,8 @@ public class RecordMerge(private val lanes: List<RecordLane>) {
         val only = pieces.singleOrNull()
         for (control in if (only == null || lane.described != null) IntArray(0) else only.entry.controls) {
             val kind = checkNotNull(only).entry.log.store.controlKind(control)
-            val isEnd = kind == WpilogEntries.FINISH && control == only.entry.controls.last()
-            if (kind != WpilogEntries.SET_METADATA && !isEnd) continue
+            val isEnd = kind == ControlKind.FINISH && control == only.entry.controls.last()
+            if (kind != ControlKind.SET_METADATA && !isEnd) continue
             add(index, 0, control)
             // Nobody reads what comes after the end.
             kept[size++] = maxOf(only.entry.log.store.micros(control) + only.offsetMicros, if (isEnd) last else 0.0)

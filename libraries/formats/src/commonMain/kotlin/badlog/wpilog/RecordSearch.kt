@@ -1,0 +1,168 @@
+package badlog.wpilog
+
+import kotlin.math.abs
+
+/**
+ * Tells records from what only looks like them: a WPILOG has neither check sums nor marks between its records, but each of
+ * them names an entry that was begun, has a size that fits its type, and a time near that of the one before.
+ *
+ * Every answer depends on the bytes alone, never on how many of them have come: where they do not suffice, it is
+ * [RecordLook.MORE].
+ */
+internal class RecordSearch(private val sink: RecordSink) {
+    private val head = RecordHead()
+
+    /** What the bytes at [at] look like, behind a record at [near] µs, or NaN behind none; reads them into [head]. */
+    fun look(head: RecordHead, bytes: ByteArray, at: Int, until: Int, near: Double): RecordLook {
+        val possible = head.read(bytes, at, until)
+        if (possible != RecordLook.FITTING) return possible
+        if (head.id != 0) {
+            return if (sink.expects(head.id, head.size) && isNear(head.micros, near)) possible else RecordLook.ODD
+        }
+        if (head.size < CONTROL_HEAD) return RecordLook.NONE
+        if (head.length > until - at) return RecordLook.MORE
+        val end = at + head.length
+        return if (isControlPayload(bytes, end - head.size, end)) possible else RecordLook.ODD
+    }
+
+    /** Whether two times, in µs, are so near each other as those of records that follow each other. True where one is NaN. */
+    fun isNear(one: Double, other: Double): Boolean = !(abs(one - other) > NEAR_MICROS)
+
+    /**
+     * The first place from [from] and before [end] at which the records go on after damage, several fitting ones in a row.
+     *
+     * @param isInside whether the place lies in what may as well be a record; the first ones there have to be of types with one size.
+     * @return [NOWHERE]; or where it has to be looked again when more bytes have come, as [waiting] of that place.
+     */
+    fun find(bytes: ByteArray, from: Int, end: Int, until: Int, isEnd: Boolean, near: Double, isInside: Boolean): Int {
+        for (at in from until minOf(end, until)) {
+            when (rowAt(bytes, at, until, isEnd, near, isInside)) {
+                RecordLook.FITTING -> return at
+                RecordLook.MORE -> return waiting(at)
+                else -> continue
+            }
+        }
+        return if (end <= until || isEnd) NOWHERE else waiting(until)
+    }
+
+    /** Whether fitting records in a row begin at [from], the first of them at a time that goes with the others'. */
+    private fun rowAt(bytes: ByteArray, from: Int, until: Int, isEnd: Boolean, near: Double, isInside: Boolean): RecordLook {
+        var at = from
+        var fitting = 0
+        var odd = 0
+        var last = Double.NaN
+        var firstStep = Double.NaN
+        var longestStep = TIGHT_MICROS
+        while (true) {
+            if (at == until) return if (!isEnd) RecordLook.MORE else rowOf(fitting, LEAST_AT_END, firstStep, longestStep)
+            if (at - from > FARTHEST) return rowOf(fitting, LEAST_FAR, firstStep, longestStep)
+            val look = look(head, bytes, at, until, last)
+            if (look == RecordLook.NONE) return look
+            if (isInside && fitting < SURE && (look == RecordLook.ODD || (look == RecordLook.FITTING && !isSure()))) return RecordLook.NONE
+            val isFar = look != RecordLook.MORE && head.length > FARTHEST
+            if (isFar || look == RecordLook.MORE || head.length > until - at) {
+                return if (isFar || isEnd) rowOf(fitting, LEAST_FAR, firstStep, longestStep) else RecordLook.MORE
+            }
+            if (look == RecordLook.ODD) {
+                if (fitting == 0 || ++odd > MOST_ODD + fitting) return RecordLook.NONE
+            } else {
+                // What was lost may have taken minutes, but no log goes on hours away.
+                if (fitting == 0 && head.id != 0 && abs(head.micros - near) > FAR_MICROS) return RecordLook.NONE
+                fitting++
+            }
+            if (head.id != 0) {
+                val step = abs(head.micros - last)
+                if (firstStep.isNaN()) {
+                    firstStep = step
+                } else if (step > longestStep) {
+                    longestStep = step
+                }
+                last = head.micros
+            }
+            if (fitting == ENOUGH) return rowOf(fitting, ENOUGH, firstStep, longestStep)
+            at += head.length
+        }
+    }
+
+    private fun isSure() = head.id == 0 || sink.hasOneSize(head.id)
+
+    // Damage may look like one record and end where a true one begins, but hardly at its time.
+    private fun rowOf(fitting: Int, least: Int, firstStep: Double, longestStep: Double) =
+        if (fitting >= least && !(firstStep > longestStep)) RecordLook.FITTING else RecordLook.NONE
+
+    /** Whether the next records from [from] on fit, so that the one before them surely ends there. */
+    fun allFit(bytes: ByteArray, from: Int, until: Int, isEnd: Boolean): RecordLook {
+        var at = from
+        var last = Double.NaN
+        repeat(GOES_ON) {
+            if (at == until) return if (isEnd) RecordLook.FITTING else RecordLook.MORE
+            val look = look(head, bytes, at, until, last)
+            if (look == RecordLook.NONE || look == RecordLook.ODD ||
+                (look == RecordLook.FITTING && head.length > FARTHEST)
+            ) {
+                return RecordLook.NONE
+            }
+            if (look == RecordLook.MORE || head.length > until - at) return if (isEnd) RecordLook.NONE else RecordLook.MORE
+            if (head.id != 0) last = head.micros
+            at += head.length
+        }
+        return RecordLook.FITTING
+    }
+
+    /** Whether records go on at [from], some of them odd, so that the odd one before them has its true size. */
+    fun goesOn(bytes: ByteArray, from: Int, until: Int, isEnd: Boolean): RecordLook {
+        var at = from
+        var fitting = 0
+        var odd = 0
+        var last = Double.NaN
+        while (fitting + odd < PATIENCE) {
+            if (at == until) return if (isEnd) RecordLook.FITTING else RecordLook.MORE
+            if (at - from > FARTHEST) break
+            val look = look(head, bytes, at, until, last)
+            if (look == RecordLook.NONE) return look
+            if (look == RecordLook.MORE) return if (isEnd) RecordLook.FITTING else look
+            if (look == RecordLook.FITTING) fitting++ else odd++
+            if (fitting >= GOES_ON && fitting >= odd) break
+            if (head.length > until - at) return if (isEnd) RecordLook.FITTING else RecordLook.MORE
+            if (head.id != 0) last = head.micros
+            at += head.length
+        }
+        return if (fitting > 0 || odd == PATIENCE) RecordLook.FITTING else RecordLook.NONE
+    }
+
+    companion object {
+        /** What [find] returns where records go on nowhere. */
+        const val NOWHERE = -1
+
+        /** What [find] returns where it has to look at [at] again. */
+        fun waiting(at: Int): Int = NOWHERE - 1 - at
+
+        /** The [at] of [waiting]. */
+        fun waitsAt(found: Int): Int = NOWHERE - 1 - found
+
+        /** So many fitting records in a row are no accident. */
+        private const val ENOUGH = 10
+
+        /** So many of them have to be of types with one size where a record may stand in any case. */
+        private const val SURE = 2
+
+        /** So many are enough where the file ends, or where they are very large. */
+        private const val LEAST_AT_END = 3
+        private const val LEAST_FAR = 5
+
+        /** So many odd ones may be among them, beside one for each fitting one. */
+        private const val MOST_ODD = 2
+        private const val GOES_ON = 4
+        private const val PATIENCE = 100
+
+        /** No farther than so many bytes is looked, which bounds the memory. */
+        private const val FARTHEST = 1 shl 20
+
+        /** One minute: so far apart are the times of records that follow each other. */
+        private const val NEAR_MICROS = 6e7
+        private const val TIGHT_MICROS = 1e5
+
+        /** Two hours. */
+        private const val FAR_MICROS = 7.2e9
+    }
+}
