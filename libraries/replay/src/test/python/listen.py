@@ -39,8 +39,9 @@ while not last_round:
                 write(ready=True)
         elif event.is_(ntcore.EventFlags.kValueAll):
             value = event.data.value
+            plain = value.value()
             write(
-                value=value.value(), of=event.data.topic.getName(),
+                value=list(plain) if isinstance(plain, bytes) else plain, of=event.data.topic.getName(),
                 micros=value.server_time(), arrived=time.monotonic_ns() // 1000,
             )
     time.sleep(0.005)

@@ -2,19 +2,36 @@ package badlog.cli
 
 import badlog.cli.command.ExitCode
 import badlog.cli.console.Console
+import badlog.cli.console.StandardStreams
 import com.github.ajalt.clikt.core.CliktError
 import com.github.ajalt.clikt.core.parse
+import java.io.IOException
+import java.io.InputStream
 
-/** The command line: understands what is asked for, then does it. */
-internal class Badlog(private val console: Console) {
+/**
+ * The command line: understands what is asked for, then does it.
+ *
+ * @param input what `-` stands for among the logs.
+ */
+internal class Badlog(private val console: Console, private val input: InputStream = System.`in`) {
     /** Does what [arguments] ask for. */
-    fun run(arguments: List<String>): ExitCode {
+    fun run(arguments: List<String>): ExitCode = try {
+        StandardStreams(arguments, input).use { streams ->
+            val console = console.naming(streams.names, isOutTaken = streams.hasResult)
+            run(streams.arguments, console).also { streams.giveResult(this.console::give) }
+        }
+    } catch (e: IOException) {
+        console.warn("The standard input cannot be kept while it is read (${e.message}); make room in the folder for temporary files.")
+        ExitCode.NOTHING
+    }
+
+    private fun run(arguments: List<String>, console: Console): ExitCode {
         val command = BadlogCommand(arguments)
         val task = try {
             command.parse(arguments)
             command.task ?: return ExitCode.USAGE
         } catch (e: CliktError) {
-            return say(command, command.explained(e), arguments)
+            return say(command, command.explained(e), arguments, console)
         }
         return try {
             task.run(console)
@@ -27,7 +44,7 @@ internal class Badlog(private val console: Console) {
         }
     }
 
-    private fun say(command: BadlogCommand, what: CliktError, arguments: List<String>): ExitCode {
+    private fun say(command: BadlogCommand, what: CliktError, arguments: List<String>, console: Console): ExitCode {
         val text = command.getFormattedHelp(what).orEmpty().trim()
         if (what.statusCode == 0) {
             console.say(text)

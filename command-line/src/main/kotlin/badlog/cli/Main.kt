@@ -3,6 +3,7 @@ package badlog.cli
 import badlog.cli.command.ExitCode
 import badlog.cli.console.Console
 import badlog.cli.console.ResultStream
+import badlog.cli.text.LINE_WIDTH
 import java.io.FileDescriptor
 import java.io.FileOutputStream
 import java.io.PrintStream
@@ -15,9 +16,16 @@ fun main(arguments: Array<String>) {
     val isTerminal = System.getProperty("badlog.terminal")?.toBoolean() ?: (System.console() != null)
     val results = ResultStream(FileOutputStream(FileDescriptor.out))
     val charset = charsetOf("stdout")
-    val console = Console(PrintStream(results, false, charset), System.err, isTerminal, charset, charsetOf("stderr"))
+    val console = Console(PrintStream(results, false, charset), System.err, isTerminal, charset, charsetOf("stderr"), width())
     val code = Badlog(console).run(arguments.toList())
     exitProcess(if (console.isOutClosed) afterLoss(console, results).code else code.code)
+}
+
+/** The start script knows how wide the terminal is, and says 0 where there is none. */
+private fun width(): Int = when (val told = System.getProperty("badlog.columns")?.toIntOrNull()) {
+    null -> if (System.console() != null) LINE_WIDTH else Console.UNLIMITED
+    0 -> Console.UNLIMITED
+    else -> maxOf(told, LINE_WIDTH)
 }
 
 private fun afterLoss(console: Console, results: ResultStream): ExitCode {

@@ -119,7 +119,8 @@ class BrokenFilesSpec : FunSpec({
             val ended = badlogJson("info", folder, folder / "missing.bag")
             ended.code shouldBe ExitCode.SALVAGED
             status(ended) shouldContainExactly listOf("whole", "whole", "salvaged", "skipped", "failed")
-            badlog("info", folder).err shouldBe "1 file is not a log and was skipped.\n"
+            badlog("info", folder).err shouldBe
+                "Skipped ${folder / "sub/photo.gz"}: This file is neither a bag, nor a CSV file, nor a WPILOG: it holds bytes that no text has.\n"
         }
     }
 

@@ -9,6 +9,7 @@ import badlog.recording.TopicKind
 import badlog.text.freeName
 import kotlin.math.abs
 import kotlin.math.ceil
+import kotlin.math.round
 
 /**
  * The samples of [recording] in rows, one for each of [times]: each topic has there the last value at or before that time,
@@ -67,7 +68,9 @@ public fun periodicTimes(recording: Recording, period: Double): DoubleArray {
     val range = LogView.of(recording).xAxis.range ?: return DoubleArray(0)
     val steps = ceil((range.endInclusive - range.start) / period - ROUNDING)
     require(steps < MAX_ROWS) { "A period of $period gives $steps rows, which are too many." }
-    return DoubleArray(steps.toInt() + 1) { range.start + it * period }
+    // Sums of binary fractions would end in digits that nobody logged.
+    val places = if (period >= MICROSECOND) PLACES else 0.0
+    return DoubleArray(steps.toInt() + 1) { (range.start + it * period).let { x -> if (places > 0) round(x * places) / places else x } }
 }
 
 /** The times at which [topic], one of [recording]'s, has a sample: each once, ascending. */
@@ -179,3 +182,6 @@ private class LastValueSampler(private val topic: Topic, rows: Int) {
 private const val ROUNDING = 1e-9
 private const val MICROSECOND = 1e-6
 private const val MAX_ROWS = 1e8
+
+/** To so many parts of a unit of x are times rounded. */
+private const val PLACES = 1e9

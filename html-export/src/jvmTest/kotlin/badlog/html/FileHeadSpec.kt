@@ -1,5 +1,6 @@
 package badlog.html
 
+import badlog.file.gzip
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.nulls.shouldBeNull
 import io.kotest.matchers.shouldBe

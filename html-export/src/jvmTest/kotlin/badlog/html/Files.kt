@@ -1,9 +1,6 @@
 package badlog.html
 
-import java.io.ByteArrayOutputStream
-import java.nio.file.Files
 import java.nio.file.Path
-import java.util.zip.GZIPOutputStream
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 
@@ -15,22 +12,6 @@ internal const val BAG = "{\"topics\":[{\"name\":\"Time\",\"unit\":\"s\",\"attrs
 
 /** The same bag after a loss of power in its last row. */
 internal val CUT_BAG = BAG.dropLast(9)
-
-internal fun gzip(bytes: ByteArray): ByteArray {
-    val out = ByteArrayOutputStream()
-    GZIPOutputStream(out).use { it.write(bytes) }
-    return out.toByteArray()
-}
-
-/** Does [work] in a folder that is removed afterwards. */
-internal fun <T> inFolder(work: (Path) -> T): T {
-    val folder = Files.createTempDirectory("badlog")
-    try {
-        return work(folder)
-    } finally {
-        folder.toFile().deleteRecursively()
-    }
-}
 
 /** The names of all files in the folder, hidden ones too. */
 internal fun Path.names(): List<String> = listDirectoryEntries().map { it.name }.sorted()

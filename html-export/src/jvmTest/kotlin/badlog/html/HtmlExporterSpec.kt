@@ -1,5 +1,7 @@
 package badlog.html
 
+import badlog.file.gzip
+import badlog.file.inFolder
 import badlog.json.quotedJson
 import badlog.recording.ProblemKind
 import io.kotest.assertions.throwables.shouldThrow

@@ -1,5 +1,6 @@
 package badlog.html
 
+import badlog.file.inFolder
 import badlog.rules.RulesFile
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe

@@ -1,5 +1,6 @@
 package badlog.page
 
+import badlog.file.gzip
 import io.kotest.matchers.shouldBe
 import org.openqa.selenium.By
 import java.io.ByteArrayOutputStream
@@ -7,14 +8,11 @@ import java.io.EOFException
 import java.nio.file.Files
 import java.nio.file.Path
 import java.util.zip.GZIPInputStream
-import java.util.zip.GZIPOutputStream
 import kotlin.io.path.deleteIfExists
 import kotlin.io.path.exists
 import kotlin.io.path.readBytes
 
 internal class DownloadSpec : PageSpec({
-    fun gzip(bytes: ByteArray): ByteArray = ByteArrayOutputStream().also { out -> GZIPOutputStream(out).use { it.write(bytes) } }.toByteArray()
-
     fun csvOf(bag: ByteArray) = bag.copyOfRange(bag.indexOf('\n'.code.toByte()) + 1, bag.size)
 
     /** What the browser stores as [name] when the button [id] is pressed. */

@@ -1,5 +1,6 @@
 package badlog.page
 
+import badlog.file.gzip
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainAll
 import io.kotest.matchers.collections.shouldNotContain
@@ -10,7 +11,6 @@ import org.openqa.selenium.Keys
 import java.io.ByteArrayOutputStream
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
-import java.util.zip.GZIPOutputStream
 
 /** Four seconds of a robot: a number at 50 Hz, one at 10 Hz that ends early, a pose, a state and messages. */
 private fun wpilog(): ByteArray {
@@ -44,12 +44,6 @@ private fun wpilog(): ByteArray {
     text(5, 2_000_000, "move")
     text(6, 1_500_000, "ERROR: something happened")
     record(7, 500_000, 1) { put(1) }
-    return out.toByteArray()
-}
-
-private fun gzip(bytes: ByteArray): ByteArray {
-    val out = ByteArrayOutputStream()
-    GZIPOutputStream(out).use { it.write(bytes) }
     return out.toByteArray()
 }
 

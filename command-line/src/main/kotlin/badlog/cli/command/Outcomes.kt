@@ -3,6 +3,7 @@ package badlog.cli.command
 import badlog.cli.console.Console
 import badlog.cli.console.Spelling
 import badlog.cli.input.LogInput
+import badlog.cli.text.counted
 import badlog.cli.text.jsonOf
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.JsonElement
@@ -23,7 +24,7 @@ internal class Outcomes(private val command: String, private val console: Consol
     private var whole = 0
     private var salvaged = 0
     private var failed = 0
-    private var skipped = 0
+    private val skipped = ArrayList<String>()
     private var isIncomplete = false
 
     /** [file] was worked on. */
@@ -45,14 +46,16 @@ internal class Outcomes(private val command: String, private val console: Consol
     /** [input] cannot be read, for the reason of [message]; [isNoLog] when it is something else than a log. */
     fun unreadable(input: LogInput, message: String, isNoLog: Boolean) {
         val file = input.file
-        if (isNoLog && input.isFound) skipped(file) else failed(file, if ("$file" in message) message else "$file: $message")
+        if (isNoLog && input.isFound) skipped(file, message) else failed(file, named(file, message))
     }
 
-    /** [file], which nobody named, is not a log. */
-    private fun skipped(file: Path) {
-        skipped++
-        if (isJson) line(file, "skipped", emptyMap())
+    /** [file], which nobody named, is no log, for the reason of [message]. */
+    private fun skipped(file: Path, message: String) {
+        skipped += named(file, message)
+        if (isJson) line(file, "skipped", jsonOf(SkippedJson(message)))
     }
+
+    private fun named(file: Path, message: String) = if ("$file" in message) message else "$file: $message"
 
     /** Something of the result is missing beside logs, for the reason of [message], which may be reported already. */
     fun leaveOut(message: String = "") {
@@ -63,8 +66,9 @@ internal class Outcomes(private val command: String, private val console: Consol
     /** Says what there is to say about all; how the program ends. */
     fun end(): ExitCode {
         if (!isJson) {
-            if (skipped == 1) console.warn("1 file is not a log and was skipped.")
-            if (skipped > 1) console.warn("$skipped files are not logs and were skipped.")
+            for (message in skipped.take(LISTED)) console.warn("Skipped $message")
+            val more = skipped.size - LISTED
+            if (more > 0) console.warn("Skipped ${counted(more.toLong(), "more file")}; --json names them.")
         }
         val done = whole + salvaged
         if (done + failed == 0) console.warn("No logs found. Name a log, or the folder it is in.")
@@ -91,6 +95,9 @@ internal class Outcomes(private val command: String, private val console: Consol
 
     private companion object {
         const val ASCII = 0x7F
+
+        /** So many files that are no logs are named. */
+        const val LISTED = 20
     }
 }
 
@@ -99,3 +106,6 @@ private class LineJson(private val command: String, private val file: String, pr
 
 @Serializable
 private class ErrorJson(private val error: String)
+
+@Serializable
+private class SkippedJson(private val reason: String)

@@ -1,10 +1,13 @@
 package badlog.cli.console
 
+import badlog.cli.text.LINE_WIDTH
 import badlog.cli.text.grouped
 import badlog.terminal.ProgressBar
 import badlog.terminal.printable
 import java.io.PrintStream
 import java.nio.charset.Charset
+import java.nio.file.Files
+import java.nio.file.Path
 
 /**
  * Where a sub-command speaks to. Whatever it says, nothing of it moves a terminal's cursor, and what the encoding has no character for
@@ -13,14 +16,17 @@ import java.nio.charset.Charset
  * @param out gets results, for people or programs, in [outCharset].
  * @param err gets what went wrong, and progress, in [errCharset].
  * @param isTerminal whether [err] is a terminal, which shows progress.
+ * @property width how many columns a line of results has; [UNLIMITED] where no terminal shows them.
  */
 internal class Console(
     private val out: PrintStream,
     private val err: PrintStream,
     private val isTerminal: Boolean,
-    outCharset: Charset = Charsets.UTF_8,
-    errCharset: Charset = Charsets.UTF_8,
+    private val outCharset: Charset = Charsets.UTF_8,
+    private val errCharset: Charset = Charsets.UTF_8,
+    val width: Int = LINE_WIDTH,
 ) {
+    private var names = emptyMap<String, String>()
     private val outSpelling = Spelling(outCharset)
     private val errSpelling = Spelling(errCharset)
 
@@ -42,9 +48,34 @@ internal class Console(
     /** Shows how many files were looked at for logs, when that takes long. To be closed. */
     fun searching(): SearchCount = SearchCount(err, isTerminal)
 
+    /**
+     * The same, calling some files by other [names].
+     *
+     * @param isOutTaken whether results must not go where they go here, because that gets a file.
+     */
+    fun naming(names: Map<String, String>, isOutTaken: Boolean): Console {
+        if (names.isEmpty()) return this
+        val out = if (isOutTaken) err else out
+        val charset = if (isOutTaken) errCharset else outCharset
+        return Console(out, err, isTerminal, charset, errCharset, width).also { it.names = names }
+    }
+
+    /** Writes the bytes of [file] as a result. */
+    fun give(file: Path) {
+        Files.copy(file, out)
+        out.flush()
+    }
+
     /** Lines may end as CSV has it. */
-    private fun cleaned(text: String) = text.split('\n').joinToString("\n") { line ->
+    private fun cleaned(text: String) = named(text).split('\n').joinToString("\n") { line ->
         if (line.endsWith('\r')) printable(line.dropLast(1)) + '\r' else printable(line)
+    }
+
+    private fun named(text: String) = names.entries.fold(text) { all, (file, name) -> all.replace(file, name) }
+
+    companion object {
+        /** The width of what another program reads. */
+        const val UNLIMITED = Int.MAX_VALUE
     }
 }
 

@@ -20,9 +20,11 @@ internal fun interface PartChoice {
 
 /** What lies from [from] to [to], both included; null is without end. */
 internal class RangeChoice(private val from: Position?, private val to: Position?) : PartChoice {
-    override fun spans(view: LogView): List<Span> = listOf(
-        Span(from?.on(view.xAxis) ?: Double.NEGATIVE_INFINITY, to?.on(view.xAxis) ?: Double.POSITIVE_INFINITY),
-    )
+    override fun spans(view: LogView): List<Span> {
+        val span = Span(from?.on(view.xAxis) ?: Double.NEGATIVE_INFINITY, to?.on(view.xAxis) ?: Double.POSITIVE_INFINITY)
+        if (span.from > span.to) throw Failure("--from $from comes after --to $to; exchange them.")
+        return listOf(span)
+    }
 }
 
 /** What the robot did while it was enabled, and [margin] before and after. */

@@ -33,7 +33,7 @@ internal class InfoCommand :
     ) {
     private val showsTopics by option("--topics").flag().help("Show the topics, of several logs too.")
     private val showsAttributes by option("--attributes").flag().help("Show the topics with their attributes.")
-    private val showsSignals by option("--signals").flag().help("Show which topic is the battery, the total current and so on.")
+    private val showsSignals by option("--signals").flag().help("Show which topic is the battery, and so on.")
     private val showsValues by option("--values").flag().help("Show the values, of several logs too.")
     private val showsProblems by option("--problems").flag().help("Show the problems, of several logs too.")
     private val xTopic by option("--x", metavar = "TOPIC").help("Use this topic as x axis; CSV does not name one.")
@@ -89,6 +89,7 @@ internal class InfoTask(
     override fun run(console: Console): ExitCode {
         val isOverview = !isJson && parts.isEmpty() && (paths.size > 1 || Files.isDirectory(paths[0]))
         val shown = parts.ifEmpty { setOf(InfoPart.TOPICS, InfoPart.VALUES, InfoPart.WORST) }
+        val overview = OverviewText(console.width)
         var isFirst = true
         val undefined = ArrayList<List<UndefinedTopic>>()
         val code = LogLoop("info", console, isJson).run(paths) { input, progress ->
@@ -99,8 +100,8 @@ internal class InfoTask(
             val summary = LogSummary(input.file, Files.size(input.file), with.view, numbers)
             val text = when {
                 isJson -> ""
-                isOverview -> (if (isFirst) OverviewText.titles() + "\n" else "") + OverviewText.line(summary)
-                else -> (if (isFirst) "" else "\n") + InfoText(summary, shown, signals).text()
+                isOverview -> (if (isFirst) overview.titles() + "\n" else "") + overview.line(summary)
+                else -> (if (isFirst) "" else "\n") + InfoText(summary, shown, signals, console.width).text()
             }
             isFirst = false
             undefined += with.errors.map(::UndefinedTopic)

@@ -1,6 +1,8 @@
 package badlog.cli.info
 
 import badlog.analysis.Units
+import badlog.cli.console.Console
+import badlog.cli.text.LINE_WIDTH
 import badlog.cli.text.XTime
 import badlog.cli.text.counted
 import badlog.cli.text.grouped
@@ -23,8 +25,14 @@ import kotlin.math.roundToLong
  *
  * @param parts what to show below its summary.
  * @param signals which topics mean what.
+ * @param width how many columns there are.
  */
-internal class InfoText(private val summary: LogSummary, private val parts: Set<InfoPart>, private val signals: List<SignalTopic>) {
+internal class InfoText(
+    private val summary: LogSummary,
+    private val parts: Set<InfoPart>,
+    private val signals: List<SignalTopic>,
+    private val width: Int,
+) {
     private val view = summary.view
     private val recording = view.recording
 
@@ -83,7 +91,7 @@ internal class InfoText(private val summary: LogSummary, private val parts: Set<
 
     private fun topicLines(): List<String> {
         if (summary.topics.isEmpty()) return emptyList()
-        val lines = TOPICS.lines(summary.topics.map(::cellsOf)).flatten()
+        val lines = topicTable().lines(summary.topics.map(::cellsOf)).flatten()
         if (InfoPart.ATTRIBUTES !in parts) return lines
         return lines.take(1) + summary.topics.flatMapIndexed { index, topic ->
             val attributes = topic.topic.attributes.joinToString()
@@ -114,19 +122,28 @@ internal class InfoText(private val summary: LogSummary, private val parts: Set<
         else -> "${shortNumber(summary.min, DIGITS)} … ${shortNumber(summary.max, DIGITS)}"
     }
 
-    private companion object {
-        const val VALUE_NAME = 32
-        const val DIGITS = 4
-        val TOPICS = TextTable(
+    /** What a terminal has more than the least, names get, and units and ranges a little of it. */
+    private fun topicTable(): TextTable {
+        val more = if (width == Console.UNLIMITED) 0 else width - LINE_WIDTH
+        val little = minOf(more / 5, MAX_MORE)
+        return TextTable(
             listOf(
-                Column("TOPIC", 23),
-                Column("UNIT", 5),
+                Column("TOPIC", TOPIC + more - 2 * little),
+                Column("UNIT", 5 + little),
                 Column("KIND", 7),
                 Column("COUNT", 7, isNumber = true),
                 Column("HZ", 4, isNumber = true),
-                Column("RANGE", 18),
+                Column("RANGE", 18 + little),
                 Column("GAPS", 4, isNumber = true),
             ),
+            shortens = width != Console.UNLIMITED,
         )
+    }
+
+    private companion object {
+        const val TOPIC = 23
+        const val MAX_MORE = 10
+        const val VALUE_NAME = 32
+        const val DIGITS = 4
     }
 }

@@ -1,28 +1,32 @@
 package badlog.cli.info
 
+import badlog.cli.console.Console
+import badlog.cli.text.LINE_WIDTH
 import badlog.cli.text.XTime
 import badlog.cli.text.grouped
 import badlog.recording.Severity
 import badlog.terminal.TextTable
 import badlog.terminal.TextTable.Column
 
-/** One line about each log. */
-internal object OverviewText {
-    private val TABLE = TextTable(
+/** One line about each log, of [width] columns. */
+internal class OverviewText(width: Int) {
+    private val more = if (width == Console.UNLIMITED) 0 else width - LINE_WIDTH
+    private val table = TextTable(
         listOf(
-            Column("LOG", 27),
-            Column("MATCH", 22),
+            Column("LOG", LOG + more - more / 3),
+            Column("MATCH", MATCH + more / 3),
             Column("LENGTH", 7, isNumber = true),
             Column("SAMPLES", 10, isNumber = true),
             Column("ERRORS", 6, isNumber = true),
         ),
+        shortens = width != Console.UNLIMITED,
     )
 
     /** What stands above the lines. */
-    fun titles(): String = TABLE.titles()
+    fun titles(): String = table.titles()
 
     /** The line of [summary]. */
-    fun line(summary: LogSummary): String = TABLE.line(
+    fun line(summary: LogSummary): String = table.line(
         listOf(
             summary.file.toString(),
             summary.view.title.orEmpty(),
@@ -31,4 +35,9 @@ internal object OverviewText {
             summary.view.problems.filter { it.severity == Severity.ERROR }.sumOf { it.count }.let { if (it == 0) "" else "$it" },
         ),
     )
+
+    private companion object {
+        const val LOG = 27
+        const val MATCH = 22
+    }
 }

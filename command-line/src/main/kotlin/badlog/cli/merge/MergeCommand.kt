@@ -4,11 +4,15 @@ import badlog.cli.command.SubCommand
 import badlog.cli.command.Task
 import badlog.cli.output.OutputPlan
 import com.github.ajalt.clikt.core.UsageError
+import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.help
+import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.options.required
+import com.github.ajalt.clikt.parameters.types.choice
 import com.github.ajalt.clikt.parameters.types.path
+import java.nio.file.Files
 
 /** `badlog merge`. */
 internal class MergeCommand :
@@ -18,13 +22,17 @@ internal class MergeCommand :
         "Logs with the same topics are appended in the order of x; rows that several have are kept once. Logs with different " +
             "topics are joined side by side, each with its own rows. All need the same clock as x axis. A topic whose name is " +
             "taken goes into a folder named like its file. With a WPILOG among the logs, or as the result, each topic keeps its " +
-            "own times. All logs are held in memory at once.",
+            "own times. All logs are held in memory at once. Logs of other clocks need --offset or --align.",
     ) {
     private val out by option("-o", "--out", metavar = "FILE").path().required().help("Write to this file.")
-    private val isForced by option("--force").flag().help("Replace the file if it exists, but never a log that is read.")
+    private val isForced by option("--force").flag().help("Replace an existing file, but never a log that is read.")
     private val appends by option("--append").flag().help("Append all logs, whatever their topics.")
     private val joins by option("--join").flag().help("Join all logs side by side, whatever their topics.")
     private val xTopic by option("--x", metavar = "TOPIC").help("Use this topic as x axis in every log that has rows.")
+    private val offsets by option("--offset", metavar = "FILE=S").convert { Offset.of(it) ?: fail("write FILE=SECONDS") }.multiple()
+        .help("Move this log by S seconds; may be repeated.")
+    private val aligned by option("--align", metavar = "enabled").choice("enabled")
+        .help("Move logs so that “enabled” fits that of the first.")
 
     override fun makeTask(): Task {
         if (appends && joins) throw UsageError("--append and --join exclude each other")
@@ -35,6 +43,9 @@ internal class MergeCommand :
         } else {
             MergeMode.BY_TOPICS
         }
-        return MergeTask(paths, mode, out, OutputPlan(null, paths, isForced), xTopic, isJson)
+        offsets.firstOrNull { offset -> paths.none { offset.isOf(it) || Files.isDirectory(it) } }?.let {
+            throw UsageError("--offset names ${it.file}, which is not among the logs to merge")
+        }
+        return MergeTask(paths, mode, out, OutputPlan(null, paths, isForced), xTopic, ClockChoice(offsets, aligned != null), isJson)
     }
 }

@@ -3,6 +3,7 @@ package badlog.cli.merge
 import badlog.cli.command.Outcome
 import badlog.cli.output.Omissions
 import badlog.cli.text.JsonNumber
+import badlog.cli.text.XTime
 import badlog.cli.text.counted
 import badlog.cli.text.grouped
 import badlog.cli.text.jsonOf
@@ -12,13 +13,13 @@ import badlog.recording.RecordingFormat
 import kotlinx.serialization.Serializable
 import java.nio.file.Path
 
-/** What to say about [merge], which was written to [target] without [leftOut]. */
-internal fun mergeOutcome(merge: Merged, target: Path, leftOut: Omissions): Outcome {
+/** What to say about [merge] of the logs [moved], which was written to [target] without [leftOut]. */
+internal fun mergeOutcome(merge: Merged, moved: MovedLogs, target: Path, leftOut: Omissions): Outcome {
     val recording = merge.recording
     val parts = merge.groups.flatMap { it.parts }
     val salvaged = parts.filter { it.recording.isSalvaged }
         .map { wrapped("  salvaged: ", "${it.file}; badlog info shows what is lost", INDENT) }
-    val text = listOf("-> $target") + textLines(merge, leftOut) + leftOut.lines + salvaged
+    val text = listOf("-> $target") + textLines(merge, leftOut) + clockLines(moved) + leftOut.lines + salvaged
     val repeated = merge.groups.sumOf { it.repeated }
     val hasRows = recording.format != RecordingFormat.WPILOG
     val json = MergeJson(
@@ -31,6 +32,8 @@ internal fun mergeOutcome(merge: Merged, target: Path, leftOut: Omissions): Outc
         repeatedSamples = if (hasRows) 0 else repeated,
         renamed = merge.renamed.map(::RenamingJson),
         leftOut = leftOut.all,
+        moved = moved.moves.map(::MoveJson),
+        apart = moved.pauses.map(::PauseJson),
     )
     return Outcome(parts.any { it.recording.isSalvaged }, text.joinToString("\n"), jsonOf(json))
 }
@@ -59,6 +62,20 @@ private fun textLines(merge: Merged, leftOut: Omissions): List<String> = buildLi
     if (merge.renamed.size > LISTED) add("  renamed: ${grouped((merge.renamed.size - LISTED).toLong())} more in the same way")
 }
 
+private fun clockLines(moved: MovedLogs): List<String> = moved.moves.map { move ->
+    val by = "${move.part.file} by ${shortNumber(move.part.offset, DIGITS)} s"
+    val how = when (move.edges) {
+        0 -> ""
+        1 -> "; one edge of enabled fits, which may be chance"
+        else -> "; ${move.edges} edges of enabled fit within ${shortNumber(move.error, ERROR_DIGITS)} s"
+    }
+    wrapped("  moved: ", by + how, INDENT)
+} + moved.pauses.map { pause ->
+    val text = "${pause.one.file} ends ${XTime.clock(pause.seconds)} before ${pause.other.file} begins; if both are of one time, " +
+        "give --align enabled or --offset"
+    wrapped("  apart: ", text, INDENT)
+}
+
 private fun rangeOf(part: LogPart): String = if (part.firstX.isNaN()) "" else " (${shortNumber(part.firstX)} to ${shortNumber(part.lastX)})"
 
 @Serializable
@@ -72,7 +89,19 @@ private class MergeJson(
     private val repeatedSamples: Int,
     private val renamed: List<RenamingJson>,
     private val leftOut: List<String>,
+    private val moved: List<MoveJson>,
+    private val apart: List<PauseJson>,
 )
+
+@Serializable
+private class MoveJson(private val log: String, private val seconds: JsonNumber, private val edges: Int, private val error: JsonNumber) {
+    constructor(move: Move) : this(move.part.file.toString(), move.part.offset, move.edges, move.error)
+}
+
+@Serializable
+private class PauseJson(private val logs: List<String>, private val seconds: JsonNumber) {
+    constructor(pause: Pause) : this(listOf(pause.one.file.toString(), pause.other.file.toString()), pause.seconds)
+}
 
 @Serializable
 private class OverlapJson(private val logs: List<String>, private val from: JsonNumber, private val to: JsonNumber) {
@@ -87,3 +116,5 @@ private class RenamingJson(private val log: String, private val from: String, pr
 
 private const val INDENT = 4
 private const val LISTED = 10
+private const val DIGITS = 9
+private const val ERROR_DIGITS = 2

@@ -28,6 +28,7 @@ internal class MergeTask(
     private val out: Path,
     private val plan: OutputPlan,
     private val xTopic: String?,
+    private val clocks: ClockChoice,
     private val isJson: Boolean,
 ) : Task {
     override fun run(console: Console): ExitCode {
@@ -41,7 +42,7 @@ internal class MergeTask(
             if (parts.size < 2) {
                 throw Failure("Merging needs two logs or more, and there is ${if (parts.isEmpty()) "none" else "one"}.")
             }
-            outcomes.done(target, console.progress(target.fileName.toString()).use { merge(parts, target, it) })
+            outcomes.done(target, console.progress(target.fileName.toString()).use { merge(clocks.moved(parts), target, it) })
         } catch (e: Throwable) {
             outcomes.failed(out, LogLoop.sentenceOf(e, out))
         }
@@ -49,17 +50,18 @@ internal class MergeTask(
     }
 
     /** Topics keep times of their own where one log has them, or the result can. */
-    private fun merge(parts: List<LogPart>, target: Path, progress: Progress): Outcome {
+    private fun merge(moved: MovedLogs, target: Path, progress: Progress): Outcome {
+        val parts = moved.parts
         val wanted = LogFormat.ofName(target)
         if (parts.all { it.hasRows } && wanted?.hasRows != false) {
             val merged = Merge(parts, mode).merged()
             val format = wanted ?: LogFormat.of(merged.recording)
-            return mergeOutcome(merged, target, writeLog(merged.recording, format, target, progress = progress))
+            return mergeOutcome(merged, moved, target, writeLog(merged.recording, format, target, progress = progress))
         }
         parts.find { !it.hasRows }?.let { wanted?.require(it.recording, target) }
         val lanes = RecordLanes(parts.map { it.withOwnTimes() }, mode)
         val merged = lanes.write(target, progress)
-        return mergeOutcome(merged, target, lanes.leftOut)
+        return mergeOutcome(merged, moved, target, lanes.leftOut)
     }
 
     private fun read(input: LogInput, console: Console, outcomes: Outcomes): LogPart? {

@@ -61,7 +61,11 @@ internal class RecoverTask(private val paths: List<Path>, private val plan: Outp
         val format = LogFormat.of(recording)
         val lostBytes = damage.bytesAtEnd
         if (format.hasRows) return writeLog(recording, format, target, progress = progress)
-        if (lostBytes != null) copyBeginning(file, lostBytes, target, progress) else copyRecords(recordsOf(file), target, progress) { all() }
+        if (lostBytes != null) {
+            copyBeginning(file, lostBytes, target, progress)
+        } else {
+            copyRecords(recordsOf(file), target, progress) { all() }
+        }
         return Omissions()
     }
 }

@@ -14,10 +14,15 @@ import badlog.cli.input.NotALog
 import badlog.cli.input.Position
 import badlog.cli.input.position
 import badlog.cli.input.readLog
+import badlog.cli.output.recordsOf
+import badlog.cli.output.topicOf
 import badlog.cli.text.jsonOf
 import badlog.cli.text.shortNumber
 import badlog.cli.text.undefinedLines
 import badlog.expression.withVirtualTopics
+import badlog.recording.Recording
+import badlog.recording.RecordingFormat
+import badlog.replay.LoggedTopic
 import badlog.replay.ReplayOptions
 import badlog.replay.ReplayServer
 import badlog.replay.UnavailablePortException
@@ -49,6 +54,7 @@ internal class ReplayCommand :
         .help("Speed: 2 is twice real time; default: 1.")
         .validate { if (!(it > 0 && it.isFinite())) fail("must be above 0") }
     private val isLooping by option("--loop").flag().help("Start over at the end.")
+    private val prefix by option("--prefix", metavar = "NAME").default("").help("Put this before all names, such as /old.")
     private val from by option("--from", metavar = "X").position().help("Start at this x, 90 or 1:30.")
     private val to by option("--to", metavar = "X").position().help("End at this x.")
     private val xTopic by option("--x", metavar = "TOPIC").help("Use this topic as x axis; CSV does not name one.")
@@ -56,7 +62,7 @@ internal class ReplayCommand :
 
     override fun makeTask(): Task {
         val file = paths.singleOrNull() ?: throw UsageError("name one log to replay")
-        return ReplayTask(file, port, speed, isLooping, from, to, xTopic, virtual.definitions, isJson)
+        return ReplayTask(file, port, speed, isLooping, prefix, from, to, xTopic, virtual.definitions, isJson)
     }
 
     private companion object {
@@ -74,6 +80,7 @@ internal class ReplayTask(
     private val port: Int,
     private val speed: Double,
     private val isLooping: Boolean,
+    private val prefix: String,
     private val from: Position?,
     private val to: Position?,
     private val xTopic: String?,
@@ -86,11 +93,11 @@ internal class ReplayTask(
             val recording = console.progress(file.fileName.toString()).use { readLog(file, it, xTopic) }
             val with = LogView.of(recording).withVirtualTopics(virtualTopics)
             if (!isJson) undefinedLines(with.errors).forEach(console::warn)
-            val options = ReplayOptions(port = port, speed = speed, isLooping = isLooping, range = rangeOn(with.view))
-            ReplayServer(with.view, options).use { server ->
+            val options = ReplayOptions(port = port, speed = speed, isLooping = isLooping, range = rangeOn(with.view), prefix = prefix)
+            ReplayServer(with.view, options, loggedTopics(recording)).use { server ->
                 server.start()
                 val json = jsonOf(ReplayJson(server.port, with.errors.map(::UndefinedJson)))
-                outcomes.done(file, Outcome(recording.isSalvaged, "$file is served on port ${server.port}; Ctrl+C ends it.", json))
+                outcomes.done(file, Outcome(recording.isSalvaged, text(server.port), json))
                 play(server, console)
             }
         } catch (e: NotALog) {
@@ -105,6 +112,24 @@ internal class ReplayTask(
         return outcomes.end()
     }
 
+    /** Of a WPILOG, what its records hold, which its topics do not: structs, arrays, raw bytes. */
+    private fun loggedTopics(recording: Recording): List<LoggedTopic> {
+        if (recording.format != RecordingFormat.WPILOG) return emptyList()
+        return recordsOf(file).entries.filter { !it.isValue }.map { entry ->
+            val times = DoubleArray(entry.size, entry::time)
+            LoggedTopic(entry.name, entry.type, recording.topicOf(entry)?.unit.orEmpty(), times, entry::payload)
+        }
+    }
+
+    private fun text(port: Int): String {
+        val served = "$file is served on port $port; Ctrl+C ends it."
+        return if (port == ReplayOptions.DEFAULT_PORT) {
+            served
+        } else {
+            "$served\nAdvantageScope, Elastic and Shuffleboard look at port ${ReplayOptions.DEFAULT_PORT} alone; they will not find it."
+        }
+    }
+
     private fun rangeOn(view: LogView): ClosedFloatingPointRange<Double>? {
         val whole = view.xAxis.range
         if ((from == null && to == null) || whole == null) return null
@@ -113,15 +138,19 @@ internal class ReplayTask(
         if (start > end || start > whole.endInclusive || end < whole.start) {
             val asked = listOfNotNull(from?.let { "from $it" }, to?.let { "to $it" }).joinToString(" ")
             val x = "${view.xAxis.title} goes from ${shortNumber(whole.start)} to ${shortNumber(whole.endInclusive)}"
-            throw Failure("$file has nothing $asked, since $x; use another --from or --to.")
+            val why = if (start > end && from != null && to != null) "--from $from comes after --to $to" else "$file has nothing $asked"
+            throw Failure("$why; $x. Use another --from or --to.")
         }
         return start..end
     }
 
     private fun play(server: ReplayServer, console: Console) {
         var known = emptyList<String>()
+        var note: String? = null
         while (isLooping || !server.isAtEnd) {
             Thread.sleep(LOOK_MILLIS)
+            // Once, and not for each message that follows.
+            if (note == null) note = server.note?.also(console::warn)
             val clients = server.clientNames
             for (name in clients - known.toSet()) console.warn("$name is connected.")
             for (name in known - clients.toSet()) console.warn("$name disconnected.")
@@ -129,6 +158,7 @@ internal class ReplayTask(
         }
         // The last values are on their way.
         Thread.sleep(LOOK_MILLIS)
+        server.note?.takeIf { it != note }?.let(console::warn)
     }
 
     private companion object {

@@ -34,6 +34,13 @@ class CutSpec : FunSpec({
         times(BAG, "--from", "0:00.06") shouldContainExactly listOf(0.06, 0.08)
     }
 
+    test("ends in the wrong order are named") {
+        inFolder { folder ->
+            badlog("cut", folder.with("a.bag", BAG), "--from", "0:00.06", "--to", "0.02", "-o", folder / "b.bag").err shouldContain
+                "a.bag: --from 0:00.06 comes after --to 0.02; exchange them."
+        }
+    }
+
     test("the enabled part, with a margin") {
         times(BAG, "--enabled", "--to", "0.06") shouldContainExactly listOf(0.02, 0.04, 0.06)
         times(BAG, "--enabled", "--margin", "0.025") shouldContainExactly listOf(0.0, 0.02, 0.04, 0.06, 0.08)

@@ -46,7 +46,7 @@ class FindSpec : FunSpec({
         }
     }
 
-    test("the exit code is 0 when every log is whole, however often it is named, and what is not a log is only counted") {
+    test("the exit code is 0 when every log is whole, however often it is named, and what is not a log is named with the reason") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
             badlog("find", log, log, "max(Speed) > 5", "--no-cache").code shouldBe ExitCode.WHOLE
@@ -54,7 +54,7 @@ class FindSpec : FunSpec({
             val ended = badlog("find", folder, "max(Speed) > 5", "--no-cache")
             ended.code shouldBe ExitCode.WHOLE
             ended.out shouldContain "Found in 1 of 1 log."
-            ended.err shouldBe "1 file is not a log and was skipped.\n"
+            ended.err shouldContain "Skipped ${folder / "photo.gz"}: This file is neither a bag"
             badlog("find", folder, folder / "nix.bag", "max(Speed) > 5", "--no-cache").code shouldBe ExitCode.SALVAGED
             folder.with("cut.bag", CUT_BAG)
             badlog("find", folder, "max(Speed) > 3", "--no-cache").code shouldBe ExitCode.SALVAGED

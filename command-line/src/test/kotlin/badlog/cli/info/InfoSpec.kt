@@ -2,12 +2,14 @@ package badlog.cli.info
 
 import badlog.analysis.LogView
 import badlog.cli.BAG
+import badlog.cli.Badlog
 import badlog.cli.CUT_BAG
 import badlog.cli.ROOT
 import badlog.cli.SAMPLES
 import badlog.cli.badlog
 import badlog.cli.badlogJson
 import badlog.cli.command.ExitCode
+import badlog.cli.console.Console
 import badlog.cli.inFolder
 import badlog.cli.text.jsonOf
 import badlog.cli.with
@@ -26,6 +28,8 @@ import kotlinx.serialization.json.int
 import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
+import java.io.ByteArrayOutputStream
+import java.io.PrintStream
 import kotlin.io.path.div
 import kotlin.io.path.listDirectoryEntries
 
@@ -39,6 +43,23 @@ class InfoSpec : FunSpec({
                 ended.err shouldBe ""
                 ended.out.lines().filter { it.length > 80 }.shouldBeEmpty()
             }
+        }
+    }
+
+    test("a wider terminal shows more of long names, and another program all of them") {
+        inFolder { folder ->
+            val name = "Drive/Front Left/Steering Motor/Supply Current Measured"
+            val log = folder.with("a.bag", BAG.replace("Speed", name))
+            fun shown(width: Int): String {
+                val out = ByteArrayOutputStream()
+                val console = Console(PrintStream(out, true, "UTF-8"), PrintStream(ByteArrayOutputStream()), false, width = width)
+                Badlog(console).run(listOf("info", log.toString()))
+                return out.toString(Charsets.UTF_8)
+            }
+            shown(80) shouldNotContain name
+            shown(140) shouldContain name
+            shown(140).lines().filter { it.length > 140 }.shouldBeEmpty()
+            shown(Console.UNLIMITED) shouldContain name
         }
     }
 

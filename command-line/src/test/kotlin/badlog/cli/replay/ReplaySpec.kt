@@ -20,6 +20,7 @@ class ReplaySpec : FunSpec({
         val ended = badlog("replay", match, "--port", "0", "--from", "10", "--to", "10.5", "--speed", "5", "--topic", "Odd = Nix")
         ended.code shouldBe ExitCode.WHOLE
         ended.out shouldContain "is served on port"
+        ended.out shouldContain "look at port 5810 alone"
         ended.err shouldContain "There is no topic “Nix”"
     }
 
@@ -32,7 +33,11 @@ class ReplaySpec : FunSpec({
     }
 
     test("a part that is not there is reported with what is there") {
-        badlog("replay", match, "--port", "0", "--from", "100", "--to", "50").err shouldContain "from 0 to 155.991"
+        badlog("replay", match, "--port", "0", "--from", "100", "--to", "50").err.let { said ->
+            said shouldContain "--from 100 comes after --to 50"
+            said shouldContain "from 0 to 155.991"
+        }
+        badlog("replay", match, "--port", "0", "--from", "200").err shouldContain "has nothing from 200"
         badlog("replay", match, "--port", "0", "--from", "1:40", "--to", "50").code shouldBe ExitCode.NOTHING
     }
 

@@ -1,12 +1,12 @@
 package badlog.html.cli
 
+import badlog.file.gzip
+import badlog.file.inFolder
 import badlog.html.BADLOG_VERSION
 import badlog.html.BAG
 import badlog.html.CUT_BAG
 import badlog.html.HtmlExporter
 import badlog.html.ReadPage
-import badlog.html.gzip
-import badlog.html.inFolder
 import badlog.html.names
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain

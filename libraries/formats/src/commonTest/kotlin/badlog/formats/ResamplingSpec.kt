@@ -31,6 +31,14 @@ class ResamplingSpec : FunSpec({
         csv(log, 0.5, 1.0, 2.0, 2.5, 9.0) shouldBe "Time,a,on\n0.5,,\n1,1.5,\n2,2.5,true\n2.5,,true\n9,3.5,true\n"
     }
 
+    test("times of a period have the digits that a person would write") {
+        val log = TestLog().start(1, "a", "double").double(1, 13_359, 1.0).double(1, 90_000_000, 2.0)
+        val times = periodicTimes(parseLog(log.bytes), 0.02)
+        times.size shouldBe 4501
+        times.forEachIndexed { row, time -> time shouldBe (13_359 + row * 20_000L) / 1e6 }
+        (times.last() >= 90.0) shouldBe true
+    }
+
     test("states hold, events stand in one row, and several of one row are joined") {
         val log = TestLog().start(1, "mode", "string").start(2, "messages", "string")
             .string(1, 1_000_000, "auto").string(1, 3_000_000, "teleop")

@@ -33,9 +33,14 @@ private fun hasClient(python: String): Boolean = try {
 }
 
 /** What WPILib's client receives of a replay from its start to its end, [values] values at least: its lines. */
-private fun linesOf(view: LogView, options: ReplayOptions, values: Int): List<JsonObject> = ReplayServer(view, options).use { server ->
+private fun linesOf(
+    view: LogView,
+    options: ReplayOptions,
+    values: Int,
+    logged: List<LoggedTopic> = emptyList(),
+): List<JsonObject> = ReplayServer(view, options, logged).use { server ->
     server.open()
-    val topics = signalsOf(view, options.prefix).size
+    val topics = signalsOf(view, options.prefix, logged).size
     val client = ProcessBuilder(PYTHON, "src/test/python/listen.py", "${server.port}", "$topics")
         .redirectError(ProcessBuilder.Redirect.INHERIT).apply { environment()["PYTHONIOENCODING"] = "utf-8" }.start()
     try {
@@ -119,6 +124,27 @@ class WpilibClientSpec :
 
         test("Every topic of every kind arrives with its type, unit, order and timing").config(enabledOrReasonIf = whenThere) {
             for (speed in listOf(1.0, 0.25)) shouldArrive(VARIED_VIEW, ReplayOptions(0, speed = speed))
+        }
+
+        test("What was logged arrives with its type, byte by byte").config(enabledOrReasonIf = whenThere) {
+            fun topic(name: String, type: String, vararg bytes: Int) = LoggedTopic(name, type, "", doubleArrayOf(10.1)) {
+                ByteArray(bytes.size) { bytes[it].toByte() }
+            }
+            val logged = listOf(
+                topic("Pose", "struct:Pose2d", 1, 2, 3) to "[1,2,3]",
+                topic("/.schema/struct:Pose2d", "structschema", 120) to "[120]",
+                topic("Ticks", "int64", 1, 0, 0, 0, 0, 0, 32, 0) to "9007199254740993",
+                topic("Powers", "double[]", 0, 0, 0, 0, 0, 0, 0xf0, 0x3f) to "[1.0]",
+                topic("Names", "string[]", 1, 0, 0, 0, 1, 0, 0, 0, 97) to "[\"a\"]",
+                topic("Flags", "boolean[]", 1, 0) to "[true,false]",
+            )
+            val lines = linesOf(VARIED_VIEW, ReplayOptions(0), logged.size, logged.map { it.first })
+            for ((topic, value) in logged) {
+                val name = "/" + topic.name.trimStart('/')
+                val type = if (topic.type == "int64") "int" else topic.type
+                lines.single { it["topic"]?.jsonPrimitive?.content == name }.getValue("type").jsonPrimitive.content shouldBe type
+                "${lines.first { it["of"]?.jsonPrimitive?.content == name }["value"]}" shouldBe value
+            }
         }
 
         test("A match arrives, sample by sample, three times as fast").config(enabledOrReasonIf = whenThere) {

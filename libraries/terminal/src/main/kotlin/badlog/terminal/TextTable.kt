@@ -6,8 +6,9 @@ package badlog.terminal
  * @param columns the columns, in their order; without any title, no titles stand above the lines.
  * @param width how wide a line may be, in columns of the terminal: the last cell is broken into lines, and where that leaves it too
  *   narrow the widest others are shortened.
+ * @param shortens false for whoever reads all of each cell, as another program does: columns are then no narrower for it.
  */
-public class TextTable(private val columns: List<Column>, private val width: Int = Int.MAX_VALUE) {
+public class TextTable(private val columns: List<Column>, private val width: Int = Int.MAX_VALUE, private val shortens: Boolean = true) {
     /**
      * How a column is set.
      *
@@ -21,7 +22,8 @@ public class TextTable(private val columns: List<Column>, private val width: Int
     public fun lines(rows: List<List<String>>): List<List<String>> {
         val titles = columns.map { it.title }
         val all = (if (titles.all { it.isEmpty() }) emptyList() else listOf(titles)) + rows.map { cells -> cells.map(::printable) }
-        val widths = columns.mapIndexed { i, column -> minOf(column.most, all.maxOfOrNull { displayWidth(it[i]) } ?: 0) }
+        val widest = columns.indices.map { i -> all.maxOfOrNull { displayWidth(it[i]) } ?: 0 }
+        val widths = if (shortens) columns.zip(widest) { column, cell -> minOf(column.most, cell) } else widest
         return all.map { lines(it, fitting(widths)) }
     }
 
@@ -43,12 +45,14 @@ public class TextTable(private val columns: List<Column>, private val width: Int
 
     private fun lines(cells: List<String>, widths: List<Int>): List<String> {
         val last = cells.lastIndex
-        val first = (0 until last).joinToString("") { set(it, shortened(cells[it], widths[it]), widths[it]) + GAP }
-        val texts = if (width == Int.MAX_VALUE) listOf(shortened(cells[last], widths[last])) else broken(cells[last], widths[last])
+        val first = (0 until last).joinToString("") { set(it, fitting(cells[it], widths[it]), widths[it]) + GAP }
+        val texts = if (width == Int.MAX_VALUE) listOf(fitting(cells[last], widths[last])) else broken(cells[last], widths[last])
         return texts.mapIndexed { index, text ->
             ((if (index == 0) first else " ".repeat(displayWidth(first))) + set(last, text, widths[last])).trimEnd()
         }
     }
+
+    private fun fitting(text: String, width: Int) = if (shortens) shortened(text, width) else text
 
     private fun set(column: Int, text: String, width: Int): String {
         val blanks = " ".repeat(maxOf(0, width - displayWidth(text)))

@@ -19,6 +19,14 @@ class TextTableSpec : FunSpec({
         listOf("abc", "\u6a5f\u68b0", "e\u0301", "\uD83E\uDD16").map(::displayWidth) shouldBe listOf(3, 4, 1, 2)
     }
 
+    test("what another program reads is never shortened") {
+        val table = TextTable(listOf(Column("NAME", 4), Column("N", 2, isNumber = true)), shortens = false)
+        table.lines(listOf(listOf("a long name", "12345"), listOf("b", "1"))).flatten() shouldBe
+            listOf("NAME             N", "a long name  12345", "b                1")
+        table.line(listOf("a long name", "12345")) shouldBe "a long name  12345"
+        table.titles() shouldBe "NAME   N"
+    }
+
     test("a beginning and an end are as long as they may be, and part no character") {
         checkAll(texts, Arb.int(0, 50)) { pieces, width ->
             val text = printable(pieces.joinToString(""))

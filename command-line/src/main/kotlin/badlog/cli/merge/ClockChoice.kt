@@ -1,0 +1,154 @@
+package badlog.cli.merge
+
+import badlog.analysis.LogView
+import badlog.analysis.Units
+import badlog.analysis.enabledSpans
+import badlog.cli.input.Failure
+import java.math.BigDecimal
+import java.nio.file.Path
+import java.util.IdentityHashMap
+import kotlin.math.abs
+import kotlin.math.round
+
+/** By how many seconds the log [file] is to be moved. */
+internal class Offset private constructor(val file: Path, val seconds: Double) {
+    /** Whether that is [path], which may stand in a folder. */
+    fun isOf(path: Path): Boolean = path.toAbsolutePath().normalize() == file.toAbsolutePath().normalize() || path.fileName == file
+
+    companion object {
+        /** Reads `FILE=SECONDS`; null for anything else. */
+        fun of(text: String): Offset? {
+            val equals = text.lastIndexOf('=')
+            val seconds = text.substring(equals + 1).toDoubleOrNull()?.takeIf { it.isFinite() }
+            return if (equals < 1 || seconds == null) null else Offset(Path.of(text.substring(0, equals)), seconds)
+        }
+    }
+}
+
+/**
+ * A log that was moved.
+ *
+ * @property edges how many beginnings and ends of enabled fit those of the first log; 0 where the move was given.
+ * @property error how far they are from those at most, in s.
+ */
+internal class Move(val part: LogPart, val edges: Int, val error: Double)
+
+/** A time in which no log has anything, after [one] and before [other], of so many [seconds]. */
+internal class Pause(val one: LogPart, val other: LogPart, val seconds: Double)
+
+/** Logs on one clock, some of which were moved for that. */
+internal class MovedLogs(val parts: List<LogPart>, val moves: List<Move>) {
+    /** Where logs are so far apart that they may have clocks of their own. */
+    val pauses: List<Pause> = buildList {
+        var last: LogPart? = null
+        for (part in parts.filter { it.firstX.isFinite() && (it.xTopic != null || !it.hasRows) }.sortedBy { it.firstX }) {
+            val before = last
+            if (before != null) {
+                val seconds = (part.firstX - before.lastX) * part.secondsPerX
+                if (seconds > FAR_SECONDS) add(Pause(before, part, seconds))
+            }
+            if (before == null || part.lastX > before.lastX) last = part
+        }
+    }
+
+    private companion object {
+        /** A robot that starts its program anew is back within this. */
+        const val FAR_SECONDS = 60.0
+    }
+}
+
+/**
+ * How logs come on one clock.
+ *
+ * @param alignsEnabled whether those without an offset are moved so that the robot is enabled when it is in the first log.
+ */
+internal class ClockChoice(private val offsets: List<Offset>, private val alignsEnabled: Boolean) {
+    /**
+     * [parts], moved.
+     *
+     * @throws Failure when one cannot be.
+     */
+    fun moved(parts: List<LogPart>): MovedLogs {
+        val moves = ArrayList<Move>()
+        val edges = if (alignsEnabled) edgesOf(parts.first()) else emptyList()
+        val all = parts.mapIndexed { index, part ->
+            val offset = offsets.find { it.isOf(part.file) }
+            when {
+                offset != null -> part.later(offset.seconds).also { moves += Move(it, 0, 0.0) }
+                alignsEnabled && index > 0 -> aligned(part, edges).also { moves += it }.part
+                else -> part
+            }
+        }
+        return MovedLogs(all, moves)
+    }
+
+    private fun aligned(part: LogPart, edges: List<Edge>): Move {
+        val own = edgesOf(part)
+        val best = own.flatMap { edge -> edges.filter { it.isRise == edge.isRise }.map { it.seconds - edge.seconds } }
+            .map { candidate -> fit(own, edges, candidate) }
+            .maxWith(compareBy({ it.size }, { fits -> -fits.sumOf { abs(it - fits.average()) } }))
+        val offset = best.average()
+        return Move(part.later(offset), best.size, best.maxOf { abs(it - offset) })
+    }
+
+    /** By how much each edge of [own] would have to move to be one of [edges], of those that are near it when all move by [candidate]. */
+    private fun fit(own: List<Edge>, edges: List<Edge>, candidate: Double): List<Double> = own.mapNotNull { edge ->
+        edges.filter { it.isRise == edge.isRise }.map { it.seconds - edge.seconds }.minByOrNull { abs(it - candidate) }
+            ?.takeIf { abs(it - candidate) <= NEAR_SECONDS }
+    }
+
+    private class Edge(val seconds: Double, val isRise: Boolean)
+
+    /** When the robot was enabled and disabled; not where the log itself begins and ends. */
+    private fun edgesOf(part: LogPart): List<Edge> {
+        val spans = LogView.of(part.recording).enabledSpans().map { it.span }
+        val edges = spans.flatMap { span ->
+            listOfNotNull(
+                span.from.takeIf { from -> from > part.firstX && spans.none { it.to == from } }?.let { Edge(it * part.secondsPerX, true) },
+                span.to.takeIf { to -> to < part.lastX && spans.none { it.from == to } }?.let { Edge(it * part.secondsPerX, false) },
+            )
+        }
+        if (edges.isNotEmpty()) return edges.take(MAX_EDGES)
+        throw Failure("${part.file} does not show when the robot was enabled or disabled; give --offset ${part.file}=SECONDS instead.")
+    }
+
+    private companion object {
+        /** Clocks of one robot differ by no more while it runs for some minutes. */
+        const val NEAR_SECONDS = 0.25
+        const val MAX_EDGES = 200
+    }
+}
+
+/** How many seconds one of x is. */
+internal val LogPart.secondsPerX: Double
+    get() = Units.secondsIn(axis.unit) ?: 1.0
+
+/**
+ * The same log, later by so many [seconds].
+ *
+ * @throws Failure when its x is no time, or would begin before 0 in a log that has no such times.
+ */
+internal fun LogPart.later(seconds: Double): LogPart {
+    val micros = round(seconds * MICROS)
+    if (!hasRows) {
+        // Topics that share their times still do.
+        val moved = IdentityHashMap<DoubleArray, DoubleArray>()
+        fun later(times: DoubleArray) = moved.getOrPut(times) { DoubleArray(times.size) { round(times[it] * MICROS + micros) / MICROS } }
+        val topics = recording.topics.map { it.copy(times = it.times?.let(::later)) }
+        if (firstX * MICROS + micros < 0) throw Failure("$file would begin before 0; give the other logs a positive --offset instead.")
+        return LogPart(file, recording.copy(topics = topics), offset + micros / MICROS)
+    }
+    val x = xTopic ?: throw Failure("$file has no x axis, so it cannot be moved; name the topic of time with --x.")
+    if (Units.secondsIn(x.unit) == null && !Units.isNone(x.unit)) {
+        throw Failure("$file counts x in ${x.unit}, so it cannot be moved by seconds; name the topic of time with --x.")
+    }
+    val by = BigDecimal.valueOf(micros / MICROS / secondsPerX)
+    val later = x.copy(samples = DoubleArray(x.samples.size) { x.samples[it].plus(by) })
+    val topics = recording.topics.map { if (it === x) later else it }
+    return LogPart(file, recording.copy(topics = topics), offset + micros / MICROS)
+}
+
+/** As a person adds them, without digits that binary fractions bring. */
+private fun Double.plus(other: BigDecimal): Double = if (isFinite()) BigDecimal.valueOf(this).add(other).toDouble() else this
+
+private const val MICROS = 1e6

@@ -1,0 +1,110 @@
+package badlog.cli.merge
+
+import badlog.cli.Logged
+import badlog.cli.badlog
+import badlog.cli.badlogJson
+import badlog.cli.command.ExitCode
+import badlog.cli.inFolder
+import badlog.cli.with
+import badlog.cli.wpilog
+import badlog.file.readRecording
+import badlog.formats.LOG_FORMATS
+import badlog.recording.Recording
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldNotContain
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.double
+import kotlinx.serialization.json.int
+import kotlinx.serialization.json.jsonArray
+import kotlinx.serialization.json.jsonObject
+import kotlinx.serialization.json.jsonPrimitive
+import java.nio.file.Path
+import kotlin.io.path.div
+
+class ClockChoiceSpec : FunSpec({
+    fun Recording.times(name: String) = topics.first { it.name == name }.times?.toList()
+
+    fun samples(begin: Double) = List(20) { begin + it / 2.0 to it.toDouble() }
+
+    /** Enabled in the seconds 15 to 30 and 33 to 100 after [begin], as the robot's clock tells them, which is [late] now and then. */
+    fun enabled(begin: Double, late: Double = 0.0) = listOf(
+        begin to false,
+        begin + 15 to true,
+        begin + 30 + late to false,
+        begin + 33 to true,
+        begin + 100 - late to false,
+        begin + 110 to false,
+    )
+
+    fun Path.match(name: String, topic: String, begin: Double, late: Double = 0.0) = wpilog(
+        "$name.wpilog",
+        listOf(Logged("$name/Enabled", "boolean", "", enabled(begin, late)), Logged(topic, "int64", "", samples(begin))),
+    )
+
+    fun moved(json: JsonObject) = json.getValue("moved").jsonArray.single().jsonObject
+
+    test("logs that are minutes apart are told of, and moved by what is given") {
+        inFolder { folder ->
+            val one = folder.match("one", "a", 0.0)
+            val two = folder.match("two", "b", 1200.0)
+            val ended = badlog("merge", one, two, "-o", folder / "m.wpilog")
+            ended.out.replace(Regex("\\s+"), " ") shouldContain "one.wpilog ends 18:10.0 before"
+            ended.out shouldContain "--align"
+            val json = badlogJson("merge", one, two, "-o", folder / "n.wpilog").json.single()
+            json.getValue("apart").jsonArray.single().jsonObject.getValue("seconds").jsonPrimitive.double shouldBe 1090.0
+            val given = badlog("merge", one, two, "--offset", "two.wpilog=-1199.5", "-o", folder / "o.wpilog")
+            given.out shouldNotContain "apart"
+            given.out shouldContain "two.wpilog by -1199.5 s"
+            readRecording(folder / "o.wpilog", LOG_FORMATS).times("b") shouldBe List(20) { 0.5 + it / 2.0 }
+        }
+    }
+
+    test("logs are aligned by when the robot was enabled, and the error is told") {
+        inFolder { folder ->
+            val one = folder.match("one", "a", 7.0)
+            val two = folder.match("two", "b", 1200.0, late = 0.02)
+            val json = badlogJson("merge", one, two, "--align", "enabled", "-o", folder / "m.wpilog").json.single()
+            moved(json).getValue("edges").jsonPrimitive.int shouldBe 4
+            moved(json).getValue("seconds").jsonPrimitive.double shouldBe (-1193.0 plusOrMinus 0.011)
+            moved(json).getValue("error").jsonPrimitive.double shouldBe (0.02 plusOrMinus 0.01)
+            json.getValue("apart").jsonArray.size shouldBe 0
+            val times = checkNotNull(readRecording(folder / "m.wpilog", LOG_FORMATS).times("b"))
+            times[0] shouldBe (7.0 plusOrMinus 0.011)
+            badlog("merge", one, two, "--align", "enabled", "-o", folder / "n.wpilog").out.replace(Regex("\\s+"), " ") shouldContain
+                "4 edges of enabled fit within 0.02 s"
+        }
+    }
+
+    test("rows are moved in the unit of their x, and keep their digits") {
+        inFolder { folder ->
+            fun bag(name: String, unit: String, rows: String) = folder.with(
+                "$name.bag",
+                "{\"topics\":[{\"name\":\"Time\",\"unit\":\"$unit\",\"attrs\":[\"xaxis\"]},{\"name\":\"$name\"}]}\nTime,$name\n$rows",
+            )
+            val one = bag("a", "ms", "0,1\n20,2\n")
+            val two = bag("b", "ms", "100.1,1\n120.1,2\n")
+            badlog("merge", one, two, "--offset", "b.bag=-0.1", "-o", folder / "m.bag").code shouldBe ExitCode.WHOLE
+            val merged = readRecording(folder / "m.bag", LOG_FORMATS)
+            merged.topics.first { it.name == "Time" }.samples.toList() shouldContainExactly listOf(0.0, 0.1, 20.0, 20.1)
+        }
+    }
+
+    test("what cannot be moved or aligned says why, and what to do") {
+        inFolder { folder ->
+            val one = folder.match("one", "a", 0.0)
+            val two = folder.wpilog("two.wpilog", listOf(Logged("b", "int64", "", samples(5.0))))
+            badlog("merge", one, two, "--align", "enabled", "-o", folder / "m.wpilog").err shouldContain
+                "two.wpilog does not show when the robot was enabled or disabled; give --offset"
+            badlog("merge", one, two, "--offset", "two.wpilog=-5.5", "-o", folder / "m.wpilog").err shouldContain "would begin before 0"
+            badlog("merge", one, two, "--offset", "nix.wpilog=1", "-o", folder / "m.wpilog").code shouldBe ExitCode.USAGE
+            badlog("merge", one, two, "--offset", "two.wpilog=soon", "-o", folder / "m.wpilog").err shouldContain "FILE=SECONDS"
+            badlog("merge", one, two, "--align", "disabled", "-o", folder / "m.wpilog").code shouldBe ExitCode.USAGE
+            val rows = folder.with("c.csv", "c,d\n1,2\n")
+            badlog("merge", one, rows, "--offset", "c.csv=1", "-o", folder / "m.wpilog").err shouldContain "name the topic of time with --x"
+        }
+    }
+})
