@@ -3,6 +3,12 @@ import sys
 
 from wpiutil.log import DataLogReader
 
+
+
+def in_hex(record):
+    return bytes(record.getRaw()).hex()
+
+
 READ = {
     "boolean": lambda record: str(record.getBoolean()).lower(),
     "int64": lambda record: str(record.getInteger()),
@@ -24,4 +30,4 @@ for record in reader:
         print("start", start.name, start.type, start.metadata, sep="\t")
     elif not record.isControl():
         name, kind = entries[record.getEntry()]
-        print("data", name, kind, record.getTimestamp(), READ[kind](record), sep="\t")
+        print("data", name, kind, record.getTimestamp(), READ.get(kind, in_hex)(record), sep="\t")

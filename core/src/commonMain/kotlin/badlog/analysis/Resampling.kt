@@ -68,9 +68,13 @@ public fun periodicTimes(recording: Recording, period: Double): DoubleArray {
     val range = LogView.of(recording).xAxis.range ?: return DoubleArray(0)
     val steps = ceil((range.endInclusive - range.start) / period - ROUNDING)
     require(steps < MAX_ROWS) { "A period of $period gives $steps rows, which are too many." }
-    // Sums of binary fractions would end in digits that nobody logged.
-    val places = if (period >= MICROSECOND) PLACES else 0.0
-    return DoubleArray(steps.toInt() + 1) { (range.start + it * period).let { x -> if (places > 0) round(x * places) / places else x } }
+    return periodicTimes(range.start, period, steps.toInt() + 1)
+}
+
+/** [count] times from [from] on, [period] apart, without the last digits that sums of binary fractions bring. */
+public fun periodicTimes(from: Double, period: Double, count: Int): DoubleArray = DoubleArray(count) {
+    val time = from + it * period
+    if (period >= MICROSECOND) round(time * PLACES) / PLACES else time
 }
 
 /** The times at which [topic], one of [recording]'s, has a sample: each once, ascending. */

@@ -1,10 +1,14 @@
 package badlog.wpilog
 
+import badlog.analysis.Span
 import badlog.bag.VARIED_BAG
 import badlog.bag.parse
 import badlog.recording.Recording
 import badlog.recording.Topic
 import badlog.recording.TopicKind
+import badlog.wpilog.record.RecordCopy
+import badlog.wpilog.record.recordsOf
+import badlog.wpilog.record.written
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.core.test.EnabledOrReasonIf
@@ -105,6 +109,20 @@ class WpilibReaderSpec : FunSpec({
 
     test("WPILib's reader finds every value of a season's logs, where they are").config(enabledOrReasonIf = needsReader) {
         for (file in REAL_LOGS) shouldBeRead(parseLog(file.readBytes())) { checkNotNull(it.times) }
+    }
+
+    test("WPILib's reader finds in a part the records of the whole, of whatever type").config(enabledOrReasonIf = needsReader) {
+        val log = TestLog().start(1, "/Pose", "struct:Pose2d", "{}").start(2, "Ticks", "int64").start(3, "Photo", "raw").start(4, "Names", "string[]")
+        for (at in 1L..5L) {
+            log.record(1, at * 1_000_000, doubles(at / 2.0)).record(2, at * 1_000_000 + 1, longs(9_007_199_254_740_993 + at))
+        }
+        log.record(3, 1_500_000, byteArrayOf(1, 2)).record(4, 2_500_000, number(1, 4) + text("a"))
+        val part = linesOf(written { RecordCopy(recordsOf(log.bytes), sink = it).spans(listOf(Span(2.0, 4.5)), { false }) })
+        val whole = linesOf(log.bytes)
+        part.filter { it[0] == "start" } shouldBe whole.filter { it[0] == "start" }
+        val inside = whole.filter { it[0] == "data" && it[3].toLong() in 2_000_000L..4_500_000L }
+        val held = whole.filter { it[0] == "data" && it[3] in listOf("1000001", "1500000") }.map { it.take(3) + "2000000" + it[4] }
+        part.filter { it[0] == "data" }.toSet() shouldBe (inside + held).toSet()
     }
 
     test("WPILib's reader finds every value of a sample of this project").config(enabledOrReasonIf = needsReader) {

@@ -1,6 +1,7 @@
 package badlog.viewer.export.cut
 
 import badlog.analysis.Span
+import badlog.analysis.periodicTimes
 import badlog.analysis.resampled
 import badlog.analysis.timesOf
 import badlog.recording.Recording
@@ -36,7 +37,7 @@ internal fun partOf(recording: OpenRecording, span: Span): Cut {
         val times = timesOf(whole, densest).filter { it in from..to }.toDoubleArray()
         return Cut(resampled(whole, times), times.indices, ", one at each sample of “${densest.name}”$HELD")
     }
-    val times = DoubleArray(periodic) { from + it * period }
+    val times = periodicTimes(from, period, periodic)
     return Cut(resampled(whole, times), times.indices, ", one every ${(period * 1000).toInt()} ms$HELD")
 }
 
