@@ -34,11 +34,10 @@ public class Expression internal constructor(public val text: String, public val
     public fun answer(signals: Signals): Answer = Answering(text, root, signals).answer()
 
     /**
-     * Whether the condition may hold where all samples of each topic are between [bounds], which is null for a topic of which nothing is known.
+     * Whether the condition may hold where the samples of each topic are between [bounds], which are null for a topic of which nothing is known.
      * Where it says no, [answer] has no need to look.
      */
-    public fun mayHold(bounds: (topic: String) -> ClosedFloatingPointRange<Double>?): Boolean =
-        !type.isCondition || BoundsCheck(bounds).mayHold(root)
+    public fun mayHold(bounds: (topic: String) -> SampleBounds?): Boolean = !type.isCondition || BoundsCheck(bounds).mayHold(root)
 
     /**
      * Its samples over time: numbers, or 1 and 0, with NaN for gaps. One number for the whole recording is a line from its begin
@@ -84,3 +83,35 @@ public sealed interface ParsedExpression
  * @property isOverTime whether one for each moment, rather than one for the whole recording.
  */
 public data class ExpressionType(public val isCondition: Boolean, public val isOverTime: Boolean)
+
+/** Between what [samples] are, each found when it is asked for; NaN of nothing. */
+public class SampleBounds(private val samples: DoubleArray) {
+    private val finite by lazy { bounds(0) { samples[it] } }
+    private val steps by lazy { bounds(1) { samples[it] - samples[it - 1] } }
+
+    /** The smallest. */
+    public val low: Double get() = finite.first
+
+    /** The largest. */
+    public val high: Double get() = finite.second
+
+    /** The smallest difference from one to the next. */
+    public val leastStep: Double get() = steps.first
+
+    /** The largest difference from one to the next. */
+    public val mostStep: Double get() = steps.second
+
+    /** Whether some are not finite. */
+    public val hasGaps: Boolean by lazy { samples.any { !it.isFinite() } }
+
+    private inline fun bounds(from: Int, value: (Int) -> Double): Pair<Double, Double> {
+        var low = Double.NaN
+        var high = Double.NaN
+        for (i in from until samples.size) {
+            val sample = value(i)
+            if (!(sample >= low)) low = if (sample.isNaN()) low else sample
+            if (!(sample <= high)) high = if (sample.isNaN()) high else sample
+        }
+        return low to high
+    }
+}

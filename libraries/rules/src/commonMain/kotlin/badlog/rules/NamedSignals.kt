@@ -2,6 +2,7 @@ package badlog.rules
 
 import badlog.analysis.LogView
 import badlog.analysis.Series
+import badlog.expression.SampleBounds
 import badlog.expression.signals.Signal
 import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Signals
@@ -46,18 +47,10 @@ internal class NamedSamples(private val log: Signals, private val view: LogView)
         named.summands.singleOrNull()?.let(::scaled) ?: sumOf(named.summands.map(::scaled))
     }
 
-    private val bounds = HashMap<DoubleArray, ClosedFloatingPointRange<Double>?>()
+    private val bounds = HashMap<DoubleArray, SampleBounds>()
 
-    /** Between which numbers the samples of [series] are; null where there is none. */
-    fun boundsOf(series: Series): ClosedFloatingPointRange<Double>? = bounds.getOrPut(series.y) {
-        var low = Double.POSITIVE_INFINITY
-        var high = Double.NEGATIVE_INFINITY
-        for (sample in series.y) {
-            if (sample < low) low = sample
-            if (sample > high) high = sample
-        }
-        if (low <= high) low..high else null
-    }
+    /** Between what the samples of [series] are. */
+    fun boundsOf(series: Series): SampleBounds = bounds.getOrPut(series.y) { SampleBounds(series.y) }
 
     private fun scaled(source: ScaledSignal): Series {
         if (source.signal === CLOCK) return clockOf(view.xAxis)
@@ -107,8 +100,8 @@ internal class NamedSignals(
 ) : Signals by log {
     override fun series(name: String): Series = named[name]?.let(samples::of) ?: log.series(name)
 
-    /** Between which numbers the samples of the signal [name] are; null where there is none. */
-    fun bounds(name: String): ClosedFloatingPointRange<Double>? = samples.boundsOf(series(name))
+    /** Between what the samples of the signal [name] are. */
+    fun bounds(name: String): SampleBounds = samples.boundsOf(series(name))
 
     override fun states(name: String): List<String> = log.states(named[name]?.only?.name ?: name)
 }

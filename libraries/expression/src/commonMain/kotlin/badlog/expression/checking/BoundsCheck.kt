@@ -1,5 +1,6 @@
 package badlog.expression.checking
 
+import badlog.expression.SampleBounds
 import badlog.expression.syntax.Function
 import badlog.expression.syntax.Kind
 import badlog.expression.syntax.Node
@@ -17,19 +18,28 @@ private class Bounds(val low: Double, val high: Double) {
 }
 
 /**
- * Says of parts of an expression, without looking at samples, whether they may hold, from the smallest and the largest sample of each topic
- * ([ofTopic], null where that is not known). Where this says no, none of them does.
+ * Says of parts of an expression, without looking at samples, whether they may hold, from what the samples of each topic are
+ * between ([ofTopic], null where that is not known). Where this says no, none of them does.
  */
-internal class BoundsCheck(private val ofTopic: (String) -> ClosedFloatingPointRange<Double>?) {
+internal class BoundsCheck(private val ofTopic: (String) -> SampleBounds?) {
     /** Whether the condition [node] may be true at some time. */
     fun mayHold(node: Node): Boolean = when (node) {
         is Node.Truth -> node.value
         is Node.Not -> mayFail(node.operand)
         is Node.For -> mayHold(node.condition)
-        is Node.Topic -> ofTopic(node.signal.name)?.let { it.endInclusive != 0.0 || it.start != 0.0 } != false
+        is Node.Topic -> ofTopic(node.signal.name)?.let { it.high != 0.0 || it.low != 0.0 } != false
         is Node.Binary -> mayHold(node)
-        is Node.Call -> node.function !in KEEPING || node.arguments[0].type.kind != Kind.CONDITION || mayHold(node.arguments[0])
+        is Node.Call -> mayHold(node)
         else -> true
+    }
+
+    private fun mayHold(call: Node.Call): Boolean {
+        val argument = call.arguments[0]
+        return when {
+            call.function == Function.MISSING && argument is Node.Topic -> ofTopic(argument.signal.name)?.hasGaps != false
+            call.function !in KEEPING || argument.type.kind != Kind.CONDITION -> true
+            else -> mayHold(argument)
+        }
     }
 
     private fun mayHold(node: Node.Binary): Boolean {
@@ -61,7 +71,7 @@ internal class BoundsCheck(private val ofTopic: (String) -> ClosedFloatingPointR
     private fun of(node: Node): Bounds = when {
         node.type.kind == Kind.CONDITION -> if (mayHold(node)) Bounds.CONDITION else Bounds(0.0, 0.0)
         node is Node.Number -> Bounds(node.value, node.value)
-        node is Node.Topic -> ofTopic(node.signal.name)?.let { Bounds(it.start, it.endInclusive) } ?: Bounds.ALL
+        node is Node.Topic -> ofTopic(node.signal.name)?.let { bounds(it.low, it.high) } ?: Bounds.ALL
         node is Node.Negative -> of(node.operand).let { Bounds(-it.high, -it.low) }
         node is Node.Binary -> of(node)
         node is Node.Call -> of(node)
@@ -77,6 +87,10 @@ internal class BoundsCheck(private val ofTopic: (String) -> ClosedFloatingPointR
     }
 
     private fun of(call: Node.Call): Bounds {
+        val topic = (call.arguments[0] as? Node.Topic)?.let { ofTopic(it.signal.name) }
+        if (topic != null && call.function == Function.DELTA) return bounds(topic.leastStep, topic.mostStep)
+        if (topic != null && !topic.hasGaps && call.function == Function.MIN) return Bounds(topic.low, topic.low)
+        if (topic != null && !topic.hasGaps && call.function == Function.MAX) return Bounds(topic.high, topic.high)
         if (call.function == Function.ABS) return of(call.arguments[0]).let { Bounds(0.0, maxOf(abs(it.low), abs(it.high))) }
         if (call.function in KEEPING) return of(call.arguments[0])
         if (call.function !in COUNTING || call.arguments[0].type.kind != Kind.CONDITION) return Bounds.ALL
