@@ -6,6 +6,10 @@ import badlog.expression.Answer
 import badlog.expression.LogViewSignals
 import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Signals
+import kotlin.math.floor
+import kotlin.math.log10
+import kotlin.math.pow
+import kotlin.math.round
 
 /** The rules of a program on their way over [view], which was read from a file called [file]. */
 internal class RuleRun(view: LogView, private val file: String) {
@@ -64,7 +68,7 @@ internal class RuleRun(view: LogView, private val file: String) {
                 "other" to question.other.orEmpty(),
                 "device" to question.device,
                 "count" to (if (whole == null) times else whole.size).toString(),
-                "duration" to timeText(spans.sumOf { it.width }, answer.timeUnit),
+                "duration" to timeText(roundedLength(spans.sumOf { it.width }), answer.timeUnit),
             ),
         )
         return Finding(
@@ -110,3 +114,12 @@ internal class RuleRun(view: LogView, private val file: String) {
         const val MAX_LETTERS = 300
     }
 }
+
+/** [length] with so many digits as a person wants to know of how long something was. */
+private fun roundedLength(length: Double): Double {
+    if (!(length > 0 && length.isFinite())) return length
+    val places = 10.0.pow(LENGTH_DIGITS - 1 - floor(log10(length)).toInt())
+    return round(length * places) / places
+}
+
+private const val LENGTH_DIGITS = 3

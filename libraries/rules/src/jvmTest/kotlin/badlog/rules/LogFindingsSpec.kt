@@ -24,6 +24,13 @@ class LogFindingsSpec : FunSpec({
         result.skipped.none { it.isMistake } shouldBe true
     }
 
+    test("how long something was has three digits, however exact the times are") {
+        val bag = "$header\nTime,Battery Voltage\n0,12\n1,6\n2.123456,6\n3.997734,12\n5,12\n"
+        val rules = RulesFile.parse("[[rule]]\nname = \"A\"\nseverity = \"note\"\nwhen = \"Battery Voltage < 7\"\ntext = \"{duration}\"\n").rules
+        val exact = LogView.of(BagParser().apply { accept(bag.encodeToByteArray()) }.finish())
+        rules.over(exact, "a.bag").findings.single().text shouldBe "3 s"
+    }
+
     test("a rule that is wrong is reported as such, with its place") {
         val rules = RulesFile.parse("[[rule]]\nname = \"A\"\nseverity = \"note\"\nwhen = \"mean(Battery Voltage, 5) < 3\"\ntext = \"t\"\n").rules
         val skipped = rules.over(view, "test.bag").skipped.single()
