@@ -47,6 +47,12 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
         this.expectedLines = expectedLines
     }
 
+    /**
+     * How many rows are read at most: a small compressed file may hold a billion, which would fill the memory. To be set before the
+     * first bytes.
+     */
+    public var maxRows: Int = MAX_ROWS
+
     private val decoder = TextDecoder()
     private val problems = ProblemList()
     private val pending = PendingBytes()
@@ -129,6 +135,7 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
         endsInNewline = header.line != null,
         expectedBytes,
         expectedLines,
+        maxRows,
         forAll,
     )
 
@@ -180,8 +187,11 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
         }
     }
 
-    private companion object {
+    public companion object {
+        /** A thousand rows a second for more than half a day. */
+        public const val MAX_ROWS: Int = 50_000_000
+
         /** A line without an end is looked at again only when it is longer than any line may be. */
-        const val MAX_WAIT = 1 shl 24
+        private const val MAX_WAIT = 1 shl 24
     }
 }

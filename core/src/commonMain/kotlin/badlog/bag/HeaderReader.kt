@@ -4,6 +4,7 @@ import badlog.recording.Loss
 import badlog.recording.ProblemKind
 import badlog.recording.ProblemList
 import badlog.text.BRACE
+import badlog.text.COMMA
 import badlog.text.CR
 import badlog.text.LF
 import badlog.text.NUL
@@ -72,9 +73,7 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
         val next = afterLineEnd(bytes, lineEnd, pending.end, isEnd)
         if (next == RowScanner.INCOMPLETE) return next
         if (lineEnd > pending.start) return take(lineEnd, next, isEnd)
-        if (!pending.isAfterHole) problems.add(ProblemKind.BLANK_LINE, "A blank line was skipped.", pending.line)
-        pending.line++
-        return next
+        return pending.passBlankLines(lineEnd, next, problems)
     }
 
     private fun takeFirstLine(lineEnd: Int, next: Int): Int {
@@ -101,6 +100,8 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
             if (!isCut) pending.line++
             return next
         }
+        val columns = (pending.start until lineEnd).count { pending.bytes[it].toInt() == COMMA } + 1
+        if (columns > MAX_COLUMNS) return refuse("Line ${pending.line} has $columns titles; a log has $MAX_COLUMNS topics at most.")
         val names = header?.topics.orEmpty().map { it.name }
         val titles = titles(lineEnd, names)
         val isSure = header != null && titles.sorted() == names.sorted()
@@ -270,6 +271,9 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
         /** No header line is longer; a file without a newline before is not a bag. */
         private const val MAX_LINE_BYTES = 1 shl 24
         private val BYTE_ORDER_MARK = byteArrayOf(0xEF.toByte(), 0xBB.toByte(), 0xBF.toByte())
+
+        /** Each column costs memory before it has a row. */
+        private const val MAX_COLUMNS = 1 shl 16
 
         /** So many rows of one width tell more than the titles. */
         private const val LEAST_ROWS = 3

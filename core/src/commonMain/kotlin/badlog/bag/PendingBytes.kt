@@ -1,5 +1,7 @@
 package badlog.bag
 
+import badlog.recording.ProblemKind
+import badlog.recording.ProblemList
 import badlog.text.CR
 import badlog.text.LF
 import badlog.text.NUL
@@ -75,7 +77,29 @@ internal class PendingBytes(room: Int = 2 * PIECE) {
         start = next
     }
 
+    /**
+     * Passes the blank line that ends at [end], before [next], and all that follow it as far as they have arrived: there may be a
+     * billion. Returns where they end, and reports them.
+     */
+    fun passBlankLines(end: Int, next: Int, problems: ProblemList): Int {
+        var at = next
+        val size = next - end
+        if (size == 2) {
+            while (at + 1 < this.end && bytes[at].toInt() == CR && bytes[at + 1].toInt() == LF) at += 2
+        } else if (bytes[end].toInt() == LF) {
+            while (at < this.end && bytes[at].toInt() == LF) at++
+        }
+        val count = (at - end) / size
+        for (i in (if (isAfterHole) 1 else 0) until minOf(count, FEW)) problems.add(ProblemKind.BLANK_LINE, BLANK, line + i)
+        if (count > FEW) problems.add(ProblemKind.BLANK_LINE, BLANK, line + FEW, count = count - FEW)
+        line += count
+        return at
+    }
+
     companion object {
+        private const val BLANK = "A blank line was skipped."
+        private const val FEW = 10
+
         /** How much is read at a time: enough to be fast, little enough to stay in the processor's cache. */
         const val PIECE = 1 shl 16
     }

@@ -17,6 +17,7 @@ internal class RowReader(
     endsInNewline: Boolean,
     private val expectedBytes: Long,
     private val expectedLines: Long,
+    private val maxRows: Int,
     private val forAll: (count: Int, work: (Int) -> Unit) -> Unit,
 ) {
     private val columns = Array(layout.columnNames.size) { index ->
@@ -43,6 +44,7 @@ internal class RowReader(
 
     /** Reads one row; returns where the next begins, or [RowScanner.INCOMPLETE]. */
     fun read(isEnd: Boolean): Int {
+        if (rowCount >= maxRows) return giveUp(ProblemKind.TOO_MANY_ROWS, tooMany())
         val hasEnd = pending.start < pending.lineEnd
         val scanned = if (hasEnd) scanner.scan(pending.bytes, pending.start, pending.end) else RowScanner.INCOMPLETE
         if (scanned >= 0) {
@@ -52,7 +54,7 @@ internal class RowReader(
         }
         if (scanned == RowScanner.INCOMPLETE && !isEnd && pending.size < MAX_SCAN_BYTES) return scanned
         val next = repair.repair(isEnd, rowCount)
-        if (next == RowScanner.INCOMPLETE) return if (pending.size < MAX_ROW_BYTES) next else giveUp()
+        if (next == RowScanner.INCOMPLETE) return if (pending.size < MAX_ROW_BYTES) next else giveUp(ProblemKind.ROW_CUT, TOO_LONG)
         if (repair.hasRow) addRow(repair.text)
         pending.line += repair.linesPassed
         return next
@@ -63,6 +65,7 @@ internal class RowReader(
 
     /** Adds rows that were read elsewhere; returns false where that was done without the numbers that are wanted here. */
     fun add(batch: RowBatch): Boolean {
+        if (batch.rowCount > maxRows - rowCount) return false
         if (batch.hasSamples != keepSamples || (!keepSamples && columns.any { it.hasSink })) return false
         val linesBefore = pending.line - 1
         pending.pass(batch)
@@ -90,17 +93,15 @@ internal class RowReader(
         val counted = rows + expectedLines - (pending.line - 1)
         // Lines may be empty: their number is believed where their length agrees.
         val room = if (counted in rows..2 * likely) counted else minOf(likely, rows * MAX_GROWTH)
-        roomyRows = minOf(room, Int.MAX_VALUE.toLong()).toInt()
+        roomyRows = minOf(room, maxRows.toLong()).toInt()
         forAll(columns.size) { columns[it].expect(roomyRows) }
     }
 
-    private fun giveUp(): Int {
+    private fun tooMany() = "The log has more than $maxRows rows; the rest was not read. Set BADLOG_MAX_ROWS to read more."
+
+    private fun giveUp(kind: ProblemKind, message: String): Int {
         gaveUp = true
-        problems.add(
-            ProblemKind.ROW_CUT,
-            "A line of more than $MAX_ROW_BYTES bytes is not a row of samples; the rest of the file was not read.",
-            pending.line,
-        )
+        problems.add(kind, message, pending.line)
         return pending.end
     }
 
@@ -117,6 +118,7 @@ internal class RowReader(
     private companion object {
         const val MAX_SCAN_BYTES = 1 shl 20
         const val MAX_ROW_BYTES = 1 shl 24
+        const val TOO_LONG = "A line of more than $MAX_ROW_BYTES bytes is not a row of samples; the rest of the file was not read."
 
         /** So many rows are looked at for the first guess of how many there will be. */
         const val SAMPLE_ROWS = 64

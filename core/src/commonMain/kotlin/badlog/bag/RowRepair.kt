@@ -65,8 +65,8 @@ internal class RowRepair(
         if (next == RowScanner.INCOMPLETE) return next
         linesPassed = 1
         if (end == from) {
-            if (!pending.isAfterHole) problems.add(ProblemKind.BLANK_LINE, "A blank line was skipped.", line)
-            return next
+            linesPassed = 0
+            return pending.passBlankLines(end, next, problems)
         }
         val strictCount = splitter.split(bytes, from, end, Quotes.STRICT)
         if (!splitter.isOpen && !splitter.isMalformed && strictCount == cells.columns) return take(bytes, true, next)

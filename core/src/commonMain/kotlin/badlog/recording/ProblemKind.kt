@@ -42,6 +42,9 @@ public enum class ProblemKind(public val severity: Severity) {
     /** Quotes inside a cell were not escaped; the row was read the way that gives it the right number of cells. */
     QUOTES_REPAIRED(Severity.WARNING),
 
+    /** The file has more rows than are read of one. */
+    TOO_MANY_ROWS(Severity.ERROR),
+
     /** A row has too few cells; the missing ones are gaps. */
     ROW_SHORT(Severity.WARNING),
 

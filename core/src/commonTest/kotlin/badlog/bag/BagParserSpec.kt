@@ -127,6 +127,33 @@ class BagParserSpec : FunSpec({
         parse(List(40_000) { "a" }.joinToString(",") + "\n").topics.last().name shouldBe "a (40000)"
     }
 
+    test("rows beyond the limit are not read, which is reported") {
+        val parser = BagParser().apply { maxRows = 3 }
+        parser.accept("a,b\n1,2\n3,4\n5,6\n7,8\n9,10\n".encodeToByteArray())
+        val recording = parser.finish()
+        recording.rowCount shouldBe 3
+        recording.problems.single().kind shouldBe ProblemKind.TOO_MANY_ROWS
+        BagParser().apply { maxRows = 3 }.run {
+            accept("a,b\n1,2\n3,4\n5,6\n".encodeToByteArray())
+            finish().problems.shouldBeEmpty()
+        }
+    }
+
+    test("blank lines are counted by the million, the first ones with their places") {
+        for ((newline, before) in listOf("\n" to "", "\r\n" to "a,b\n1,2\n")) {
+            val parser = BagParser()
+            parser.accept(before.encodeToByteArray())
+            repeat(20) { parser.accept(newline.repeat(100_000).encodeToByteArray()) }
+            val blank = parser.finish().problems.filter { it.kind == ProblemKind.BLANK_LINE }
+            blank.sumOf { it.count } shouldBe 2_000_000
+            blank.take(3).map { it.line } shouldBe List(3) { it + 1 + before.count { char -> char == '\n' } }
+        }
+    }
+
+    test("a line of millions of commas is refused before it has cost a column each") {
+        parse(",".repeat(5_000_000) + "\n1\n").problems.single().kind shouldBe ProblemKind.NOT_A_RECORDING
+    }
+
     test("a row of ordinary numbers reports nothing") {
         parse("{\"topics\":[{\"name\":\"a\"}],\"values\":[]}\na\n1.0000\n").problems.shouldBeEmpty()
     }

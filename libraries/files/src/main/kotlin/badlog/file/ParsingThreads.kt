@@ -100,7 +100,7 @@ internal class ParsingThreads(
         if (batch == null || bag?.accept(batch) != true) parser.accept(piece.bytes, 0, piece.size)
     }
 
-    private fun bagParser() = BagParser(expectedBytes, keepSamples, sinks, expectedLines, ::forAll)
+    private fun bagParser() = BagParser(expectedBytes, keepSamples, sinks, expectedLines, ::forAll).limited()
 
     private fun awaitFirst(): Piece = inFlight.removeFirst().also { await(it.parsing) }
 

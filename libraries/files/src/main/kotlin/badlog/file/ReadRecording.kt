@@ -42,29 +42,57 @@ public fun readRecording(
     progress: (doneBytes: Long, totalBytes: Long) -> Unit = { _, _ -> },
 ): Recording {
     requireRegularFile(file)
-    return reading(file) { FileChannel.open(file) }.use { channel ->
-        val pieces = FilePieces(file, channel, progress)
-        val isGzip = pieces.beginning(GzipReader.SIGNATURE_SIZE, GzipReader::isGzip)
-        val isOfRecords = formats.any { pieces.beginning(it.signatureSize, it::matches) }
-        val end = if (untilLastLineEnd && !isGzip && !isOfRecords) pieces.lastLineEnd() else null
-        val until = end ?: Long.MAX_VALUE
-        val expectedBytes = if (isGzip) pieces.inflatedSize() else end ?: pieces.total
-        val isLarge = if (isGzip) {
-            maxOf(expectedBytes, pieces.total * GZIP_GROWTH) >= MIN_PARALLEL_GZIP
-        } else {
-            !isOfRecords && expectedBytes >= MIN_PARALLEL
-        }
-        val lines = if (isLarge && !isGzip && keepSamples) reading(file) { countLines(channel, expectedBytes, cores) } else 0L
-        val recording = if (isLarge && cores > 1) {
-            ParsingThreads(formats, expectedBytes, keepSamples, sinks, cores, lines).use { parsing ->
-                pieces.read(isGzip, until, parsing::accept, parsing::finish)
-            }
-        } else {
-            val parser = RecordingParser(formats, keepSamples) { BagParser(expectedBytes, keepSamples, sinks, lines) }
-            pieces.read(isGzip, until, { bytes, size -> parser.accept(bytes, 0, size) }, parser::finish)
-        }
-        if (untilLastLineEnd && isOfRecords) recording.without(ProblemKind.RECORD_CUT) else recording
+    return withinMemory(file) {
+        read(file, formats, keepSamples, untilLastLineEnd, sinks, cores, progress)
     }
+}
+
+private fun withinMemory(file: Path, read: () -> Recording): Recording = try {
+    read()
+} catch (e: OutOfMemoryError) {
+    val megabytes = Runtime.getRuntime().maxMemory() shr 20
+    throw UnreadableFileException(
+        file,
+        "$file does not fit into the $megabytes MB of memory that this program may use; set JAVA_OPTS to a larger -Xmx, such as -Xmx8g.",
+        e,
+    )
+}
+
+private fun read(
+    file: Path,
+    formats: List<LogFormat>,
+    keepSamples: Boolean,
+    untilLastLineEnd: Boolean,
+    sinks: NumberSinks,
+    cores: Int,
+    progress: (doneBytes: Long, totalBytes: Long) -> Unit,
+): Recording = reading(file) { FileChannel.open(file) }.use { channel ->
+    val pieces = FilePieces(file, channel, progress)
+    val isGzip = pieces.beginning(GzipReader.SIGNATURE_SIZE, GzipReader::isGzip)
+    val isOfRecords = formats.any { pieces.beginning(it.signatureSize, it::matches) }
+    val end = if (untilLastLineEnd && !isGzip && !isOfRecords) pieces.lastLineEnd() else null
+    val until = end ?: Long.MAX_VALUE
+    val expectedBytes = if (isGzip) pieces.inflatedSize() else end ?: pieces.total
+    val isLarge = if (isGzip) {
+        maxOf(expectedBytes, pieces.total * GZIP_GROWTH) >= MIN_PARALLEL_GZIP
+    } else {
+        !isOfRecords && expectedBytes >= MIN_PARALLEL
+    }
+    val lines = if (isLarge && !isGzip && keepSamples) reading(file) { countLines(channel, expectedBytes, cores) } else 0L
+    val recording = if (isLarge && cores > 1) {
+        ParsingThreads(formats, expectedBytes, keepSamples, sinks, cores, lines).use { parsing ->
+            pieces.read(isGzip, until, parsing::accept, parsing::finish)
+        }
+    } else {
+        val parser = RecordingParser(formats, keepSamples) { BagParser(expectedBytes, keepSamples, sinks, lines).limited() }
+        pieces.read(isGzip, until, { bytes, size -> parser.accept(bytes, 0, size) }, parser::finish)
+    }
+    if (untilLastLineEnd && isOfRecords) recording.without(ProblemKind.RECORD_CUT) else recording
+}
+
+/** The same parser, which reads as many rows as the person who started the program allows. */
+internal fun BagParser.limited(): BagParser = also { parser ->
+    System.getenv("BADLOG_MAX_ROWS")?.toIntOrNull()?.let { parser.maxRows = it }
 }
 
 /** Smaller files are read before Java has translated for each of several threads what one needs. */

@@ -29,6 +29,12 @@ internal class RecordHead {
     var size = 0
         private set
 
+    /** What the record belongs to, as far as that was looked up; null for a control record and for an unknown entry. */
+    var entry: Entry? = null
+
+    /** Whether all records of its entry have one size, so that one that fits is surely no longer or shorter. */
+    val hasOneSize: Boolean get() = entry?.hasOneSize == true
+
     /** How many bytes the whole record has. */
     var length = 0
         private set

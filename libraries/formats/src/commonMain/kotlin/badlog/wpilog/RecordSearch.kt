@@ -17,8 +17,12 @@ internal class RecordSearch(private val sink: RecordSink) {
         val possible = head.read(bytes, at, until)
         if (possible != RecordLook.FITTING) return possible
         if (head.id != 0) {
-            return if (sink.expects(head.id, head.size) && isNear(head.micros, near)) possible else RecordLook.ODD
+            val entry = sink.entryOf(head.id)
+            head.entry = entry
+            val isExpected = if (entry != null) entry.fits(head.size) else sink.isStranger(head.id)
+            return if (isExpected && isNear(head.micros, near)) possible else RecordLook.ODD
         }
+        head.entry = null
         if (head.size < CONTROL_HEAD) return RecordLook.NONE
         if (head.length > until - at) return RecordLook.MORE
         val end = at + head.length
@@ -84,7 +88,7 @@ internal class RecordSearch(private val sink: RecordSink) {
         }
     }
 
-    private fun isSure() = head.id == 0 || sink.hasOneSize(head.id)
+    private fun isSure() = head.id == 0 || head.hasOneSize
 
     // Damage may look like one record and end where a true one begins, but hardly at its time.
     private fun rowOf(fitting: Int, least: Int, firstStep: Double, longestStep: Double) =

@@ -5,11 +5,11 @@ internal interface RecordSink {
     /** The twelve bytes of the header at [from] and the text after them, up to [until]; false when this is not a WPILOG. */
     fun header(bytes: ByteArray, from: Int, until: Int): Boolean
 
-    /** Whether there may be a record of entry [id], which is not 0, with a payload of [size] bytes. */
-    fun expects(id: Int, size: Int): Boolean
+    /** The entry that has the number [id] now, or null. */
+    fun entryOf(id: Int): Entry?
 
-    /** Whether all records of entry [id] have one size, so that a record that fits is surely no longer or shorter. */
-    fun hasOneSize(id: Int): Boolean
+    /** Whether there were so many records of [id], which is no entry's number, that more are to be expected. */
+    fun isStranger(id: Int): Boolean
 
     /** A record, whose bytes from [from] until [until] begin at [position] in the file. */
     fun record(head: RecordHead, position: Long, bytes: ByteArray, from: Int, until: Int)
@@ -146,11 +146,11 @@ internal class RecordSplitter(private val sink: RecordSink) {
         return at
     }
 
-    private fun pass(bytes: ByteArray, at: Int): Int {
+    private fun pass(bytes: ByteArray, at: Int, isSteady: Boolean = true): Int {
         val end = at + head.length
         sink.record(head, base + at, bytes, at, end)
         if (head.id != 0) {
-            if (search.isNear(head.micros, lastMicros)) steadyMicros = head.micros
+            if (isSteady) steadyMicros = head.micros
             lastMicros = head.micros
         }
         return end
@@ -159,7 +159,7 @@ internal class RecordSplitter(private val sink: RecordSink) {
     /** A record that fits, but is larger than usual or stands before something that does not fit: its own size may be wrong. */
     private fun readDoubtful(bytes: ByteArray, at: Int, until: Int, nextLook: RecordLook, isEnd: Boolean): Int {
         val end = at + head.length
-        if (!sink.hasOneSize(head.id)) {
+        if (!head.hasOneSize) {
             if (nextLook == RecordLook.ODD && nextHead.length <= minOf(SMALL, until - end)) {
                 val fitting = search.allFit(bytes, end + nextHead.length, until, isEnd)
                 if (fitting == RecordLook.MORE) return WAIT
@@ -184,7 +184,7 @@ internal class RecordSplitter(private val sink: RecordSink) {
             if (head.length <= SMALL && (!isEnd || end <= until)) {
                 if (end > until) return WAIT
                 val fitting = search.allFit(bytes, end, until, isEnd)
-                if (fitting == RecordLook.FITTING) return pass(bytes, at)
+                if (fitting == RecordLook.FITTING) return pass(bytes, at, isSteady = false)
                 if (fitting == RecordLook.MORE) return WAIT
             }
             val found = find(bytes, at, end, until, isEnd)
@@ -193,7 +193,7 @@ internal class RecordSplitter(private val sink: RecordSink) {
             if (head.length > until - at) return cut(at, until)
             val after = search.goesOn(bytes, end, until, isEnd)
             if (after == RecordLook.MORE) return WAIT
-            if (after == RecordLook.FITTING) return pass(bytes, at)
+            if (after == RecordLook.FITTING) return pass(bytes, at, isSteady = false)
         }
         gapFrom = base + at
         return at + 1

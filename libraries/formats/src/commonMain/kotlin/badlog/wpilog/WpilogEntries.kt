@@ -77,15 +77,9 @@ internal class WpilogEntries(private val source: ColumnSource, private val probl
         return true
     }
 
-    override fun expects(id: Int, size: Int): Boolean {
-        val entry = entryOf(id)
-        return if (entry != null) entry.fits(size) else (unknownCounts[id] ?: 0) > STRANGERS
-    }
+    override fun isStranger(id: Int): Boolean = (unknownCounts[id] ?: 0) > STRANGERS
 
-    override fun hasOneSize(id: Int): Boolean = entryOf(id)?.hasOneSize == true
-
-    /** The entry that has the number [id] now, or null. */
-    fun entryOf(id: Int): Entry? = if (id in byId.indices) byId[id] else byLargeId[id]
+    override fun entryOf(id: Int): Entry? = if (id in byId.indices) byId[id] else byLargeId[id]
 
     override fun record(head: RecordHead, position: Long, bytes: ByteArray, from: Int, until: Int) {
         read(head, bytes, until)
@@ -94,7 +88,7 @@ internal class WpilogEntries(private val source: ColumnSource, private val probl
     /** Reads the record with [head] that ends at [until]; false where it is dropped. */
     fun read(head: RecordHead, bytes: ByteArray, until: Int): Boolean {
         recordCount++
-        return take(head.id, head.micros, bytes, until - head.size, until)
+        return if (head.id == 0) control(bytes, until - head.size, until) else take(head, bytes, until)
     }
 
     override fun skipped(from: Long, until: Long) {
@@ -106,11 +100,14 @@ internal class WpilogEntries(private val source: ColumnSource, private val probl
         )
     }
 
-    private fun take(id: Int, micros: Double, bytes: ByteArray, from: Int, until: Int): Boolean {
-        if (id == 0) return control(bytes, from, until).also { if (!it) badControlCount++ }
-        val entry = entryOf(id)
+    private fun take(head: RecordHead, bytes: ByteArray, until: Int): Boolean {
+        val micros = head.micros
+        val from = until - head.size
+        val entry = head.entry
         if (entry == null) {
             unknownCount++
+            // Damage could make millions.
+            val id = head.id
             if (id in unknownCounts || unknownCounts.size < MAX_UNKNOWN) unknownCounts[id] = (unknownCounts[id] ?: 0) + 1
             return false
         }
@@ -127,7 +124,10 @@ internal class WpilogEntries(private val source: ColumnSource, private val probl
     }
 
     private fun control(bytes: ByteArray, from: Int, until: Int): Boolean {
-        if (!isControlPayload(bytes, from, until)) return false
+        if (!isControlPayload(bytes, from, until)) {
+            badControlCount++
+            return false
+        }
         val kind = bytes[from].toInt()
         val id = intAt(bytes, from + 1)
         var at = from + CONTROL_HEAD

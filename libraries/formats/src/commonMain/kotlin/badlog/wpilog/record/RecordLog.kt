@@ -94,9 +94,9 @@ private class RecordKeeper : RecordSink {
         return entries.header(bytes, from, until)
     }
 
-    override fun expects(id: Int, size: Int): Boolean = entries.expects(id, size)
+    override fun entryOf(id: Int): Entry? = entries.entryOf(id)
 
-    override fun hasOneSize(id: Int): Boolean = entries.hasOneSize(id)
+    override fun isStranger(id: Int): Boolean = entries.isStranger(id)
 
     override fun skipped(from: Long, until: Long) = Unit
 
