@@ -9,8 +9,8 @@ import badlog.recording.Severity
  * @property severity how bad it is.
  * @property condition the expression under `when`, its limits filled in.
  * @property only the types of match that it is for; empty for all.
- * @property group what it is about, such as `power`; empty for none.
- * @property reason why it is looked for, as a sentence; empty where nobody says.
+ * @property group what it is about, such as `power`; empty for none, and in rules that were read from JSON.
+ * @property reason why it is looked for, as a sentence; empty where nobody says, and in rules that were read from JSON.
  * @property next what to look at next where it holds, as a sentence; empty where nobody says.
  */
 public class Rule internal constructor(

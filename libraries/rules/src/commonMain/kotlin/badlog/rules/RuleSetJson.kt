@@ -15,7 +15,7 @@ import badlog.rules.signal.patterns
 import badlog.rules.signal.patternsJson
 import badlog.rules.signal.toJson
 
-/** These rules as a line of JSON, which says all there is to know of them: equal texts are equal rules. */
+/** These rules as a line of JSON, with all that decides what they find: every page carries it, so reasons stay in the guide. */
 public fun RuleSet.toJson(): String = jsonObject(
     "aliases" to jsonList(aliases, ::aliasJson),
     "rules" to jsonArray(rules, ::ruleJson),
@@ -49,8 +49,6 @@ private fun ruleJson(rule: Rule): String = jsonObject(
     "text" to quotedJson(rule.text.source),
     "only" to textsJson(rule.only),
     "each" to rule.each?.let(::choiceJson),
-    "group" to textJson(rule.group),
-    "why" to textJson(rule.reason),
     "next" to textJson(rule.next),
     "show" to textsJson(rule.show),
     "unless" to textsJson(rule.unless),
@@ -70,8 +68,6 @@ private fun ruleOf(value: JsonValue): Rule {
         only = json.strings("only"),
         each = json.find("each")?.let(::choiceOf),
         place = json.find("place")?.let { placeOf(it, condition) },
-        group = json.optional("group").orEmpty(),
-        reason = json.optional("why").orEmpty(),
         next = json.optional("next").orEmpty(),
         show = json.strings("show"),
         unless = json.strings("unless"),

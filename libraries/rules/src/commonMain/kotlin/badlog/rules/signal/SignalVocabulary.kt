@@ -2,18 +2,12 @@ package badlog.rules.signal
 
 import badlog.expression.signals.SignalKind
 
-/**
- * What signals are called in the logs of robots; `docs/signals.md` has the format of the file that it is read from.
- *
- * @property titles the signals, in the order of the file, with what each means.
- */
+/** What signals are called in the logs of robots; `docs/signals.md` has the format of the file that it is read from. */
 public class SignalVocabulary internal constructor(
     internal val signals: List<SignalName>,
     internal val units: List<NamedUnit>,
     internal val linked: List<List<NamePattern>>,
 ) {
-    public val titles: List<Pair<String, String>> get() = signals.map { it.name to it.meaning }
-
     private val byName = signals.associateBy { it.name }
 
     internal fun find(name: String): SignalName? = byName[name]

@@ -39,7 +39,6 @@ internal fun JsonFields.patterns(key: String): List<NamePattern> = strings(key).
 
 private fun signalJson(signal: SignalName): String = jsonObject(
     "name" to quotedJson(signal.name),
-    "means" to signal.meaning.takeIf { it.isNotEmpty() }?.let(::quotedJson),
     "is" to signal.content.takeIf { it != SignalContent.NUMBER }?.let { quotedJson(it.name.lowercase()) },
     "unit" to signal.unit?.let(::quotedJson),
     "topics" to jsonArray(signal.topics) { topic ->
@@ -55,7 +54,7 @@ private fun signalOf(value: JsonValue): SignalName {
     val json = JsonFields(value.members)
     return SignalName(
         name = json.string("name"),
-        meaning = json.optional("means").orEmpty(),
+        meaning = "",
         content = SignalContent.entries.find { it.name.lowercase() == json.optional("is") } ?: SignalContent.NUMBER,
         unit = json.optional("unit"),
         topics = json.list("topics") { topic ->
