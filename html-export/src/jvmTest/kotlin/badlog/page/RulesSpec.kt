@@ -15,6 +15,7 @@ import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import org.openqa.selenium.By
 import java.nio.file.Path
 
 internal class RulesSpec : PageSpec({
@@ -83,6 +84,20 @@ internal class RulesSpec : PageSpec({
             press("browned")
             texts(".search-count").single() shouldContain "1 finding"
             texts(".finding-source") shouldBe listOf("Browned out")
+        }
+    }
+
+    browserTest("incidents stand above the findings, and each of their sentences goes to its place") {
+        onPage(TestPages.ofSample(samples[0], PageAdditions(rules = RuleSet.BUILT_IN))) {
+            awaitRules()
+            element(".incident").text shouldContain "Likely cause: the robot drew more than its battery gives."
+            element(".incident").text shouldContain "Next: "
+            val browned = elements(".incident p").first { "browned out" in it.text }
+            browned.findElement(By.cssSelector("button")).click()
+            element(".finding[aria-current]").text shouldContain "Browned out"
+            press("/")
+            press("browned")
+            elements(".incident").size shouldBe 1
         }
     }
 

@@ -54,7 +54,7 @@ class FaultyMatchSpec : FunSpec({
                 view.topic("PDP/Total Current").samples[row] > 150
         }
         rows.size shouldBeGreaterThanOrEqual 20
-        rows.minOf { view.topic("System/Battery Voltage").samples[it] } shouldBeLessThan 9.5
+        rows.minOf { view.topic("System/Battery Voltage").samples[it] } shouldBeLessThan 10.5
     }
 
     test("a tired battery sags deeper than a healthy one in the same match") {

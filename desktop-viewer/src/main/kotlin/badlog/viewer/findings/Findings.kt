@@ -4,6 +4,7 @@ import badlog.plot.timeline.FindingTimeline
 import badlog.recording.Severity
 import badlog.rules.Finding
 import badlog.rules.SkippedRule
+import badlog.rules.incident.Incident
 import badlog.rules.worstFirst
 import java.nio.file.Path
 
@@ -39,6 +40,7 @@ internal data class Findings(
  * @property all the findings, the worst first, and of one severity in the order of time.
  * @property skipped the rules that were skipped for it.
  * @property rulesFile where the rules come from; null for the built-in ones.
+ * @property incidents what of it belongs together, and what came first; the worst first.
  * @property trouble why a file of rules is not used, or why nothing was found out, as a sentence; null when all is well.
  */
 internal class FindingList(
@@ -46,6 +48,7 @@ internal class FindingList(
     val skipped: List<SkippedRule> = emptyList(),
     val rulesFile: Path? = null,
     val trouble: String? = null,
+    val incidents: List<Incident> = emptyList(),
 ) {
     val all: List<Finding> = found.worstFirst()
 

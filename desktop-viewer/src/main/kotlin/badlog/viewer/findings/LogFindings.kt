@@ -4,6 +4,7 @@ import androidx.compose.runtime.snapshotFlow
 import badlog.analysis.LogView
 import badlog.rules.Finding
 import badlog.rules.FolderRules
+import badlog.rules.incident.incidentsIn
 import badlog.rules.over
 import badlog.viewer.part.Part
 import badlog.viewer.recording.CurrentRecording
@@ -86,7 +87,7 @@ internal fun findingsOf(view: LogView, file: Path, library: Path?): FindingList 
     val rules = FolderRules.of(file, library)
     return try {
         val found = rules.rules.over(view, file.fileName.toString()) { if (Thread.interrupted()) throw InterruptedException() }
-        FindingList(found.findings, found.skipped, rules.file, rules.problem)
+        FindingList(found.findings, found.skipped, rules.file, rules.problem, rules.rules.incidentsIn(found.findings))
     } catch (_: OutOfMemoryError) {
         FindingList(trouble = "There is not enough memory to run the rules over this log; close other logs and run them again.")
     }

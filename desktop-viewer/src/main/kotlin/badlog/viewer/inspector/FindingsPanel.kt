@@ -66,9 +66,11 @@ internal fun FindingsPanel(compared: ComparedRecordings, findings: LogFindings, 
     var showsSkipped by remember { mutableStateOf(false) }
     val state = rememberLazyListState()
     LaunchedEffect(selected) {
-        val index = list.all.indexOf(selected)
+        val index = list.all.indexOf(selected) + list.incidents.size
         val visible = state.layoutInfo.visibleItemsInfo
-        if (index >= 0 && visible.none { it.index == index }) state.scrollToItem(maxOf(0, index - visible.size / 2))
+        // Who goes to what an incident speaks of goes on reading there.
+        val isRead = visible.any { line -> list.incidents.getOrNull(line.index)?.let { selected in it.causes + it.effects } == true }
+        if (selected in list.all && !isRead && visible.none { it.index == index }) state.scrollToItem(maxOf(0, index - visible.size / 2))
     }
     Column(modifier) {
         Row(Modifier.fillMaxWidth().padding(start = 12.dp, end = 4.dp, top = 4.dp), verticalAlignment = Alignment.CenterVertically) {
@@ -88,6 +90,7 @@ internal fun FindingsPanel(compared: ComparedRecordings, findings: LogFindings, 
         list.trouble?.let { Box(Modifier.padding(horizontal = 12.dp, vertical = 4.dp)) { PointedText(it) } }
         Box(Modifier.weight(1f)) {
             LazyColumn(Modifier.fillMaxSize(), state) {
+                items(list.incidents) { incident -> IncidentLine(incident, times) { findings.goTo(it) } }
                 items(list.all) { FindingLine(it, times, isSelected = it === selected) { findings.goTo(it) } }
                 if (list.skipped.isNotEmpty()) {
                     item { SkippedHead(list.skipped.size, showsSkipped) { showsSkipped = !showsSkipped } }

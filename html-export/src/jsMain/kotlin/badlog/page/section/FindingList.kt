@@ -16,11 +16,12 @@ import badlog.plot.text.decimalsFor
 import badlog.recording.Severity
 import badlog.rules.Finding
 import badlog.rules.SkippedRule
+import badlog.rules.incident.Incident
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
 /**
- * What was found in the recording, the worst first: a few at once, all when asked for. A finding takes the cursor to its time.
+ * What was found in the recording: incidents, then all findings, the worst first: a few at once, all when asked for. A finding takes the cursor to its time.
  * Hidden while there is nothing to show.
  *
  * @param onJump is called when the cursor was taken somewhere.
@@ -28,6 +29,7 @@ import org.w3c.dom.HTMLElement
 internal class FindingList(private val scene: Scene, private val onJump: () -> Unit) {
     private var all = emptyList<Finding>()
     private var haystacks = emptyList<String>()
+    private var incidents = emptyList<Incident>()
     private var query = Query("")
     private val decimals = decimalsFor(scene.range.full.width)
     private val rows = HashMap<Finding, HTMLElement>()
@@ -36,6 +38,7 @@ internal class FindingList(private val scene: Scene, private val onJump: () -> U
     private var current: Finding? = null
     private var isSearching = false
     private lateinit var count: HTMLElement
+    private lateinit var incidentList: HTMLElement
     private lateinit var list: HTMLElement
     private lateinit var body: HTMLElement
     private lateinit var more: HTMLElement
@@ -51,6 +54,7 @@ internal class FindingList(private val scene: Scene, private val onJump: () -> U
             count = add("span", "unit") { setAttribute("role", "status") }
         }
         mistakes = add("ul", "problem-list")
+        incidentList = add("ol", "incidents") { setAttribute("aria-label", "Incidents") }
         list = add("div", "findings-list") { body = add("ol") }
         add("div", "findings-more") {
             more = addButton("text-button", "") { list(listed + PAGE) }
@@ -71,8 +75,9 @@ internal class FindingList(private val scene: Scene, private val onJump: () -> U
         window.setTimeout({ if (isSearching) showFound() }, PATIENCE)
     }
 
-    /** Shows the findings of the scene, which may be others than before, and which rules were skipped or are wrong. */
-    fun show(skippedRules: List<SkippedRule> = emptyList()) {
+    /** Shows the findings of the scene, which may be others than before, the [incidents] they make, and which rules were skipped or are wrong. */
+    fun show(skippedRules: List<SkippedRule> = emptyList(), incidents: List<Incident> = emptyList()) {
+        this.incidents = incidents
         isSearching = false
         all = scene.findings.worstFirst
         haystacks = all.map { "${it.rule} ${it.word} ${it.text}".lowercase() }
@@ -98,6 +103,7 @@ internal class FindingList(private val scene: Scene, private val onJump: () -> U
     fun filter(query: Query): Int {
         this.query = query
         found = if (query.isEmpty) all else all.filterIndexed { i, _ -> query.matchesLowercase(haystacks[i]) }
+        showIncidents()
         showFound()
         return if (query.isEmpty) 0 else found.size
     }
@@ -116,6 +122,13 @@ internal class FindingList(private val scene: Scene, private val onJump: () -> U
                 if ('\n' in pointed) add("pre", "pointer", pointed.substringAfter('\n'))
             }
         }
+    }
+
+    private fun showIncidents() {
+        incidentList.textContent = ""
+        val shown = incidents.filter { it.isFoundBy(query) }
+        for (incident in shown) incidentList.appendChild(incidentRow(incident, decimals) { go(it, it.places[0]) })
+        incidentList.isHidden = shown.isEmpty()
     }
 
     private fun showFound() {

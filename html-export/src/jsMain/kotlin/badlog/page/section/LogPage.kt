@@ -18,6 +18,7 @@ import badlog.page.view.Hits
 import badlog.page.view.Scene
 import badlog.page.view.timelineOf
 import badlog.plot.search.Query
+import badlog.rules.incident.incidentsIn
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
@@ -101,7 +102,7 @@ internal class LogPage(
         RuleSearch(logged, additions.rules, about.name).start(
             onFindings = { found ->
                 scene.findings = timelineOf(found.findings + embeddedFindings)
-                findings.show(found.skipped)
+                findings.show(found.skipped, additions.rules.incidentsIn(found.findings))
                 // Into the graphs that are there: somebody may be dragging over one.
                 if (found.findings.isNotEmpty()) {
                     graphs.redraw()

@@ -10,6 +10,7 @@ import badlog.rules.Rule
 import badlog.rules.RuleProgram
 import badlog.rules.RuleSet
 import badlog.rules.SkippedRule
+import badlog.rules.incident.incidentsIn
 import badlog.rules.toJson
 import badlog.rules.worstFirst
 import kotlinx.serialization.Serializable
@@ -74,7 +75,7 @@ public class Report(
         runCached(files, known, ::examine) { file, stored ->
             val failures = stored.hooks.mapNotNull { hook -> hook.failure?.let { HookFailure(hook.hook, it.message) } }
             val log = LogReport(
-                file, stored.title, stored.findings,
+                file, stored.title, stored.findings, rules.incidentsIn(stored.findings),
                 stored.asked.mapNotNull {
                     skipped(ruleOf.getValue(it.rule), listOf(it))
                 },

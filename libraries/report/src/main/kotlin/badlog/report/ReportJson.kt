@@ -2,12 +2,14 @@ package badlog.report
 
 import badlog.rules.Finding
 import badlog.rules.SkippedRule
+import badlog.rules.incident.Incident
 import kotlinx.serialization.Serializable
 
 /** What was found in a log that can be read, and what was skipped there, as other programs get it. Unknown numbers are null. */
 @Serializable
 public class ReportJson private constructor(
     private val match: String?,
+    private val incidents: List<IncidentJson>,
     private val findings: List<FindingJson>,
     private val notAsked: List<SkippedJson>,
     private val undefined: List<UndefinedJson>,
@@ -15,6 +17,7 @@ public class ReportJson private constructor(
 ) {
     public constructor(log: LogReport) : this(
         log.title,
+        log.incidents.map(::IncidentJson),
         log.findings.map(::FindingJson),
         log.skipped.map(::SkippedJson),
         log.undefined.map(::UndefinedJson),
@@ -49,6 +52,41 @@ internal class FindingJson(
         finding.evidence,
         finding.next,
     )
+}
+
+/** What belongs together: what came first, and what followed, each as a sentence with its evidence. */
+@Serializable
+internal class IncidentJson(
+    private val name: String,
+    private val severity: String,
+    private val time: Double?,
+    private val timeUnit: String,
+    private val sentences: List<SentenceJson>,
+    private val causes: List<String>,
+    private val effects: List<String>,
+    private val next: String,
+) {
+    constructor(incident: Incident) : this(
+        incident.name,
+        incident.severity.name.lowercase(),
+        finite(incident.time),
+        incident.timeUnit,
+        incident.sentences.map(::SentenceJson),
+        incident.causes.map { it.rule }.distinct(),
+        incident.effects.map { it.rule }.distinct(),
+        incident.next,
+    )
+}
+
+@Serializable
+internal class SentenceJson(
+    private val text: String,
+    private val rule: String,
+    private val time: Double?,
+    private val evidence: List<String>,
+) {
+    constructor(sentence: Incident.Sentence) :
+        this(sentence.text, sentence.finding.rule, finite(sentence.finding.time), sentence.finding.evidence)
 }
 
 /** A rule that was skipped, as other programs get it. */

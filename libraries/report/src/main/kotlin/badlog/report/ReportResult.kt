@@ -4,6 +4,7 @@ import badlog.file.LogFile
 import badlog.recording.Severity
 import badlog.rules.Finding
 import badlog.rules.SkippedRule
+import badlog.rules.incident.Incident
 
 /**
  * What was found in many logs.
@@ -22,6 +23,7 @@ public class ReportResult internal constructor(public val logs: List<LogReport>,
  * @property file the file.
  * @property title what match it is, from its values; null when they do not say or it cannot be read.
  * @property findings the worst first, and of one severity in the order of time.
+ * @property incidents which of them belong together, and what came first; the worst first.
  * @property skipped the rules that were skipped for it, in the order of the rules; one that is a mistake here may be right for
  *   another log.
  * @property unreadable why the file cannot be read or is not a log, as a sentence; null when all is well.
@@ -34,6 +36,7 @@ public class LogReport internal constructor(
     public val file: LogFile,
     public val title: String?,
     public val findings: List<Finding>,
+    public val incidents: List<Incident>,
     public val skipped: List<SkippedRule>,
     public val unreadable: String?,
     public val isNoLog: Boolean,

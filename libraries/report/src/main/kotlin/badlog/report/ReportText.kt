@@ -1,13 +1,14 @@
 package badlog.report
 
 import badlog.recording.Severity
+import badlog.rules.incident.Incident
 import badlog.rules.timeText
 import badlog.terminal.TextTable
 import badlog.terminal.TextTable.Column
 import badlog.terminal.printable
 
 /**
- * All findings match by match with time, severity and text, at most 100 columns wide, and below it what was not looked for. Logs that
+ * All incidents and findings match by match with time, severity and text, at most 100 columns wide, and below it what was not looked for. Logs that
  * cannot be read are only counted, and what is not a log not even that.
  */
 public fun reportText(result: ReportResult): String {
@@ -16,7 +17,10 @@ public fun reportText(result: ReportResult): String {
     for (log in result.logs.filter { it.findings.isNotEmpty() }) {
         val name = names.getValue(log.file)
         lines += TextTable.shortened(printable(if (log.title == null) name else "${log.title} ($name)"), TEXT_WIDTH)
-        val rows = log.findings.map { listOf(timeText(it.time, it.timeUnit), it.severity.name.lowercase().padEnd(SEVERITY_WIDTH), it.text) }
+        val incidents = log.incidents.flatMap(::rowsOf)
+        val rows =
+            incidents +
+                log.findings.map { listOf(timeText(it.time, it.timeUnit), it.severity.name.lowercase().padEnd(SEVERITY_WIDTH), it.text) }
         // Times of all logs stand below each other.
         lines += TABLE.lines(rows.map { row -> listOf(row[0].padStart(TIME_WIDTH)) + row.drop(1) }).flatten().map { INDENT + it }
         lines += ""
@@ -24,6 +28,15 @@ public fun reportText(result: ReportResult): String {
     lines += summary(result)
     lines += notesOf(result)
     return lines.joinToString("\n")
+}
+
+/** What came first, what followed, and where to look next. */
+private fun rowsOf(incident: Incident): List<List<String>> {
+    val told = incident.sentences.mapIndexed { index, sentence ->
+        val label = if (index == 0) incident.severity.name.lowercase() else "then"
+        listOf(timeText(sentence.finding.time, incident.timeUnit), label.padEnd(SEVERITY_WIDTH), sentence.text)
+    }
+    return if (incident.next.isEmpty()) told else told + listOf(listOf("", "next".padEnd(SEVERITY_WIDTH), incident.next))
 }
 
 /** What was not looked for, and why: rules, virtual topics and hooks, each as a sentence or more. */

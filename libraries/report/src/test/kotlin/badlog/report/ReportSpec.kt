@@ -163,7 +163,7 @@ class ReportSpec : FunSpec({
     test("the default rules are all right, whatever is asked") {
         Report().over(SAMPLES).run {
             skipped.none { it.isMistake } shouldBe true
-            count(Severity.ERROR) shouldBe 4
+            count(Severity.ERROR) shouldBe 5
         }
     }
 

@@ -1,5 +1,6 @@
 package badlog.rules
 
+import badlog.rules.cause.CauseGraph
 import badlog.rules.signal.SignalVocabulary
 
 /**
@@ -7,17 +8,19 @@ import badlog.rules.signal.SignalVocabulary
  *
  * @property rules in the order of the file; no two have the same name.
  * @property signals what topics are called that rules name by their meaning.
+ * @property causes which findings lead to which.
  */
 public class RuleSet internal constructor(
     internal val aliases: List<Alias>,
     public val rules: List<Rule>,
     public val signals: SignalVocabulary,
+    public val causes: CauseGraph,
 ) {
     /** These rules where topics are called as [signals] has them. */
-    public fun with(signals: SignalVocabulary): RuleSet = RuleSet(aliases, rules, signals)
+    public fun with(signals: SignalVocabulary): RuleSet = RuleSet(aliases, rules, signals, causes)
 
     public companion object {
         /** No rules. */
-        public val NONE: RuleSet = RuleSet(emptyList(), emptyList(), SignalVocabulary.NONE)
+        public val NONE: RuleSet = RuleSet(emptyList(), emptyList(), SignalVocabulary.NONE, CauseGraph.NONE)
     }
 }

@@ -4,6 +4,7 @@ import badlog.json.JsonReader
 import badlog.json.JsonValue
 import badlog.json.quotedJson
 import badlog.recording.Severity
+import badlog.rules.cause.CauseGraph
 import badlog.rules.json.JsonFields
 import badlog.rules.json.UnreadableJsonException
 import badlog.rules.json.jsonArray
@@ -20,13 +21,15 @@ public fun RuleSet.toJson(): String = jsonObject(
     "aliases" to jsonList(aliases, ::aliasJson),
     "rules" to jsonArray(rules, ::ruleJson),
     "signals" to signals.toJson(),
+    "causes" to causes.toJson(),
 )
 
 /** The rules that [text] is of, or null when [RuleSet.toJson] did not write it. */
 public fun RuleSet.Companion.fromJson(text: String): RuleSet? = try {
     val json = JsonFields(JsonReader.readObject(text))
     val signals = json.find("signals")?.let { SignalVocabulary.fromJson(it.json) } ?: throw UnreadableJsonException()
-    RuleSet(json.list("aliases", ::aliasOf), json.list("rules", ::ruleOf), signals)
+    val causes = json.find("causes")?.let(CauseGraph::fromJson) ?: CauseGraph.NONE
+    RuleSet(json.list("aliases", ::aliasOf), json.list("rules", ::ruleOf), signals, causes)
 } catch (_: UnreadableJsonException) {
     null
 }

@@ -19,11 +19,13 @@ internal class RulesReader(private val source: String, private val signals: Sign
     private val toml = TomlText(source)
 
     fun read(): RulesFile {
-        val root = toml.root(setOf("extends", "off", "limits", "aliases", "rule", "hook"))
+        val root = toml.root(setOf("extends", "off", "limits", "aliases", "rule", "hook", "cause", "leads_to"))
         val own = rules(root, emptyMap())
         val inherited = inherited(root)
+        // Causes and effects speak of rules by their names, whoever wrote these.
+        val causes = causeGraphOf(toml, root).let { if (isBuiltIn) it else RuleSet.BUILT_IN.causes.after(it) }
         val taken = own.mapTo(HashSet()) { it.name }
-        return RulesFile(RuleSet(aliases(root), inherited.filter { it.name !in taken } + own, signals), hooks(root), source)
+        return RulesFile(RuleSet(aliases(root), inherited.filter { it.name !in taken } + own, signals, causes), hooks(root), source)
     }
 
     /** The built-in rules where the file goes on from them, with its limits and without those that it switches off. */
@@ -50,7 +52,7 @@ internal class RulesReader(private val source: String, private val signals: Sign
     }
 
     /** The rules of the file with other [limits], by the rules' names. */
-    fun rules(limits: Map<String, Map<String, Double>>): List<Rule> = rules(toml.root(setOf("rule")), limits)
+    fun rules(limits: Map<String, Map<String, Double>>): List<Rule> = rules(toml.root(setOf("rule", "cause", "leads_to")), limits)
 
     private fun limits(root: TomlTable): Map<String, Map<String, Double>> {
         if (!root.contains(listOf("limits"))) return emptyMap()

@@ -18,12 +18,14 @@ private val FAULTS: Map<String, TestMatch.() -> Unit> = mapOf(
     "Weak battery" to { from(20.0, BATTERY) { if (it < 21.0) "8.4" else "12" } },
     "Tired battery" to { number(BATTERY) { 10.8 - 0.015 * TestMatch.load(it) } },
     "Voltage lost without load" to { from(3.0, BATTERY) { if (it < 3.06) "9.5" else (12.6 - 0.015 * TestMatch.load(it)).toString() } },
+    "Bad battery contact" to { from(20.4, BATTERY) { if (it < 20.5) "8" else (12.6 - 0.015 * TestMatch.load(it)).toString() } },
     "High battery resistance" to { number(BATTERY) { 12.8 - 0.045 * TestMatch.load(it) } },
     "Raised battery resistance" to { number(BATTERY) { 12.8 - 0.03 * TestMatch.load(it) } },
     "Current too long" to { from(20.0, CHANNEL) { if (it < 22.5) "70" else "3" } },
     "High current" to { from(20.0, CHANNEL) { if (it < 21.5) "55" else "3" } },
     "Main breaker" to { from(20.0, CHANNEL) { if (it < 22.5) "250" else "3" } },
     "High total current" to { from(20.0, CHANNEL) { if (it < 25.5) "190" else "3" } },
+    "Heavy load" to { from(20.0, CHANNEL) { if (it < 21) "210" else "3" } },
     "Rail fault" to { number("/SystemStats/3v3Rail/CurrentFaults") { if (it < 20) 2.0 else 3.0 } },
     "Motor too hot" to { number("Drive/Left/TempCelsius") { 60 + it } },
     "Motor hot" to { number("Drive/Left/TempCelsius") { 45 + it } },
@@ -39,10 +41,16 @@ private val FAULTS: Map<String, TestMatch.() -> Unit> = mapOf(
     "Linked motor off" to { from(20.0, "Drive/Right/SupplyCurrentAmps") { "0" } },
     "Linked motors unequal" to { number("Drive/Right/SupplyCurrentAmps") { TestMatch.load(it) / 12 } },
     "Linked speeds differ" to { from(20.0, "Drive/Right/VelocityRadPerSec") { (30 * TestMatch.output(it)).toString() } },
+    "Encoder stopped" to { from(20.0, "Drive/Left/PositionRad") { "10" } },
+    "Values frozen" to { from(20.0, "Drive/Left/PositionRad") { if (it < 20.5) "10" else TestMatch.position(it).toString() } },
     "Setpoint missed" to { from(24.0, "Elevator/Height") { "0.8" } },
     "Encoders disagree" to { from(20.0, "Drive/Right/PositionRad") { "10" } },
     "Pose jumped" to { from(20.0, "Odometry/Robot/translation/x") { (6 + TestMatch.wave(it / 10)).toString() } },
     "Loop blocked" to { from(20.0, LOOP) { if (it < 20.05) "240" else "9" } },
+    "Vision blocked the loop" to {
+        from(20.0, LOOP) { if (it < 20.05) "240" else "9" }
+        from(20.0, "Vision/Latency") { if (it < 20.1) "220" else "30" }
+    },
     "Loop overrun" to { from(20.0, LOOP) { if (it < 20.05) "60" else "9" } },
     "Slow loops" to { from(20.0, LOOP) { if (it < 24) "30" else "9" } },
     "Long garbage collection" to { from(20.0, "/RealOutputs/LoggedRobot/GCTimeMS") { if (it < 20.05) "70" else "0" } },
@@ -82,6 +90,7 @@ private val FAULTS: Map<String, TestMatch.() -> Unit> = mapOf(
         flag("/DriverStation/Enabled") { it < 38 }
         number("/DriverStation/MatchTime") { 90 - it }
     },
+    "Ended in the match" to { flag("/DriverStation/Enabled") { it > 4 } },
     "Error logged" to { event("messages", 20.0 to "ERROR: arm encoder") },
     "Sensor lost" to { from(20.0, "Drive/Left/PositionRad") { "" } },
     "Flat sensor" to { number("Gyro/Angle") { 180.0 } },

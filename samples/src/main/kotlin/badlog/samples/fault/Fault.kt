@@ -17,16 +17,16 @@ enum class Fault(val title: String) {
     WALL("pushing against a wall") {
         override fun plant(plan: MatchPlan, noise: Noise, isFaint: Boolean) {
             val at = noise.timeIn(24.0, 120.0)
-            val throttle = if (isFaint) 0.35 + 0.1 * noise.unit() else 0.8 + 0.2 * noise.unit()
-            val seconds = if (isFaint) 0.6 + 0.2 * noise.unit() else 1.6 + 3 * noise.unit()
+            val throttle = if (isFaint) 0.35 + 0.1 * noise.unit() else 0.65 + 0.35 * noise.unit()
+            val seconds = if (isFaint) 0.6 + 0.2 * noise.unit() else 1.0 + 3.6 * noise.unit()
             plan.insert(at, Task.PushWall(throttle), seconds)
         }
     },
     LOOSE_LEAD("loose battery lead") {
         override fun plant(plan: MatchPlan, noise: Noise, isFaint: Boolean) {
             var at = noise.timeIn(20.0, 100.0)
-            repeat(if (isFaint) 2 else 8 + noise.upTo(12)) {
-                val ohms = if (isFaint) 0.015 + 0.01 * noise.unit() else 0.05 + 0.09 * noise.unit()
+            repeat(if (isFaint) 2 else 5 + noise.upTo(11)) {
+                val ohms = if (isFaint) 0.015 + 0.01 * noise.unit() else 0.035 + 0.1 * noise.unit()
                 plan.mishaps += Mishap.LooseLead(at, 0.05 + 0.2 * noise.unit(), ohms)
                 at += 0.4 + 3 * noise.unit()
             }
@@ -37,7 +37,7 @@ enum class Fault(val title: String) {
             plan.battery = if (isFaint) {
                 Battery(0.018 + 0.002 * noise.unit(), 0.006, 13.0, 0.85)
             } else {
-                Battery(0.027 + 0.01 * noise.unit(), 0.010 + 0.006 * noise.unit(), 9 + 3 * noise.unit(), 0.55 + 0.25 * noise.unit())
+                Battery(0.024 + 0.013 * noise.unit(), 0.008 + 0.008 * noise.unit(), 9 + 3 * noise.unit(), 0.55 + 0.3 * noise.unit())
             }
         }
     },
@@ -63,7 +63,7 @@ enum class Fault(val title: String) {
         override fun plant(plan: MatchPlan, noise: Noise, isFaint: Boolean) {
             var at = noise.timeIn(20.0, 100.0)
             repeat(if (isFaint) 1 else 1 + noise.upTo(4)) {
-                plan.mishaps += Mishap.CanCut(at, if (isFaint) 0.05 + 0.05 * noise.unit() else 0.3 + 2 * noise.unit())
+                plan.mishaps += Mishap.CanCut(at, if (isFaint) 0.05 + 0.05 * noise.unit() else 0.2 + 2 * noise.unit())
                 at += 4 + 8 * noise.unit()
             }
         }
@@ -78,8 +78,8 @@ enum class Fault(val title: String) {
         override fun plant(plan: MatchPlan, noise: Noise, isFaint: Boolean) {
             var at = noise.timeIn(20.0, 100.0)
             val isTold = noise.unit() < 0.3
-            repeat(if (isFaint) 1 else 3 + noise.upTo(6)) {
-                val seconds = if (isFaint) 0.025 + 0.015 * noise.unit() else 0.12 + 0.4 * noise.unit()
+            repeat(if (isFaint) 1 else 2 + noise.upTo(6)) {
+                val seconds = if (isFaint) 0.025 + 0.015 * noise.unit() else 0.1 + 0.4 * noise.unit()
                 val report = if (isTold) "WARN: loop overrun, \"Vision.update\" took ${(seconds * 1000).toInt()} ms" else ""
                 plan.mishaps += Mishap.Stall(at, seconds, report)
                 at += 1 + 5 * noise.unit()

@@ -4,6 +4,7 @@ import badlog.file.LogFile
 import badlog.html.BADLOG_VERSION
 import badlog.plot.color.Shade
 import badlog.plot.color.cssColor
+import badlog.recording.Severity
 import badlog.report.LogReport
 import badlog.report.ORDER
 import badlog.report.ReportResult
@@ -11,6 +12,7 @@ import badlog.report.notesOf
 import badlog.report.shortNames
 import badlog.report.summary
 import badlog.rules.Finding
+import badlog.rules.incident.Incident
 import badlog.rules.timeText
 import badlog.terminal.printable
 import java.net.URLEncoder
@@ -54,21 +56,35 @@ private fun appendTable(out: StringBuilder, logs: List<LogReport>, names: Map<Lo
         val page = pageOf(log)
         val name = names.getValue(log.file)
         out.append("<tbody>\n")
-        log.findings.sortedBy { ORDER.indexOf(it.severity) }.forEachIndexed { index, finding ->
-            out.append("<tr class=\"${finding.severity.name.lowercase()}\">")
+        val incidents = log.incidents.map { it.severity to incidentCells(it, page) }
+        val findings = log.findings.sortedBy { ORDER.indexOf(it.severity) }.map { it.severity to findingCells(it, page) }
+        (incidents + findings).forEachIndexed { index, (severity, cells) ->
+            out.append("<tr class=\"${severity.name.lowercase()}\">")
             if (index == 0) {
-                out.append("<th scope=\"rowgroup\" rowspan=\"${log.findings.size}\">${linked(log.title ?: name, page, "")}")
+                out.append("<th scope=\"rowgroup\" rowspan=\"${incidents.size + findings.size}\">${linked(log.title ?: name, page, "")}")
                 if (log.title != null) out.append("<br><small>${escaped(name)}</small>")
                 out.append("</th>")
             }
-            out.append("<td class=\"time\">${linked(timeText(finding.time, finding.timeUnit), page, fragmentOf(finding))}</td>")
-            out.append("<td><b>${finding.severity.name.lowercase()}</b></td>")
-            out.append("<td>${escaped(finding.rule)}</td><td>${escaped(finding.text)}</td></tr>\n")
+            out.append(cells).append("</tr>\n")
         }
         out.append("</tbody>\n")
     }
     out.append("</table>\n")
 }
+
+private fun findingCells(finding: Finding, page: String?): String =
+    cellsBefore(finding.time, finding.timeUnit, finding.severity, finding.rule, page) + "<td>${escaped(finding.text)}</td>"
+
+/** What came first and what followed, each a link to its evidence. */
+private fun incidentCells(incident: Incident, page: String?): String {
+    val told = incident.sentences.joinToString(" ") { linked(it.text, page, fragmentOf(it.finding)) }
+    val next = if (incident.next.isEmpty()) "" else "<br><small>Next: ${escaped(incident.next)}</small>"
+    return cellsBefore(incident.time, incident.timeUnit, incident.severity, "Incident", page) + "<td>$told$next</td>"
+}
+
+private fun cellsBefore(time: Double, unit: String, severity: Severity, rule: String, page: String?): String =
+    "<td class=\"time\">${linked(timeText(time, unit), page, fragmentOf(time))}</td>" +
+        "<td><b>${severity.name.lowercase()}</b></td><td>${escaped(rule)}</td>"
 
 private fun appendList(out: StringBuilder, title: String, items: List<String>) {
     if (items.isEmpty()) return
@@ -85,8 +101,9 @@ private fun appendLogs(out: StringBuilder, logs: List<LogReport>, names: Map<Log
 }
 
 /** `#t=` and the time, or nothing for a finding without one. */
-private fun fragmentOf(finding: Finding): String =
-    if (finding.time.isFinite()) "#t=" + finding.time.toBigDecimal().stripTrailingZeros().toPlainString() else ""
+private fun fragmentOf(finding: Finding): String = fragmentOf(finding.time)
+
+private fun fragmentOf(time: Double): String = if (time.isFinite()) "#t=" + time.toBigDecimal().stripTrailingZeros().toPlainString() else ""
 
 private fun linked(text: String, page: String?, fragment: String): String =
     if (page == null || text.isEmpty()) escaped(text) else "<a href=\"${escaped("./" + urlOf(page))}$fragment\">${escaped(text)}</a>"

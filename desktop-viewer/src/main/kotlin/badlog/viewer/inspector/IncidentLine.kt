@@ -1,0 +1,49 @@
+package badlog.viewer.inspector
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import badlog.rules.Finding
+import badlog.rules.incident.Incident
+import badlog.viewer.findings.findingColor
+import badlog.viewer.findings.findingSoft
+import badlog.viewer.theme.LocalPalette
+
+/** An incident: what came first and what followed, each a way to its place, and what to look at next. */
+@Composable
+internal fun IncidentLine(incident: Incident, times: EventTimes, onClick: (Finding) -> Unit) {
+    val palette = LocalPalette.current
+    Column(
+        Modifier
+            .fillMaxWidth()
+            .padding(start = 8.dp, end = 14.dp, top = 3.dp, bottom = 3.dp)
+            .background(palette.findingSoft(incident.severity), RoundedCornerShape(4.dp))
+            .padding(horizontal = 6.dp, vertical = 4.dp),
+    ) {
+        Text(incident.name, color = palette.findingColor(incident.severity), fontWeight = FontWeight.Medium)
+        for (sentence in incident.sentences) {
+            val time = sentence.finding.time
+            Row(
+                Modifier.fillMaxWidth().clickable(role = Role.Button) { onClick(sentence.finding) }.padding(vertical = 2.dp),
+                Arrangement.spacedBy(6.dp),
+            ) {
+                Text(if (time.isFinite()) times.logged(time) else "whole log", color = palette.muted, fontSize = 11.sp)
+                Text(sentence.text, Modifier.weight(1f), maxLines = 6, overflow = TextOverflow.Ellipsis)
+            }
+        }
+        if (incident.next.isNotEmpty()) Text("Next: ${incident.next}", color = palette.muted, fontSize = 12.sp)
+    }
+}

@@ -1,0 +1,42 @@
+package badlog.report
+
+import badlog.report.page.reportPage
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.jsonArray
+import kotlinx.serialization.json.jsonObject
+import kotlinx.serialization.json.jsonPrimitive
+
+class IncidentsSpec : FunSpec({
+    val result = Report().over(SAMPLES.filter { "42" in it.name })
+    val log = result.logs.single()
+
+    test("the brownout of match 42 is its first incident, with what led to it") {
+        val incident = log.incidents.first()
+        incident.name shouldBe "The robot drew more than its battery gives"
+        incident.effects.map { it.rule } shouldContain "Browned out"
+    }
+
+    test("an incident stands above the findings of its match, in text and on the index page") {
+        val lines = reportText(result).lines()
+        lines[1] shouldContain "Likely cause: the robot drew more than its battery gives."
+        val page = reportPage(result) { "q42.html" }
+        val incident = page.lines().first { "<td>Incident</td>" in it }
+        incident shouldContain "<tr class=\"error\"><th scope=\"rowgroup\""
+        incident shouldContain "href=\"./q42.html#t=93.7"
+        incident shouldContain "Next: See which channels drew most then"
+    }
+
+    test("other programs get its sentences, each with what shows it") {
+        val json = Json.parseToJsonElement(Json.encodeToString(ReportJson.serializer(), ReportJson(log))).jsonObject
+        val incident = json.getValue("incidents").jsonArray.first().jsonObject
+        incident.getValue("severity").jsonPrimitive.content shouldBe "error"
+        val told = incident.getValue("sentences").jsonArray.map { it.jsonObject }
+        told.map { it.getValue("rule").jsonPrimitive.content } shouldContain "Browned out"
+        told.all { it.getValue("evidence").jsonArray.isNotEmpty() } shouldBe true
+        incident.getValue("effects").jsonArray.map { it.jsonPrimitive.content } shouldContain "Low battery"
+    }
+})

@@ -1,0 +1,106 @@
+package badlog.rules.cause
+
+import badlog.json.JsonValue
+import badlog.json.quotedJson
+import badlog.rules.json.JsonFields
+import badlog.rules.json.itemsOf
+import badlog.rules.json.jsonArray
+import badlog.rules.json.jsonList
+import badlog.rules.json.jsonObject
+import badlog.rules.json.stringOf
+import badlog.rules.signal.NamePattern
+import badlog.rules.signal.patterns
+import badlog.rules.signal.patternsJson
+
+/**
+ * What rules know of cause and effect: which findings show that something happened, and which findings may follow from which.
+ *
+ * @property causes what may have happened; of two that explain the same, the earlier counts.
+ * @property effects by the names of rules, the rules whose findings may follow from theirs.
+ */
+public class CauseGraph internal constructor(internal val causes: List<Cause>, internal val effects: Map<String, List<String>>) {
+    /** The rules whose findings may follow from those of [rules], also by way of others. */
+    internal fun reachedFrom(rules: Collection<String>): Set<String> {
+        val reached = LinkedHashSet<String>()
+        val waiting = ArrayDeque(rules)
+        while (waiting.isNotEmpty()) effects[waiting.removeFirst()]?.forEach { if (reached.add(it)) waiting += it }
+        return reached
+    }
+
+    /** This and, before it, what [own] says; of one name, its causes count. */
+    internal fun after(own: CauseGraph): CauseGraph {
+        val names = own.causes.mapTo(HashSet()) { it.name }
+        val all = (effects.keys + own.effects.keys).associateWith { own.effects[it].orEmpty() + effects[it].orEmpty() }
+        return CauseGraph(own.causes + causes.filter { it.name !in names }, all)
+    }
+
+    public companion object {
+        /** Nothing leads to anything. */
+        public val NONE: CauseGraph = CauseGraph(emptyList(), emptyMap())
+
+        internal fun fromJson(value: JsonValue): CauseGraph {
+            val json = JsonFields(value.members)
+            return CauseGraph(json.list("causes", ::causeOf), json.list("effects", ::effectOf).toMap())
+        }
+    }
+
+    internal fun toJson(): String = jsonObject(
+        "causes" to jsonArray(causes, ::causeJson),
+        "effects" to jsonArray(effects.entries.toList()) { (rule, followers) -> jsonArray(listOf(rule) + followers, ::quotedJson) },
+    )
+}
+
+/**
+ * Something that happened, as findings show it.
+ *
+ * @property name what happened, as a sentence begins with it: “The robot pushed against something”.
+ * @property shownBy the rules of which a finding shows it.
+ * @property topics where it matters, patterns for the topic of such a finding; empty for all.
+ * @property together of how many topics there have to be findings at about the same time.
+ * @property onlyWith where not empty, the rules of which a finding must have followed: without one it is nothing to speak of.
+ * @property next what to look at next.
+ */
+internal class Cause(
+    val name: String,
+    val shownBy: List<String>,
+    val topics: List<NamePattern>,
+    val except: List<NamePattern>,
+    val together: Int,
+    val onlyWith: List<String>,
+    val next: String,
+) {
+    fun isShownBy(rule: String, topic: String?): Boolean {
+        if (rule !in shownBy) return false
+        if (topics.isEmpty() && except.isEmpty()) return true
+        val folded = NamePattern.folded(topic.orEmpty())
+        return (topics.isEmpty() || topics.any { it.matchesFolded(folded) }) && except.none { it.matchesFolded(folded) }
+    }
+}
+
+private fun causeJson(cause: Cause): String = jsonObject(
+    "name" to quotedJson(cause.name),
+    "shownBy" to jsonArray(cause.shownBy, ::quotedJson),
+    "topics" to patternsJson(cause.topics),
+    "except" to patternsJson(cause.except),
+    "together" to cause.together.takeIf { it > 1 }?.toString(),
+    "onlyWith" to jsonList(cause.onlyWith, ::quotedJson),
+    "next" to cause.next.takeIf { it.isNotEmpty() }?.let(::quotedJson),
+)
+
+private fun causeOf(value: JsonValue): Cause {
+    val json = JsonFields(value.members)
+    return Cause(
+        name = json.string("name"),
+        shownBy = json.strings("shownBy"),
+        topics = json.patterns("topics"),
+        except = json.patterns("except"),
+        together = if (json.find("together") == null) 1 else json.number("together"),
+        onlyWith = json.strings("onlyWith"),
+        next = json.optional("next").orEmpty(),
+    )
+}
+
+private fun effectOf(value: JsonValue): Pair<String, List<String>> {
+    val names = itemsOf(value).map(::stringOf)
+    return names.first() to names.drop(1)
+}

@@ -1,0 +1,64 @@
+package badlog.rules.incident
+
+import badlog.recording.Severity
+import badlog.rules.Finding
+import badlog.rules.timeText
+
+/**
+ * Findings that belong together: what came first, which is the likely cause, and what followed from it.
+ *
+ * @property name what happened, such as “The robot pushed against something”.
+ * @property severity that of the worst of its findings.
+ * @property causes the findings that show what came first; at least one.
+ * @property effects the findings that followed, in the order of time.
+ * @property next what to look at next, as a sentence; empty where nobody says.
+ */
+public class Incident internal constructor(
+    public val name: String,
+    public val causes: List<Finding>,
+    public val effects: List<Finding>,
+    public val next: String,
+) {
+    public val severity: Severity = (causes + effects).maxOf { it.severity }
+
+    /** When it began, in the unit of x; NaN where its cause is of the whole log and nothing followed at some time. */
+    public val time: Double = causes[0].time.takeUnless { it.isNaN() } ?: effects.firstOrNull()?.time ?: Double.NaN
+
+    /** The unit of [time]. */
+    public val timeUnit: String get() = causes[0].timeUnit
+
+    /** What to say of it: first the likely cause, then what followed, the worst of it; each with the finding that shows it. */
+    public val sentences: List<Sentence>
+        get() {
+            val told = effects.filter {
+                it.severity != Severity.NOTE
+            }.sortedByDescending { it.severity }.distinctBy { it.rule }.take(MAX_TOLD)
+            return listOf(Sentence("Likely cause: ${name.replaceFirstChar { it.lowercase() }}. ${causes[0].text}", causes[0])) +
+                told.sortedBy { it.time }.map { Sentence(after(it) + it.text, it) }
+        }
+
+    /** What followed that [sentences] leave out. */
+    public val others: List<Finding> get() = sentences.mapTo(HashSet()) { it.finding }.let { told -> effects.filter { it !in told } }
+
+    private fun after(effect: Finding): String {
+        val later = effect.time - causes[0].time
+        return if (later >= MIN_LATER) "${timeText(rounded(later), timeUnit)} later: " else ""
+    }
+
+    private fun rounded(time: Double) = kotlin.math.round(time * 10) / 10
+
+    /**
+     * A part of what is said of an incident.
+     *
+     * @property text one or two sentences.
+     * @property finding what shows it: its time and its topics.
+     */
+    public class Sentence internal constructor(public val text: String, public val finding: Finding)
+
+    private companion object {
+        const val MAX_TOLD = 2
+
+        // What begins earlier began at the same time.
+        const val MIN_LATER = 0.1
+    }
+}

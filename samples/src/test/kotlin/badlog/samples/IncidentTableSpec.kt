@@ -1,0 +1,83 @@
+package badlog.samples
+
+import badlog.analysis.LogView
+import badlog.bag.BagParser
+import badlog.rules.BUILT_IN
+import badlog.rules.RuleSet
+import badlog.rules.SignalsFile
+import badlog.rules.incident.incidentsIn
+import badlog.rules.over
+import badlog.samples.fault.Fault
+import badlog.samples.fault.FaultyMatch
+import io.kotest.assertions.withClue
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.ints.shouldBeGreaterThanOrEqual
+import io.kotest.matchers.shouldBe
+import java.io.File
+
+/** What the first incident has to name where a fault was planted. */
+private val CAUSES = mapOf(
+    Fault.WALL to "The robot pushed against something that did not move",
+    Fault.LOOSE_LEAD to "Battery lead, connector or main breaker made bad contact",
+    Fault.TIRED_BATTERY to "The battery was tired",
+    Fault.SEIZED_MOTOR to "A motor was blocked",
+    Fault.UNPLUGGED_MOTOR to "One of two motors that turn together gave nothing",
+    Fault.PULLED_ENCODER to "An encoder no longer said how far its motor turned",
+    Fault.CAN_CUT to "The CAN bus was interrupted",
+    Fault.RADIO_REBOOT to "The robot lost its radio or driver station",
+    Fault.SLOW_VISION to "Vision held up the loop",
+    Fault.RESTART to "The program ended in the match",
+)
+
+/** A match, and what its first incident names: a fault, null for none. */
+private class Diagnosis(val match: FaultyMatch, val cause: String?) {
+    val named: Fault? = CAUSES.entries.find { it.value == cause }?.key
+    val isOther = cause != null && named == null
+    val isRight = !isOther && named == match.fault
+}
+
+/** The first incidents of the matches of [seeds], which no rule was fitted to. */
+private fun diagnoses(seeds: IntRange): List<Diagnosis> {
+    val rules = RuleSet.BUILT_IN.with(RuleSet.BUILT_IN.signals.with(SignalsFile.parse(FaultyMatch.SIGNALS)))
+    return seeds.toList().parallelStream().map { seed ->
+        val match = FaultyMatch.of(seed)
+        val view = LogView.of(BagParser().apply { accept(match.bag()) }.finish())
+        Diagnosis(match, rules.incidentsIn(rules.over(view, "$seed.bag").findings).firstOrNull()?.name)
+    }.toList()
+}
+
+private fun table(diagnoses: List<Diagnosis>): String {
+    val columns = Fault.entries.map { it.title } + "other" + "none"
+    val rows = (Fault.entries + null).map { fault ->
+        val matches = diagnoses.filter { it.match.fault == fault }
+        val counts = Fault.entries.map { named -> matches.count { it.named == named } } + matches.count { it.isOther } +
+            matches.count { it.cause == null }
+        "| ${fault?.title ?: "nothing"} | ${counts.joinToString(" | ") { if (it == 0) "" else "$it" }} |"
+    }
+    val head = "| planted | ${columns.joinToString(" | ")} |\n|---|${"---|".repeat(columns.size)}"
+    return (listOf(head) + rows).joinToString("\n")
+}
+
+class IncidentTableSpec : FunSpec({
+    val (faint, clear) = diagnoses(101..300).partition { it.match.isFaint }
+
+    test("the first incident names the planted fault in nine of ten matches, and a healthy match has none") {
+        for (fault in Fault.entries) {
+            val matches = clear.filter { it.match.fault == fault }
+            withClue(fault.title) { 10 * matches.count { it.isRight } shouldBeGreaterThanOrEqual 9 * matches.size }
+        }
+        (clear + faint).filter { it.match.fault == null }.mapNotNull { it.cause } shouldBe emptyList()
+    }
+
+    test("the guide has the table of what was planted and what was named; BADLOG_WRITE_GUIDE writes it anew") {
+        val guide = File("../docs/rules.md")
+        val written = guide.readText()
+        val made = written.substringBefore(BEGIN) + BEGIN + "\n" + table(clear) + "\n\nWhere a fault was so faint, or came so late, that a " +
+            "log may not show it:\n\n" + table(faint) + "\n" + END + written.substringAfter(END)
+        if (System.getenv("BADLOG_WRITE_GUIDE") != null) guide.writeText(made)
+        made shouldBe written
+    }
+})
+
+private const val BEGIN = "<!-- incidents begin -->"
+private const val END = "<!-- incidents end -->"
