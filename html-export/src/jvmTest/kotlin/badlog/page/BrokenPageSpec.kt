@@ -46,7 +46,7 @@ internal class BrokenPageSpec : PageSpec({
 
     val damages = mapOf<String, (String) -> String>(
         "a changed letter" to { it.replaceRange(5000, 5004, it.substring(5000, 5004).reversed()) },
-        "a letter that is none" to { it.replaceRange(5000, 5001, "!") },
+        "a letter that is none" to { it.replaceRange(5000, 5001, " ") },
         "a missing half" to { it.take(it.length / 2) },
     )
     for ((damage, change) in damages) {
