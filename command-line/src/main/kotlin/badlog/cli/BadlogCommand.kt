@@ -13,6 +13,7 @@ import badlog.cli.merge.MergeCommand
 import badlog.cli.recover.RecoverCommand
 import badlog.cli.replay.ReplayCommand
 import badlog.cli.report.ReportCommand
+import badlog.cli.table.TableCommand
 import badlog.html.BADLOG_VERSION
 import com.github.ajalt.clikt.core.CliktError
 import com.github.ajalt.clikt.core.Context
@@ -43,6 +44,7 @@ internal class BadlogCommand(val arguments: List<String>) : CoreCliktCommand(NAM
         MergeCommand(),
         ExportCommand(),
         FindCommand(),
+        TableCommand(),
         ReportCommand(),
         ReplayCommand(),
     )

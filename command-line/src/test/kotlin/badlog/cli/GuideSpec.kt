@@ -31,7 +31,7 @@ class GuideSpec : FunSpec({
 
     fun matches(wanted: String, printed: String): Boolean = Regex(wanted.split("\n…\n").joinToString("\n(?:.*\n)*?") { Regex.escape(it) }).matches(printed)
 
-    for (name in listOf("command-line.md", "wpilog.md")) {
+    for (name in listOf("command-line.md", "wpilog.md", "cookbook.md")) {
         test("what $name shows is what the program prints") {
             val guide = ROOT / "docs" / name
             val text = guide.readText()

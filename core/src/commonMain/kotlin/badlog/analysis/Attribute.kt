@@ -51,7 +51,7 @@ internal val STANDARD_ATTRIBUTES: List<Attribute> = listOf(
         topic.derive("Derivative", unit = Units::ofDerivative, series = { it.derivative() })
     },
     attribute("integrate") { topic ->
-        topic.derive("Integral", unit = Units::ofIntegral, series = { it.integral() })
+        topic.derive("Integral", unit = Units::ofIntegral, series = { it.integral(holds = topic.topic.times != null) })
         if (topic.hasGaps) {
             topic.report(
                 ProblemKind.INTEGRAL_OVER_GAPS,

@@ -19,12 +19,16 @@ public fun Series.derivative(): Series = betweenNeighbors { i ->
 /**
  * The running area under the series by the trapezoid rule: 0 at the first value, and each sum at the sample that closes it.
  * Over a gap, and where x goes backwards, the sum is carried on unchanged, since the area there is not known.
+ *
+ * @param holds whether each sample holds until the next, as those of a topic that logs changes; then its area is a rectangle.
  */
-public fun Series.integral(): Series {
+public fun Series.integral(holds: Boolean = false): Series {
     val sums = DoubleArray(size)
-    val sum = TrapezoidSum()
+    val sum = AreaSum()
     for (i in 0 until size) {
-        sum.add(x[i], y[i])
+        val width = if (i == 0) Double.NaN else x[i] - x[i - 1]
+        val height = if (i == 0 || holds) y[maxOf(0, i - 1)] else y[i] / 2 + y[i - 1] / 2
+        if (width >= 0) sum.addArea(width * height)
         sums[i] = if (y[i].isFinite()) sum.value else Double.NaN
     }
     return Series(x, sums)

@@ -26,6 +26,14 @@ public fun LogView.enabledSpans(): List<EnabledSpan> {
     return spansOf(named ?: return emptyList(), findFlag(AUTONOMOUS_NAMES)) { { it != 0.0 } }
 }
 
+/** Whether the recording tells when the robot was enabled; where not, [enabledSpans] is empty and means nothing. */
+public val LogView.knowsEnabled: Boolean
+    get() = (findFlag(CONTROL_NAMES) ?: findFlag(ENABLED_NAMES))?.let { seriesOf(it).data.isOrdered } ?: false
+
+/** Whether the recording tells [enabledSpans] under the robot's own control from those under a driver's. */
+public val LogView.knowsAutonomous: Boolean
+    get() = knowsEnabled && (findFlag(CONTROL_NAMES) ?: findFlag(AUTONOMOUS_NAMES)) != null
+
 /** The topics that [enabledSpans] looks at. */
 public fun LogView.enabledTopics(): List<Topic> =
     listOfNotNull(findFlag(ENABLED_NAMES), findFlag(CONTROL_NAMES), findFlag(AUTONOMOUS_NAMES))

@@ -3,19 +3,22 @@ package badlog.analysis
 import kotlin.math.sqrt
 
 /**
- * What a series does over a range of x. Every figure but the counts is NaN when there is no value in the range.
+ * What a series does over a range of x. Each sample holds until the next: mean, standard deviation and percentiles weigh by x, so
+ * that they are the same whether a value was logged again and again or only when it changed. Gaps weigh nothing. Every figure but
+ * the counts is NaN when there is no value in the range.
  *
  * @property count how many samples of the range have a finite value.
  * @property gaps how many have none.
- * @property mean the arithmetic mean of the samples, not weighted by time.
- * @property standardDeviation of a sample, dividing by `count - 1`; NaN for fewer than two values.
- * @property percentile5 the value below which 5 % lie, interpolated linearly between neighbors (type 7 of Hyndman and
- *   Fan, as NumPy and spreadsheets do).
+ * @property min the smallest value, be it one that only holds on from before the range.
+ * @property max the largest value, likewise.
+ * @property mean the mean, each value weighed by how long it holds.
+ * @property standardDeviation the distance from [mean], in the root mean square, weighed likewise.
+ * @property percentile5 the value below which it lies for 5 % of the time; see [weightedPercentile].
  * @property median the same for 50 %.
  * @property percentile95 the same for 95 %.
  * @property first the first finite value.
  * @property last the last finite value.
- * @property integral the area under the samples by the trapezoid rule, gaps left out.
+ * @property integral the area under the values, each as long as it holds.
  */
 public data class SeriesStatistics(
     public val count: Int,
@@ -33,93 +36,97 @@ public data class SeriesStatistics(
 )
 
 /**
- * The statistics of the samples whose x lies from [from] to [to], both included. In a series that is ordered it looks at
- * those alone; it allocates one array for them.
+ * The statistics from [from] to [to]: of the samples there, both ends included, and of the value that still holds at [from]. In a
+ * series that is ordered it looks at those alone; it allocates two arrays for them.
+ *
+ * @param end until where the last sample holds, as until the end of its recording; NaN for no farther than where it stands.
  */
-public fun Series.statistics(from: Double = Double.NEGATIVE_INFINITY, to: Double = Double.POSITIVE_INFINITY): SeriesStatistics {
+public fun Series.statistics(
+    from: Double = Double.NEGATIVE_INFINITY,
+    to: Double = Double.POSITIVE_INFINITY,
+    end: Double = Double.NaN,
+): SeriesStatistics {
     val begin = if (isOrdered) firstAtOrAfter(from) else 0
-    val end = if (isOrdered) firstAfter(to) else size
-    val values = DoubleArray(maxOf(0, end - begin))
-    var count = 0
-    var gaps = 0
-    var min = Double.NaN
-    var max = Double.NaN
-    val area = TrapezoidSum()
-    // Welford's recurrence (1962): mean and squares in one pass, without the cancellation of sums of squares.
-    var mean = 0.0
-    var squares = 0.0
-    for (i in begin until end) {
-        if (x[i] !in from..to) {
-            area.interrupt()
-            continue
+    val stop = if (isOrdered) firstAfter(to) else size
+    // What holds on from before the range, unless a sample stands at its very begin.
+    val held = if (isOrdered && from <= to && begin in 1..size && !(begin < size && x[begin] == from)) begin - 1 else begin
+    val figures = WeighedFigures(maxOf(0, stop - held))
+    for (i in held until stop) {
+        if (i >= begin && x[i] !in from..to) continue
+        val until = when {
+            i + 1 == size -> if (end > x[i]) end else x[i]
+            isOrdered || x[i + 1] in from..to -> x[i + 1]
+            else -> x[i]
         }
-        val value = y[i]
-        area.add(x[i], value)
-        if (!value.isFinite()) {
-            gaps++
-            continue
-        }
-        min = if (count == 0) value else minOf(min, value)
-        max = if (count == 0) value else maxOf(max, value)
-        values[count++] = value
-        val distance = value - mean
-        mean += distance / count
-        squares += distance * (value - mean)
+        figures.add(maxOf(x[i], from), minOf(until, to), y[i], isCounted = i >= begin)
     }
-    val first = if (count > 0) values[0] else Double.NaN
-    val last = if (count > 0) values[count - 1] else Double.NaN
-    val percentiles = Percentiles(values, count)
-    return SeriesStatistics(
-        count = count,
-        gaps = gaps,
-        min = min,
-        max = max,
-        mean = if (count > 0) mean else Double.NaN,
-        standardDeviation = if (count > 1) sqrt(squares / (count - 1)) else Double.NaN,
-        percentile5 = percentiles.low,
-        median = percentiles.median,
-        percentile95 = percentiles.high,
-        first = first,
-        last = last,
-        integral = if (count > 0) area.value else Double.NaN,
-    )
+    return figures.statistics()
 }
 
-/**
- * The percentiles of the first [count] of [values], which are not NaN and change their places: interpolated linearly between
- * neighbors, see [SeriesStatistics.percentile5]. NaN without values.
- */
-internal class Percentiles(private val values: DoubleArray, private val count: Int) {
-    /** The value below which 5 % lie. */
-    val low: Double
+/** The statistics of [line], one of this view's; where its values hold, the last one does until the end of the recording. */
+public fun LogView.statisticsOf(
+    line: GraphSeries,
+    from: Double = Double.NEGATIVE_INFINITY,
+    to: Double = Double.POSITIVE_INFINITY,
+): SeriesStatistics = line.data.statistics(from, to, xAxis.range?.endInclusive?.takeIf { line.holds } ?: Double.NaN)
 
-    /** The value below which half lie. */
-    val median: Double
+private class WeighedFigures(most: Int) {
+    private val values = DoubleArray(most)
+    private val weights = DoubleArray(most)
+    private var size = 0
+    private var count = 0
+    private var gaps = 0
+    private var min = Double.NaN
+    private var max = Double.NaN
+    private var first = Double.NaN
+    private var last = Double.NaN
+    private val area = AreaSum()
 
-    /** The value below which 95 % lie. */
-    val high: Double
-
-    init {
-        val lowPlace = placeOf(LOW)
-        val middle = placeOf(MEDIAN)
-        val highPlace = placeOf(HIGH)
-        // Each selection leaves less to the next: what is before the middle stays before it.
-        select(values, middle, 0, count)
-        select(values, lowPlace, 0, middle)
-        select(values, highPlace, middle + 1, count)
-        low = interpolated(LOW, lowPlace, middle)
-        median = interpolated(MEDIAN, middle, highPlace)
-        high = interpolated(HIGH, highPlace, count - 1)
+    fun add(from: Double, until: Double, value: Double, isCounted: Boolean) {
+        area.add(from, value)
+        area.holdUntil(until)
+        if (!value.isFinite()) {
+            if (isCounted) gaps++
+            return
+        }
+        if (isCounted) count++
+        if (first.isNaN()) first = value
+        last = value
+        min = if (min.isNaN()) value else minOf(min, value)
+        max = if (max.isNaN()) value else maxOf(max, value)
+        values[size] = value
+        weights[size++] = maxOf(0.0, until - from)
     }
 
-    private fun placeOf(share: Double) = (share * (count - 1)).toInt()
+    fun statistics(): SeriesStatistics {
+        keepWeighty()
+        val moments = Moments()
+        for (i in 0 until size) moments.add(values[i], weights[i])
+        return SeriesStatistics(
+            count = count,
+            gaps = gaps,
+            min = min,
+            max = max,
+            mean = moments.mean,
+            standardDeviation = moments.standardDeviation,
+            percentile5 = weightedPercentile(values, weights, size, LOW),
+            median = weightedPercentile(values, weights, size, MEDIAN),
+            percentile95 = weightedPercentile(values, weights, size, HIGH),
+            first = first,
+            last = last,
+            integral = if (first.isNaN()) Double.NaN else area.value,
+        )
+    }
 
-    /** Between the value at [below] and the smallest of those behind it, which stands at [last] at the latest. */
-    private fun interpolated(share: Double, below: Int, last: Int): Double {
-        if (count == 0) return Double.NaN
-        var above = if (below == count - 1) values[below] else values[below + 1]
-        for (i in below + 2..last) if (values[i] < above) above = values[i]
-        return values[below] + (above - values[below]) * (share * (count - 1) - below)
+    /** Leaves out what holds for no time; where nothing holds for any, each sample weighs the same. */
+    private fun keepWeighty() {
+        var kept = 0
+        for (i in 0 until size) {
+            if (weights[i] <= 0) continue
+            values[kept] = values[i]
+            weights[kept++] = weights[i]
+        }
+        if (kept > 0) size = kept else weights.fill(1.0)
     }
 
     private companion object {
@@ -127,4 +134,28 @@ internal class Percentiles(private val values: DoubleArray, private val count: I
         const val MEDIAN = 0.5
         const val HIGH = 0.95
     }
+}
+
+/** Mean and standard deviation of values that weigh differently, by West's recurrence (1979), without the cancellation of sums of squares. */
+public class Moments {
+    private var weight = 0.0
+    private var center = 0.0
+    private var squares = 0.0
+
+    /** Adds [value], which is finite, with [weight] above 0. */
+    public fun add(value: Double, weight: Double) {
+        this.weight += weight
+        val distance = value - center
+        center += distance * (weight / this.weight)
+        squares += weight * distance * (value - center)
+    }
+
+    /** The mean; NaN without values. */
+    public val mean: Double get() = if (weight > 0) center else Double.NaN
+
+    /** The root mean square of the distances from [mean]; NaN without values. */
+    public val standardDeviation: Double get() = if (weight > 0) sqrt(squares / weight) else Double.NaN
+
+    /** That of a sample of equal weights 1, dividing by one less than their number; NaN for fewer than two. */
+    public val sampleStandardDeviation: Double get() = if (weight > 1) sqrt(squares / (weight - 1)) else Double.NaN
 }

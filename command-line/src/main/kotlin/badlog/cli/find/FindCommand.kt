@@ -11,12 +11,12 @@ import badlog.cli.command.cacheFolder
 import badlog.cli.console.Console
 import badlog.cli.search.rulesBeside
 import badlog.cli.text.jsonOf
-import badlog.expression.syntax.ExpressionErrorKind
 import badlog.report.Find
 import badlog.report.FindJson
 import badlog.report.FindResult
 import badlog.report.Reply
 import badlog.report.findText
+import badlog.report.mistakeIn
 import badlog.report.undefinedTexts
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.help
@@ -88,12 +88,5 @@ internal class FindTask(
             }
         }
         return outcomes.end()
-    }
-
-    /** What is wrong with the question itself; a topic that a log lacks is not a mistake as long as another has it. */
-    private fun mistakeIn(results: List<FindResult>): Reply.NotAsked? {
-        val refusals = results.map { it.reply }.filterIsInstance<Reply.NotAsked>()
-        if (results.any { it.reply is Reply.Answered }) return null
-        return refusals.firstOrNull { it.kind != ExpressionErrorKind.UNKNOWN_TOPIC } ?: refusals.firstOrNull()
     }
 }

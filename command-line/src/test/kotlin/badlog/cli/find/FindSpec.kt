@@ -80,6 +80,22 @@ class FindSpec : FunSpec({
         ended.out shouldContain "2708.3 W"
     }
 
+    test("the hint belongs to the mistake, though a log lacks what is right") {
+        // Only some samples have a topic State.
+        val ended = badlog("find", samples, "State = SCORING", "--no-cache")
+        ended.code shouldBe ExitCode.USAGE
+        ended.err shouldContain "There is no topic “SCORING”; a text stands in single quotes, as in 'SCORING'."
+    }
+
+    test("what the log does not tell is unknown, with the reason") {
+        inFolder { folder ->
+            folder.with("a.bag", BAG.replace("Enabled", "Other"))
+            val ended = badlog("find", folder, "total(enabled)", "--no-cache")
+            ended.out shouldContain "Found in 0 of 1 log."
+            ended.out shouldContain "Unknown in 1 log: The log does not tell when the robot was enabled."
+        }
+    }
+
     test("where no log can be given the topic, its definition is pointed at") {
         val ended = badlog("find", samples, "max(Power) > 2000", "--topic", "Power = Volage * 2", "--no-cache")
         ended.code shouldBe ExitCode.USAGE

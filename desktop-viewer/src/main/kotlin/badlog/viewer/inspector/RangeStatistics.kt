@@ -2,7 +2,7 @@ package badlog.viewer.inspector
 
 import badlog.analysis.SeriesStatistics
 import badlog.analysis.Span
-import badlog.analysis.statistics
+import badlog.analysis.statisticsOf
 import badlog.plot.statistics.Statistic
 import badlog.plot.text.exactText
 import badlog.recording.Topic
@@ -36,7 +36,7 @@ internal fun rangeStatistics(drawn: List<DrawnRecording>, names: List<String>, s
         drawn.mapIndexedNotNull { place, (recording, offset, recordingName) ->
             val signal = recording.signal(name) ?: return@mapIndexedNotNull null
             if (signal.series.size == 0) return@mapIndexedNotNull null
-            val statistics = signal.series.statistics(span.from - offset, span.to - offset)
+            val statistics = recording.view.statisticsOf(signal.line, span.from - offset, span.to - offset)
             val states = signal.states.orEmpty()
             val cells = if (signal.hasFigures) cellsOf(signal, statistics, recording.view.xAxis.unit) else cellsOf(statistics, states)
             SignalStatistics(name, signal.unit, if (drawn.size > 1) recordingName else "", place, cells)
@@ -47,7 +47,7 @@ internal fun rangeStatistics(drawn: List<DrawnRecording>, names: List<String>, s
 }
 
 private fun cellsOf(signal: Signal, statistics: SeriesStatistics, xUnit: String): List<StatCell> {
-    val shown = if (statistics.count == 0) listOf(Statistic.SAMPLES, Statistic.GAPS) else Statistic.entries
+    val shown = if (statistics.mean.isNaN()) listOf(Statistic.SAMPLES, Statistic.GAPS) else Statistic.entries
     return shown.map { StatCell(it.title, it.textOf(statistics, signal.isDerived), it.unitOf(signal.unit, xUnit)) }
 }
 

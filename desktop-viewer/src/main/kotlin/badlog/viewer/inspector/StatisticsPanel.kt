@@ -29,6 +29,7 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.analysis.Span
+import badlog.plot.statistics.Statistic
 import badlog.plot.text.roundedText
 import badlog.plot.text.withUnit
 import badlog.viewer.board.GraphBoard
@@ -62,6 +63,7 @@ internal fun StatisticsPanel(compared: ComparedRecordings, board: GraphBoard, vi
             Column(Modifier.weight(1f)) {
                 Text(if (known.isSelection) "Selection" else "Visible range", fontWeight = FontWeight.Medium)
                 Text(rangeText(known), color = LocalPalette.current.muted, fontSize = 12.sp)
+                Text(Statistic.BY_TIME, color = LocalPalette.current.muted, fontSize = 12.sp)
             }
             ToolButton("Copy the statistics", Icons.Copy, text = "Copy") { copy(known.toTsv()) }
         }

@@ -1,6 +1,6 @@
 package badlog.viewer.statistics
 
-import badlog.analysis.statistics
+import badlog.analysis.statisticsOf
 import badlog.recording.PathName
 import badlog.viewer.library.index.LogEntry
 import badlog.viewer.recording.OpenRecording
@@ -41,7 +41,7 @@ internal fun statisticsRow(recording: OpenRecording, topics: List<String>, date:
         label = recording.label,
         date = date,
         path = recording.file,
-        statistics = signals.associate { it.name to it.series.statistics() },
+        statistics = signals.associate { it.name to recording.view.statisticsOf(it.line) },
         units = signals.associate { it.name to it.unit },
         xUnit = recording.view.xAxis.unit,
     )

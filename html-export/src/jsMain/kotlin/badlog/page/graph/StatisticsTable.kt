@@ -1,7 +1,7 @@
 package badlog.page.graph
 
 import badlog.analysis.Graph
-import badlog.analysis.statistics
+import badlog.analysis.statisticsOf
 import badlog.page.dom.add
 import badlog.page.dom.element
 import badlog.page.view.Scene
@@ -19,14 +19,14 @@ internal class StatisticsTable(private val graph: Graph, private val scene: Scen
         val now = scene.range.now
         element.textContent = ""
         element.add("table") {
-            add("caption", "", "${scene.xNumber(now.from)} – ${scene.xText(now.to)}")
+            add("caption", "", "${scene.xNumber(now.from)} – ${scene.xText(now.to)}. ${Statistic.BY_TIME}")
             add("thead").add("tr") {
                 add("th", "", "Line")
                 for (statistic in Statistic.entries) add("th", "", statistic.title).title = statistic.hint
             }
             add("tbody") {
                 graph.series.forEachIndexed { index, series ->
-                    val statistics = series.data.statistics(now.from, now.to)
+                    val statistics = scene.view.statisticsOf(series, now.from, now.to)
                     add("tr") {
                         add("th") {
                             setAttribute("scope", "row")

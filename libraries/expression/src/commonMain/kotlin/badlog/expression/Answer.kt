@@ -15,6 +15,8 @@ import badlog.analysis.Units
  *   the expression holds: the smallest for `<`, the largest for `>`, else the first. Of an expression that is a number, the
  *   number; of one over time, its smallest and its largest, as `min(…)` and `max(…)`.
  * @property timeUnit the unit of all times, empty where x has none.
+ * @property reason why it is not known, as a sentence; null where it is known, or where samples are missing.
+ * @property occurrences one for each of [spans] where the question asks for them, with what was just before; else empty.
  */
 public class Answer internal constructor(
     public val outcome: Outcome,
@@ -22,6 +24,8 @@ public class Answer internal constructor(
     public val times: Int,
     public val quantities: List<Quantity>,
     public val timeUnit: String,
+    public val reason: String? = null,
+    public val occurrences: List<Occurrence> = emptyList(),
 ) {
     /** Whether the expression holds. */
     public val matches: Boolean get() = outcome == Outcome.HOLDS
@@ -51,6 +55,14 @@ public class Answer internal constructor(
 
     private fun timed(time: Double) = if (Units.isNone(timeUnit)) readable(time) else "${readable(time)} $timeUnit"
 }
+
+/**
+ * One time that something happened.
+ *
+ * @property span when.
+ * @property before what was just before it: what was asked for, as it was written, and its number with its unit, or its text.
+ */
+public class Occurrence(public val span: Span, public val before: List<Pair<String, String>>)
 
 /** What the answer to a question is. */
 public enum class Outcome {

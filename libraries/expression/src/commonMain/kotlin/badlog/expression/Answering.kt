@@ -15,6 +15,7 @@ import badlog.expression.samples.restricted
 import badlog.expression.signals.Signals
 import badlog.expression.syntax.Function
 import badlog.expression.syntax.Kind
+import badlog.expression.syntax.Mode
 import badlog.expression.syntax.Node
 import badlog.expression.syntax.Operator
 
@@ -23,6 +24,7 @@ internal class Answering(private val text: String, private val root: Node, priva
     private val evaluation = Evaluation(signals, root.id + 1)
     private val quantities = ArrayList<Quantity>()
     private val whenTrue = ArrayList<Spans>()
+    private val whyUnknown = whyUnknown(root)
 
     fun answer(): Answer {
         val value = evaluation.valueOf(root)
@@ -33,9 +35,11 @@ internal class Answering(private val text: String, private val root: Node, priva
         if (value is Column) {
             val whether = value.any(signals.range)
             addQuantities(root, value, false)
-            return answer(outcomeOf(whether), whether.spans)
+            // What is not known may be so for want of the mode.
+            val isDoubtful = whyUnknown != null && whether.value != 1.0 && value.y.any { it.isNaN() }
+            return answer(if (isDoubtful) Outcome.UNKNOWN else outcomeOf(whether), whether.spans)
         }
-        val outcome = outcomeOf(value as Scalar)
+        val outcome = if (whyUnknown == null) outcomeOf(value as Scalar) else Outcome.UNKNOWN
         addQuantities(root, null, false)
         // Those of several conditions may overlap; then the first alone says when.
         return answer(outcome, if (outcome == Outcome.HOLDS) whenTrue.firstOrNull { it.isNotEmpty() } else null)
@@ -48,7 +52,19 @@ internal class Answering(private val text: String, private val root: Node, priva
     }
 
     private fun answer(outcome: Outcome, spans: Spans?) =
-        Answer(outcome, spans.orEmpty(), spans?.times ?: 0, quantities, shownUnit(signals.timeUnit))
+        Answer(outcome, spans.orEmpty(), spans?.times ?: 0, quantities, shownUnit(signals.timeUnit), whyUnknown.takeIf { isOpen(outcome) })
+
+    private fun isOpen(outcome: Outcome) =
+        outcome == Outcome.UNKNOWN || (outcome == Outcome.NO_QUESTION && quantities.all { it.value.isNaN() })
+
+    /** Why what depends on the mode of the robot is not known. */
+    private fun whyUnknown(node: Node): String? {
+        if (node is Node.Enabled) {
+            if (signals.enabled == null) return "The log does not tell when the robot was enabled."
+            if (node.mode != Mode.ENABLED && !signals.knowsAutonomous) return "The log does not tell when the robot was autonomous."
+        }
+        return node.children.firstNotNullOfOrNull(::whyUnknown)
+    }
 
     private fun addNumber(value: Value) = when (value) {
         is Scalar -> addQuantity(root, value)
@@ -115,9 +131,11 @@ internal class Answering(private val text: String, private val root: Node, priva
         }
     }
 
-    private fun isConstant(node: Node): Boolean = node !is Node.Topic && node !is Node.Enabled && node.children.all(::isConstant)
+    private fun isConstant(node: Node): Boolean =
+        node !is Node.Topic && node !is Node.Enabled && node !is Node.Axis && node.children.all(::isConstant)
 
-    private fun addQuantity(node: Node, found: Scalar, function: String? = null) {
+    private fun addQuantity(node: Node, scalar: Scalar, function: String? = null) {
+        val found = if (!node.type.isOverTime && whyUnknown(node) != null) Scalar(Double.NaN) else scalar
         val unit = shownUnit(unitOf(node, signals.timeUnit))
         val written = text.substring(node.from, node.until)
         quantities += Quantity(if (function == null) written else "$function($written)", found.value, unit, found.time)

@@ -13,14 +13,17 @@ import badlog.expression.samples.heldFor
 import badlog.expression.samples.inverted
 import badlog.expression.samples.matches
 import badlog.expression.samples.perSecond
+import badlog.expression.samples.refined
 import badlog.expression.samples.restricted
 import badlog.expression.samples.stepsOf
+import badlog.expression.samples.unknown
 import badlog.expression.samples.whereText
 import badlog.expression.signals.Signal
 import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Signals
 import badlog.expression.syntax.Arguments
 import badlog.expression.syntax.Kind
+import badlog.expression.syntax.Mode
 import badlog.expression.syntax.Node
 import badlog.expression.syntax.Operator
 
@@ -31,20 +34,38 @@ internal class Evaluation(private val signals: Signals, nodes: Int) {
     private val second = perSecond(signals.timeUnit)
     private var stretches = signals.stretches
 
-    fun valueOf(node: Node): Value = values[node.id] ?: compute(node).also { values[node.id] = it }
+    fun valueOf(node: Node): Value = values[node.id] ?: converted(node, compute(node)).also { values[node.id] = it }
+
+    private fun converted(node: Node, value: Value): Value {
+        val factor = node.conversion?.factor(second) ?: return value
+        return if (value is Scalar) {
+            Scalar(
+                value.value * factor,
+                value.time,
+                value.spans,
+            )
+        } else {
+            combined(Scalar(factor), value, Operation.TIMES)
+        }
+    }
 
     private fun compute(node: Node): Value = when (node) {
         is Node.Number -> Scalar(node.value)
+
+        is Node.Measured -> Scalar(node.value)
 
         is Node.Time -> Scalar(node.seconds * second)
 
         is Node.Truth -> Scalar(if (node.value) 1.0 else 0.0)
 
-        is Node.Text -> error("A text has no value of its own.")
+        // Only a text's words count.
+        is Node.Text -> Scalar(Double.NaN)
 
         is Node.Topic -> columnOf(node.signal)
 
-        is Node.Enabled -> stepsOf(signals.enabled.filter { !node.isAutonomous || it.isAutonomous }.map(EnabledSpan::span), range)
+        is Node.Enabled -> enabled(node.mode)
+
+        is Node.Axis -> columnOf(signals.axis)
 
         is Node.Negative -> combined(Scalar(-1.0), valueOf(node.operand), Operation.TIMES)
 
@@ -54,8 +75,31 @@ internal class Evaluation(private val signals: Signals, nodes: Int) {
 
         is Node.Binary -> computeBinary(node)
 
-        is Node.Call -> node.function.compute.of(
-            Arguments(node.arguments.map(::valueOf), node.arguments.map { it.type.kind == Kind.CONDITION }, range),
+        is Node.Call -> node.function.compute.of(Arguments(node.arguments, argumentsOf(node), range))
+    }
+
+    private fun argumentsOf(call: Node.Call): List<Value> {
+        val values = call.arguments.map(::valueOf)
+        val first = values.firstOrNull() as? Column
+        if (!call.function.needsSteps || first == null || isOfRows(first)) return values
+        return listOf(first.refined(STEP * second, first.end(range))) + values.drop(1)
+    }
+
+    /** Whether [column] has a sample in each row, as often as the log's rows tell anything. */
+    private fun isOfRows(column: Column): Boolean {
+        val rows = signals.rows ?: return false
+        return column.x === rows || column.x.contentEquals(stretches?.steady(rows) ?: rows)
+    }
+
+    private fun enabled(mode: Mode): Column {
+        val spans = signals.enabled
+        val isKnown = spans != null && (mode == Mode.ENABLED || signals.knowsAutonomous)
+        if (!isKnown) return unknown(range)
+        return stepsOf(
+            spans.orEmpty().filter {
+                mode == Mode.ENABLED || it.isAutonomous == (mode == Mode.AUTONOMOUS)
+            }.map(EnabledSpan::span),
+            range,
         )
     }
 
@@ -72,7 +116,7 @@ internal class Evaluation(private val signals: Signals, nodes: Int) {
 
             // Between events it is known that none holds.
             node.operator.group == Operator.Group.LOGIC ->
-                combined(valueOf(left), valueOf(right), node.operator.operation, absent = 0.0)
+                combined(valueOf(left), valueOf(right), node.operator.operation, absent = 0.0, isEither = node.operator == Operator.OR)
 
             left.type.kind == Kind.TEXT -> compareTexts(left, right, node.operator == Operator.EQUAL)
 
@@ -93,7 +137,10 @@ internal class Evaluation(private val signals: Signals, nodes: Int) {
         val series = signals.series(signal.name)
         val isText = signal.kind == SignalKind.STATE || signal.kind == SignalKind.EVENT
         val texts = if (isText) signals.states(signal.name) else null
-        val isEvent = signal.kind == SignalKind.EVENT
+        return columnOf(series, texts, isEvent = signal.kind == SignalKind.EVENT)
+    }
+
+    private fun columnOf(series: Series, texts: List<String>? = null, isEvent: Boolean = false): Column {
         val stretches = stretchesOf(series) ?: return Column(series.x, series.y, texts, isEvent)
         return Column(stretches.steady(series.x), series.y, texts, isEvent, stretches)
     }
@@ -102,5 +149,10 @@ internal class Evaluation(private val signals: Signals, nodes: Int) {
         val isSetBack = signals.stretches?.knows(series.x) == true || !series.isOrdered
         if (isSetBack && stretches == null) stretches = Stretches(series.x)
         return if (isSetBack) stretches else null
+    }
+
+    private companion object {
+        /** In s: how often a robot's loop runs, and logs. */
+        const val STEP = 0.02
     }
 }

@@ -3,8 +3,11 @@ package badlog.expression
 import badlog.analysis.Series
 import badlog.expression.checking.BoundsCheck
 import badlog.expression.checking.Checker
+import badlog.expression.checking.UnitChecker
+import badlog.expression.checking.unitOf
 import badlog.expression.samples.Column
 import badlog.expression.samples.Scalar
+import badlog.expression.samples.pulses
 import badlog.expression.signals.Signals
 import badlog.expression.signals.Vocabulary
 import badlog.expression.syntax.Kind
@@ -41,10 +44,13 @@ public class Expression internal constructor(public val text: String, public val
 
     /**
      * Its samples over time: numbers, or 1 and 0, with NaN for gaps. One number for the whole recording is a line from its begin
-     * to its end.
+     * to its end. What happens at moments has its value there alone: in the rows that the recording has, else in a pulse without width.
      */
     public fun series(signals: Signals): Series = when (val value = Evaluation(signals, root.id + 1).valueOf(root)) {
-        is Column -> Series(value.stretches?.logged(value.x) ?: value.x, value.y)
+        is Column -> {
+            val column = if (value.isMomentary) value.pulses(signals.rows, if (type.isCondition) 0.0 else Double.NaN) else value
+            Series(column.stretches?.logged(column.x) ?: column.x, column.y)
+        }
 
         is Scalar -> signals.range.let { range ->
             val x = if (range == null) DoubleArray(0) else doubleArrayOf(range.from, range.to)
@@ -55,6 +61,9 @@ public class Expression internal constructor(public val text: String, public val
     /** The expression with full names in quotes and no needless parentheses; reading it gives the same expression. */
     override fun toString(): String = printed(root)
 
+    /** The unit of what it gives over [signals], where it is plain to see. */
+    internal fun unit(signals: Signals): String = unitOf(root, signals.timeUnit)
+
     private fun addTopics(node: Node, names: MutableSet<String>) {
         if (node is Node.Topic) names += node.signal.name
         for (child in node.children) addTopics(child, names)
@@ -62,10 +71,17 @@ public class Expression internal constructor(public val text: String, public val
 
     public companion object {
         /** Reads [text], in which the names are those of [vocabulary]. Never throws, whatever the text. */
-        public fun parse(text: String, vocabulary: Vocabulary): ParsedExpression = try {
+        public fun parse(text: String, vocabulary: Vocabulary): ParsedExpression = parse(text, vocabulary, mayBeText = false)
+
+        /** Reads [text], which may also be a text, as a topic of states. */
+        internal fun parseAny(text: String, vocabulary: Vocabulary): ParsedExpression = parse(text, vocabulary, mayBeText = true)
+
+        private fun parse(text: String, vocabulary: Vocabulary, mayBeText: Boolean): ParsedExpression = try {
             val root = Parser(text, vocabulary).parse()
             Checker.check(root)
-            if (root.type.kind == Kind.TEXT) mistake(root, "This is a text, not an answer; compare it, as in State == 'IDLE'.")
+            UnitChecker.check(root)
+            val isAnswer = mayBeText || root.type.kind != Kind.TEXT
+            if (!isAnswer) mistake(root, "This is a text, not an answer; compare it, as in State == 'IDLE'.")
             Expression(text, vocabulary, root)
         } catch (mistake: Mistake) {
             ExpressionError(text, mistake.from, mistake.until, mistake.kind, mistake.message)

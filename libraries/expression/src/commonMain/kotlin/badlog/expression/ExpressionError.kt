@@ -18,6 +18,7 @@ public class ExpressionError internal constructor(
     public val kind: ExpressionErrorKind,
     public val message: String,
 ) : ParsedExpression,
+    ParsedQuestion,
     ParsedVirtualTopic {
     /** The message, and below it the text's line with a line of carets that point at the mistake. */
     public fun pointed(): String {

@@ -6,7 +6,10 @@ import badlog.analysis.LogView
 import badlog.analysis.Series
 import badlog.analysis.Span
 import badlog.analysis.Units
+import badlog.analysis.XAxis
 import badlog.analysis.enabledSpans
+import badlog.analysis.knowsAutonomous
+import badlog.analysis.knowsEnabled
 import badlog.expression.samples.Stretches
 import badlog.expression.signals.Signal
 import badlog.expression.signals.SignalKind
@@ -31,7 +34,13 @@ public class LogViewSignals(private val view: LogView) : Signals {
 
     override fun states(name: String): List<String> = topics.getValue(name).texts.dictionary
 
-    override val enabled: List<EnabledSpan> by lazy { view.enabledSpans() }
+    override val enabled: List<EnabledSpan>? by lazy { if (view.knowsEnabled) view.enabledSpans() else null }
+
+    override val knowsAutonomous: Boolean by lazy { view.knowsAutonomous }
+
+    override val rows: DoubleArray? get() = view.xAxis.positions.takeIf { it.isNotEmpty() }
+
+    override val axis: Series by lazy { axisOf(view.xAxis) }
 
     override val range: Span? by lazy { view.xAxis.range?.let { Span(it.start, it.endInclusive) } }
 
@@ -55,6 +64,27 @@ public class LogViewSignals(private val view: LogView) : Signals {
         val x = DoubleArray(kept.size) { positions[texts.rows[kept[it]]] }
         if (topic.times == null) stretches?.keepRows(x, kept.map { texts.rows[it] })
         return Series(x, DoubleArray(kept.size) { texts.ids[kept[it]].toDouble() })
+    }
+
+    private fun axisOf(xAxis: XAxis): Series {
+        val positions = xAxis.positions
+        if (positions.isEmpty()) return clockOf(xAxis)
+        if (positions.all { it.isFinite() }) return Series(positions, positions)
+        return positions.filter { it.isFinite() }.toDoubleArray().let { Series(it, it) }
+    }
+
+    /** Every time at which a topic has a sample. */
+    private fun clockOf(xAxis: XAxis): Series {
+        val times = DoubleArray(xAxis.clocks.sumOf { it.size })
+        var size = 0
+        for (clock in xAxis.clocks) {
+            clock.copyInto(times, size)
+            size += clock.size
+        }
+        times.sort()
+        var kept = 0
+        for (time in times) if (kept == 0 || time > times[kept - 1]) times[kept++] = time
+        return times.copyOf(kept).let { Series(it, it) }
     }
 
     private companion object {

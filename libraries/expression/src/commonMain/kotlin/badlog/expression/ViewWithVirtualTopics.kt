@@ -86,7 +86,13 @@ private class SignalsWithVirtual(private val others: Signals, private val topic:
 
     override fun states(name: String): List<String> = others.states(name)
 
-    override val enabled: List<EnabledSpan> get() = others.enabled
+    override val enabled: List<EnabledSpan>? get() = others.enabled
+
+    override val knowsAutonomous: Boolean get() = others.knowsAutonomous
+
+    override val axis: Series get() = others.axis
+
+    override val rows: DoubleArray? get() = others.rows
 
     override val range: Span? get() = others.range
 

@@ -64,7 +64,7 @@ class EvaluationSpec : FunSpec({
     }
 })
 
-private const val ROUNDS = 8000
+private const val ROUNDS = 4000
 
 private fun isSame(fast: Double, slow: Any?): Boolean = when (slow) {
     null -> fast.isNaN()
@@ -80,7 +80,9 @@ internal fun shape(node: Node): String = when (node) {
     is Node.Truth -> "${node.value}"
     is Node.Text -> "'${node.text}'"
     is Node.Topic -> node.signal.name
-    is Node.Enabled -> if (node.isAutonomous) "autonomous" else "enabled"
+    is Node.Measured -> "${node.value}${node.unit}"
+    is Node.Axis -> "time"
+    is Node.Enabled -> node.mode.word
     is Node.Negative -> "neg"
     is Node.Not -> "not"
     is Node.For -> "for"

@@ -22,10 +22,8 @@ private val VOCABULARY = Vocabulary(
         ) + Signal("Log", SignalKind.EVENT),
 )
 
-private const val PERCENT = "“%” is the remainder of a division; after a number no unit is written, not even %."
-
 private const val OVER_AT_ONCE =
-    "An event has no duration; hold(x) keeps the text of an event until the next, count(c) counts."
+    "A moment has no duration; count(c) counts moments, and hold(x) keeps the text of an event until the next."
 
 private fun shapeOf(text: String) = shape(parsed(text, VOCABULARY).root)
 
@@ -46,6 +44,7 @@ class ParsingSpec : FunSpec({
         "not p and q" to "(and (not p) q)",
         "!a < b" to "(not (< a b))",
         "! p && q" to "(and (not p) q)",
+        "7 % 3 + a" to "(+ (% 7 3) a)".replace(Regex("[73]")) { "${it.value.toDouble()}" },
         "a < b for 1 s" to "(for (< a b) 1s)".replace("1s", "${1.0}s"),
         "not p for 1 s" to "(for (not p) 1s)".replace("1s", "${1.0}s"),
         "p and q for 1 s" to "(and p (for q 1s))".replace("1s", "${1.0}s"),
@@ -78,7 +77,12 @@ class ParsingSpec : FunSpec({
         "Elevator/Current" to "Elevator/Current",
         "Arm/Angle" to "Arm/Angle",
         "Arm / a" to "(/ Arm a)",
-        "Arm/a" to "(/ Arm a)",
+        "Arm/2" to "(/ Arm 2)",
+        "Arm/max(a)" to "(/ Arm (MAX a))",
+        "\"Arm\"/a" to "(/ Arm a)",
+        "time" to "time",
+        "Time" to "time",
+        "teleop" to "teleop",
         "A-B" to "A-B",
         "a - b" to "(- a b)",
         "Not Moving > 1" to "(> Not Moving 1)",
@@ -110,10 +114,12 @@ class ParsingSpec : FunSpec({
             "20 ms",
             "7 us",
             "7 µs",
+            "1:30",
+            "1:00:02.5",
             "5 sec",
             "2 Minutes",
-        ).map { parsed("a - $it", VOCABULARY).root.children[1] as Node.Time }
-        written.map { it.seconds } shouldBe listOf(7200.0, 30.0, 3.0, 0.02, 7e-6, 7e-6, 5.0, 120.0)
+        ).map { parsed("time - $it", VOCABULARY).root.children[1] as Node.Time }
+        written.map { it.seconds } shouldBe listOf(7200.0, 30.0, 3.0, 0.02, 7e-6, 7e-6, 90.0, 3602.5, 5.0, 120.0)
         (parsed("1.5e3", VOCABULARY).root as Node.Number).value shouldBe 1500.0
         (parsed(".5", VOCABULARY).root as Node.Number).value shouldBe 0.5
     }
@@ -126,7 +132,7 @@ class ParsingSpec : FunSpec({
                 "The x axis of this log is not a time, so “5 s” has no meaning; give it an x axis with a unit of time."
             text.substring(from, until) shouldBe "5 s"
         }
-        for (text in listOf("mean(a, 5 s) > 1", "a > -5 s", "shift(a, 1 s) > 1")) errorOf(text, rows).kind shouldBe ExpressionErrorKind.NO_TIME
+        for (text in listOf("mean(a, 5 s) > 1", "time > -5 s", "time > 5", "shift(a, 1 s) > 1")) errorOf(text, rows).kind shouldBe ExpressionErrorKind.NO_TIME
         parsed("max(a) > 5", rows).topics shouldBe listOf("a")
         (rows == VOCABULARY) shouldBe false
     }
@@ -159,7 +165,7 @@ class ParsingSpec : FunSpec({
         Triple("a < 1,5", ",", "A comma stands only between the operands of a function; a decimal point is a point."),
         Triple("State == 'IDLE", "'IDLE", "This text is never closed; ' is missing."),
         Triple("\"Arm", "\"Arm", "This name is never closed; \" is missing."),
-        Triple("a < 7 V", "V", "“V” is not a unit of time; times are written in h, min, s, ms or us, other numbers without a unit."),
+        Triple("a < 7 V", "7 V", "“a” has no unit, so 7 V cannot be compared with it; write the number alone, as it is logged."),
         Triple("a < 1e999", "1e999", "This number is too large."),
         Triple("a < 1e305 h", "1e305 h", "This time is too long."),
         Triple("a < b < c", "<", "Comparisons cannot be chained; write “a < b and b < c”."),
@@ -176,9 +182,17 @@ class ParsingSpec : FunSpec({
         Triple("State == IDLE", "IDLE", "There is no topic “IDLE”; a text stands in single quotes, as in 'IDLE'."),
         Triple("State = \"STOWED\"", "\"STOWED\"", "There is no topic “STOWED”; a text stands in single quotes, as in 'STOWED'."),
         Triple("Log contains \"x y\"", "\"x y\"", "There is no topic “x y”; a text stands in single quotes, as in 'x y'."),
-        Triple("a > 90 %", "%", PERCENT),
-        Triple("(a > 90%) and p", "%", PERCENT),
-        Triple("a > 90 % for 1 s", "%", PERCENT),
+        Triple("a > 90 % for 1 s", "90 %", "“a” has no unit, so 90 % cannot be compared with it; write the number alone, as it is logged."),
+        Triple(
+            "max(Arm/a)",
+            "Arm/a",
+            "There is no topic “Arm/a”; did you mean “a”? To divide, put spaces around the slash: Arm / a.",
+        ),
+        Triple(
+            "max(Arm/Enabled)",
+            "Arm/Enabled",
+            "There is no topic “Arm/Enabled”; did you mean “System/Enabled”? To divide, put spaces around the slash: Arm / Enabled.",
+        ),
         Triple(
             "/System/Battery Voltge > 1",
             "/System/Battery Voltge",
@@ -237,7 +251,7 @@ class ParsingSpec : FunSpec({
         val long = "a" + " + a".repeat(5000)
         for (text in listOf(
             long, long.take(3900), "(".repeat(3999), "-".repeat(3999), "not ".repeat(900), "min(".repeat(900),
-            "p for 1 s" + " for 1 s".repeat(100),
+            "p for 1 s" + " for 1 s".repeat(300),
             "a" + " + shift(a, 1 s)".repeat(100), List(199) { "a" }.joinToString(" + ").let { "$it<1 or ".repeat(4) + "p" },
         )) {
             error(text).kind shouldBe ExpressionErrorKind.LIMIT

@@ -15,10 +15,10 @@ internal class RandomExpressions(private val random: Random) {
     private fun <T> pick(vararg choices: T): T = choices[random.nextInt(choices.size)]
 
     private fun number(depth: Int): String = if (depth == 0 || random.nextInt(4) == 0) {
-        pick("A", "B", "C", "Dir/D", "2", "0.5", "-1", "min(A)", "0.5 s")
+        pick("A", "B", "C", "Dir/D", "2", "0.5", "-1", "min(A)", "A ^ 2", "B % 3")
     } else {
         when (random.nextInt(6)) {
-            0 -> "(${number(depth - 1)} ${pick("+", "-", "*", "/", "%", "^")} ${number(depth - 1)})"
+            0 -> "(${number(depth - 1)} ${pick("+", "-", "*", "/")} ${number(depth - 1)})"
 
             1 -> "(${pick(series(depth), "A", "C", "1")} when ${condition(depth - 1)})"
 
@@ -26,17 +26,17 @@ internal class RandomExpressions(private val random: Random) {
             2 -> pick("abs(${number(depth - 1)})", "sqrt(${pick("A", "C", "delta(B)")})")
 
             3 -> pick(
-                "delta(${series(depth)})", "derivative(${series(depth)})", "area(${series(depth)})", "hold(${series(depth)})",
+                "delta(${lasting(depth)})", "derivative(${plain()})", "area(${plain()})", "hold(${series(depth)})",
                 "previous(${series(depth)})",
-                "shift(${series(depth)}, ${pick("0.5 s", "-0.25 s")})", "mean(${series(depth)}, 1 s)",
-                "min(${series(depth)}, 0.5 s)", "max(${series(depth)}, 2 s)",
+                "shift(${series(depth)}, ${pick("0.5 s", "-0.25 s")})", "mean(${plain()}, 1 s)",
+                "min(${plain()}, 0.5 s)", "max(${plain()}, 2 s)",
             )
 
             4 -> pick(
-                "min", "max", "mean", "median", "stddev", "first", "last", "integral", "duration", "count", "time_of_min",
-                "time_of_max",
+                "min", "max", "mean", "median", "stddev", "first", "last", "duration", "count",
+                "integral", "sample_mean", "sample_median", "sample_stddev",
             ).let {
-                "$it(${series(depth)})"
+                "$it(${if (it == "integral") lasting(depth) else series(depth)})"
             }
 
             else -> pick(
@@ -47,29 +47,46 @@ internal class RandomExpressions(private val random: Random) {
                 "total(${conditionOverTime(depth)})",
                 "count(${conditionOverTime(depth)})",
                 "count(changed(S))",
+                // Which of several is the largest may be a matter of rounding.
+                "time_of_max(${pick("A", "C", "A - C", "delta(B)")})",
+                "time_of_min(${pick("B", "A when F", "previous(C)")})",
             )
         }
     }
 
-    // One with a topic always changes over time.
-    private fun series(depth: Int): String = "${number(depth - 1)} + ${pick("A", "B", "C", "Dir/D")}"
+    // One with a topic always changes over time, and joined with one that lasts, nothing is a moment.
+    private fun series(depth: Int): String = if (random.nextInt(8) == 0) "delta(${pick("A", "C")})" else lasting(depth)
 
-    private fun conditionOverTime(depth: Int): String = "(${condition(depth - 1)} ${pick("and", "or")} ${pick("F", "G", "B > 0", "C < 1")})"
+    private fun lasting(depth: Int): String = "if(${pick("F", "true or G")}, ${number(depth - 1)}, B) + ${pick("A", "B", "C", "Dir/D")}"
+
+    // Of rows alone: times that are put in nearly meet others, and which comes first is a matter of rounding.
+    private fun plain(): String = "if(F, ${pick("A", "-1", "B * A")}, B) + ${pick("A", "B")}"
+
+    private fun conditionOverTime(depth: Int): String = "((${condition(depth - 1)} or ${pick("F", "G", "B > 9")}) ${pick("and", "or")} ${pick("F", "G", "B > 0", "C < 1")})"
 
     private fun condition(depth: Int): String = if (depth == 0 || random.nextInt(5) == 0) {
         pick(
-            "F", "G", "true", "S == 'a'", "S != 'b'", "T = S", "E contains 'X'", "E matches '?*y'", "enabled", "autonomous",
+            "F", "G", "true", "S == 'a'", "S != 'b'", "T = S", "E contains 'X'", "E matches '?*y'", "enabled", "autonomous", "teleop", "time > 2",
             "missing(C)", "changed(S)", "A > 0",
         )
     } else {
         when (random.nextInt(8)) {
             7 -> "(hold(E) ${pick("==", "!=")} 'xy' for ${pick("0.25 s", "0.5 s")})"
+
             0 -> "(${condition(depth - 1)} ${pick("and", "or", "&&", "||")} ${condition(depth - 1)})"
+
             1 -> "not ${condition(depth - 1)}"
+
             2 -> "(${conditionOverTime(depth)} for ${pick("0.25 s", "0.5 s", "1 s")})"
+
             3 -> pick("any", "all").let { "$it(${conditionOverTime(depth)})" }
+
             4 -> "during(${pick("1", "2 s", "time_of_min(A)")}, 3.25 s)"
-            else -> "(${number(depth - 1)} ${pick("<", "<=", ">", ">=", "==", "!=", "=")} ${number(depth - 1)})"
+
+            // What was calculated is the same but for rounding.
+            5 -> "(${pick("A", "C", "previous(B)", "delta(A)")} ${pick("==", "!=", "=")} ${pick("A", "B", "1", "Dir/D")})"
+
+            else -> "(${number(depth - 1)} ${pick("<", "<=", ">", ">=")} ${number(depth - 1)})"
         }
     }
 }
@@ -99,13 +116,14 @@ internal fun randomSignals(random: Random): Signals {
             Signal("E", SignalKind.EVENT) to among(times(4), 3, hasGaps = false),
         ),
         texts = mapOf("S" to listOf("a", "b", "c"), "T" to listOf("c", "a"), "E" to listOf("xy", "Xerxes", "no")),
+        rows = common,
         enabled = if (isMeasured) {
             listOf(
                 EnabledSpan(Span(edges[0], edges[1]), true),
                 EnabledSpan(Span(edges[2], edges[3]), false),
             )
         } else {
-            emptyList()
+            emptyList<EnabledSpan>().takeIf { random.nextBoolean() }
         },
     )
 }

@@ -12,12 +12,15 @@ import badlog.expression.signals.Vocabulary
 internal class SampleSignals(
     private val samples: Map<Signal, Series>,
     private val texts: Map<String, List<String>> = emptyMap(),
-    override val enabled: List<EnabledSpan> = emptyList(),
+    override val enabled: List<EnabledSpan>? = emptyList(),
     override val timeUnit: String = "s",
+    override val rows: DoubleArray? = null,
     override val range: Span? = samples.values.mapNotNull { it.range }.takeIf { it.isNotEmpty() }
         ?.let { ranges -> Span(ranges.minOf { it.start }, ranges.maxOf { it.endInclusive }) },
 ) : Signals {
     override val vocabulary = Vocabulary(samples.keys.toList())
+
+    override val axis: Series = samples.values.flatMap { it.x.toList() }.distinct().sorted().toDoubleArray().let { Series(it, it) }
 
     override fun series(name: String) = samples.entries.first { it.key.name == name }.value
 

@@ -28,7 +28,7 @@ class SetBackSpec : FunSpec({
     fun number(text: String) = answer(text).quantities.single().value
 
     test("the rule that a clock was set back holds where it was") {
-        answer("delta(Time) < 0").toString() shouldBe "yes, delta(Time) = -4.9 s at 5 s, from 5 s to 5.1 s"
+        answer("delta(Time) < 0").toString() shouldBe "yes, delta(Time) = -4.9 s at 5 s, at 5 s"
     }
 
     test("what holds once holds once, though its time comes twice") {
@@ -50,7 +50,7 @@ class SetBackSpec : FunSpec({
     }
 
     test("events and rare numbers belong to their rows, not to others of the same time") {
-        answer("Log contains 'ready' and V < 1").toString() shouldBe "yes, V = 0 V at 6 s, from 6 s to 6.1 s"
+        answer("Log contains 'ready' and V < 1").toString() shouldBe "yes, V = 0 V at 6 s, at 6 s"
         answer("Log contains 'ready' and V > 1").matches shouldBe false
         number("max(V when Rare == 80)") shouldBe 12.0
         number("count(V < 1 when Rare == 80)") shouldBe 1.0
@@ -77,7 +77,7 @@ class SetBackSpec : FunSpec({
 
     test("a clock that is set back all the time costs no more than others") {
         val restless = LogViewSignals(viewOf(List(100_000) { "${it % 2},${it % 7},," }))
-        parsed("V > 5 and during(0, 0.5) for 0.5 s", restless.vocabulary).answer(restless).times shouldBe 0
+        parsed("V > 5 and during(0, 0.5) for 0.6 s", restless.vocabulary).answer(restless).times shouldBe 0
         parsed("count(V > 5)", restless.vocabulary).answer(restless).quantities.single().value shouldBe 14_285.0
     }
 })

@@ -1,10 +1,12 @@
 package badlog.expression
 
+import badlog.expression.samples.tick
 import badlog.expression.signals.Signal
 import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Signals
 import badlog.expression.syntax.Function
 import badlog.expression.syntax.Kind
+import badlog.expression.syntax.Mode
 import badlog.expression.syntax.Node
 import badlog.expression.syntax.Operator
 import kotlin.math.abs
@@ -35,8 +37,17 @@ internal class SlowEvaluator(private val signals: Signals) {
     private val course = signals.vocabulary.signals.map { signals.series(it.name).x.toList() }
         .firstOrNull { x -> x.zipWithNext().any { (a, b) -> b < a } }?.let(::SlowCourse)
 
-    fun valueOf(node: Node): SlowValue = when (node) {
+    fun valueOf(node: Node): SlowValue {
+        val factor = node.conversion?.factor(1.0) ?: return plainValueOf(node)
+        return map(plainValueOf(node)) { number(it)?.times(factor) }
+    }
+
+    private fun plainValueOf(node: Node): SlowValue = when (node) {
         is Node.Number -> SlowValue(null, node.value)
+
+        is Node.Measured -> SlowValue(null, node.value)
+
+        is Node.Axis -> valueOf(signals.axis.x.toList()) { it }
 
         is Node.Time -> SlowValue(null, node.seconds)
 
@@ -46,12 +57,14 @@ internal class SlowEvaluator(private val signals: Signals) {
 
         is Node.Topic -> topic(node.signal)
 
-        is Node.Enabled -> steps(
-            signals.enabled.filter {
-                it.isAutonomous ||
-                    !node.isAutonomous
-            }.map { it.span.from to it.span.to },
-        )
+        is Node.Enabled -> {
+            val spans = signals.enabled
+            if (spans == null) {
+                unknown()
+            } else {
+                steps(spans.filter { node.mode == Mode.ENABLED || it.isAutonomous == (node.mode == Mode.AUTONOMOUS) }.map { it.span.from to it.span.to })
+            }
+        }
 
         is Node.Negative -> map(valueOf(node.operand)) { number(it)?.let { x -> -x } }
 
@@ -66,22 +79,26 @@ internal class SlowEvaluator(private val signals: Signals) {
 
     private fun topic(signal: Signal): SlowValue {
         val series = signals.series(signal.name)
-        val rows = series.x.indices.map { i ->
-            val y = series.y[i]
-            Row(
-                series.x[i],
-                when {
-                    y.isNaN() -> null
-                    signal.kind == SignalKind.NUMBER -> y
-                    signal.kind == SignalKind.CONDITION -> y == 1.0
-                    else -> signals.states(signal.name)[y.toInt()]
-                },
-            )
-        }
         val isEvent = signal.kind == SignalKind.EVENT
-        if (rows.map { it.time } != course?.x) return SlowValue(rows, isMomentary = isEvent)
-        return SlowValue(rows.zip(course.times) { row, time -> Row(time, row.value) }, isMomentary = isEvent, course = course)
+        var next = 0
+        return valueOf(series.x.toList(), isEvent) {
+            val y = series.y[next++]
+            when {
+                y.isNaN() -> null
+                signal.kind == SignalKind.NUMBER -> y
+                signal.kind == SignalKind.CONDITION -> y == 1.0
+                else -> signals.states(signal.name)[y.toInt()]
+            }
+        }
     }
+
+    private fun valueOf(x: List<Double>, isMomentary: Boolean = false, value: (Double) -> Any?): SlowValue {
+        val rows = x.map { Row(it, value(it)) }
+        if (x != course?.x) return SlowValue(rows, isMomentary = isMomentary)
+        return SlowValue(rows.zip(course.times) { row, time -> Row(time, row.value) }, isMomentary = isMomentary, course = course)
+    }
+
+    private fun unknown() = SlowValue(if (range == null) emptyList() else listOf(Row(range.from, null)))
 
     private fun steps(spans: List<Pair<Double, Double>>): SlowValue {
         if (range == null) return SlowValue(emptyList())
@@ -105,7 +122,7 @@ internal class SlowEvaluator(private val signals: Signals) {
 
     private fun SlowValue.with(rows: List<Row>) = SlowValue(rows, isMomentary = isMomentary, course = course)
 
-    private fun join(values: List<SlowValue>, absent: Any?, operation: (List<Any?>) -> Any?): SlowValue {
+    private fun join(values: List<SlowValue>, absent: Any?, isEither: Boolean = false, operation: (List<Any?>) -> Any?): SlowValue {
         val series = values.filter { it.rows != null }
         if (series.isEmpty()) return SlowValue(null, operation(values.map { it.single }))
         val course = series.firstNotNullOfOrNull { it.course }
@@ -113,8 +130,18 @@ internal class SlowEvaluator(private val signals: Signals) {
             if (value.course == course) it else course!!.timesOf(it, !value.isMomentary)
         }
         fun at(value: SlowValue, time: Double) = value.at(if (value.course == course) time else course!!.logged(time), absent)
-        val areSame = series.map { value -> value.rows!!.map { it.time } }.distinct().size == 1 && series.all { it.course == course }
-        val rows = if (areSame) {
+        val moments = series.filter { it.isMomentary }
+        val isMomentary = moments.isNotEmpty() && (!isEither || moments.size == series.size)
+        val ends = if (isMomentary) emptyList() else moments.flatMap(::timesOf).map { it + tick(it) }
+        val areSame = series.map { value -> value.rows!!.map { it.time } }.distinct().size == 1 && series.all { it.course == course } && ends.isEmpty()
+        val ofMoments = moments.map { moment -> moment.rows!!.map { it.time } }.distinct()
+        val rows = if (isMomentary && !areSame && ofMoments.size == 1 && moments.all { it.course == course }) {
+            // Several events may have the same time.
+            moments[0].rows!!.indices.map { i ->
+                val time = moments[0].rows!![i].time
+                Row(time, operation(values.map { if (it.rows != null && it.isMomentary) it.rows[i].value else at(it, time) }))
+            }
+        } else if (areSame) {
             series[0].rows!!.indices.map { i ->
                 Row(
                     series[0].rows!![i].time,
@@ -122,9 +149,9 @@ internal class SlowEvaluator(private val signals: Signals) {
                 )
             }
         } else {
-            series.flatMap(::timesOf).distinct().sorted().map { time -> Row(time, operation(values.map { at(it, time) })) }
+            ((if (isMomentary) moments else series).flatMap(::timesOf) + ends).distinct().sorted().map { time -> Row(time, operation(values.map { at(it, time) })) }
         }
-        return SlowValue(rows, isMomentary = series.all { it.isMomentary }, course = course)
+        return SlowValue(rows, isMomentary = isMomentary, course = course)
     }
 
     private fun number(value: Any?): Double? = when (value) {
@@ -135,7 +162,7 @@ internal class SlowEvaluator(private val signals: Signals) {
 
     private fun binary(node: Node.Binary): SlowValue {
         val absent: Any? = if (node.operator.group == Operator.Group.LOGIC) false else null
-        return join(listOf(valueOf(node.left), valueOf(node.right)), absent) { (a, b) ->
+        return join(listOf(valueOf(node.left), valueOf(node.right)), absent, isEither = node.operator == Operator.OR) { (a, b) ->
             when (node.operator) {
                 Operator.WHEN -> if (b == true) a else null
 
@@ -200,12 +227,18 @@ internal class SlowEvaluator(private val signals: Signals) {
         else -> a.pow(b)
     }
 
-    private fun end(value: SlowValue) = maxOf(value.course?.times?.last() ?: range!!.to, value.rows!!.last().time)
+    private fun end(value: SlowValue) = value.course?.let { maxOf(it.times.last(), value.rows!!.lastOrNull()?.time ?: 0.0) } ?: range?.to ?: 0.0
+
+    private fun until(value: SlowValue, index: Int): Double {
+        val rows = value.rows!!
+        val time = rows[index].time
+        return if (value.isMomentary) time else minOf(rows.getOrNull(index + 1)?.time ?: end(value), end(value))
+    }
 
     /** When it holds: from each first true row to the next that is not, or the end. */
     private fun spans(value: SlowValue): List<Pair<Double, Double>> {
-        val rows = value.rows!!
-        if (value.isMomentary) return rows.filter { it.value == true }.map { it.time to it.time }
+        if (value.isMomentary) return value.rows!!.filter { it.value == true }.map { it.time to it.time }
+        val rows = value.rows!!.filter { it.time <= end(value) }
         return rows.indices.filter { rows[it].value == true && (it == 0 || rows[it - 1].value != true) }.map { begin ->
             val end = (begin until rows.size).firstOrNull { rows[it].value != true }
             rows[begin].time to (if (end == null) end(value) else rows[end].time)
@@ -213,82 +246,120 @@ internal class SlowEvaluator(private val signals: Signals) {
     }
 
     private fun heldFor(value: SlowValue, length: Double): SlowValue {
-        val rows = value.rows!!
-        val begins = spans(value).map { it.first }
         // A tick of a course more or less is the same time.
-        val own = rows.map { row ->
-            Row(row.time, if (row.value == true) row.time >= begins.last { it <= row.time } + length - A_TICK else row.value)
-        }
-        val put = begins.map { it + length }.filter { time ->
-            time <= end(value) && rows.none { abs(it.time - time) < A_TICK } &&
-                begins.last { it <= time } == time - length &&
-                value.at(time, null) == true
-        }.map { Row(it, true) }
-        return value.with((own + put).sortedBy { it.time })
+        val long = spans(value).filter { it.second - it.first >= length - A_TICK }
+        return value.with(
+            value.rows!!.map { row ->
+                val isLong = long.any { row.time >= it.first && (row.time < it.second || it.second == end(value)) }
+                Row(row.time, if (row.value == true) isLong else row.value)
+            },
+        )
+    }
+
+    /** What changes while a value holds is asked for every 20 ms, but for that which is logged in rows. */
+    private fun refined(value: SlowValue): SlowValue {
+        val rows = value.rows!!
+        if (rows.isEmpty() || rows.map { it.time } == (value.course?.times ?: signals.rows?.toList())) return value
+        return value.with(
+            rows.indices.flatMap { i ->
+                val width = until(value, i) - rows[i].time
+                val steps = if (width > 0.03) (width / 0.02 - 0.5).toInt() else 0
+                (0..steps).map { Row(rows[i].time + it * 0.02, rows[i].value) }
+            },
+        )
     }
 
     private fun call(node: Node.Call): SlowValue {
         val values = node.arguments.map(::valueOf)
-        val first = values[0]
+        val first = if (node.function.needsSteps) refined(values[0]) else values[0]
         val rows = first.rows.orEmpty()
         val finite = rows.mapNotNull { row -> number(row.value)?.takeIf { it.isFinite() }?.let { row.time to it } }
         val numbers = finite.map { it.second }
         fun one(value: Any?) = SlowValue(null, value)
         fun logged(time: Double?) = if (time == null || first.course == null) time else first.course.logged(time)
+        fun finiteAt(index: Int) = number(rows[index].value)?.takeIf { it.isFinite() }
         fun window(fold: (List<Double>) -> Double) = first.with(
             rows.indices.map { i ->
-                val inside = (0..i).filter { rows[it].time > rows[i].time - (values[1].single as Double) }
-                    .mapNotNull { number(rows[it].value)?.takeIf { value -> value.isFinite() } }
+                val from = rows[i].time - (values[1].single as Double)
+                val begin = (0..i).lastOrNull { rows[it].time <= from + A_TICK } ?: 0
+                val inside = (begin..i).mapNotNull(::finiteAt)
                 Row(rows[i].time, if (inside.isEmpty()) null else fold(inside))
             },
         )
-        fun beside(operation: (Row, Row) -> Any?, atFirst: Any? = null) = first.with(
-            rows.indices.map { i -> Row(rows[i].time, if (i == 0) atFirst else operation(rows[i - 1], rows[i])) },
+        fun windowMean() = first.with(
+            rows.indices.map { i ->
+                val from = rows[i].time - (values[1].single as Double)
+                val begin = (0..i).lastOrNull { rows[it].time <= from + A_TICK } ?: 0
+                val parts = (begin until i).mapNotNull { j -> finiteAt(j)?.let { it to rows[j + 1].time - maxOf(rows[j].time, from) } }
+                val weight = parts.sumOf { it.second }
+                Row(rows[i].time, if (weight > 0) parts.sumOf { it.first * it.second } / weight else finiteAt(i))
+            },
         )
-        fun isSetBack(a: Row, b: Row) = first.course != null && first.course.stretchOf(a.time) != first.course.stretchOf(b.time)
-        fun sumUntil(last: Int): Double = (1..last).sumOf { i ->
-            val a = number(rows[i - 1].value)
-            val b = number(rows[i].value)
-            if (a == null || b == null || !a.isFinite() || !b.isFinite()) 0.0 else (rows[i].time - rows[i - 1].time) * (a + b) / 2
+        fun begins(i: Int) = i == 0 || first.isMomentary || known(rows[i].value).let { a ->
+            val b = known(rows[i - 1].value)
+            if (a == null || b == null) (a == null) != (b == null) else !same(a, b)
         }
+        fun moments(value: (Int) -> Any?) = SlowValue(rows.indices.filter(::begins).map { Row(rows[it].time, value(it)) }, isMomentary = true, course = first.course)
+        fun isSetBack(a: Row, b: Row) = first.course != null && first.course.stretchOf(a.time) != first.course.stretchOf(b.time)
+        fun beginOf(i: Int) = (i downTo 0).first(::begins)
+        fun slopeAt(i: Int): Double? {
+            val from = rows[beginOf(i)]
+            val to = (i + 1 until rows.size).firstOrNull(::begins)?.let { rows[it] }
+                ?: return number(from.value)?.takeIf { it.isFinite() }?.let { 0.0 }
+            return if (to.time > from.time && !isSetBack(from, to)) minus(to, from)?.let { it / (to.time - from.time) } else null
+        }
+        fun sumUntil(last: Int): Double = (1..last).sumOf { i -> (finiteAt(i - 1) ?: 0.0) * (rows[i].time - rows[i - 1].time) }
+        val pieces = rows.indices.mapNotNull { i -> finiteAt(i)?.let { it to maxOf(0.0, until(first, i) - rows[i].time) } }
+        val weighty = pieces.filter { it.second > 0 }.ifEmpty { pieces.map { it.first to 1.0 } }.sortedBy { it.first }
+        val weight = weighty.sumOf { it.second }
         fun percentile(percent: Double): Double? {
+            if (weighty.isEmpty()) return null
+            val wanted = weight * percent / 100
+            val value = weighty.map { it.first }.first { value -> weighty.filter { it.first <= value }.sumOf { it.second } >= wanted - weight * 1e-9 }
+            val reached = weighty.filter { it.first <= value }.sumOf { it.second }
+            val above = weighty.firstOrNull { it.first > value }?.first ?: value
+            return if (reached > wanted + weight * 1e-9) value else (value + above) / 2
+        }
+        fun samplePercentile(percent: Double): Double? {
             val sorted = numbers.sorted()
             if (sorted.isEmpty()) return null
             val place = percent / 100 * sorted.lastIndex
-            return sorted[place.toInt()] + (
-                sorted[
-                    minOf(
-                        place.toInt() + 1,
-                        sorted.lastIndex,
-                    ),
-                ] - sorted[place.toInt()]
-                ) * (place % 1)
+            return sorted[place.toInt()] + (sorted[minOf(place.toInt() + 1, sorted.lastIndex)] - sorted[place.toInt()]) * (place % 1)
         }
+        fun mean() = weighty.sumOf { it.first * it.second } / weight
+        val isKnown = first.isMomentary || rows.any { it.value != null }
         return when (node.function) {
             Function.MIN -> one(numbers.minOrNull())
 
             Function.MAX -> one(numbers.maxOrNull())
 
-            Function.MEAN -> one(if (numbers.isEmpty()) null else numbers.sum() / numbers.size)
+            Function.MEAN -> one(if (weighty.isEmpty()) null else mean())
 
             Function.MEDIAN -> one(percentile(50.0))
 
             Function.PERCENTILE -> one(percentile(values[1].single as Double))
 
-            Function.STDDEV -> one(if (numbers.size < 2) null else sqrt(numbers.sumOf { (it - numbers.average()).pow(2) } / (numbers.size - 1)))
+            Function.STDDEV -> one(if (weighty.isEmpty()) null else sqrt(weighty.sumOf { (it.first - mean()).pow(2) * (it.second / weight) }))
+
+            Function.SAMPLE_MEAN -> one(if (numbers.isEmpty()) null else numbers.average())
+
+            Function.SAMPLE_MEDIAN -> one(samplePercentile(50.0))
+
+            Function.SAMPLE_STDDEV ->
+                one(if (numbers.size < 2) null else sqrt(numbers.sumOf { (it - numbers.average()).pow(2) } / (numbers.size - 1)))
 
             Function.FIRST -> one(numbers.firstOrNull())
 
             Function.LAST -> one(numbers.lastOrNull())
 
-            Function.INTEGRAL -> one(if (numbers.isEmpty()) null else sumUntil(rows.lastIndex))
+            Function.INTEGRAL -> one(if (numbers.isEmpty()) null else pieces.sumOf { it.first * it.second })
 
-            Function.DURATION -> rows.filter { it.value is String || it.value is Boolean || number(it.value)?.isFinite() == true }
-                .let { known -> one(if (known.isEmpty()) null else known.last().time - known.first().time) }
+            Function.DURATION -> rows.indices.filter { rows[it].value is String || rows[it].value is Boolean || finiteAt(it) != null }
+                .let { known -> one(if (known.isEmpty()) null else maxOf(0.0, until(first, known.last()) - rows[known.first()].time)) }
 
             Function.COUNT -> one(
                 if (node.arguments[0].type.kind == Kind.CONDITION) {
-                    spans(first).size.toDouble()
+                    if (isKnown) spans(first).size.toDouble() else null
                 } else {
                     rows.count { it.value is String || number(it.value)?.isFinite() == true }.toDouble()
                 },
@@ -321,23 +392,23 @@ internal class SlowEvaluator(private val signals: Signals) {
             )
 
             // No tick of a course counts.
-            Function.TOTAL -> one(spans(first).sumOf { round((it.second - it.first) * 1024) / 1024 })
+            Function.TOTAL -> one(if (isKnown) spans(first).sumOf { round((it.second - it.first) * 1024) / 1024 } else null)
 
             Function.WINDOW_MIN -> window { it.min() }
 
             Function.WINDOW_MAX -> window { it.max() }
 
-            Function.WINDOW_MEAN -> window { it.sum() / it.size }
+            Function.WINDOW_MEAN -> windowMean()
 
-            Function.DELTA -> beside({ a, b -> minus(b, a) })
+            Function.DELTA -> moments { i -> if (i == 0) null else minus(rows[i], rows[i - 1]) }
 
-            Function.DERIVATIVE -> beside({ a, b -> if (b.time > a.time && !isSetBack(a, b)) minus(b, a)?.let { it / (b.time - a.time) } else null })
+            Function.DERIVATIVE -> first.with(rows.indices.map { Row(rows[it].time, slopeAt(it)) })
 
             Function.AREA -> first.with(
                 rows.indices.map { i -> Row(rows[i].time, if (number(rows[i].value)?.isFinite() == true) sumUntil(i) else null) },
             )
 
-            Function.PREVIOUS -> beside({ a, _ -> a.value })
+            Function.PREVIOUS -> first.with(rows.indices.map { i -> Row(rows[i].time, beginOf(i).let { if (it == 0) null else rows[it - 1].value }) })
 
             Function.HOLD -> SlowValue(
                 rows.indices.map { i ->
@@ -351,10 +422,9 @@ internal class SlowEvaluator(private val signals: Signals) {
 
             Function.SHIFT_TIME -> first.with(rows.map { Row(it.time + values[1].single as Double, it.value) })
 
-            Function.CHANGED -> beside({ a, b ->
-                known(a.value) != null && known(b.value) != null &&
-                    !same(a.value!!, b.value!!)
-            }, false)
+            Function.CHANGED -> moments { i ->
+                i > 0 && known(rows[i].value) != null && known(rows[i - 1].value) != null && !same(rows[i].value!!, rows[i - 1].value!!)
+            }
 
             Function.MISSING -> map(first) { !(it is String || number(it)?.isFinite() == true) }
 
@@ -362,13 +432,13 @@ internal class SlowEvaluator(private val signals: Signals) {
                 val from = number(values[0].single)
                 val to = number(values[1].single)
                 if (from == null || to == null) {
-                    SlowValue(if (range == null) emptyList() else listOf(Row(range.from, null)))
+                    unknown()
                 } else {
                     steps(if (from < to) listOf(from to to) else emptyList())
                 }
             }
 
-            Function.IF -> join(values, false) { (on, yes, no) ->
+            Function.IF -> join(values, false, isEither = true) { (on, yes, no) ->
                 if (on == true) {
                     yes
                 } else if (on == false) {

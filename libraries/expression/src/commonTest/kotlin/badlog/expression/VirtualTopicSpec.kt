@@ -102,7 +102,7 @@ class VirtualTopicSpec : FunSpec({
         val both = signals.with(twice)
         val all = both.with(virtual("Low = Twice < 0", both.vocabulary))
         parsed("max(Twice)", all.vocabulary).answer(all).toString() shouldBe "max(Twice) = 198 deg at 0.1 s"
-        parsed("Low and Log contains 'ready'", all.vocabulary).answer(all).toString() shouldBe "yes, from 0.02 s to 0.04 s"
+        parsed("Low and Log contains 'ready'", all.vocabulary).answer(all).toString() shouldBe "yes, at 0.02 s"
     }
 })
 

@@ -11,26 +11,29 @@ import java.io.File
 private val ROOT = generateSequence(File("").absoluteFile) { it.parentFile }.first { File(it, "docs/expressions.md").exists() }
 
 /** What [expression] prints, each line indented. */
-private fun printed(expression: String, signals: Signals): String = when (val result = Expression.parse(expression, signals.vocabulary)) {
-    is Expression -> result.answer(signals).toString()
+private fun printed(expression: String, signals: Signals): String = when (val result = Question.parse(expression, signals.vocabulary)) {
+    is Question -> result.answer(signals).run { listOf(toString()) + occurrences.map(::printed) }.joinToString("\n")
     is ExpressionError -> result.pointed()
 }.lines().joinToString("\n") { "    $it" }
 
+private fun printed(occurrence: Occurrence) = "at ${readable(occurrence.span.from)} s, before: " + occurrence.before.joinToString { (name, text) -> "$name: $text" }
+
+/** With the environment variable `BADLOG_WRITE_GUIDE` the guide is written anew. */
 class GuideSpec : FunSpec({
     test("each example in docs/expressions.md gives what stands below it") {
         var signals: Signals = LogViewSignals(LogView.of(readRecording(File(ROOT, "samples/qualification-42.bag").toPath(), LOG_FORMATS)))
         val guide = File(ROOT, "docs/expressions.md").readText()
-        val blocks = Regex("```(expression|virtual-topic)\n(.*?)```", RegexOption.DOT_MATCHES_ALL)
+        val blocks = Regex("```(expression|question|virtual-topic)\n(.*?)```", RegexOption.DOT_MATCHES_ALL)
         val asItIs = blocks.replace(guide) { block ->
             val (kind, content) = block.destructured
             val written = content.lines().filter { it.isNotEmpty() && !it.startsWith("    ") }
             val lines = written.map { line ->
-                if (kind == "expression") return@map line + "\n" + printed(line, signals)
+                if (kind != "virtual-topic") return@map line + "\n" + printed(line, signals)
                 signals = signals.with(VirtualTopic.parse(line, signals.vocabulary) as VirtualTopic)
                 line
             }
             "```$kind\n${lines.joinToString("\n")}\n```"
         }
-        guide shouldBe asItIs
+        if (System.getenv("BADLOG_WRITE_GUIDE") != null) File(ROOT, "docs/expressions.md").writeText(asItIs) else guide shouldBe asItIs
     }
 })

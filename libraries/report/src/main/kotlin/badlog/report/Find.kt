@@ -1,9 +1,9 @@
 package badlog.report
 
 import badlog.expression.Answer
-import badlog.expression.Expression
 import badlog.expression.ExpressionError
-import badlog.expression.ParsedExpression
+import badlog.expression.ParsedQuestion
+import badlog.expression.Question
 import badlog.file.LogFile
 import badlog.rules.BUILT_IN
 import badlog.rules.LogShape
@@ -30,17 +30,18 @@ public class Find(
     private val xTopic: String? = null,
     signals: SignalVocabulary = RuleSet.BUILT_IN.signals,
 ) {
-    private val usedSignals = signals.namedIn(question)
-    private val named = NamedTopics(virtualTopics + question, xTopic, usedSignals)
+    private val clauses = QuestionClauses.of(question)
+    private val usedSignals = signals.namedIn(clauses.question)
+    private val named = NamedTopics(virtualTopics + clauses.question, xTopic, usedSignals)
     private val asked = LruCache<LogShape, Asked>(MAX_SHAPES) { Asked(it) }
 
     private inner class Asked(shape: LogShape) {
         val names = QuestionNames(usedSignals, shape)
-        val expression: ParsedExpression = Expression.parse(question, names.vocabulary)
+        val question: ParsedQuestion = Question.parse(clauses.question, names.vocabulary)
     }
 
     /** What is wrong with the question whatever a log has, such as a parenthesis that is never closed; null when nothing seems to be. */
-    public val mistake: Reply.NotAsked? = errorForEveryLog(question)?.let(::notAsked)
+    public val mistake: Reply.NotAsked? = errorForEveryLog(clauses.question)?.let(::notAsked)
 
     @Serializable
     internal class Stored(
@@ -70,11 +71,23 @@ public class Find(
         runCached(files, known, ::ask) { file, stored ->
             val result = FindResult(file, stored.title, stored.reply, stored.undefined, stored.isSalvaged)
             results += result
-            each(result)
+            if (clauses.count == null) each(result)
             progress(results.size, files.size)
         }
-        return results
+        val ranked = clauses.count?.let { ranked(results, it) } ?: return results
+        ranked.forEach(each)
+        return ranked
     }
+
+    /** The [count] lowest or highest of [results], in this order, then all that has no answer, and the others as left out. */
+    private fun ranked(results: List<FindResult>, count: Int): List<FindResult> {
+        val (found, others) = results.partition { isFound(it) && !valueOf(it).isNaN() }
+        val sorted = found.sortedBy { if (clauses.isLowest) valueOf(it) else -valueOf(it) }
+        val left = sorted.drop(count).map { it.run { FindResult(file, title, Reply.LeftOut, undefined, isSalvaged) } }
+        return sorted.take(count) + left + others
+    }
+
+    private fun valueOf(result: FindResult) = (result.reply as? Reply.Answered)?.quantities?.firstOrNull()?.value ?: Double.NaN
 
     private fun ask(file: LogFile, cores: Int): CachedResult<Stored> {
         if (mistake != null) return CachedResult(Stored(null, mistake), isLasting = false)
@@ -85,10 +98,17 @@ public class Find(
         is LogContent.None -> CachedResult(Stored(null, Reply.Unreadable(content.message, content.isNoLog)), content.isNoLog)
 
         is LogContent.Log -> {
-            val asked = asked[LogShape.of(content.view)]
-            val reply = when (val expression = asked.expression) {
-                is ExpressionError -> notAsked(expression)
-                is Expression -> answered(expression.answer(asked.names.signalsOf(content.view)))
+            val (isWanted, mistake) = clauses.condition?.let { holdsFor(content.recording.values, it) } ?: (true to null)
+            val reply = if (mistake != null) {
+                notAsked(mistake)
+            } else if (!isWanted) {
+                Reply.LeftOut
+            } else {
+                val asked = asked[LogShape.of(content.view)]
+                when (val question = asked.question) {
+                    is ExpressionError -> notAsked(question)
+                    is Question -> answered(question.answer(asked.names.signalsOf(content.view)))
+                }
             }
             CachedResult(Stored(content.view.title, reply, content.undefined, content.recording.isSalvaged), isLasting = true)
         }
@@ -105,9 +125,11 @@ public class Find(
             answer.quantities,
             answer.time,
             answer.timeUnit,
+            answer.reason,
+            answer.occurrences.take(MAX_SPANS).map { Reply.Occurrence(it.span, it.before) },
         )
-
-        fun notAsked(error: ExpressionError) =
-            Reply.NotAsked(error.kind, error.text.substring(error.from, error.until), error.message, error.pointed())
     }
 }
+
+internal fun notAsked(error: ExpressionError): Reply.NotAsked =
+    Reply.NotAsked(error.kind, error.text.substring(error.from, error.until), error.message, error.pointed())

@@ -19,10 +19,11 @@ public class FindJson private constructor(
     private val topic: String?,
     private val message: String?,
     private val undefined: List<UndefinedJson>,
+    private val occurrences: List<OccurrenceJson>,
 ) {
     private constructor(result: FindResult, answered: Reply.Answered?, refused: Reply.NotAsked?) : this(
         match = result.title,
-        outcome = answered?.outcome?.name?.lowercase() ?: "not_asked",
+        outcome = answered?.outcome?.name?.lowercase() ?: if (result.reply is Reply.LeftOut) "left_out" else "not_asked",
         time = finite(answered?.time),
         timeUnit = answered?.timeUnit,
         figures = answered?.quantities.orEmpty().map(::QuantityJson),
@@ -30,8 +31,9 @@ public class FindJson private constructor(
         spanCount = answered?.spanCount,
         reason = refused?.kind?.name?.lowercase(),
         topic = refused?.topic,
-        message = refused?.message,
+        message = refused?.message ?: answered?.reason,
         undefined = result.undefined.map(::UndefinedJson),
+        occurrences = answered?.occurrences.orEmpty().map(::OccurrenceJson),
     )
 
     public constructor(result: FindResult) : this(result, result.reply as? Reply.Answered, result.reply as? Reply.NotAsked)
@@ -40,6 +42,17 @@ public class FindJson private constructor(
 @Serializable
 internal class QuantityJson(private val name: String, private val value: Double?, private val unit: String, private val time: Double?) {
     constructor(quantity: Quantity) : this(quantity.name, finite(quantity.value), quantity.unit, finite(quantity.time))
+}
+
+/** One time that something happened, as other programs get it. */
+@Serializable
+internal class OccurrenceJson private constructor(
+    private val from: Double?,
+    private val to: Double?,
+    private val before: Map<String, String>,
+) {
+    constructor(occurrence: Reply.Occurrence) :
+        this(finite(occurrence.span.from), finite(occurrence.span.to), occurrence.before.toMap())
 }
 
 @Serializable

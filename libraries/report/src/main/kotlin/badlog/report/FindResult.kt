@@ -25,6 +25,16 @@ public class FindResult internal constructor(
     public val isSalvaged: Boolean,
 )
 
+/**
+ * What is wrong with the question itself, of which [results] came; a topic that a log lacks is not a mistake as long as another has it.
+ * Where several logs refused it, the one that understood most of it tells.
+ */
+public fun mistakeIn(results: List<FindResult>): Reply.NotAsked? {
+    if (results.any { it.reply is Reply.Answered || it.reply is Reply.LeftOut }) return null
+    val refusals = results.map { it.reply }.filterIsInstance<Reply.NotAsked>()
+    return refusals.filter { it.kind != ExpressionErrorKind.UNKNOWN_TOPIC }.ifEmpty { refusals }.maxByOrNull { it.place }
+}
+
 /** What a question to a file may come to. */
 @Serializable
 public sealed interface Reply {
@@ -37,6 +47,8 @@ public sealed interface Reply {
      * @property quantities the numbers that were compared.
      * @property time where to look first; NaN when unknown.
      * @property timeUnit the unit of all times, empty where x has none.
+     * @property reason why it is not known, as a sentence; null where it is known, or where samples are missing.
+     * @property occurrences each time that it happened, with what was just before, where the question asks for that; at most the first hundred.
      */
     @Serializable
     public class Answered internal constructor(
@@ -53,7 +65,21 @@ public sealed interface Reply {
             >,
         public val time: Double,
         public val timeUnit: String,
+        public val reason: String? = null,
+        public val occurrences: List<Occurrence> = emptyList(),
     ) : Reply
+
+    /** One time that something happened, see [badlog.expression.Occurrence]. */
+    @Serializable
+    public class Occurrence internal constructor(
+        @Serializable(with = SpanSerializer::class)
+        public val span: Span,
+        public val before: List<Pair<String, String>>,
+    )
+
+    /** The question leaves the log out, by its header values or its rank. */
+    @Serializable
+    public object LeftOut : Reply
 
     /**
      * The question could not be asked of this log.
@@ -69,7 +95,10 @@ public sealed interface Reply {
         public val topic: String,
         public val message: String,
         public val pointed: String,
-    ) : Reply
+    ) : Reply {
+        /** How far the log understood the question. */
+        internal val place: Int get() = pointed.substringAfterLast('\n').indexOf('^')
+    }
 
     /**
      * The file cannot be read, or is not a log.

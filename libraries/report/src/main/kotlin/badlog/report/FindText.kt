@@ -14,10 +14,11 @@ public fun findText(results: List<FindResult>): String {
     val lines = ArrayList<String>()
     if (found.isNotEmpty()) {
         val names = shortNames(results.map { it.file })
-        val rows = found.map { result ->
+        val rows = found.flatMap { result ->
             val reply = result.reply as Reply.Answered
             val file = names.getValue(result.file)
-            listOf(result.title ?: file, file, timeText(reply.time, reply.timeUnit), valueText(reply))
+            val row = listOf(result.title ?: file, file, timeText(reply.time, reply.timeUnit), valueText(reply))
+            if (reply.occurrences.isEmpty()) listOf(row) else reply.occurrences.map { row.take(2) + occurrenceTexts(it, reply.timeUnit) }
         }
         lines += TABLE.lines(rows).flatten()
         lines += ""
@@ -45,8 +46,12 @@ internal fun isFound(result: FindResult): Boolean = when (val reply = result.rep
 private fun summaryOf(results: List<FindResult>, found: Int): List<String> {
     val lines = ArrayList<String>()
     lines += "Found in $found of ${count(results.size, "log")}."
-    val unknown = results.count { (it.reply as? Reply.Answered)?.outcome == Outcome.UNKNOWN }
-    if (unknown > 0) lines += "Unknown in ${count(unknown, "log")}, since samples are missing."
+    val unknown = results.mapNotNull { it.reply as? Reply.Answered }.filter { it.outcome == Outcome.UNKNOWN || it.reason != null }
+    unknown.groupBy { it.reason }.forEach { (reason, replies) ->
+        lines += "Unknown in ${count(replies.size, "log")}" + if (reason == null) ", since samples are missing." else ": $reason"
+    }
+    val leftOut = results.count { it.reply is Reply.LeftOut }
+    if (leftOut > 0) lines += "${count(leftOut, "log")} left out by the question."
     val notAsked = results.mapNotNull { it.reply as? Reply.NotAsked }
     val isAnswered = results.any { it.reply is Reply.Answered }
     val (missing, others) = notAsked.partition { it.kind == ExpressionErrorKind.UNKNOWN_TOPIC }
@@ -57,13 +62,18 @@ private fun summaryOf(results: List<FindResult>, found: Int): List<String> {
     }
     if (lacking.isNotEmpty()) lines += "${have(lacking.size)} not all topics of the question."
     // Where no log has the topic it may be misspelt, and the message says more.
-    if (missing.isNotEmpty() && !isAnswered) lines += missing[0].pointed
+    if (missing.isNotEmpty() && !isAnswered) lines += missing.maxBy { it.place }.pointed
     mistaken.groupBy { it.pointed }.forEach { (pointed, replies) -> lines += "Skipped for ${count(replies.size, "log")}: $pointed" }
     lines += undefinedTexts(results.filter { it.reply !is Reply.Unreadable }.map { it.undefined })
     return lines
 }
 
 private fun have(logs: Int) = "${count(logs, "log")} ${if (logs == 1) "has" else "have"}"
+
+private fun occurrenceTexts(occurrence: Reply.Occurrence, unit: String): List<String> {
+    val length = if (occurrence.span.width == 0.0) emptyList() else listOf("for ${timeText(occurrence.span.width, unit)}")
+    return listOf(timeText(occurrence.span.from, unit), (length + occurrence.before.map { (name, text) -> "$name: $text" }).joinToString())
+}
 
 private fun valueText(reply: Reply.Answered): String {
     val times = if (reply.spanCount > 1) " (${reply.spanCount} times)" else ""

@@ -19,7 +19,12 @@ public class NamedTopics(
     private val signals: SignalVocabulary = SignalVocabulary.NONE,
 ) : NumberSinks {
     private val text = expressions.joinToString("\n", transform = ::folded)
-    private val needsEnabled = "enabled" in text || "autonomous" in text
+    private val needsEnabled = listOf("enabled", "autonomous", "teleop").any { it in text }
+
+    // Those of “by topic”.
+    private val patterns = Regex("\"([^\"]*\\*[^\"]*)\"").findAll(text).map { found ->
+        Regex(found.groupValues[1].split('*').joinToString(".*") { Regex.escape(it).replace("?", "\\E.\\Q") })
+    }.toList()
 
     override fun of(name: String, attributes: List<String>): NumberSink? = if (isNeeded(name, attributes)) null else NumberSink.NONE
 
@@ -31,7 +36,7 @@ public class NamedTopics(
     /** By the last part of its path, which every way to write it holds; a quote in it would be written twice. */
     private fun isNamed(name: String): Boolean {
         val end = name.substring(name.lastIndexOf('/', name.length - 2) + 1)
-        return folded(end) in text || end.any { it in QUOTES }
+        return folded(end) in text || end.any { it in QUOTES } || patterns.any { it.containsMatchIn(folded(name)) }
     }
 
     private companion object {

@@ -1,8 +1,8 @@
 package badlog.report
 
-import badlog.expression.Expression
 import badlog.expression.ExpressionError
-import badlog.expression.ParsedExpression
+import badlog.expression.ParsedQuestion
+import badlog.expression.Question
 import badlog.expression.signals.Signal
 import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Vocabulary
@@ -22,7 +22,7 @@ internal fun errorForEveryLog(question: String): ExpressionError? {
     return null
 }
 
-private fun read(question: String, signals: List<Signal>): ParsedExpression = Expression.parse(question, Vocabulary(signals.toList()))
+private fun read(question: String, signals: List<Signal>): ParsedQuestion = Question.parse(question, Vocabulary(signals.toList()))
 
 /** A name may have words, operators, and parentheses or quotes in pairs in it; only what is left of those is beyond doubt. */
 private fun isForAnyLog(error: ExpressionError, guessed: List<Signal>): Boolean = when (error.kind) {

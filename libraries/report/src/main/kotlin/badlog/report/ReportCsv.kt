@@ -29,9 +29,11 @@ public fun reportCsv(result: ReportResult): String {
     return out.toString()
 }
 
-private fun plain(number: Double) = if (number.isFinite()) number.toBigDecimal().stripTrailingZeros().toPlainString() else ""
+/** [number] with all its digits; empty where it is not finite. */
+internal fun plain(number: Double) = if (number.isFinite()) number.toBigDecimal().stripTrailingZeros().toPlainString() else ""
 
-private fun cell(text: String): String {
+/** [text] as a cell of CSV that no spreadsheet takes for a formula. */
+internal fun cell(text: String): String {
     // A spreadsheet would calculate what begins so; names and texts come from files.
     val shown = text.lines().joinToString("\n", transform = ::printable)
     val safe = if (shown.isNotEmpty() && shown[0] in "=+-@" && shown.toDoubleOrNull() == null) "'$shown" else shown

@@ -40,7 +40,7 @@ class ReportSpec : FunSpec({
         inFolder { folder ->
             folder.put("1.bag", batteryBag(12.0, 6.0, 8.0))
             val text = "{value}|{time}|{count}|{duration}"
-            findings(folder, rules("mean(Battery Voltage) < 9", text)) shouldContainExactly listOf("8.66667 V|0 s|1|0.2 s")
+            findings(folder, rules("mean(Battery Voltage) < 9.5", text)) shouldContainExactly listOf("9 V|0 s|1|0.2 s")
             findings(folder, rules("min(Battery Voltage) < 9", text)) shouldContainExactly listOf("6 V|0.1 s|1|0.2 s")
         }
     }
@@ -151,10 +151,10 @@ class ReportSpec : FunSpec({
     test("a wrong expression is reported with its line in the file of rules") {
         inFolder { folder ->
             folder.put("1.bag", batteryBag(6.0))
-            Report(rules("Battery Voltage < 7 V")).over(logsIn(folder)).skipped.single().run {
+            Report(rules("Battery Voltage < 7 A")).over(logsIn(folder)).skipped.single().run {
                 isMistake shouldBe true
-                message shouldContain "Line 6: “V” is not a unit of time"
-                message shouldContain "\nwhen = \"Battery Voltage < 7 V\"\n                            ^"
+                message shouldContain "Line 6: “System/Battery Voltage” in V and 7 A are of different units"
+                message shouldContain "\nwhen = \"Battery Voltage < 7 A\"\n                          ^^^"
             }
             Report(rules("min(Battery Voltage)")).over(logsIn(folder)).skipped.single().message shouldContain "This is a number; compare it"
         }

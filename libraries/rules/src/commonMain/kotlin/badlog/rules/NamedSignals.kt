@@ -54,7 +54,7 @@ internal class NamedSamples(private val log: Signals, private val view: LogView)
 
     private fun scaled(source: ScaledSignal): Series {
         if (source.signal === CLOCK) return clockOf(view.xAxis)
-        if (source.signal === ACTIVITY) return activeIn(view, log.enabled)
+        if (source.signal === ACTIVITY) return activeIn(view, log.enabled.orEmpty())
         val series = log.series(source.signal.name)
         val scale = source.scale ?: if (isFraction(series)) source.whole else source.whole / PERCENT
         return if (scale == 1.0) series else Series(series.x, DoubleArray(series.size) { series.y[it] * scale })

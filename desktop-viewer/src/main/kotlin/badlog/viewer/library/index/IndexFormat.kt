@@ -18,7 +18,7 @@ internal object IndexFormat {
     private const val HEAD = 12
 
     /** To be raised whenever the bytes, or what is found out about a file, change their meaning. */
-    const val VERSION = 2
+    const val VERSION = 3
 
     /** The bytes of [entries]. */
     fun encode(entries: Collection<LogEntry>): ByteArray {

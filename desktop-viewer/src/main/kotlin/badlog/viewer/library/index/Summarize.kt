@@ -4,7 +4,7 @@ import badlog.analysis.LogView
 import badlog.analysis.Span
 import badlog.analysis.Units
 import badlog.analysis.matchTitle
-import badlog.analysis.statistics
+import badlog.analysis.statisticsOf
 import badlog.file.LogFile
 import badlog.file.LogName
 import badlog.file.readRecording
@@ -90,7 +90,7 @@ private fun summaryOf(file: LogFile, view: LogView): LogEntry {
 
 private fun summaryOf(topic: Topic, view: LogView): TopicSummary {
     val line = view.seriesOf(topic)
-    val statistics = line.data.statistics()
+    val statistics = view.statisticsOf(line)
     val held = if (line.holds) view.xAxis.range else null
     return TopicSummary(
         topic.name,

@@ -69,12 +69,21 @@ internal class BoundsCheck(private val ofTopic: (String) -> SampleBounds?) {
     }
 
     private fun of(node: Node): Bounds = when {
+        // In which unit its numbers become is not known yet.
+        node.conversion != null -> Bounds.ALL
+
         node.type.kind == Kind.CONDITION -> if (mayHold(node)) Bounds.CONDITION else Bounds(0.0, 0.0)
+
         node is Node.Number -> Bounds(node.value, node.value)
+
         node is Node.Topic -> ofTopic(node.signal.name)?.let { bounds(it.low, it.high) } ?: Bounds.ALL
+
         node is Node.Negative -> of(node.operand).let { Bounds(-it.high, -it.low) }
+
         node is Node.Binary -> of(node)
+
         node is Node.Call -> of(node)
+
         else -> Bounds.ALL
     }
 

@@ -22,18 +22,24 @@ internal object Checker {
 
     private fun isMomentary(node: Node): Boolean {
         if (node is Node.Topic) return node.signal.kind == SignalKind.EVENT
+        if (node is Node.Call &&
+            node.function.timing != Function.Timing.AS_OPERANDS
+        ) {
+            return node.function.timing == Function.Timing.AT_MOMENTS
+        }
         val varying = node.children.filter { it.type.isOverTime }
-        val stays = varying.isEmpty() || (node is Node.Call && node.function == Function.HOLD)
-        return !stays && varying.all { it.type.isMomentary }
+        val isEither = (node is Node.Binary && node.operator == Operator.OR) || (node is Node.Call && node.function == Function.IF)
+        return if (isEither) varying.isNotEmpty() && varying.all { it.type.isMomentary } else varying.any { it.type.isMomentary }
     }
 
     private fun typeOf(node: Node): Type = when (node) {
-        is Node.Number -> Type(Kind.NUMBER, false)
+        is Node.Number, is Node.Measured -> Type(Kind.NUMBER, false)
         is Node.Time -> Type(Kind.TIME, false)
         is Node.Truth -> Type(Kind.CONDITION, false)
         is Node.Text -> Type(Kind.TEXT, false)
         is Node.Topic -> Type(kindOf(node.signal.kind), true)
         is Node.Enabled -> Type(Kind.CONDITION, true)
+        is Node.Axis -> Type(Kind.NUMBER, true)
         is Node.Negative -> Type(Kind.NUMBER, needNumber(node.operand).isOverTime)
         is Node.Not -> Type(Kind.CONDITION, needCondition(node.operand).isOverTime)
         is Node.For -> typeOfFor(node)
@@ -119,7 +125,7 @@ internal object Checker {
             }
         }
         val arguments = node.arguments
-        if (function == Function.TOTAL) needLasting(arguments[0])
+        if (function.needsLasting) needLasting(arguments[0])
         val isOverTime = arguments.any { it.type.isOverTime }
         return when (function.result) {
             Function.Result.NUMBER -> Type(Kind.NUMBER, false)
@@ -157,7 +163,7 @@ internal object Checker {
 
     private fun needLasting(node: Node) {
         if (!node.type.isMomentary) return
-        mistake(node, "An event has no duration; hold(x) keeps the text of an event until the next, count(c) counts.")
+        mistake(node, "A moment has no duration; count(c) counts moments, and hold(x) keeps the text of an event until the next.")
     }
 
     /** The first function of a whole recording that [node] is made of. */

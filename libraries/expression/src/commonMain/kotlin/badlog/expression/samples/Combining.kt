@@ -1,5 +1,7 @@
 package badlog.expression.samples
 
+import kotlin.math.abs
+
 /** Calculates with two samples. Not a function type, which would make an object of each number on the JVM. */
 internal fun interface Operation {
     fun of(left: Double, right: Double): Double
@@ -26,10 +28,10 @@ internal fun known(a: Double, b: Double, holds: Boolean): Double = if (a.isNaN()
     0.0
 }
 
-/** Calculates with each two samples of [left] and [right] at their common times; for [absent] see [Joined]. */
-internal fun combined(left: Value, right: Value, operation: Operation, absent: Double = Double.NaN): Value {
+/** Calculates with each two samples of [left] and [right] at their common times; for [absent] and [isEither] see [Joined]. */
+internal fun combined(left: Value, right: Value, operation: Operation, absent: Double = Double.NaN, isEither: Boolean = false): Value {
     if (left is Scalar && right is Scalar) return Scalar(operation.of(left.value, right.value), timeOf(left, right))
-    val joined = Joined(listOf(left, right), absent)
+    val joined = Joined(listOf(left, right), absent, isEither)
     val (one, other) = joined.operands
     val x = joined.x!!
     val samples = DoubleArray(x.size) { operation.of(one[it], other[it]) }
@@ -52,7 +54,7 @@ internal fun restricted(value: Value, condition: Value): Value {
 
 /** [whenTrue] where [condition] holds, [whenFalse] where it does not, a gap where that is not known. */
 internal fun chosen(condition: Value, whenTrue: Value, whenFalse: Value): Value =
-    combinedThree(condition, whenTrue, whenFalse) { on, yes, no ->
+    combinedThree(condition, whenTrue, whenFalse, isEither = true) { on, yes, no ->
         if (on == 1.0) {
             yes
         } else if (on == 0.0) {
@@ -64,12 +66,12 @@ internal fun chosen(condition: Value, whenTrue: Value, whenFalse: Value): Value 
 
 /** [value], but not below [low] nor above [high]; where those cross, [high]. */
 internal fun clamped(value: Value, low: Value, high: Value): Value =
-    combinedThree(value, low, high) { sample, least, most -> minOf(maxOf(sample, least), most) }
+    combinedThree(value, low, high, isEither = false) { sample, least, most -> minOf(maxOf(sample, least), most) }
 
-private inline fun combinedThree(a: Value, b: Value, c: Value, operation: (Double, Double, Double) -> Double): Value {
+private inline fun combinedThree(a: Value, b: Value, c: Value, isEither: Boolean, operation: (Double, Double, Double) -> Double): Value {
     if (a is Scalar && b is Scalar && c is Scalar) return Scalar(operation(a.value, b.value, c.value))
     // Between events none of them holds.
-    val joined = Joined(listOf(a, b, c), absent = 0.0)
+    val joined = Joined(listOf(a, b, c), absent = 0.0, isEither)
     val (first, second, third) = joined.operands
     val x = joined.x!!
     val samples = DoubleArray(x.size) { operation(first[it], second[it], third[it]) }
@@ -90,19 +92,27 @@ internal class Operand(private val samples: DoubleArray?, private val constant: 
  * [momentary][Column.isMomentary], [absent] at all times but its own. Where one clock was set back and another was not, what
  * the other tells of a time counts each time that it comes.
  *
+ * What is made of moments and of what lasts is there at the moments only; if it [isEither] of them, it lasts, and each moment is over
+ * as soon as it came.
+ *
  * @property x the times; null when no value is over time.
  */
-internal class Joined(values: List<Value>, absent: Double) {
+internal class Joined(values: List<Value>, absent: Double, isEither: Boolean) {
     /** Of those whose clock was set back. */
     val stretches: Stretches? = values.firstNotNullOfOrNull { (it as? Column)?.stretches }
 
     private val alike = values.map { if (it is Column && stretches != null && it.stretches == null) stretches.spread(it) else it }
     private val columns = alike.filterIsInstance<Column>()
+    private val moments = columns.filter { it.isMomentary }
 
-    val x: DoubleArray? = columns.map { it.x }.reduceOrNull(::union)
+    /** Whether what they make is there at moments only. */
+    val isMomentary: Boolean = moments.isNotEmpty() && (!isEither || moments.size == columns.size)
 
-    /** Whether there are events alone. */
-    val isMomentary: Boolean = columns.isNotEmpty() && columns.all { it.isMomentary }
+    val x: DoubleArray? = if (isMomentary) {
+        moments.map { it.x }.reduce(::union)
+    } else {
+        (columns.map { it.x } + moments.map { ends(it.x) }).reduceOrNull(::union)
+    }
 
     /** The values in their order. */
     val operands: List<Operand> = alike.map {
@@ -114,6 +124,11 @@ internal class Joined(values: List<Value>, absent: Double) {
 }
 
 private fun isSame(one: DoubleArray, other: DoubleArray) = one === other || one.contentEquals(other)
+
+private fun ends(moments: DoubleArray) = DoubleArray(moments.size) { moments[it] + tick(moments[it]) }
+
+/** How long a moment at [time] is where it has to end: no time that counts. */
+internal fun tick(time: Double): Double = maxOf(1.0, abs(time)) * 1e-14
 
 private fun union(one: DoubleArray, other: DoubleArray): DoubleArray {
     if (isSame(one, other)) return one

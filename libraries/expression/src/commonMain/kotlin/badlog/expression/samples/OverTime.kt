@@ -1,23 +1,59 @@
 package badlog.expression.samples
 
-import badlog.analysis.TrapezoidSum
+import badlog.analysis.AreaSum
 
-// One sample for each sample. What needs the one before has a gap at the first, and beside a gap.
+// What is made of a value and those before or after it. A value that is logged again and again is one that holds: what these
+// functions say does not depend on how often it was logged. Beside a gap there is a gap.
 
-internal fun Column.delta(): Column = with(DoubleArray(size) { if (it == 0) Double.NaN else y[it] - y[it - 1] })
+/** By how much it changes, at each moment at which it does. */
+internal fun Column.delta(): Column = atChanges { if (it == 0) Double.NaN else y[it] - y[it - 1] }
 
-/** The slope from the sample before; a gap where time stands still or goes back. */
-internal fun Column.derivative(): Column = with(
-    DoubleArray(size) {
-        val run = if (it == 0) 0.0 else x[it] - x[it - 1]
-        val isBroken = run <= 0 || stretches?.isSetBackBetween(x[it - 1], x[it]) == true
-        if (isBroken) Double.NaN else (y[it] - y[it - 1]) / run
-    },
-)
+/** True at each moment at which it changes from one value to another. */
+internal fun Column.changed(): Column = atChanges { if (it > 0 && !y[it].isNaN() && !y[it - 1].isNaN() && y[it] != y[it - 1]) 1.0 else 0.0 }
+
+/** Moments: the first sample, and each whose value is not that before it. */
+private inline fun Column.atChanges(value: (Int) -> Double): Column {
+    var count = 0
+    for (i in 0 until size) if (begins(i)) count++
+    val times = if (count == size) x else DoubleArray(count)
+    val samples = DoubleArray(count)
+    var next = 0
+    for (i in 0 until size) {
+        if (!begins(i)) continue
+        if (count < size) times[next] = x[i]
+        samples[next++] = value(i)
+    }
+    return Column(times, samples, null, isMomentary = true, stretches)
+}
+
+/** Whether sample [index] is not only one more of the value before it. Each moment is one of its own. */
+private fun Column.begins(index: Int) =
+    index == 0 || isMomentary || !(y[index] == y[index - 1] || (y[index].isNaN() && y[index - 1].isNaN()))
+
+/**
+ * The slope from each change to the next; a gap where time stands still or goes back. After the last change, it stays as it is: the
+ * slope is 0.
+ */
+internal fun Column.derivative(): Column {
+    val slopes = DoubleArray(size)
+    var begin = 0
+    for (i in 1..size) {
+        if (i < size && !begins(i)) continue
+        slopes.fill(if (i < size) slope(begin, i) else y.getOrElse(begin) { 0.0 } * 0.0, begin, i)
+        begin = i
+    }
+    return with(slopes)
+}
+
+private fun Column.slope(from: Int, to: Int): Double {
+    val run = x[to] - x[from]
+    val isBroken = run <= 0 || stretches?.isSetBackBetween(x[from], x[to]) == true
+    return if (isBroken) Double.NaN else (y[to] - y[from]) / run
+}
 
 /** The integral so far. */
 internal fun Column.area(): Column {
-    val sum = TrapezoidSum()
+    val sum = AreaSum()
     return with(
         DoubleArray(size) {
             sum.add(x[it], y[it])
@@ -26,7 +62,16 @@ internal fun Column.area(): Column {
     )
 }
 
-internal fun Column.previous(): Column = withAlike(DoubleArray(size) { if (it == 0) Double.NaN else y[it - 1] })
+/** The value that it had before the one that it has. */
+internal fun Column.previous(): Column {
+    var before = Double.NaN
+    return withAlike(
+        DoubleArray(size) {
+            if (it > 0 && begins(it)) before = y[it - 1]
+            before
+        },
+    )
+}
 
 /** Each gap filled with the value before it; an event stays until the next. */
 internal fun Column.hold(): Column {
@@ -41,63 +86,73 @@ internal fun Column.hold(): Column {
 /** The same samples, [time] later. */
 internal fun Column.shifted(time: Double): Column = Column(DoubleArray(size) { x[it] + time }, y, texts, isMomentary, stretches)
 
-/** Whether a sample differs from the one before and neither is a gap. */
-internal fun Column.changed(): Column = with(
-    DoubleArray(size) { if (it > 0 && !y[it].isNaN() && !y[it - 1].isNaN() && y[it] != y[it - 1]) 1.0 else 0.0 },
-)
-
 /** Whether a sample is a gap or not finite. */
 internal fun Column.missing(): Column = with(DoubleArray(size) { if (y[it].isFinite()) 0.0 else 1.0 })
 
-/**
- * True from the moment on at which this condition has held for [length]; where none of its samples stands at that moment, one is
- * put in. The last sample holds until [end].
- */
+/** True wherever this condition holds for [length] or longer without a break; what holds last does so until [end]. */
 internal fun Column.heldFor(length: Double, end: Double): Column {
-    val times = DoubleArray(size + countMoments(length, end))
-    val states = DoubleArray(times.size)
-    var count = 0
-    var begin = Double.NaN
+    val states = y.copyOf()
+    var begin = 0
+    for (i in 1..size) {
+        if (i < size && (y[i] == 1.0) == (y[begin] == 1.0)) continue
+        val until = if (i < size) minOf(x[i], end) else end
+        if (y[begin] == 1.0 && until - x[begin] < length - slack(length, until)) states.fill(0.0, begin, i)
+        begin = i
+    }
+    return with(states)
+}
+
+/**
+ * The same with a sample every [step] where one holds for longer, until [end]: what is calculated from times of its own then follows
+ * time as what is logged in rows.
+ */
+internal fun Column.refined(step: Double, end: Double): Column {
+    if (size == 0 || isMomentary) return this
+    val apart = maxOf(step, (end - x[0]) / MOST_STEPS)
+    fun stepsAfter(index: Int): Int {
+        val width = (if (index + 1 < size) minOf(x[index + 1], end) else end) - x[index]
+        return if (width > apart * LONG) (width / apart - HALF).toInt() else 0
+    }
+    var count = size
+    for (i in 0 until size) count += stepsAfter(i)
+    if (count == size) return this
+    val times = DoubleArray(count)
+    val samples = DoubleArray(count)
+    var next = 0
     for (i in 0 until size) {
-        if (y[i] != 1.0) {
-            begin = Double.NaN
-        } else if (begin.isNaN()) {
-            begin = x[i]
-        }
-        times[count] = x[i]
-        states[count++] = if (y[i] != 1.0) {
-            y[i]
-        } else if (isReached(begin, length, x[i])) {
-            1.0
-        } else {
-            0.0
-        }
-        if (momentComesAfter(i, begin, length, end)) {
-            times[count] = begin + length
-            states[count++] = 1.0
+        for (k in 0..stepsAfter(i)) {
+            times[next] = x[i] + k * apart
+            samples[next++] = y[i]
         }
     }
-    return Column(if (count == size) x else times, states, stretches = stretches)
+    return Column(times, samples, texts, isMomentary, stretches)
 }
 
-private fun Column.countMoments(length: Double, end: Double): Int {
-    var count = 0
-    var begin = Double.NaN
-    for (i in 0 until size) {
-        if (y[i] != 1.0) {
-            begin = Double.NaN
-        } else if (begin.isNaN()) {
-            begin = x[i]
+/**
+ * These moments as samples that hold: each is in the first of [rows] that is not before it, and [rest] in all others. Without rows,
+ * each is a pulse without width: its value and at once [rest].
+ */
+internal fun Column.pulses(rows: DoubleArray?, rest: Double): Column {
+    if (rows != null && rows.all { it.isFinite() }) return inRows(stretches?.steady(rows) ?: rows, rest)
+    val times = DoubleArray(2 * size) { x[it / 2] }
+    return Column(times, DoubleArray(2 * size) { if (it % 2 == 0) y[it / 2] else rest }, texts, stretches = stretches)
+}
+
+private fun Column.inRows(rows: DoubleArray, rest: Double): Column {
+    var next = 0
+    val samples = DoubleArray(rows.size) { row ->
+        var value = rest
+        while (next < size && x[next] <= rows[row]) {
+            if (!y[next].isNaN() && y[next] != rest) value = y[next]
+            next++
         }
-        if (momentComesAfter(i, begin, length, end)) count++
+        value
     }
-    return count
+    return Column(rows, samples, texts, stretches = stretches)
 }
 
-/** Whether the moment lies between sample [index] and what follows it. */
-private fun Column.momentComesAfter(index: Int, begin: Double, length: Double, end: Double): Boolean {
-    if (y[index] != 1.0 || isReached(begin, length, x[index])) return false
-    return if (index + 1 == size) begin + length <= end else x[index + 1] - begin > length + slack(length, x[index + 1])
-}
+private const val MOST_STEPS = 200_000
 
-private fun isReached(begin: Double, length: Double, time: Double) = time - begin >= length - slack(length, time)
+// Times of rows jitter.
+private const val LONG = 1.5
+private const val HALF = 0.5

@@ -22,26 +22,20 @@ internal class Spans(private val from: DoubleArray, private val to: DoubleArray,
 }
 
 /**
- * When this condition holds: from its first true sample to the next that is not, or to [end] after the last one. Each true sample
- * of a momentary condition is a span without width.
+ * When this condition holds: from its first true sample to the next that is not, or to [end], behind which nothing is told. Each true
+ * sample of a momentary condition is a span without width.
  */
 internal fun Column.spans(end: Double): Spans {
+    var told = size
+    while (!isMomentary && told > 0 && x[told - 1] > end) told--
     var count = 0
-    for (i in 0 until size) if (beginsAt(i)) count++
+    for (i in 0 until told) if (beginsAt(i)) count++
     val from = DoubleArray(count)
     val to = DoubleArray(count)
     var span = -1
-    for (i in 0 until size) {
+    for (i in 0 until told) {
         if (beginsAt(i)) from[++span] = x[i]
-        if (y[i] == 1.0) {
-            to[span] = if (isMomentary) {
-                x[i]
-            } else if (i + 1 < size) {
-                x[i + 1]
-            } else {
-                maxOf(end, x[i])
-            }
-        }
+        if (y[i] == 1.0) to[span] = until(i, end).let { if (it - x[i] <= 2 * tick(x[i]) && from[span] == x[i]) x[i] else it }
     }
     return stretches?.logged(from, to) ?: Spans(from, to)
 }
@@ -87,6 +81,9 @@ internal fun stepsOf(spans: List<Span>, range: Span?): Column {
 
 /** A condition that holds from time [from] until [to]; not known when one of them is not. */
 internal fun during(from: Double, to: Double, range: Span?): Column {
-    if (from.isNaN() || to.isNaN()) return stepsOf(emptyList(), range).let { it.with(DoubleArray(it.size) { Double.NaN }) }
+    if (from.isNaN() || to.isNaN()) return unknown(range)
     return stepsOf(if (from < to) listOf(Span(from, to)) else emptyList(), range)
 }
+
+/** A condition of which nothing is known in [range]. */
+internal fun unknown(range: Span?): Column = stepsOf(emptyList(), range).let { it.with(DoubleArray(it.size) { Double.NaN }) }

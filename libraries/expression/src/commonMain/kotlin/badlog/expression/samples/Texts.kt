@@ -44,3 +44,29 @@ internal fun matches(text: String, pattern: String): Boolean {
 }
 
 private fun isLike(character: Char, wanted: Char) = wanted == '?' || character.equals(wanted, ignoreCase = true)
+
+/** The first number in each text, of what stands behind [mark] in it; a gap where there is none. */
+internal fun numbers(column: Column, mark: String): Column {
+    val results = DoubleArray(column.texts!!.size) { numberIn(column.texts[it], mark) }
+    return column.with(DoubleArray(column.size) { column.y[it].let { id -> if (id.isNaN()) id else results[id.toInt()] } })
+}
+
+private fun numberIn(text: String, mark: String): Double {
+    val found = text.indexOf(mark, ignoreCase = true)
+    if (found < 0) return Double.NaN
+    for (from in found + mark.length until text.length) {
+        // Digits within a word, as in CAN1, are part of its name.
+        val isWithinWord = from > 0 && (text[from - 1].isLetterOrDigit() || text[from - 1] == '_')
+        if (text[from] !in DIGITS || isWithinWord) continue
+        val isNegative = from > 0 && text[from - 1] == '-' && (from < 2 || !text[from - 2].isLetterOrDigit())
+        var until = from
+        while (until < text.length && (text[until] in DIGITS || (text[until] == '.' && text.getOrNull(until + 1) in DIGITS))) until++
+        val number = text.substring(from, until).toDoubleOrNull() ?: continue
+        return if (isNegative) -number else number
+    }
+    return Double.NaN
+}
+
+private operator fun CharRange.contains(character: Char?): Boolean = character != null && character in this
+
+private val DIGITS = '0'..'9'

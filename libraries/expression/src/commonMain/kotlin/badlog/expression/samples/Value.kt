@@ -37,8 +37,26 @@ internal class Column(
     /** When sample [index] was taken, as it was logged. */
     fun time(index: Int): Double = stretches?.logged(x[index]) ?: x[index]
 
+    /** When [position], one of x, was logged. */
+    fun logged(position: Double): Double = stretches?.logged(position) ?: position
+
+    /** Until when sample [index] holds: until the next one, or [end]. A moment is over at once. */
+    fun until(index: Int, end: Double): Double = when {
+        isMomentary -> x[index]
+        index + 1 < x.size && x[index + 1] < end -> x[index + 1]
+        else -> end
+    }
+
+    /** How long sample [index] holds. */
+    fun width(index: Int, end: Double): Double = maxOf(0.0, until(index, end) - x[index])
+
     /** The end of the recording with the times [range], in terms of [x]. */
-    fun end(range: Span?): Double = stretches?.end ?: range?.to ?: Double.NEGATIVE_INFINITY
+    fun end(range: Span?): Double = when {
+        // Topics with times of their own may go on beyond the rows.
+        stretches != null -> if (x.isEmpty()) stretches.end else maxOf(stretches.end, x.last())
+
+        else -> range?.to ?: Double.NEGATIVE_INFINITY
+    }
 
     /** Other samples at the same times. */
     fun with(samples: DoubleArray): Column = Column(x, samples, null, isMomentary, stretches)

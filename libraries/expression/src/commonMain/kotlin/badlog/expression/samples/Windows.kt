@@ -4,63 +4,108 @@ import badlog.analysis.Units
 import kotlin.math.abs
 import kotlin.math.round
 
-/** What is made of the values in a window. */
-internal enum class Folding { MIN, MAX, MEAN }
-
 /**
- * For each sample what [folding] makes of the finite values later than [width] before it, up to its own; a gap without any.
+ * For each sample the smallest finite value that there was in the time of [width] up to it, or the largest if [isLargest]; a gap
+ * without any. What was before holds on into the window.
  *
  * Two halves meet at a fixed sample: of the older one the results up to there are known for every begin, the newer one grows.
- * When the begin passes the meeting point, it moves to the newest sample. So no value is ever taken out of a sum, which would
- * leave its rounding behind, and each sample is seen twice however wide the window is.
+ * When the begin passes the meeting point, it moves to the newest sample. So each sample is seen twice however wide the window is.
  */
-internal fun Column.windowed(width: Double, folding: Folding): Column {
+internal fun Column.windowExtreme(width: Double, isLargest: Boolean): Column {
+    fun better(a: Double, b: Double) = when {
+        !b.isFinite() -> a
+        a.isNaN() -> b
+        isLargest -> maxOf(a, b)
+        else -> minOf(a, b)
+    }
+
     val older = DoubleArray(size)
-    val olderCounts = IntArray(size)
+    val results = DoubleArray(size)
+    var meeting = -1
+    var begin = 0
+    var newer = Double.NaN
+    for (i in 0 until size) {
+        begin = firstWithin(begin, i, width)
+        if (begin > meeting) {
+            var best = Double.NaN
+            for (j in i downTo begin) {
+                best = better(best, y[j])
+                older[j] = best
+            }
+            meeting = i
+            newer = Double.NaN
+        } else {
+            newer = better(newer, y[i])
+        }
+        results[i] = better(older[begin], newer)
+    }
+    return with(results)
+}
+
+/**
+ * For each sample the mean over the time of [width] up to it, weighed by time; before the first sample and in gaps nothing is known.
+ * Where no time is known, it is the sample's own value. No value is ever taken out of a sum, which would leave its rounding
+ * behind, see [windowExtreme].
+ */
+internal fun Column.windowMean(width: Double): Column {
+    val olderSums = DoubleArray(size)
+    val olderWeights = DoubleArray(size)
     val results = DoubleArray(size)
     var meeting = -1
     var begin = 0
     var newer = 0.0
-    var newerCount = 0
+    var newerWeight = 0.0
+
+    // Of sample j, which holds until the next: how long it is known, and times its value.
+    fun weight(j: Int) = if (y[j].isFinite()) x[j + 1] - x[j] else 0.0
+    fun area(j: Int) = if (y[j].isFinite()) y[j] * (x[j + 1] - x[j]) else 0.0
     for (i in 0 until size) {
-        val from = x[i] - width + slack(width, x[i])
-        while (x[begin] <= from && begin < i) begin++
-        if (begin > meeting) {
+        begin = firstWithin(begin, i, width)
+        // The first holds only for the part of it that is within; those after it, up to the one before this, hold wholly.
+        if (begin + 1 > meeting) {
             var sum = 0.0
-            var count = 0
-            for (j in i downTo begin) {
-                sum = folding.add(sum, count, y[j])
-                if (y[j].isFinite()) count++
-                older[j] = sum
-                olderCounts[j] = count
+            var weight = 0.0
+            for (j in i - 1 downTo begin + 1) {
+                sum += area(j)
+                weight += weight(j)
+                olderSums[j] = sum
+                olderWeights[j] = weight
             }
-            meeting = i
+            if (i > 0) meeting = i - 1
             newer = 0.0
-            newerCount = 0
+            newerWeight = 0.0
         } else {
-            newer = folding.add(newer, newerCount, y[i])
-            if (y[i].isFinite()) newerCount++
+            newer += area(i - 1)
+            newerWeight += weight(i - 1)
         }
-        val count = olderCounts[begin] + newerCount
-        val sum = if (newerCount == 0) older[begin] else folding.merge(older[begin], olderCounts[begin], newer)
-        results[i] = if (count == 0) {
-            Double.NaN
-        } else if (folding == Folding.MEAN) {
-            sum / count
+        var sum = newer
+        var weight = newerWeight
+        if (begin + 1 <= minOf(meeting, i - 1)) {
+            sum += olderSums[begin + 1]
+            weight += olderWeights[begin + 1]
+        }
+        if (begin < i && y[begin].isFinite()) {
+            val part = x[begin + 1] - maxOf(x[begin], x[i] - width)
+            sum += y[begin] * part
+            weight += part
+        }
+        results[i] = if (weight > 0) {
+            sum / weight
+        } else if (y[i].isFinite()) {
+            y[i]
         } else {
-            sum
+            Double.NaN
         }
     }
     return with(results)
 }
 
-private fun Folding.add(sum: Double, count: Int, value: Double) = if (value.isFinite()) merge(sum, count, value) else sum
-
-private fun Folding.merge(sum: Double, count: Int, other: Double): Double = when {
-    count == 0 -> other
-    this == Folding.MIN -> minOf(sum, other)
-    this == Folding.MAX -> maxOf(sum, other)
-    else -> sum + other
+/** The last sample that is not later than [width] before sample [index], for it holds on into the window; not before [from]. */
+private fun Column.firstWithin(from: Int, index: Int, width: Double): Int {
+    val begin = x[index] - width + slack(width, x[index])
+    var first = from
+    while (first < index && x[first + 1] <= begin) first++
+    return first
 }
 
 /** How much of x a second is, where x is a time in [unit]; 1 where it has none. */

@@ -19,8 +19,17 @@ public interface Signals {
     /** The texts that the samples of the state or event signal [name] stand for. */
     public fun states(name: String): List<String>
 
-    /** When the robot was enabled, in the order of time. */
-    public val enabled: List<EnabledSpan>
+    /** When the robot was enabled, in the order of time; null where the recording does not tell. */
+    public val enabled: List<EnabledSpan>?
+
+    /** Whether [enabled] tells autonomous and teleoperated apart. */
+    public val knowsAutonomous: Boolean get() = enabled != null
+
+    /** The x axis as a signal: a sample at each of its positions, which is that position. */
+    public val axis: Series
+
+    /** The x of each row of the recording, the very array that the series of topics in rows have; null where there are no rows. */
+    public val rows: DoubleArray?
 
     /** From the first sample of the recording to the last, or null without any. */
     public val range: Span?

@@ -2,45 +2,60 @@ package badlog.expression.syntax
 
 import badlog.analysis.Span
 import badlog.expression.samples.Column
-import badlog.expression.samples.Folding
 import badlog.expression.samples.Operation
+import badlog.expression.samples.Regression
 import badlog.expression.samples.Scalar
 import badlog.expression.samples.Value
+import badlog.expression.samples.after
 import badlog.expression.samples.all
 import badlog.expression.samples.any
 import badlog.expression.samples.area
+import badlog.expression.samples.before
 import badlog.expression.samples.changed
 import badlog.expression.samples.chosen
 import badlog.expression.samples.clamped
 import badlog.expression.samples.combined
 import badlog.expression.samples.count
+import badlog.expression.samples.cycleTimes
 import badlog.expression.samples.delta
 import badlog.expression.samples.derivative
 import badlog.expression.samples.duration
 import badlog.expression.samples.during
+import badlog.expression.samples.falls
 import badlog.expression.samples.first
+import badlog.expression.samples.firstPart
 import badlog.expression.samples.hold
 import badlog.expression.samples.last
+import badlog.expression.samples.lastPart
+import badlog.expression.samples.lengths
 import badlog.expression.samples.maximum
 import badlog.expression.samples.mean
 import badlog.expression.samples.minimum
 import badlog.expression.samples.missing
+import badlog.expression.samples.numbers
 import badlog.expression.samples.percentile
 import badlog.expression.samples.previous
+import badlog.expression.samples.rises
+import badlog.expression.samples.sampleMean
+import badlog.expression.samples.samplePercentile
+import badlog.expression.samples.sampleStandardDeviation
 import badlog.expression.samples.shifted
 import badlog.expression.samples.standardDeviation
 import badlog.expression.samples.total
 import badlog.expression.samples.wholeIntegral
-import badlog.expression.samples.windowed
+import badlog.expression.samples.windowExtreme
+import badlog.expression.samples.windowMean
 import badlog.expression.syntax.Parameter.CONDITION
 import badlog.expression.syntax.Parameter.NUMBERS
 import badlog.expression.syntax.Parameter.NUMBERS_OR_CONDITION
 import badlog.expression.syntax.Parameter.ONE_NUMBER
 import badlog.expression.syntax.Parameter.SHARE
 import badlog.expression.syntax.Parameter.SHIFT
+import badlog.expression.syntax.Parameter.TEXT
 import badlog.expression.syntax.Parameter.VARYING
 import badlog.expression.syntax.Parameter.VARYING_CONDITION
 import badlog.expression.syntax.Parameter.VARYING_NUMBERS
+import badlog.expression.syntax.Parameter.VARYING_TEXTS
 import badlog.expression.syntax.Parameter.WINDOW
 import kotlin.math.abs
 import kotlin.math.acos
@@ -63,62 +78,182 @@ import kotlin.math.tan
  * What can be called.
  *
  * @property title how it is written; several with one title differ in how many operands they take.
+ * @property movesTimes whether it makes more samples than it is given.
+ * @property needsSteps whether what it gives changes while its first operand holds.
+ * @property needsLasting whether moments have nothing that it could tell.
+ * @property timing whether what it gives is there at moments only.
+ * @property unit the unit of what it gives.
  */
 internal enum class Function(
     val title: String,
     val parameters: List<Parameter>,
     val result: Result,
     val movesTimes: Boolean = false,
+    val needsSteps: Boolean = false,
+    val needsLasting: Boolean = needsSteps,
+    val timing: Timing = Timing.AS_OPERANDS,
+    val unit: UnitOfResult = UnitOfResult.UNKNOWN,
     val compute: Computation,
 ) {
-    MIN("min", listOf(VARYING_NUMBERS), Result.NUMBER, compute = { it.column(0).minimum() }),
-    MAX("max", listOf(VARYING_NUMBERS), Result.NUMBER, compute = { it.column(0).maximum() }),
-    MEAN("mean", listOf(VARYING_NUMBERS), Result.NUMBER, compute = { it.column(0).mean() }),
-    MEDIAN("median", listOf(VARYING_NUMBERS), Result.NUMBER, compute = { it.column(0).percentile(50.0) }),
-    PERCENTILE("percentile", listOf(VARYING_NUMBERS, SHARE), Result.NUMBER, compute = { it.column(0).percentile(it.number(1)) }),
-    STDDEV("stddev", listOf(VARYING_NUMBERS), Result.NUMBER, compute = { it.column(0).standardDeviation() }),
-    FIRST("first", listOf(VARYING_NUMBERS), Result.NUMBER, compute = { it.column(0).first() }),
-    LAST("last", listOf(VARYING_NUMBERS), Result.NUMBER, compute = { it.column(0).last() }),
-    INTEGRAL("integral", listOf(VARYING_NUMBERS), Result.NUMBER, compute = { it.column(0).wholeIntegral() }),
-    DURATION("duration", listOf(VARYING), Result.NUMBER, compute = { it.column(0).duration() }),
-    COUNT("count", listOf(VARYING), Result.NUMBER, compute = { it.column(0).count(it.isCondition(0), it.range) }),
-    TIME_OF_MIN("time_of_min", listOf(VARYING_NUMBERS), Result.NUMBER, compute = { it.column(0).minimum().timeAlone() }),
-    TIME_OF_MAX("time_of_max", listOf(VARYING_NUMBERS), Result.NUMBER, compute = { it.column(0).maximum().timeAlone() }),
+    MIN("min", listOf(VARYING_NUMBERS), Result.NUMBER, unit = UnitOfResult.AS_FIRST, compute = { it.column(0).minimum() }),
+    MAX("max", listOf(VARYING_NUMBERS), Result.NUMBER, unit = UnitOfResult.AS_FIRST, compute = { it.column(0).maximum() }),
+    MEAN("mean", listOf(VARYING_NUMBERS), Result.NUMBER, unit = UnitOfResult.AS_FIRST, compute = { it.column(0).mean(it.range) }),
+    MEDIAN("median", listOf(VARYING_NUMBERS), Result.NUMBER, unit = UnitOfResult.AS_FIRST, compute = {
+        it.column(0).percentile(50.0, it.range)
+    }),
+    PERCENTILE(
+        "percentile",
+        listOf(VARYING_NUMBERS, SHARE),
+        Result.NUMBER,
+        unit = UnitOfResult.AS_FIRST,
+        compute = { it.column(0).percentile(it.number(1), it.range) },
+    ),
+    STDDEV("stddev", listOf(VARYING_NUMBERS), Result.NUMBER, unit = UnitOfResult.AS_FIRST, compute = {
+        it.column(0).standardDeviation(it.range)
+    }),
+    SAMPLE_MEAN("sample_mean", listOf(VARYING_NUMBERS), Result.NUMBER, unit = UnitOfResult.AS_FIRST, compute = {
+        it.column(0).sampleMean()
+    }),
+    SAMPLE_MEDIAN("sample_median", listOf(VARYING_NUMBERS), Result.NUMBER, unit = UnitOfResult.AS_FIRST, compute = {
+        it.column(0).samplePercentile(50.0)
+    }),
+    SAMPLE_PERCENTILE(
+        "sample_percentile",
+        listOf(VARYING_NUMBERS, SHARE),
+        Result.NUMBER,
+        unit = UnitOfResult.AS_FIRST,
+        compute = { it.column(0).samplePercentile(it.number(1)) },
+    ),
+    SAMPLE_STDDEV("sample_stddev", listOf(VARYING_NUMBERS), Result.NUMBER, unit = UnitOfResult.AS_FIRST, compute = {
+        it.column(0).sampleStandardDeviation()
+    }),
+    FIRST("first", listOf(VARYING_NUMBERS), Result.NUMBER, unit = UnitOfResult.AS_FIRST, compute = { it.column(0).first() }),
+    LAST("last", listOf(VARYING_NUMBERS), Result.NUMBER, unit = UnitOfResult.AS_FIRST, compute = { it.column(0).last(it.range) }),
+    INTEGRAL("integral", listOf(VARYING_NUMBERS), Result.NUMBER, needsLasting = true, compute = { it.column(0).wholeIntegral(it.range) }),
+    DURATION("duration", listOf(VARYING), Result.NUMBER, unit = UnitOfResult.AXIS, compute = { it.column(0).duration(it.range) }),
+    COUNT("count", listOf(VARYING), Result.NUMBER, unit = UnitOfResult.NONE, compute = { it.column(0).count(it.isCondition(0), it.range) }),
+    TIME_OF_MIN("time_of_min", listOf(VARYING_NUMBERS), Result.NUMBER, unit = UnitOfResult.AXIS, compute = {
+        it.column(0).minimum().timeAlone()
+    }),
+    TIME_OF_MAX("time_of_max", listOf(VARYING_NUMBERS), Result.NUMBER, unit = UnitOfResult.AXIS, compute = {
+        it.column(0).maximum().timeAlone()
+    }),
     ANY("any", listOf(VARYING_CONDITION), Result.CONDITION, compute = { it.column(0).any(it.range) }),
     ALL("all", listOf(VARYING_CONDITION), Result.CONDITION, compute = { it.column(0).all() }),
-    TOTAL("total", listOf(VARYING_CONDITION), Result.NUMBER, compute = { it.column(0).total(it.range) }),
+    SLOPE("slope", listOf(VARYING_NUMBERS, VARYING_NUMBERS), Result.NUMBER, compute = { it.regression().slope }),
+    CORRELATION(
+        "correlation",
+        listOf(VARYING_NUMBERS, VARYING_NUMBERS),
+        Result.NUMBER,
+        unit = UnitOfResult.NONE,
+        compute = { it.regression().correlation },
+    ),
+    TOTAL("total", listOf(VARYING_CONDITION), Result.NUMBER, needsLasting = true, unit = UnitOfResult.AXIS, compute = {
+        it.column(0).total(it.range)
+    }),
 
     WINDOW_MIN(
         "min",
         listOf(VARYING_NUMBERS, WINDOW),
         Result.NUMBERS,
-        compute = { it.column(0).windowed(it.number(1), Folding.MIN) },
+        needsSteps = true,
+        unit = UnitOfResult.AS_FIRST,
+        compute = { it.column(0).windowExtreme(it.number(1), isLargest = false) },
     ),
     WINDOW_MAX(
         "max",
         listOf(VARYING_NUMBERS, WINDOW),
         Result.NUMBERS,
-        compute = { it.column(0).windowed(it.number(1), Folding.MAX) },
+        needsSteps = true,
+        unit = UnitOfResult.AS_FIRST,
+        compute = { it.column(0).windowExtreme(it.number(1), isLargest = true) },
     ),
     WINDOW_MEAN(
         "mean",
         listOf(VARYING_NUMBERS, WINDOW),
         Result.NUMBERS,
-        compute = { it.column(0).windowed(it.number(1), Folding.MEAN) },
+        needsSteps = true,
+        unit = UnitOfResult.AS_FIRST,
+        compute = { it.column(0).windowMean(it.number(1)) },
     ),
-    DELTA("delta", listOf(VARYING_NUMBERS), Result.NUMBERS, compute = { it.column(0).delta() }),
+    DELTA("delta", listOf(VARYING_NUMBERS), Result.NUMBERS, timing = Timing.AT_MOMENTS, unit = UnitOfResult.AS_FIRST, compute = {
+        it.column(0).delta()
+    }),
     DERIVATIVE("derivative", listOf(VARYING_NUMBERS), Result.NUMBERS, compute = { it.column(0).derivative() }),
-    AREA("area", listOf(VARYING_NUMBERS), Result.NUMBERS, compute = { it.column(0).area() }),
-    PREVIOUS("previous", listOf(VARYING), Result.AS_FIRST, compute = { it.column(0).previous() }),
-    HOLD("hold", listOf(VARYING), Result.AS_FIRST, compute = { it.column(0).hold() }),
+    AREA("area", listOf(VARYING_NUMBERS), Result.NUMBERS, needsSteps = true, compute = { it.column(0).area() }),
+    PREVIOUS("previous", listOf(VARYING), Result.AS_FIRST, unit = UnitOfResult.AS_FIRST, compute = { it.column(0).previous() }),
+    HOLD("hold", listOf(VARYING), Result.AS_FIRST, timing = Timing.LASTING, unit = UnitOfResult.AS_FIRST, compute = {
+        it.column(0).hold()
+    }),
     SHIFT_TIME(
         "shift",
         listOf(VARYING, SHIFT),
         Result.AS_FIRST,
         movesTimes = true,
+        unit = UnitOfResult.AS_FIRST,
         compute = { it.column(0).shifted(it.number(1)) },
     ),
-    CHANGED("changed", listOf(VARYING), Result.CONDITIONS, compute = { it.column(0).changed() }),
+    CHANGED("changed", listOf(VARYING), Result.CONDITIONS, timing = Timing.AT_MOMENTS, compute = { it.column(0).changed() }),
+    RISES("rises", listOf(VARYING_CONDITION), Result.CONDITIONS, timing = Timing.AT_MOMENTS, compute = { it.column(0).rises(it.range) }),
+    FALLS("falls", listOf(VARYING_CONDITION), Result.CONDITIONS, timing = Timing.AT_MOMENTS, compute = { it.column(0).falls() }),
+    CROSSES(
+        "crosses",
+        listOf(VARYING_NUMBERS, NUMBERS),
+        Result.CONDITIONS,
+        timing = Timing.AT_MOMENTS,
+        compute = { it.crossings() },
+    ),
+    LENGTHS(
+        "lengths",
+        listOf(VARYING_CONDITION),
+        Result.NUMBERS,
+        needsLasting = true,
+        timing = Timing.AT_MOMENTS,
+        unit = UnitOfResult.AXIS,
+        compute = { it.column(0).lengths(it.range) },
+    ),
+    CYCLE_TIMES(
+        "cycle_times",
+        listOf(VARYING_CONDITION),
+        Result.NUMBERS,
+        timing = Timing.AT_MOMENTS,
+        unit = UnitOfResult.AXIS,
+        compute = { it.column(0).cycleTimes(it.range) },
+    ),
+    AFTER(
+        "after",
+        listOf(VARYING_CONDITION, WINDOW),
+        Result.CONDITIONS,
+        movesTimes = true,
+        timing = Timing.LASTING,
+        compute = { it.column(0).after(it.number(1), it.range) },
+    ),
+    BEFORE(
+        "before",
+        listOf(VARYING_CONDITION, WINDOW),
+        Result.CONDITIONS,
+        movesTimes = true,
+        timing = Timing.LASTING,
+        compute = { it.column(0).before(it.number(1), it.range) },
+    ),
+    FIRST_PART(
+        "first",
+        listOf(VARYING_CONDITION, WINDOW),
+        Result.CONDITIONS,
+        needsLasting = true,
+        movesTimes = true,
+        compute = { it.column(0).firstPart(it.number(1), it.range) },
+    ),
+    LAST_PART(
+        "last",
+        listOf(VARYING_CONDITION, WINDOW),
+        Result.CONDITIONS,
+        needsLasting = true,
+        movesTimes = true,
+        compute = { it.column(0).lastPart(it.number(1), it.range) },
+    ),
+    TEXT_NUMBER("number", listOf(VARYING_TEXTS), Result.NUMBERS, compute = { numbers(it.column(0), "") }),
+    TEXT_NUMBER_AFTER("number", listOf(VARYING_TEXTS, TEXT), Result.NUMBERS, compute = { numbers(it.column(0), it.text(1)) }),
     MISSING("missing", listOf(VARYING), Result.CONDITIONS, compute = { it.column(0).missing() }),
     DURING(
         "during",
@@ -129,10 +264,10 @@ internal enum class Function(
     ),
 
     IF("if", listOf(CONDITION, NUMBERS_OR_CONDITION, NUMBERS_OR_CONDITION), Result.AS_CHOSEN, compute = { it.chosen() }),
-    CLAMP("clamp", listOf(NUMBERS, NUMBERS, NUMBERS), Result.ELEMENTWISE, compute = { it.clamped() }),
+    CLAMP("clamp", listOf(NUMBERS, NUMBERS, NUMBERS), Result.ELEMENTWISE, unit = UnitOfResult.AS_FIRST, compute = { it.clamped() }),
     ATAN2("atan2", listOf(NUMBERS, NUMBERS), Result.ELEMENTWISE, compute = { it.elementwise { y, x -> atan2(y, x) } }),
-    ABS("abs", listOf(NUMBERS), Result.ELEMENTWISE, compute = { it.elementwise { x, _ -> abs(x) } }),
-    SIGN("sign", listOf(NUMBERS), Result.ELEMENTWISE, compute = { it.elementwise { x, _ -> sign(x) } }),
+    ABS("abs", listOf(NUMBERS), Result.ELEMENTWISE, unit = UnitOfResult.AS_FIRST, compute = { it.elementwise { x, _ -> abs(x) } }),
+    SIGN("sign", listOf(NUMBERS), Result.ELEMENTWISE, unit = UnitOfResult.NONE, compute = { it.elementwise { x, _ -> sign(x) } }),
     SQRT("sqrt", listOf(NUMBERS), Result.ELEMENTWISE, compute = { it.elementwise { x, _ -> sqrt(x) } }),
     EXP("exp", listOf(NUMBERS), Result.ELEMENTWISE, compute = { it.elementwise { x, _ -> exp(x) } }),
     LOG("log", listOf(NUMBERS), Result.ELEMENTWISE, compute = { it.elementwise { x, _ -> ln(x) } }),
@@ -143,15 +278,21 @@ internal enum class Function(
     ASIN("asin", listOf(NUMBERS), Result.ELEMENTWISE, compute = { it.elementwise { x, _ -> asin(x) } }),
     ACOS("acos", listOf(NUMBERS), Result.ELEMENTWISE, compute = { it.elementwise { x, _ -> acos(x) } }),
     ATAN("atan", listOf(NUMBERS), Result.ELEMENTWISE, compute = { it.elementwise { x, _ -> atan(x) } }),
-    FLOOR("floor", listOf(NUMBERS), Result.ELEMENTWISE, compute = { it.elementwise { x, _ -> floor(x) } }),
-    CEIL("ceil", listOf(NUMBERS), Result.ELEMENTWISE, compute = { it.elementwise { x, _ -> ceil(x) } }),
-    ROUND("round", listOf(NUMBERS), Result.ELEMENTWISE, compute = { it.elementwise { x, _ -> round(x) } }),
+    FLOOR("floor", listOf(NUMBERS), Result.ELEMENTWISE, unit = UnitOfResult.AS_FIRST, compute = { it.elementwise { x, _ -> floor(x) } }),
+    CEIL("ceil", listOf(NUMBERS), Result.ELEMENTWISE, unit = UnitOfResult.AS_FIRST, compute = { it.elementwise { x, _ -> ceil(x) } }),
+    ROUND("round", listOf(NUMBERS), Result.ELEMENTWISE, unit = UnitOfResult.AS_FIRST, compute = { it.elementwise { x, _ -> round(x) } }),
     ;
 
     /** Computes the result of one call. */
     fun interface Computation {
         fun of(arguments: Arguments): Value
     }
+
+    /** Whether what a function gives over time is there at moments only. */
+    enum class Timing { AS_OPERANDS, AT_MOMENTS, LASTING }
+
+    /** The unit of what a function gives: that of its first operand, that of x, none, or one that only it knows. */
+    enum class UnitOfResult { AS_FIRST, AXIS, NONE, UNKNOWN }
 
     /** What a function gives. */
     enum class Result {
@@ -183,6 +324,8 @@ internal enum class Parameter(val needed: String) {
     VARYING("something that changes over time"),
     VARYING_NUMBERS("numbers that change over time"),
     VARYING_CONDITION("a condition that changes over time, such as x > 0"),
+    VARYING_TEXTS("a topic of texts"),
+    TEXT("a text in single quotes"),
     NUMBERS("a number"),
     CONDITION("a condition, such as x > 0"),
 
@@ -201,6 +344,8 @@ internal enum class Parameter(val needed: String) {
             VARYING -> type.isOverTime
             VARYING_NUMBERS -> type.isOverTime && type.kind.isNumeric
             VARYING_CONDITION -> type.isOverTime && type.kind == Kind.CONDITION
+            VARYING_TEXTS -> type.isOverTime && type.kind == Kind.TEXT
+            TEXT -> node is Node.Text
             NUMBERS, NUMBERS_OR_CONDITION -> type.kind.isNumeric
             CONDITION -> type.kind == Kind.CONDITION
             ONE_NUMBER -> !type.isOverTime && type.kind.isNumeric
@@ -216,12 +361,19 @@ internal enum class Parameter(val needed: String) {
  *
  * @property range of the whole recording.
  */
-internal class Arguments(private val values: List<Value>, private val areConditions: List<Boolean>, val range: Span?) {
+internal class Arguments(private val nodes: List<Node>, private val values: List<Value>, val range: Span?) {
     fun column(index: Int): Column = values[index] as Column
 
     fun number(index: Int): Double = (values[index] as Scalar).value
 
-    fun isCondition(index: Int): Boolean = areConditions[index]
+    fun isCondition(index: Int): Boolean = nodes[index].type.kind == Kind.CONDITION
+
+    fun text(index: Int): String = (nodes[index] as Node.Text).text
+
+    fun regression() = Regression(values[0], values[1], range)
+
+    /** Where the first operand comes above the second, or below it. */
+    fun crossings(): Column = (combined(values[0], values[1], Operator.GREATER.operation) as Column).changed()
 
     fun chosen(): Value = chosen(values[0], values[1], values[2])
 

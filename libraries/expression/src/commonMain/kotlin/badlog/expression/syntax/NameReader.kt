@@ -5,7 +5,7 @@ import badlog.expression.signals.editDistance
 import badlog.expression.signals.isWordCharacter
 
 /** Words that mean themselves when they are written like this. */
-internal val KEYWORDS = setOf("not", "true", "false", "enabled", "autonomous")
+internal val KEYWORDS = setOf("not", "true", "false", AXIS) + Mode.entries.map { it.word }
 
 /** What a word means where an operand may stand. */
 internal sealed interface Meaning {
@@ -56,6 +56,24 @@ internal class NameReader(private val text: String, private val scanner: Scanner
             throw Mistake(from, until, ExpressionErrorKind.AMBIGUOUS_TOPIC, "“$name” may mean $some$others.")
         }
         return Node.Topic(from, until, found[0])
+    }
+
+    /** Whether the word at [from] is that of a function that is called. */
+    fun isCallAt(from: Int): Boolean = scanner.wordAt(from).let { Function.called(it).isNotEmpty() && isCalled(from + it.length) }
+
+    /** What begins at [from] is written as a path, though parts of it are names. */
+    fun failPath(from: Int): Nothing {
+        val until = nameEnd(from)
+        val name = text.substring(from, until)
+        val near = vocabulary.nearest(name) ?: vocabulary.find(name.substringAfterLast('/')).firstOrNull()
+        val nearest = if (near == null) "to" else "did you mean “${near.name}”? To"
+        val divided = name.replaceFirst("/", " / ")
+        throw Mistake(
+            from,
+            until,
+            ExpressionErrorKind.UNKNOWN_TOPIC,
+            "There is no topic “$name”; $nearest divide, put spaces around the slash: $divided.",
+        )
     }
 
     private fun isCalled(at: Int): Boolean {
@@ -133,6 +151,6 @@ internal class NameReader(private val text: String, private val scanner: Scanner
         const val NEVER = 1000
         val CALLED_ELSEWHERE =
             mapOf("sum" to "integral", "avg" to "mean", "average" to "mean", "std" to "stddev", "diff" to "delta", "length" to "duration")
-        val INFIX_WORDS = setOf("and", "or", "for", "when", "contains", "matches")
+        val INFIX_WORDS = setOf("and", "or", "for", "when", "within", "contains", "matches")
     }
 }

@@ -19,9 +19,15 @@ internal sealed class Node(var from: Int, var until: Int, val children: List<Nod
     /** What it gives, once checked. */
     lateinit var type: Type
 
+    /** How its numbers become those of another unit, in which they are needed. */
+    var conversion: Conversion? = null
+
     class Number(from: Int, until: Int, val value: Double, val digits: String) : Node(from, until, emptyList())
 
     class Time(from: Int, until: Int, val seconds: Double, val written: String) : Node(from, until, emptyList())
+
+    /** A number with its unit, as it is written. */
+    class Measured(from: Int, until: Int, val value: Double, val digits: String, val unit: String) : Node(from, until, emptyList())
 
     class Truth(from: Int, until: Int, val value: Boolean) : Node(from, until, emptyList())
 
@@ -29,7 +35,10 @@ internal sealed class Node(var from: Int, var until: Int, val children: List<Nod
 
     class Topic(from: Int, until: Int, val signal: Signal) : Node(from, until, emptyList())
 
-    class Enabled(from: Int, until: Int, val isAutonomous: Boolean) : Node(from, until, emptyList())
+    class Enabled(from: Int, until: Int, val mode: Mode) : Node(from, until, emptyList())
+
+    /** The x axis. */
+    class Axis(from: Int, until: Int) : Node(from, until, emptyList())
 
     class Negative(from: Int, val operand: Node) : Node(from, operand.until, listOf(operand))
 
@@ -42,11 +51,25 @@ internal sealed class Node(var from: Int, var until: Int, val children: List<Nod
     class Call(from: Int, until: Int, val function: Function, val arguments: List<Node>) : Node(from, until, arguments)
 }
 
+/** In which mode a robot may be enabled; [ENABLED] is any. */
+internal enum class Mode {
+    ENABLED,
+    AUTONOMOUS,
+    TELEOP,
+    ;
+
+    /** How it is written. */
+    val word: String get() = name.lowercase()
+}
+
+/** How the x axis is written. */
+internal const val AXIS: String = "time"
+
 /** What a part of an expression gives, and how an error calls it. */
 internal enum class Kind(val title: String) {
     NUMBER("a number"),
 
-    /** A number of seconds that is written with its unit; a number everywhere else. */
+    /** A time that is written with its unit; a number everywhere else. */
     TIME("a time"),
 
     /** Counts as 0 and 1 where a number is needed. */

@@ -14,6 +14,10 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
     private var nodes = 0
     private var moves = 0
 
+    // Of the last topic that was read without quotes.
+    private var plainNameFrom = -1
+    private var plainNameUntil = -1
+
     /** The whole text. */
     fun parse(): Node {
         if (text.length > Limits.LENGTH) {
@@ -32,7 +36,10 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
             val operatorFrom = scanner.at
             if (least <= Precedence.FOR && scanner.takeWord("for")) {
                 left = made(Node.For(left, readTime(operatorFrom)))
-                countMove(left)
+                continue
+            }
+            if (least <= Precedence.FOR && scanner.takeWord("within")) {
+                left = made(readNearness(left, operatorFrom, nesting))
                 continue
             }
             val spelling = scanner.peekOperator() ?: return left
@@ -41,18 +48,27 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
             if (operator.isComparison && left is Node.Binary && left.operator.isComparison && !isInParentheses(left)) {
                 fail(operatorFrom, operatorFrom + spelling.first.length, CHAINED)
             }
+            if (operator == Operator.DIVIDED_BY) requireNoPath(operatorFrom)
             scanner.at += spelling.first.length
+            val operatorUntil = scanner.at
+            if (operator == Operator.REMAINDER && left is Node.Number && isOperandMissing()) {
+                left = made(Node.Measured(left.from, operatorUntil, left.value, left.digits, "%"))
+                continue
+            }
             // To the right of all but ^, what holds together as tightly begins the next round.
             val right = try {
-                if (operator == Operator.REMAINDER && left is Node.Number && isOperandMissing()) {
-                    fail(operatorFrom, operatorFrom + 1, NO_PERCENT)
-                }
                 expression(operator.precedence + if (operator == Operator.POWER) 0 else 1, nesting + 1)
             } catch (mistake: Mistake) {
                 throw if (isOfText(left, operator) && mistake.kind == ExpressionErrorKind.UNKNOWN_TOPIC) asText(mistake) else mistake
             }
             left = made(Node.Binary(operator, left, right))
         }
+    }
+
+    /** What is written as a path, as `Arm/Angle`, is not divided when it is no topic's name. */
+    private fun requireNoPath(slash: Int) {
+        val isPath = plainNameUntil == slash && slash + 1 < text.length && (text[slash + 1].isLetter() || text[slash + 1] == '_')
+        if (isPath && !names.isCallAt(slash + 1)) names.failPath(plainNameFrom)
     }
 
     private fun isOperandMissing(): Boolean {
@@ -72,11 +88,31 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
     // An operand in parentheses reaches farther than what it is made of.
     private fun isInParentheses(node: Node) = node.from < node.children.first().from
 
-    private fun readTime(forFrom: Int): Node.Time {
+    private fun readTime(wordFrom: Int): Node.Time {
+        val word = text.substring(wordFrom, scanner.at)
+        val message = "After “$word” a time is needed, as in $word 0.5 s."
         scanner.skipSpace()
         val from = scanner.at
-        if (!scanner.isNumberHere()) fail(forFrom, forFrom + "for".length, NO_TIME)
-        return number() as? Node.Time ?: fail(from, scanner.at, NO_TIME)
+        if (!scanner.isNumberHere()) fail(wordFrom, wordFrom + word.length, message)
+        return number() as? Node.Time ?: fail(from, scanner.at, message)
+    }
+
+    /** What follows the word “within” at [wordFrom], as in `a within 1 s after b`, which is `a and after(b, 1 s)`. */
+    private fun readNearness(left: Node, wordFrom: Int, nesting: Int): Node {
+        val time = readTime(wordFrom)
+        scanner.skipSpace()
+        val from = scanner.at
+        val function = if (scanner.takeWord("after")) {
+            Function.AFTER
+        } else if (scanner.takeWord("before")) {
+            Function.BEFORE
+        } else {
+            fail(wordFrom, scanner.at, "After “within” and the time, “after” or “before” is needed, as in within 1 s after x > 5.")
+        }
+        val other = expression(Precedence.NOT, nesting + 1)
+        val call = made(Node.Call(from, scanner.at, function, listOf(other, time)))
+        countMove(call)
+        return Node.Binary(Operator.AND, left, call)
     }
 
     private fun operand(nesting: Int): Node {
@@ -125,16 +161,27 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
 
     private fun number(): Node {
         val number = scanner.number()
-        if (number is Node.Time && !vocabulary.hasTime) {
-            val written = text.substring(number.from, number.until)
-            val message = "The x axis of this log is not a time, so “$written” has no meaning; give it an x axis with a unit of time."
-            fail(number.from, number.until, message, ExpressionErrorKind.NO_TIME)
-        }
+        if (number is Node.Time) requireTime(number.from, number.until)
         return made(number)
     }
 
+    private fun axis(from: Int): Node {
+        requireTime(from, scanner.at)
+        return Node.Axis(from, scanner.at)
+    }
+
+    private fun requireTime(from: Int, until: Int) {
+        if (vocabulary.hasTime) return
+        val written = text.substring(from, until)
+        val message = "The x axis of this log is not a time, so “$written” has no meaning; give it an x axis with a unit of time."
+        fail(from, until, message, ExpressionErrorKind.NO_TIME)
+    }
+
     private fun word(from: Int, nesting: Int): Node = when (val meaning = names.read()) {
-        is Meaning.Topic -> made(meaning.node)
+        is Meaning.Topic -> made(meaning.node).also {
+            plainNameFrom = it.from
+            plainNameUntil = it.until
+        }
 
         is Meaning.Call -> call(from, meaning.name, nesting)
 
@@ -146,7 +193,8 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
                 made(
                     when (meaning.word) {
                         "true", "false" -> Node.Truth(from, scanner.at, meaning.word == "true")
-                        else -> Node.Enabled(from, scanner.at, meaning.word == "autonomous")
+                        AXIS -> axis(from)
+                        else -> Node.Enabled(from, scanner.at, Mode.entries.first { it.word == meaning.word })
                     },
                 )
             }
@@ -185,7 +233,7 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
 
     private fun countMove(node: Node) {
         if (++moves > Limits.MOVES) {
-            val message = "An expression has at most ${Limits.MOVES} times “for”, during and shift."
+            val message = "An expression has at most ${Limits.MOVES} times during, shift, after, before, first and last with a time."
             fail(node.from, node.until, message, ExpressionErrorKind.LIMIT)
         }
     }
@@ -213,8 +261,6 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
 
     private companion object {
         val TEXTS = setOf(SignalKind.STATE, SignalKind.EVENT)
-        const val NO_PERCENT = "“%” is the remainder of a division; after a number no unit is written, not even %."
-        const val NO_TIME = "After “for” a time is needed, as in for 0.5 s."
         const val CHAINED = "Comparisons cannot be chained; write “a < b and b < c”."
     }
 }

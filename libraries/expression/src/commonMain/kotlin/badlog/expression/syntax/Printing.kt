@@ -12,7 +12,11 @@ internal fun printed(node: Node): String = when (node) {
 
     is Node.Topic -> quoted(node.signal.name, '"')
 
-    is Node.Enabled -> if (node.isAutonomous) "autonomous" else "enabled"
+    is Node.Enabled -> node.mode.word
+
+    is Node.Axis -> AXIS
+
+    is Node.Measured -> "${node.digits} ${node.unit}"
 
     is Node.Negative -> "-" + printed(node.operand, Precedence.POWER)
 

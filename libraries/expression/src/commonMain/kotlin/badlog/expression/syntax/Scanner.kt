@@ -70,20 +70,33 @@ internal class Scanner(private val text: String) {
         val digits = text.substring(from, at)
         val value = digits.toDouble()
         if (!value.isFinite()) fail(from, at, "This number is too large.")
+        if (at < text.length && text[at] == ':' && isDigit(at + 1)) return clockTime(from)
         val end = at
         skipSpace()
-        val unitFrom = at
-        val unit = wordAt(at)
-        val isTaken = unit.isEmpty() || peekOperator() != null || unit.equals("for", ignoreCase = true)
+        val word = wordAt(at)
+        val isTaken = peekOperator() != null || word.lowercase() in NOT_UNITS
+        val unit = if (isTaken) "" else Measure.longestAt(text, at)
         val seconds = Units.secondsIn(unit)
-        if (isTaken || seconds == null) {
-            if (!isTaken) fail(unitFrom, unitFrom + unit.length, noUnit(unit))
+        if (unit.isEmpty()) {
+            if (!isTaken && word.isNotEmpty()) fail(at, at + word.length, noUnit(word))
             at = end
             return Node.Number(from, end, value, digits)
         }
         at += unit.length
+        if (seconds == null) return Node.Measured(from, at, value, digits, unit)
         if (!(value * seconds).isFinite()) fail(from, at, "This time is too long.")
         return Node.Time(from, at, value * seconds, "$digits $unit")
+    }
+
+    /** A time as a clock shows it: `1:30` is a minute and a half, `1:02:03.5` an hour more. */
+    private fun clockTime(from: Int): Node {
+        while (at < text.length && (isDigit(at) || (text[at] in ":." && isDigit(at + 1)))) at++
+        val written = text.substring(from, at)
+        val parts = written.split(':')
+        val isClock = parts.size in 2..3 && parts.drop(1).all { it.substringBefore('.').length == 2 && it.toDouble() < SIXTY } &&
+            parts.dropLast(1).none { '.' in it }
+        if (!isClock) fail(from, at, "“$written” is not a time; write minutes and seconds as 1:30, or hours too as 1:02:03.")
+        return Node.Time(from, at, parts.fold(0.0) { sum, part -> sum * SIXTY + part.toDouble() }, written)
     }
 
     private fun skipDigits() {
@@ -106,7 +119,14 @@ internal class Scanner(private val text: String) {
     }
 
     private fun noUnit(unit: String) =
-        "“$unit” is not a unit of time; times are written in h, min, s, ms or us, other numbers without a unit."
+        "“$unit” is not a unit that badlog knows; times are written in h, min, s, ms or us, other numbers without a unit or as in 7 V."
 
     private fun fail(from: Int, until: Int, message: String): Nothing = throw Mistake(from, until, ExpressionErrorKind.SYNTAX, message)
+
+    private companion object {
+        const val SIXTY = 60.0
+
+        /** Words that may follow a number. */
+        val NOT_UNITS = setOf("for", "within")
+    }
 }

@@ -7,7 +7,8 @@ import badlog.plot.text.roundedText
 import badlog.recording.Topic
 
 /**
- * A number about the samples of a range.
+ * A number that tells about the samples of a range. Those that could count samples or time count time: a value that holds long
+ * weighs much, however often it was logged; see [badlog.analysis.SeriesStatistics].
  *
  * @property title what the front ends call it.
  * @property hint what it is, for who does not know it by its title.
@@ -26,20 +27,20 @@ public enum class Statistic(
     /** The largest value. */
     MAX("max", "the largest value", isSample = true),
 
-    /** The arithmetic mean. */
-    MEAN("mean", "the arithmetic mean of the samples"),
+    /** The mean by time. */
+    MEAN("mean", "the mean by time: each value counts as long as it holds"),
 
-    /** Half of the samples are below this. */
-    MEDIAN("median", "half of the samples are below this"),
+    /** Below this for half of the time. */
+    MEDIAN("median", "below this for half of the time"),
 
-    /** 5 % of the samples are below this. */
-    PERCENTILE_5("5 %", "5 % of the samples are below this"),
+    /** Below this for 5 % of the time. */
+    PERCENTILE_5("5 %", "below this for 5 % of the time"),
 
-    /** 95 % of the samples are below this. */
-    PERCENTILE_95("95 %", "95 % of the samples are below this"),
+    /** Below this for 95 % of the time. */
+    PERCENTILE_95("95 %", "below this for 95 % of the time"),
 
-    /** The standard deviation. */
-    STANDARD_DEVIATION("std", "the standard deviation of the samples"),
+    /** The standard deviation by time. */
+    STANDARD_DEVIATION("std", "the standard deviation by time: each value counts as long as it holds"),
 
     /** The first value. */
     FIRST("first", "the first value", isSample = true),
@@ -50,8 +51,8 @@ public enum class Statistic(
     /** By how much the last value is above the first. */
     CHANGE("last − first", "the last value minus the first"),
 
-    /** The area under the samples. */
-    INTEGRAL("integral", "the area under the samples"),
+    /** The area under the values. */
+    INTEGRAL("integral", "the area under the values, each as long as it holds"),
 
     /** How many samples have a value. */
     SAMPLES("samples", "how many samples have a value", isCount = true),
@@ -92,5 +93,10 @@ public enum class Statistic(
         this != INTEGRAL -> unit
         xUnit == null -> Topic.UNITLESS
         else -> Units.ofIntegral(unit, xUnit)
+    }
+
+    public companion object {
+        /** What stands beside the figures, so that nobody takes them for those of the samples. */
+        public const val BY_TIME: String = "Mean, median, percentiles and std are by time."
     }
 }

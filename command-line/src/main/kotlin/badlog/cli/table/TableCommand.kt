@@ -1,0 +1,91 @@
+package badlog.cli.table
+
+import badlog.cli.command.ExitCode
+import badlog.cli.command.LogFiles
+import badlog.cli.command.Outcome
+import badlog.cli.command.Outcomes
+import badlog.cli.command.SubCommand
+import badlog.cli.command.Task
+import badlog.cli.command.VirtualTopicOption
+import badlog.cli.command.cacheFolder
+import badlog.cli.console.Console
+import badlog.cli.search.rulesBeside
+import badlog.cli.text.jsonOf
+import badlog.report.MatchTable
+import badlog.report.TableRowJson
+import badlog.report.tableCsv
+import badlog.report.tableText
+import badlog.rules.signal.SignalVocabulary
+import com.github.ajalt.clikt.core.UsageError
+import com.github.ajalt.clikt.parameters.groups.provideDelegate
+import com.github.ajalt.clikt.parameters.options.flag
+import com.github.ajalt.clikt.parameters.options.help
+import com.github.ajalt.clikt.parameters.options.multiple
+import com.github.ajalt.clikt.parameters.options.option
+import java.nio.file.Path
+
+/** `badlog table`. */
+internal class TableCommand :
+    SubCommand(
+        "table",
+        "Makes a table with a row per log.",
+        "Each --value is an expression, such as 'min(battery voltage)', and gives a column. Answers are cached as those of find.",
+    ) {
+    private val values by option("--value", metavar = "EXPRESSION").multiple(required = true).help("A column; may be repeated.")
+    private val by by option("--by", metavar = "NAME").multiple()
+        .help("A column for this header value, such as 'Match Number', by which the rows are sorted.")
+    private val condition by option(
+        "--where",
+        metavar = "CONDITION",
+    ).help("Only logs whose header values meet it: \"Match Type = 'Playoff'\".")
+    private val isCsv by option("--csv").flag().help("Print CSV.")
+    private val virtual by VirtualTopicOption()
+    private val xTopic by option("--x", metavar = "TOPIC").help("Use this topic as x axis; CSV does not name one.")
+    private val isFresh by option("--no-cache").flag().help("Read every log again, and store no results.")
+
+    override fun makeTask(): Task {
+        if (isCsv && isJson) throw UsageError("choose one of --csv and --json")
+        return TableTask(
+            paths,
+            { signals -> MatchTable(values, by, condition, virtual.definitions, if (isFresh) null else cacheFolder(), xTopic, signals) },
+            isCsv,
+            isJson,
+        )
+    }
+}
+
+/** Makes the table that [tableWith] the signals of the logs' folder is, of every log below [paths]. */
+internal class TableTask(
+    private val paths: List<Path>,
+    private val tableWith: (SignalVocabulary) -> MatchTable,
+    private val isCsv: Boolean,
+    private val isJson: Boolean,
+) : Task {
+    override fun run(console: Console): ExitCode {
+        val table = tableWith(rulesBeside(paths, console::warn).signals)
+        table.mistake?.let {
+            console.warn(it.pointed)
+            return ExitCode.USAGE
+        }
+        val logs = LogFiles(paths, console)
+        val rows = console.progress("table").use { bar ->
+            table.over(logs.files) { done, total -> bar.advanced(done.toLong(), total.toLong()) }
+        }
+        table.mistakeIn(rows)?.let {
+            console.warn(it.pointed)
+            return ExitCode.USAGE
+        }
+        if (!isJson && rows.any { !it.isNoLog }) console.say(if (isCsv) tableCsv(table, rows).trimEnd() else tableText(table, rows))
+        val outcomes = Outcomes("table", console, isJson)
+        val rowOf = rows.associateBy { it.file }
+        logs.report(outcomes) { input, file ->
+            val row = rowOf.getValue(file)
+            val unreadable = row.unreadable
+            when {
+                unreadable != null -> outcomes.unreadable(input, unreadable, row.isNoLog)
+                else -> outcomes.done(input.file, Outcome(row.isSalvaged, "", jsonOf(TableRowJson(table, row))))
+            }
+        }
+        return outcomes.end()
+    }
+}

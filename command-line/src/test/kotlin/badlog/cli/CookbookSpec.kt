@@ -1,0 +1,64 @@
+package badlog.cli
+
+import badlog.cli.command.ExitCode
+import badlog.file.LogFile
+import badlog.report.Find
+import badlog.report.Reply
+import io.kotest.assertions.withClue
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.ints.shouldBeGreaterThanOrEqual
+import io.kotest.matchers.shouldBe
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.double
+import kotlinx.serialization.json.jsonObject
+import kotlinx.serialization.json.jsonPrimitive
+import java.io.IOException
+import java.nio.file.Path
+import kotlin.io.path.div
+import kotlin.io.path.exists
+import kotlin.math.abs
+
+/** The Python to ask; another than the system's may be named by this variable of the environment. */
+private val PYTHON = System.getenv("BADLOG_PYTHON") ?: "python3"
+
+private val HAS_PANDAS = try {
+    ProcessBuilder(PYTHON, "-c", "import pandas").redirectErrorStream(true).start().run {
+        inputStream.readAllBytes()
+        waitFor() == 0
+    }
+} catch (_: IOException) {
+    false
+}
+
+/** The questions of the cookbook that pandas answers, too. Skipped where there is no Python with pandas. */
+class CookbookSpec : FunSpec({
+    fun numberOf(question: String, log: Path): Double = (Find(question).over(listOf(LogFile.of(log))).single().reply as Reply.Answered).quantities.first().value
+
+    test("pandas gives the answers that the cookbook gives, of rows and of a log of changes").config(enabled = HAS_PANDAS) {
+        val bag = SAMPLES / "qualification-42.bag"
+        val script = ROOT / "command-line/src/test/python/cookbook.py"
+        val python = ProcessBuilder(PYTHON, script.toString(), bag.toString()).redirectError(ProcessBuilder.Redirect.INHERIT).start()
+        val wanted = Json.parseToJsonElement(python.inputStream.readAllBytes().decodeToString()).jsonObject
+        python.waitFor() shouldBe 0
+        wanted.size shouldBeGreaterThanOrEqual 20
+        inFolder { folder ->
+            val changes = folder / "changes.wpilog"
+            badlog("convert", bag, "--to", "wpilog", "--changes-only", "--out", changes).code shouldBe ExitCode.WHOLE
+            for ((question, value) in wanted) {
+                val number = value.jsonPrimitive.double
+                withClue("$question of rows") { numberOf(question, bag) shouldBe (number plusOrMinus 1e-9 + 1e-7 * abs(number)) }
+                // Counts of samples are those of what was logged; times of a WPILOG are whole microseconds.
+                if ("sample_" in question) continue
+                withClue("$question of changes") { numberOf(question, changes) shouldBe (number plusOrMinus 2e-5 + 2e-4 * abs(number)) }
+            }
+        }
+    }
+
+    test("pandas is asked what the cookbook asks") {
+        val guide = (ROOT / "docs/cookbook.md").toFile().readText()
+        val script = (ROOT / "command-line/src/test/python/cookbook.py").toFile().readText()
+        val asked = Regex("^    \"(.*)\": ", RegexOption.MULTILINE).findAll(script).map { it.groupValues[1] }.filter { "$it" in guide }
+        asked.count() shouldBeGreaterThanOrEqual 20
+    }
+})

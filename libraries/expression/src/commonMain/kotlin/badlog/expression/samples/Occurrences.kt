@@ -1,0 +1,79 @@
+package badlog.expression.samples
+
+import badlog.analysis.Span
+
+// When and how often a condition comes true. One that is true at the begin comes true there.
+
+/** The moments at which this condition becomes true. */
+internal fun Column.rises(range: Span?): Column = occurrences(end(range)).let { moments(it.map(Span::from)) { 1.0 } }
+
+/** The moments at which it is true no more. */
+internal fun Column.falls(): Column =
+    (1 until size).filter { y[it] == 0.0 && y[it - 1] == 1.0 && !isMomentary }.let { places -> moments(places.map { x[it] }) { 1.0 } }
+
+/** At each moment at which it becomes true, for how long. */
+internal fun Column.lengths(range: Span?): Column = occurrences(end(range)).let { all -> moments(all.map(Span::from)) { all[it].width } }
+
+/** At each moment at which it becomes true again, how long after the time before. */
+internal fun Column.cycleTimes(range: Span?): Column {
+    val begins = occurrences(end(range)).map { it.from }
+    return moments(begins.drop(1)) { begins[it + 1] - begins[it] }
+}
+
+/** True while it is, and for [length] after. */
+internal fun Column.after(length: Double, range: Span?): Column = within(range) { Span(it.from, it.to + length) }
+
+/** True for [length] before it becomes true. */
+internal fun Column.before(length: Double, range: Span?): Column = within(range) { Span(it.from - length, it.from) }
+
+/** True for the first [length] of the first time that it is. */
+internal fun Column.firstPart(length: Double, range: Span?): Column {
+    val first = occurrences(end(range)).firstOrNull()
+    return within(range) { if (it == first) Span(it.from, minOf(it.to, it.from + length)) else null }
+}
+
+/** True for the last [length] of the last time that it is. */
+internal fun Column.lastPart(length: Double, range: Span?): Column {
+    val last = occurrences(end(range)).lastOrNull()
+    return within(range) { if (it == last) Span(maxOf(it.from, it.to - length), it.to) else null }
+}
+
+/** When it holds, on the clock of [Column.x]. */
+private fun Column.occurrences(end: Double): List<Span> {
+    val spans = ArrayList<Span>()
+    for (i in 0 until size) {
+        if (y[i] != 1.0 || (!isMomentary && x[i] > end)) continue
+        val goesOn = !isMomentary && i > 0 && y[i - 1] == 1.0
+        if (goesOn) spans[spans.lastIndex] = Span(spans.last().from, until(i, end)) else spans += Span(x[i], until(i, end))
+    }
+    return spans
+}
+
+private inline fun Column.moments(times: List<Double>, value: (Int) -> Double): Column =
+    Column(times.toDoubleArray(), DoubleArray(times.size) { value(it) }, null, isMomentary = true, stretches)
+
+/** True in what [part] makes of each time that this condition holds; unknown where nothing of it is known. */
+private inline fun Column.within(range: Span?, part: (Span) -> Span?): Column {
+    val start = if (stretches == null && range != null) range.from else x.firstOrNull() ?: return unknown(range)
+    if (!isMomentary && y.all { it.isNaN() }) return Column(doubleArrayOf(start), doubleArrayOf(Double.NaN), stretches = stretches)
+    val times = arrayListOf(start)
+    val states = arrayListOf(0.0)
+    for (span in occurrences(end(range))) {
+        val wanted = part(span) ?: continue
+        if (wanted.to <= maxOf(start, wanted.from)) continue
+        // What is still true goes on.
+        if (times.last() >= wanted.from) {
+            if (states.last() == 0.0) states[states.lastIndex] = 1.0
+            if (times.size > 1 && states[states.lastIndex - 1] == 1.0) {
+                times.removeAt(times.lastIndex)
+                states.removeAt(states.lastIndex)
+            }
+        } else {
+            times += wanted.from
+            states += 1.0
+        }
+        times += wanted.to
+        states += 0.0
+    }
+    return Column(times.toDoubleArray(), states.toDoubleArray(), stretches = stretches)
+}

@@ -1,0 +1,109 @@
+package badlog.expression.syntax
+
+import badlog.analysis.Units
+import kotlin.math.abs
+import kotlin.math.round
+
+/**
+ * What a unit measures.
+ *
+ * @property dimension what sort of thing; only numbers of one dimension can be compared.
+ * @property size how many of the dimension's basic units it is.
+ * @property axisPower of which power of the x axis' unit of time it is besides.
+ */
+internal class Measure(val dimension: String, val size: Double, val axisPower: Int = 0) {
+    /** A change of this in a unit of x. */
+    fun perAxis() = Measure(if (dimension.endsWith(TIMES)) dimension.removeSuffix(TIMES) else "$dimension$PER", size, axisPower - 1)
+
+    /** This for a unit of x. */
+    fun timesAxis() = Measure(if (dimension.endsWith(PER)) dimension.removeSuffix(PER) else "$dimension$TIMES", size, axisPower + 1)
+
+    companion object {
+        private const val PER = "/time"
+        private const val TIMES = "·time"
+
+        /** That of the x axis. */
+        val AXIS: Measure = Measure("time", 1.0, axisPower = 1)
+
+        /** What [unit] measures, null where it is not known. */
+        fun of(unit: String): Measure? = Units.secondsIn(unit)?.let { Measure("time", it) } ?: KNOWN[unit] ?: KNOWN[unit.lowercase()]
+
+        /** The longest unit that begins at [from] in [text] and ends there as a word does; empty without one. */
+        fun longestAt(text: String, from: Int): String {
+            var until = from
+            while (until < text.length && until - from < MAX_LENGTH && (text[until].isLetter() || text[until] in OF_UNITS)) until++
+            while (until > from) {
+                val isEnd = until == text.length || !(text[until].isLetterOrDigit() || text[until] == '_') || text[until - 1] == '²'
+                if (isEnd && of(text.substring(from, until)) != null) return text.substring(from, until)
+                until--
+            }
+            return ""
+        }
+
+        private const val OF_UNITS = "/°²·"
+        private const val MAX_LENGTH = 16
+
+        private const val TURN = 360.0
+        private const val RADIAN = 57.29577951308232
+        private const val INCH = 0.0254
+        private const val FOOT = 0.3048
+
+        private val KNOWN: Map<String, Measure> = buildMap {
+            fun add(dimension: String, vararg units: Pair<String, Double>) {
+                for ((names, size) in units) for (name in names.split(' ')) put(name, Measure(dimension, size))
+            }
+            add("voltage", "V volt volts" to 1.0, "mV" to 1e-3, "kV" to 1e3)
+            add("current", "A amp amps ampere amperes" to 1.0, "mA" to 1e-3)
+            add("power", "W watt watts" to 1.0, "mW" to 1e-3, "kW" to 1e3)
+            add("energy", "J joule joules" to 1.0, "kJ" to 1e3, "Wh" to 3600.0)
+            add("current·time", "Ah" to 3600.0, "A·s As" to 1.0, "mAh" to 3.6)
+            val lengths = listOf(
+                "m" to 1.0,
+                "meter meters metre metres" to 1.0,
+                "cm" to 1e-2,
+                "mm" to 1e-3,
+                "in inch inches" to INCH,
+                "ft feet" to FOOT,
+            )
+            val angles = listOf(
+                "deg ° degree degrees" to 1.0,
+                "rad radian radians" to RADIAN,
+                "rot rotation rotations rev revolutions" to TURN,
+            )
+            add("length", *lengths.toTypedArray())
+            add("angle", *angles.toTypedArray())
+            for ((dimension, units) in listOf("length" to lengths, "angle" to angles)) {
+                for ((names, size) in units) {
+                    for (name in names.split(' ')) {
+                        put("$name/s", Measure("$dimension/time", size))
+                        for (squared in listOf("$name/s²", "$name/s^2", "$name/s/s")) put(squared, Measure("$dimension/time/time", size))
+                    }
+                }
+            }
+            add("angle/time", "rpm RPM" to TURN / 60, "rps RPS" to TURN)
+            add("temperature", "°C C celsius degC" to 1.0)
+            add("share", "% percent" to 1e-2, "fraction" to 1.0)
+            add("frequency", "Hz" to 1.0, "kHz" to 1e3)
+            add("pressure", "psi PSI" to 1.0, "bar" to 14.503773773)
+        }
+    }
+}
+
+/** Makes numbers in [from] to numbers in [to], whose dimension is the same and which is called [unit]. */
+internal class Conversion(private val from: Measure, private val to: Measure, val unit: String) {
+    /** What to multiply with, where a second is [perSecond] of x. */
+    fun factor(perSecond: Double): Double {
+        var factor = from.size / to.size
+        repeat(abs(from.axisPower - to.axisPower)) { if (from.axisPower > to.axisPower) factor /= perSecond else factor *= perSecond }
+        return when {
+            // What decimals make exact is exact.
+            isNearly(factor, round(factor)) -> round(factor)
+
+            isNearly(1 / factor, round(1 / factor)) -> 1 / round(1 / factor)
+
+            else -> factor
+        }
+    }
+
+    private fun isNearly(number: Double, whole: Double) = whole != 0.0 && abs(number - whole) < whole * 1e-12
+}
