@@ -40,7 +40,7 @@ class FormulaSpec : FunSpec({
 
     test("a formula has statistics; over a log of nothing it is reported to be empty") {
         val open = recording.withFormulas(listOf(power))
-        statisticsRow(open, listOf("Power"), "").statistics.getValue("Power").mean shouldBe (64.0 / 3 plusOrMinus 1e-9)
+        statisticsRow(open, listOf("Power"), "").statistics.getValue("Power").mean shouldBe (17.0 plusOrMinus 1e-9)
         val nothing = recordingOf("").withFormulas(listOf("One = 1"))
         reasonFor(nothing.formulas.single(), nothing) shouldBe "It has no samples here."
         nothing.signals shouldBe emptyList()
