@@ -1,4 +1,4 @@
-package badlog.wpilog
+package badlog.wpilog.record
 
 import badlog.analysis.Span
 import badlog.bag.VARIED_BAG
@@ -6,9 +6,15 @@ import badlog.bag.parse
 import badlog.recording.Recording
 import badlog.recording.Topic
 import badlog.recording.TopicKind
-import badlog.wpilog.record.RecordCopy
-import badlog.wpilog.record.recordsOf
-import badlog.wpilog.record.written
+import badlog.wpilog.REAL_LOGS
+import badlog.wpilog.TestLog
+import badlog.wpilog.VARIED_LOG
+import badlog.wpilog.doubles
+import badlog.wpilog.longs
+import badlog.wpilog.number
+import badlog.wpilog.parseLog
+import badlog.wpilog.text
+import badlog.wpilog.writeLog
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.core.test.EnabledOrReasonIf
