@@ -8,6 +8,7 @@ import badlog.expression.checking.unitOf
 import badlog.expression.samples.Column
 import badlog.expression.samples.Scalar
 import badlog.expression.samples.pulses
+import badlog.expression.signals.SampleBounds
 import badlog.expression.signals.Signals
 import badlog.expression.signals.Vocabulary
 import badlog.expression.syntax.Kind
@@ -99,35 +100,3 @@ public sealed interface ParsedExpression
  * @property isOverTime whether one for each moment, rather than one for the whole recording.
  */
 public data class ExpressionType(public val isCondition: Boolean, public val isOverTime: Boolean)
-
-/** Between what [samples] are, each found when it is asked for; NaN of nothing. */
-public class SampleBounds(private val samples: DoubleArray) {
-    private val finite by lazy { bounds(0) { samples[it] } }
-    private val steps by lazy { bounds(1) { samples[it] - samples[it - 1] } }
-
-    /** The smallest. */
-    public val low: Double get() = finite.first
-
-    /** The largest. */
-    public val high: Double get() = finite.second
-
-    /** The smallest difference from one to the next. */
-    public val leastStep: Double get() = steps.first
-
-    /** The largest difference from one to the next. */
-    public val mostStep: Double get() = steps.second
-
-    /** Whether some are not finite. */
-    public val hasGaps: Boolean by lazy { samples.any { !it.isFinite() } }
-
-    private inline fun bounds(from: Int, value: (Int) -> Double): Pair<Double, Double> {
-        var low = Double.NaN
-        var high = Double.NaN
-        for (i in from until samples.size) {
-            val sample = value(i)
-            if (!(sample >= low)) low = if (sample.isNaN()) low else sample
-            if (!(sample <= high)) high = if (sample.isNaN()) high else sample
-        }
-        return low to high
-    }
-}

@@ -2,6 +2,7 @@ package badlog.expression
 
 import badlog.expression.samples.Column
 import badlog.expression.samples.Scalar
+import badlog.expression.signals.SampleBounds
 import badlog.expression.syntax.Node
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe

@@ -2,7 +2,7 @@ package badlog.rules
 
 import badlog.analysis.LogView
 import badlog.analysis.Series
-import badlog.expression.SampleBounds
+import badlog.expression.signals.SampleBounds
 import badlog.expression.signals.Signal
 import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Signals

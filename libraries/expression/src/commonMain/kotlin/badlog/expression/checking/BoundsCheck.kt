@@ -1,6 +1,6 @@
 package badlog.expression.checking
 
-import badlog.expression.SampleBounds
+import badlog.expression.signals.SampleBounds
 import badlog.expression.syntax.Function
 import badlog.expression.syntax.Kind
 import badlog.expression.syntax.Node
@@ -97,7 +97,7 @@ internal class BoundsCheck(private val ofTopic: (String) -> SampleBounds?) {
 
     private fun of(call: Node.Call): Bounds {
         val topic = (call.arguments[0] as? Node.Topic)?.let { ofTopic(it.signal.name) }
-        if (topic != null && call.function == Function.DELTA) return bounds(topic.leastStep, topic.mostStep)
+        if (topic != null && call.function == Function.DELTA) return bounds(topic.minStep, topic.maxStep)
         if (topic != null && !topic.hasGaps && call.function == Function.MIN) return Bounds(topic.low, topic.low)
         if (topic != null && !topic.hasGaps && call.function == Function.MAX) return Bounds(topic.high, topic.high)
         if (call.function == Function.ABS) return of(call.arguments[0]).let { Bounds(0.0, maxOf(abs(it.low), abs(it.high))) }
