@@ -6,6 +6,8 @@ import badlog.report.Find
 import badlog.report.Reply
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.core.test.Enabled
+import io.kotest.core.test.EnabledOrReasonIf
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.ints.shouldBeGreaterThanOrEqual
 import io.kotest.matchers.shouldBe
@@ -19,11 +21,11 @@ import kotlin.io.path.div
 import kotlin.io.path.exists
 import kotlin.math.abs
 
-/** The Python to ask; another than the system's may be named by this variable of the environment. */
-private val PYTHON = System.getenv("BADLOG_PYTHON") ?: "python3"
+/** The Python that CI has installed for these tests, or the system's; null where neither has pandas. */
+private val PYTHON = listOf("$ROOT/build/python/bin/python", "python3").firstOrNull(::hasPandas)
 
-private val HAS_PANDAS = try {
-    ProcessBuilder(PYTHON, "-c", "import pandas").redirectErrorStream(true).start().run {
+private fun hasPandas(python: String): Boolean = try {
+    ProcessBuilder(python, "-c", "import pandas").redirectErrorStream(true).start().run {
         inputStream.readAllBytes()
         waitFor() == 0
     }
@@ -31,11 +33,15 @@ private val HAS_PANDAS = try {
     false
 }
 
-/** The questions of the cookbook that pandas answers, too. Skipped where there is no Python with pandas. */
+private val WITH_PANDAS: EnabledOrReasonIf = {
+    if (PYTHON != null) Enabled.enabled else Enabled.disabled("no Python with pandas here")
+}
+
+/** The questions of the cookbook that pandas answers, too. */
 class CookbookSpec : FunSpec({
     fun numberOf(question: String, log: Path): Double = (Find(question).over(listOf(LogFile.of(log))).single().reply as Reply.Answered).quantities.first().value
 
-    test("pandas gives the answers that the cookbook gives, of rows and of a log of changes").config(enabled = HAS_PANDAS) {
+    test("pandas gives the answers that the cookbook gives, of rows and of a log of changes").config(enabledOrReasonIf = WITH_PANDAS) {
         val bag = SAMPLES / "qualification-42.bag"
         val script = ROOT / "command-line/src/test/python/cookbook.py"
         val python = ProcessBuilder(PYTHON, script.toString(), bag.toString()).redirectError(ProcessBuilder.Redirect.INHERIT).start()
