@@ -8,7 +8,7 @@ import java.util.zip.GZIPOutputStream
 internal const val SEPARATOR = '\u0000'
 
 /**
- * The [text] of a style sheet, [SEPARATOR] and a program as a page carries it: a gzip stream in [base85], less than half its size.
+ * The [text] of a style sheet, [SEPARATOR] and a program as a page carries it: a gzip stream in [base91], less than half its size.
  * [UNPACKING] makes a style sheet and a script of it again.
  */
 internal fun packed(text: String): ByteArray {
@@ -19,34 +19,39 @@ internal fun packed(text: String): ByteArray {
         }
     }
     tight.use { it.write(text.encodeToByteArray()) }
-    return base85(gzip.toByteArray())
+    return base91(gzip.toByteArray())
 }
 
 /**
- * [bytes] as text that may stand in a page: five characters for four bytes, where base64 needs four for three. A number of
- * four bytes is five digits to the base 85, the highest first; `n` bytes that are left over are `n + 1` digits. The digits are the
- * characters from `(` to `|`, with `!` in place of `<`, so that nothing in them can end an element.
+ * [bytes] as text that may stand in a page: 16 characters for 13 bytes, where base64 has 16 for 12. This is basE91: 13 bits of the
+ * bytes, lowest first, are a number of two digits to the base 91, the lower one first; 14 bits where they leave room for one more. The
+ * digits are the characters from `#` to `}`, with `!` in place of `<`, so that nothing in them can end an element.
  */
-internal fun base85(bytes: ByteArray): ByteArray {
-    val text = ByteArrayOutputStream(bytes.size / GROUP_BYTES * GROUP_DIGITS + GROUP_DIGITS)
-    val digits = ByteArray(GROUP_DIGITS)
-    for (from in bytes.indices step GROUP_BYTES) {
-        var number = 0L
-        for (i in from until from + GROUP_BYTES) number = number shl 8 or (if (i < bytes.size) bytes[i].toLong() and 0xff else 0)
-        for (place in GROUP_DIGITS - 1 downTo 0) {
-            val digit = FIRST_DIGIT + (number % BASE).toInt()
-            digits[place] = (if (digit == '<'.code) '!'.code else digit).toByte()
-            number /= BASE
-        }
-        text.write(digits, 0, minOf(bytes.size - from, GROUP_BYTES) + 1)
+internal fun base91(bytes: ByteArray): ByteArray {
+    val text = ByteArrayOutputStream(bytes.size + bytes.size / 4)
+    var bits = 0
+    var count = 0
+    fun put(digit: Int) = text.write(if (FIRST_DIGIT + digit == '<'.code) '!'.code else FIRST_DIGIT + digit)
+    for (byte in bytes) {
+        bits = bits or (byte.toInt() and 0xff shl count)
+        count += 8
+        if (count <= SURE_BITS) continue
+        val low = bits and (1 shl SURE_BITS) - 1
+        val size = if (low >= BASE * BASE - (1 shl SURE_BITS)) SURE_BITS else SURE_BITS + 1
+        val number = bits and (1 shl size) - 1
+        bits = bits ushr size
+        count -= size
+        put(number % BASE)
+        put(number / BASE)
     }
+    if (count > 0) put(bits % BASE)
+    if (count > 7 || bits >= BASE) put(bits / BASE)
     return text.toByteArray()
 }
 
-private const val BASE = 85
-private const val GROUP_BYTES = 4
-private const val GROUP_DIGITS = 5
-private const val FIRST_DIGIT = '('.code
+private const val BASE = 91
+private const val SURE_BITS = 13
+private const val FIRST_DIGIT = '#'.code
 
 /**
  * The one script that a page has in plain text. The policy knows the hashes of program and style, so the browser takes what this
@@ -69,15 +74,22 @@ internal const val UNPACKING = """/* Unpacks the program of this page, which hol
     return;
   }
   const unpack = async element => {
-    const text = element.textContent;
-    const bytes = new Uint8Array(Math.floor(text.length * 4 / 5));
-    const digit = i => i >= text.length ? 84 : text[i] === '!' ? 20 : text.charCodeAt(i) - 40;
-    for (let i = 0, at = 0; i < text.length; i += 5) {
-      let number = 0;
-      for (let j = i; j < i + 5; j++) number = number * 85 + digit(j);
-      for (let shift = 24; shift >= 0 && at < bytes.length; shift -= 8) bytes[at++] = number / 2 ** shift;
+    const bytes = [];
+    let bits = 0, count = 0, low = -1;
+    for (const character of element.textContent) {
+      const digit = character === '!' ? 25 : character.charCodeAt(0) - 35;
+      if (low < 0) {
+        low = digit;
+      } else {
+        const number = low + digit * 91;
+        bits |= number << count;
+        count += (number & 8191) > 88 ? 13 : 14;
+        for (; count > 7; count -= 8, bits >>= 8) bytes.push(bits & 255);
+        low = -1;
+      }
     }
-    return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).text();
+    if (low >= 0) bytes.push((bits | low << count) & 255);
+    return new Response(new Blob([new Uint8Array(bytes)]).stream().pipeThrough(new DecompressionStream('gzip'))).text();
   };
   const packed = document.getElementById('packed-additions');
   Promise.all([

@@ -4,7 +4,6 @@ import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.jsonObject
 import java.io.ByteArrayInputStream
-import java.io.ByteArrayOutputStream
 import java.nio.file.Files
 import java.nio.file.Path
 import java.util.Base64
@@ -28,7 +27,7 @@ internal class ReadPage(file: Path) {
     val attachments: Map<String, ByteArray> = Regex("class=\"attachment\" data-name=\"([^\"]*)\">([^<]*)</script>")
         .findAll(html).associate { (it.groupValues[1]) to inflate(decode(it.groupValues[2])) }
 
-    private val parts = inflate(decode85(packed)).decodeToString()
+    private val parts = unpacked(packed)
     val style: String = parts.substringBefore(SEPARATOR)
     val program: String = parts.substringAfter(SEPARATOR)
 
@@ -44,16 +43,6 @@ internal class ReadPage(file: Path) {
     }
 
     private fun decode(text: String) = Base64.getDecoder().decode(text)
-
-    private fun decode85(text: String): ByteArray {
-        val out = ByteArrayOutputStream()
-        for (group in text.chunked(5)) {
-            var number = 0L
-            for (digit in group.padEnd(5, '|')) number = number * 85 + (if (digit == '!') '<' else digit).code - '('.code
-            for (i in 0 until group.length - 1) out.write((number shr (24 - 8 * i)).toInt())
-        }
-        return out.toByteArray()
-    }
 
     private fun inflate(bytes: ByteArray) = GZIPInputStream(ByteArrayInputStream(bytes)).readAllBytes()
 }

@@ -71,13 +71,15 @@ internal class SyncThread(
     /** Once is not enough: it may be on its way to another name. */
     private fun lookForFile() {
         timesMissing = if (file.path.exists()) 0 else timesMissing + 1
-        file.isMissing = timesMissing > 1
-        if (file.isMissing) {
+        val isMissing = timesMissing > 1
+        if (isMissing) {
             faults.sayOnce("missing") {
                 "The log ${file.path} was deleted, or its disk was removed, while it was written. What is logged from " +
                     "now on is lost; start the robot program again to begin a new log."
             }
         }
+        // Said before it is seen: who sees the log fail can read why.
+        file.isMissing = isMissing
     }
 
     private companion object {

@@ -57,11 +57,11 @@ public class AnalysisBenchmark {
 
     @Benchmark
     public Series integral() {
-        return DerivationsKt.integral(series);
+        return DerivationsKt.integral(series, false);
     }
 
     @Benchmark
     public SeriesStatistics statistics() {
-        return SeriesStatisticsKt.statistics(series, 0, 1e9);
+        return SeriesStatisticsKt.statistics(series, 0, 1e9, Double.NaN);
     }
 }

@@ -10,6 +10,7 @@ import badlog.cli.command.ExitCode
 import badlog.cli.inFolder
 import badlog.cli.names
 import badlog.cli.with
+import badlog.html.additionsIn
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
@@ -57,7 +58,7 @@ class ExportSpec : FunSpec({
             val ended = badlog("export", log, "--topic", "Twice = Speed * 2", "--topic", "Odd = Sped * 2")
             ended.code shouldBe ExitCode.WHOLE
             ended.out shouldContain "There is no topic “Sped”"
-            additionsOf(folder / "a.bag.html") shouldContain "Twice = Speed * 2"
+            additionsIn(folder / "a.bag.html") shouldContain "Twice = Speed * 2"
         }
     }
 
@@ -67,7 +68,7 @@ class ExportSpec : FunSpec({
             val builtIn = "The roboRIO browned out"
             fun export(vararg options: Any): String {
                 badlog("export", log, "--force", *options).code shouldBe ExitCode.WHOLE
-                return additionsOf(folder / "a.bag.html")
+                return additionsIn(folder / "a.bag.html")
             }
             export() shouldContain builtIn
             export("--no-rules") shouldNotContain builtIn
@@ -90,7 +91,7 @@ class ExportSpec : FunSpec({
             val ended = badlog("export", log)
             ended.code shouldBe ExitCode.SALVAGED
             ended.err shouldContain "badlog-rules.toml: Line 3: A severity is"
-            additionsOf(folder / "a.bag.html") shouldContain "The roboRIO browned out"
+            additionsIn(folder / "a.bag.html") shouldContain "The roboRIO browned out"
         }
     }
 
@@ -129,8 +130,8 @@ class ExportSpec : FunSpec({
             val ended = badlog("export", log, "--rules", rules, "--hook", "python3 '$one'")
             ended.code shouldBe ExitCode.WHOLE
             ended.out shouldContain "1 finding"
-            additionsOf(folder / "a.bag.html") shouldContain "found by one"
-            additionsOf(folder / "a.bag.html") shouldContain "found by two"
+            additionsIn(folder / "a.bag.html") shouldContain "found by one"
+            additionsIn(folder / "a.bag.html") shouldContain "found by two"
         }
     }
 

@@ -7,9 +7,9 @@ import badlog.cli.SAMPLES
 import badlog.cli.badlog
 import badlog.cli.badlogJson
 import badlog.cli.command.ExitCode
-import badlog.cli.export.additionsOf
 import badlog.cli.inFolder
 import badlog.cli.with
+import badlog.html.additionsIn
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.ints.shouldBeGreaterThan
@@ -125,7 +125,7 @@ class ReportSpec : FunSpec({
             ended.code shouldBe ExitCode.WHOLE
             ended.out shouldContain "0.04 s  warning  odd noise"
             (folder / "pages/index.html").readText() shouldContain "a.html#t=0.04"
-            additionsOf(folder / "pages/a.html") shouldContain "odd noise"
+            additionsIn(folder / "pages/a.html") shouldContain "odd noise"
         }
     }
 

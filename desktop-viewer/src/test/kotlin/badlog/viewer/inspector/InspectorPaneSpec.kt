@@ -76,10 +76,11 @@ class InspectorPaneSpec : FunSpec({
         runDesktopComposeUiTest(320, 600) {
             setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
             waitUntil { onAllNodesWithText("Visible range").fetchSemanticsNodes().isNotEmpty() }
-            onAllNodesWithText("3 V").fetchSemanticsNodes().size shouldBe 1
+            onAllNodesWithText("1.5 V").fetchSemanticsNodes().size shouldBe 2
             viewer.view.select(Span(1.0, 2.0))
             waitUntil { onAllNodesWithText("Selection").fetchSemanticsNodes().isNotEmpty() }
-            onAllNodesWithText("4 V").fetchSemanticsNodes().size shouldBe 3
+            onNodeWithText("1.5 V").assertDoesNotExist()
+            onAllNodesWithText("4 V").fetchSemanticsNodes().size shouldBe 1
         }
     }
 

@@ -1,5 +1,6 @@
 package badlog.viewer.export.pages
 
+import badlog.html.additionsIn
 import badlog.viewer.export.armBag
 import badlog.viewer.findings.ruleText
 import badlog.viewer.findings.writeRules
@@ -37,7 +38,7 @@ class PageExportSpec : FunSpec({
         additions.virtualTopics shouldContainExactly listOf("Twice = 2 * Arm/Angle")
         additions.rules.rules.map { it.name } shouldContainExactly listOf("Far")
         val page = makePages(pageJobs(listOf(log), folder), Additions(emptyList(), formulas, folder)).made.single()
-        Files.readString(page) shouldContain "The arm went to {value}."
+        additionsIn(page) shouldContain "The arm went to {value}."
         Additions(emptyList(), formulas, folder).of(folder.resolve("gone.bag")).virtualTopics shouldBe emptyList()
     }
 
