@@ -57,7 +57,7 @@ private const val FIRST_DIGIT = '#'.code
  * The one script that a page has in plain text. The policy knows the hashes of program and style, so the browser takes what this
  * unpacks only while it is the very text that the exporter packed.
  */
-internal const val UNPACKING = """/* Unpacks the program of this page, which holds uPlot (MIT license) and parts of Kotlin's standard library
+internal val UNPACKING: String = """/* Unpacks the program of this page, which holds uPlot (MIT license) and parts of Kotlin's standard library
 (copyright JetBrains s.r.o., Apache License 2.0); their notices stand in it. */
 (() => {
   const fail = text => {
@@ -113,4 +113,4 @@ internal const val UNPACKING = """/* Unpacks the program of this page, which hol
     document.body.append(script);
   }).catch(() => fail('This page is not complete. Something of it was damaged in copying; export it again.'));
 })();
-"""
+""".replace(Regex("\n +"), "\n")

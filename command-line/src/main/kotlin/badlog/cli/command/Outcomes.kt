@@ -49,7 +49,7 @@ internal class Outcomes(private val command: String, private val console: Consol
         if (isNoLog && input.isFound) skipped(file, message) else failed(file, named(file, message))
     }
 
-    /** [file], which nobody named, is no log, for the reason of [message]. */
+    /** [file] lies in a folder that was named and is not a log; [message] says why. */
     private fun skipped(file: Path, message: String) {
         skipped += named(file, message)
         if (isJson) line(file, "skipped", jsonOf(SkippedJson(message)))

@@ -41,7 +41,7 @@ internal class InfoText(
         summaryLines(),
         if (InfoPart.VALUES in parts) valueLines() else emptyList(),
         if (InfoPart.TOPICS in parts) topicLines() else emptyList(),
-        if (InfoPart.SIGNALS in parts) signalLines(signals) else emptyList(),
+        if (InfoPart.SIGNALS in parts) signalLines(signals, width) else emptyList(),
         when {
             InfoPart.PROBLEMS in parts -> problemLines(view.problems)
             InfoPart.WORST in parts -> worstLines()

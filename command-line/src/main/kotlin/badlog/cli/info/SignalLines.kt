@@ -5,15 +5,15 @@ import badlog.terminal.TextTable
 import badlog.terminal.TextTable.Column
 import kotlinx.serialization.Serializable
 
-/** Which topic was taken for what, and why, in lines that fit a terminal. */
-internal fun signalLines(signals: List<SignalTopic>): List<String> {
+/** Which topic was taken for what, and why, in lines of [width] columns; where that is without limit, each name is whole. */
+internal fun signalLines(signals: List<SignalTopic>, width: Int): List<String> {
     if (signals.isEmpty()) return listOf("No topic is a signal that badlog knows; docs/signals.md says how to name yours.")
     val rows = signals.groupBy { Triple(it.signal, it.unit, it.reason) }.values.flatMap { alike ->
         val isLong = alike.size > MOST_ALIKE
         val more = if (isLong) "; ${alike.size - 1} more like it" else ""
         (if (isLong) alike.take(1) else alike).map { listOf(it.signal, it.topic, it.unit, it.reason + more) }
     }
-    return TABLE.lines(rows).flatten()
+    return TextTable(COLUMNS, width).lines(rows).flatten()
 }
 
 /** A topic that was taken for a signal, for a program. */
@@ -30,4 +30,4 @@ internal class SignalJson private constructor(
 /** Of the channels of a power distribution, or the buttons of a controller, one stands for all. */
 private const val MOST_ALIKE = 3
 
-private val TABLE = TextTable(listOf(Column("SIGNAL", 16), Column("TOPIC", 24), Column("UNIT", 5), Column("WHY")))
+private val COLUMNS = listOf("SIGNAL", "TOPIC", "UNIT", "WHY").map { Column(it) }

@@ -7,7 +7,7 @@ import badlog.rules.RulesFile
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** The rules that lie beside the logs at [paths], where all of them have the same; else the built-in ones. What is wrong with them is told. */
+/** The rules that lie beside the logs at [paths], where all of them have the same; else the built-in ones. Mistakes in them are reported. */
 internal fun rulesBeside(paths: List<Path>, warn: (String) -> Unit): RuleSet {
     val beside = paths.map { FolderRules.of(if (Files.isDirectory(it)) it.resolve(RulesFile.NAME) else it) }
     val rules = beside.distinctBy { it.file to it.rules.signals }.singleOrNull() ?: return RuleSet.BUILT_IN

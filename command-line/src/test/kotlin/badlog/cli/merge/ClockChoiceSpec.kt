@@ -47,7 +47,7 @@ class ClockChoiceSpec : FunSpec({
 
     fun moved(json: JsonObject) = json.getValue("moved").jsonArray.single().jsonObject
 
-    test("logs that are minutes apart are told of, and moved by what is given") {
+    test("logs that are minutes apart are reported, and moved by a given offset") {
         inFolder { folder ->
             val one = folder.match("one", "a", 0.0)
             val two = folder.match("two", "b", 1200.0)
@@ -63,7 +63,7 @@ class ClockChoiceSpec : FunSpec({
         }
     }
 
-    test("logs are aligned by when the robot was enabled, and the error is told") {
+    test("logs are aligned by when the robot was enabled, and the error is reported") {
         inFolder { folder ->
             val one = folder.match("one", "a", 7.0)
             val two = folder.match("two", "b", 1200.0, late = 0.02)
