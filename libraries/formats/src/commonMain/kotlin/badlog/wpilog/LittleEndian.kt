@@ -9,9 +9,12 @@ internal fun longAt(bytes: ByteArray, at: Int): Long = (intAt(bytes, at).toLong(
 
 /** The [width] bytes at [at], from 1 to 4, as a number without sign; of 4 bytes the highest bit becomes the sign. */
 internal fun unsignedAt(bytes: ByteArray, at: Int, width: Int): Int {
-    var value = 0
-    for (i in width - 1 downTo 0) value = (value shl 8) or (bytes[at + i].toInt() and 0xFF)
-    return value
+    val first = bytes[at].toInt() and 0xFF
+    if (width == 1) return first
+    val two = first or (bytes[at + 1].toInt() and 0xFF shl 8)
+    if (width == 2) return two
+    val three = two or (bytes[at + 2].toInt() and 0xFF shl 16)
+    return if (width == 3) three else three or (bytes[at + 3].toInt() shl 24)
 }
 
 /**

@@ -110,6 +110,10 @@ internal class RecordSplitter(private val sink: RecordSink) {
         // Whether [head] is known to fit.
         var isKnown = false
         while (at < until) {
+            if (isKnown) {
+                at = passFitting(bytes, at, until)
+                if (at == until) break
+            }
             if (gapFrom >= 0) {
                 val found = search.find(bytes, at, Int.MAX_VALUE, until, isEnd, steadyMicros, isInside = false)
                 if (found < 0) return if (found == RecordSearch.NOWHERE) until else RecordSearch.waitsAt(found)
@@ -143,6 +147,28 @@ internal class RecordSplitter(private val sink: RecordSink) {
             if (isKnown) head = nextHead.also { nextHead = head }
             at = next
         }
+        return at
+    }
+
+    /**
+     * Passes on the record at [from], whose [head] fits, and those behind it, up to one that anything is odd about; returns where that
+     * one begins, whose head [head] is then. Nearly all records of a log pass here: what is rare stays outside of this loop.
+     */
+    private fun passFitting(bytes: ByteArray, from: Int, until: Int): Int {
+        var at = from
+        var one = head
+        var other = nextHead
+        while (one.id != 0 && one.size <= usualSize && one.length < until - at) {
+            val end = at + one.length
+            if (search.look(other, bytes, end, until, one.micros) != RecordLook.FITTING) break
+            sink.record(one, base + at, bytes, at, end)
+            steadyMicros = one.micros
+            one = other.also { other = one }
+            at = end
+        }
+        if (at > from) lastMicros = steadyMicros
+        head = one
+        nextHead = other
         return at
     }
 
