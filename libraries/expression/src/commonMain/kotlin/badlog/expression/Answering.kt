@@ -45,6 +45,8 @@ internal class Answering(private val text: String, private val root: Node, priva
         return answer(outcome, if (outcome == Outcome.HOLDS) whenTrue.firstOrNull { it.isNotEmpty() } else null)
     }
 
+    fun answerIfHolds(): Answer? = if (evaluation.neverHolds(root)) null else answer().takeIf { it.matches }
+
     private fun outcomeOf(scalar: Scalar) = when (scalar.value) {
         1.0 -> Outcome.HOLDS
         0.0 -> Outcome.FAILS

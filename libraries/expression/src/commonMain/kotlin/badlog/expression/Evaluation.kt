@@ -22,6 +22,7 @@ import badlog.expression.signals.Signal
 import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Signals
 import badlog.expression.syntax.Arguments
+import badlog.expression.syntax.Function
 import badlog.expression.syntax.Kind
 import badlog.expression.syntax.Mode
 import badlog.expression.syntax.Node
@@ -35,6 +36,14 @@ internal class Evaluation(private val signals: Signals, nodes: Int) {
     private var stretches = signals.stretches
 
     fun valueOf(node: Node): Value = values[node.id] ?: converted(node, compute(node)).also { values[node.id] = it }
+
+    /** Whether [condition] is never true, found without computing all of it where a part that has to be true never is. */
+    fun neverHolds(condition: Node): Boolean = when {
+        condition is Node.For -> neverHolds(condition.condition)
+        condition is Node.Call && condition.function == Function.ANY -> neverHolds(condition.arguments[0])
+        condition is Node.Binary && condition.operator == Operator.AND && condition.children.any(::neverHolds) -> true
+        else -> valueOf(condition).let { if (it is Column) it.y.none { state -> state == 1.0 } else (it as Scalar).value != 1.0 }
+    }
 
     private fun converted(node: Node, value: Value): Value {
         val factor = node.conversion?.factor(second) ?: return value

@@ -38,6 +38,12 @@ public class Expression internal constructor(public val text: String, public val
     public fun answer(signals: Signals): Answer = Answering(text, root, signals).answer()
 
     /**
+     * The same as [answer] where the condition holds in the recording of [signals], else null. Of what is joined by `and` the first
+     * that never holds decides, so that what is rare and cheap belongs in front.
+     */
+    public fun answerIfHolds(signals: Signals): Answer? = Answering(text, root, signals).answerIfHolds()
+
+    /**
      * Whether the condition may hold where the samples of each topic are between [bounds], which are null for a topic of which nothing is known.
      * Where it says no, [answer] has no need to look.
      */

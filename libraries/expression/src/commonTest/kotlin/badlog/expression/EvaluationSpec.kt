@@ -59,6 +59,7 @@ class EvaluationSpec : FunSpec({
             if (expression.type.isOverTime && expression.type.isCondition) answer.matches shouldBe answer.spans.isNotEmpty()
             if (signals.series("A").isOrdered) answer.spans.zipWithNext().all { (a, b) -> a.to <= b.from } shouldBe true
             answer.toString().isNotEmpty() shouldBe true
+            expression.answerIfHolds(signals)?.toString() shouldBe answer.takeIf { it.matches }?.toString()
             val mayHold = expression.mayHold { name -> SampleBounds(signals.series(name).y) }
             if (answer.matches && !mayHold) throw AssertionError("seed $seed: $expression holds, though it may not")
         }

@@ -33,8 +33,7 @@ internal class RuleRun(view: LogView, private val file: String) {
         val signals = NamedSignals(log, question.named, question.expression.vocabulary, samples)
         // Most rules find nothing in most logs, and the smallest and the largest samples say so.
         if (!question.expression.mayHold(signals::bounds)) return emptyList()
-        val answer = question.expression.answer(signals)
-        if (!answer.matches) return emptyList()
+        val answer = question.expression.answerIfHolds(signals) ?: return emptyList()
         val texts = textsOf(question, signals)
         if (!rule.isForEachText || texts == null || answer.spans.isEmpty()) {
             return listOf(finding(rule, question, answer, answer.spans, answer.times, texts, signals))

@@ -12,13 +12,6 @@ import kotlin.math.round
  * When the begin passes the meeting point, it moves to the newest sample. So each sample is seen twice however wide the window is.
  */
 internal fun Column.windowExtreme(width: Double, isLargest: Boolean): Column {
-    fun better(a: Double, b: Double) = when {
-        !b.isFinite() -> a
-        a.isNaN() -> b
-        isLargest -> maxOf(a, b)
-        else -> minOf(a, b)
-    }
-
     val older = DoubleArray(size)
     val results = DoubleArray(size)
     var meeting = -1
@@ -29,18 +22,22 @@ internal fun Column.windowExtreme(width: Double, isLargest: Boolean): Column {
         if (begin > meeting) {
             var best = Double.NaN
             for (j in i downTo begin) {
-                best = better(best, y[j])
+                best = better(best, y[j], isLargest)
                 older[j] = best
             }
             meeting = i
             newer = Double.NaN
         } else {
-            newer = better(newer, y[i])
+            newer = better(newer, y[i], isLargest)
         }
-        results[i] = better(older[begin], newer)
+        results[i] = better(older[begin], newer, isLargest)
     }
     return with(results)
 }
+
+/** The larger of two, or the smaller; of one that is not finite the other. */
+private fun better(known: Double, other: Double, isLargest: Boolean): Double =
+    if (other - other != 0.0 || (if (isLargest) other <= known else other >= known)) known else other
 
 /**
  * For each sample the mean over the time of [width] up to it, weighed by time; before the first sample and in gaps nothing is known.
