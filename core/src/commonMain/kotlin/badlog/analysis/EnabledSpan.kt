@@ -1,6 +1,5 @@
 package badlog.analysis
 
-import badlog.recording.PathName
 import badlog.recording.Topic
 
 /**
@@ -12,59 +11,33 @@ import badlog.recording.Topic
 public data class EnabledSpan(public val span: Span, public val isAutonomous: Boolean)
 
 /**
- * When the robot was enabled, in the order of x: where the topic called `Enabled` or `Robot Enabled`, in any folder, is not 0.
- * A topic called `Autonomous` or `Auto` beside it shows when under its own control. In a WPILOG those of the driver station
- * come before others, then the bits of `FMSControlData`, and the last value holds until the recording's end. Empty when no
- * topic tells, and when x goes backwards.
+ * When the robot was enabled, in the order of x, as the [modes][LogView.modes] tell. The last value of a topic with times of its own
+ * holds until the recording's end. Empty when no topic tells, and when x goes backwards.
  */
 public fun LogView.enabledSpans(): List<EnabledSpan> {
-    val named = findFlag(ENABLED_NAMES)
-    val control = findFlag(CONTROL_NAMES)
-    if (control != null && (named == null || !isOfDriverStation(named))) {
-        return spansOf(control, control) { bit -> { word -> (word.toInt() shr bit) and 1 == 1 } }
-    }
-    return spansOf(named ?: return emptyList(), findFlag(AUTONOMOUS_NAMES)) { { it != 0.0 } }
+    val alone = modes.autonomous?.let(::spansOf).orEmpty()
+    return modes.enabled?.let(::spansOf).orEmpty().flatMap { split(it, alone) }
 }
 
 /** Whether the recording tells when the robot was enabled; where not, [enabledSpans] is empty and means nothing. */
-public val LogView.knowsEnabled: Boolean
-    get() = (findFlag(CONTROL_NAMES) ?: findFlag(ENABLED_NAMES))?.let { seriesOf(it).data.isOrdered } ?: false
+public val LogView.knowsEnabled: Boolean get() = modes.enabled?.let { topicOf(it) }?.let { seriesOf(it).data.isOrdered } ?: false
 
 /** Whether the recording tells [enabledSpans] under the robot's own control from those under a driver's. */
-public val LogView.knowsAutonomous: Boolean
-    get() = knowsEnabled && (findFlag(CONTROL_NAMES) ?: findFlag(AUTONOMOUS_NAMES)) != null
+public val LogView.knowsAutonomous: Boolean get() = knowsEnabled && modes.autonomous?.let { topicOf(it) } != null
 
 /** The topics that [enabledSpans] looks at. */
-public fun LogView.enabledTopics(): List<Topic> =
-    listOfNotNull(findFlag(ENABLED_NAMES), findFlag(CONTROL_NAMES), findFlag(AUTONOMOUS_NAMES))
+public fun LogView.enabledTopics(): List<Topic> = listOfNotNull(modes.enabled, modes.autonomous).mapNotNull { topicOf(it) }.distinct()
 
-private fun LogView.spansOf(enabled: Topic, autonomous: Topic?, isSet: (bit: Int) -> (Double) -> Boolean): List<EnabledSpan> {
-    val alone = autonomous?.let { runsWhere(it, isSet(AUTONOMOUS_BIT)) }.orEmpty()
-    return runsWhere(enabled, isSet(ENABLED_BIT)).flatMap { split(it, alone) }
-}
+private fun LogView.topicOf(flag: FlagTopic) = recording.topics.find { it.name == flag.topic && seriesOf(it).data.size > 0 }
 
-/** Whether a topic called [name], in any folder, says by 1 and 0 when the robot was enabled. */
-public fun isNameOfEnabled(name: String): Boolean = flagOf(name) in ENABLED_NAMES
-
-/** [topicName] as the driver station's flags are told apart, however it is written. */
-private fun flagOf(topicName: String) = PathName.baseNameOf(topicName).replace('_', ' ').lowercase().substringAfterLast(':')
-
-private fun LogView.findFlag(names: Set<String>): Topic? {
-    val found = recording.topics.filter { it.samples.isNotEmpty() && flagOf(it.name) in names }
-    return found.firstOrNull(::isOfDriverStation) ?: found.firstOrNull()
-}
-
-/** Whether WPILib, or a logger above it, has taken [topic] from the driver station itself. */
-private fun isOfDriverStation(topic: Topic) = topic.name.startsWith("DS:") || "DriverStation" in topic.name
-
-private fun LogView.runsWhere(topic: Topic, isSet: (Double) -> Boolean): List<Span> {
-    val series = seriesOf(topic).data
-    if (!series.isOrdered || series.size == 0) return emptyList()
-    val flags = Series(
-        series.x,
-        DoubleArray(series.size) { if (!series.y[it].isNaN() && isSet(series.y[it])) 1.0 else 0.0 },
-    )
-    val end = if (topic.times == null) series.x.last() else xAxis.range?.endInclusive
+private fun LogView.spansOf(flag: FlagTopic): List<Span> {
+    val topic = topicOf(flag) ?: return emptyList()
+    val line = seriesOf(topic)
+    val series = line.data
+    if (!series.isOrdered) return emptyList()
+    val states = line.states.orEmpty()
+    val flags = Series(series.x, DoubleArray(series.size) { if (flag.reading.isSet(series.y[it], states)) 1.0 else 0.0 })
+    val end = if (line.holds || topic.isSparse) xAxis.range?.endInclusive else null
     val runs = StateRuns(flags, end ?: series.x.last())
     return runs.states.indices.filter { runs.states[it] == 1 }.map { Span(runs.from[it], runs.to[it]) }
 }
@@ -84,11 +57,3 @@ private fun split(enabled: Span, autonomous: List<Span>): List<EnabledSpan> {
     if (enabled.to > at || pieces.isEmpty()) pieces += EnabledSpan(Span(at, enabled.to), false)
     return pieces
 }
-
-private val ENABLED_NAMES = setOf("enabled", "robot enabled", "isenabled")
-private val AUTONOMOUS_NAMES = setOf("autonomous", "auto", "isautonomous")
-private val CONTROL_NAMES = setOf("fmscontroldata")
-
-// Of the driver station's control word.
-private const val ENABLED_BIT = 0
-private const val AUTONOMOUS_BIT = 1

@@ -14,6 +14,7 @@ import badlog.recording.Value
  * @property xAxis the common x of its graphs.
  * @property folders the root folder first, if it has anything, then the others, sorted regardless of case.
  * @property problems the recording's problems, then those of its attributes.
+ * @property modes the topics that tell when the robot was enabled.
  */
 public class LogView internal constructor(
     public val recording: Recording,
@@ -21,7 +22,11 @@ public class LogView internal constructor(
     public val xAxis: XAxis,
     public val folders: List<Folder>,
     public val problems: List<Problem>,
+    public val modes: ModeTopics = ModeTopics.NONE,
 ) {
+    /** This view of the match [title], in which [modes] tell when the robot was enabled. */
+    public fun identified(title: String?, modes: ModeTopics): LogView = LogView(recording, title, xAxis, folders, problems, modes)
+
     /** The line that [topic], one of the recording's, gives by itself, whether or not a graph shows it. */
     public fun seriesOf(topic: Topic): GraphSeries = seriesOf(topic, xAxis)
 

@@ -1,6 +1,5 @@
 package badlog.analysis
 
-import badlog.analysis.Span
 import badlog.bag.BagParser
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
@@ -9,11 +8,16 @@ private const val HEADER =
     """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"System/Enabled","unit":"ul","attrs":["hide"]},""" +
         """{"name":"System/Autonomous","unit":"ul","attrs":[]}],"values":[]}"""
 
+private fun LogView.enabledBy(enabled: FlagTopic?, autonomous: FlagTopic? = null) = identified(title, ModeTopics(enabled, autonomous)).enabledSpans()
+
+private val ENABLED = FlagTopic("System/Enabled", FlagReading.Truth)
+private val AUTONOMOUS = FlagTopic("System/Autonomous", FlagReading.Truth)
+
 private fun spans(vararg rows: String): List<EnabledSpan> {
     val parser = BagParser()
     val titles = "Time,System/Enabled,System/Autonomous"
     parser.accept((listOf(HEADER, titles) + rows).joinToString("\n", postfix = "\n").encodeToByteArray())
-    return LogView.of(parser.finish()).enabledSpans()
+    return LogView.of(parser.finish()).enabledBy(ENABLED, AUTONOMOUS)
 }
 
 class EnabledSpanSpec : FunSpec({
@@ -29,10 +33,24 @@ class EnabledSpanSpec : FunSpec({
         spans("0,0,0", "1,1.0000,0", "2,0,0") shouldBe listOf(EnabledSpan(Span(1.0, 2.0), isAutonomous = false))
     }
 
+    test("a topic that says when the robot was disabled, a bit of a word and a state tell as well") {
+        fun spans(reading: FlagReading, vararg cells: String): List<Span> {
+            val parser = BagParser()
+            val header = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"Mode","unit":"ul","attrs":[]}],"values":[]}"""
+            val rows = cells.mapIndexed { i, cell -> "$i,$cell" }
+            parser.accept((listOf(header, "Time,Mode") + rows).joinToString("\n", postfix = "\n").encodeToByteArray())
+            return LogView.of(parser.finish()).enabledBy(FlagTopic("Mode", reading)).map { it.span }
+        }
+        spans(FlagReading.Opposite, "true", "false", "true", "") shouldBe listOf(Span(1.0, 2.0))
+        spans(FlagReading.Bit(1), "1", "34", "35", "33") shouldBe listOf(Span(1.0, 3.0))
+        spans(FlagReading.Text("auto"), "Disabled", "Autonomous", "Teleop", "Teleop") shouldBe listOf(Span(1.0, 2.0))
+    }
+
     test("where no topic shows, and where x goes backwards, nothing is claimed") {
         val parser = BagParser()
         parser.accept("Time,On\n0,true\n1,true\n".encodeToByteArray())
-        LogView.of(parser.finish()).enabledSpans() shouldBe emptyList()
+        LogView.of(parser.finish()).enabledBy(null) shouldBe emptyList()
+        LogView.of(parser.finish()).enabledBy(ENABLED) shouldBe emptyList()
         spans("1,true,false", "0,true,false") shouldBe emptyList()
         spans() shouldBe emptyList()
     }

@@ -13,6 +13,8 @@ import badlog.page.section.failureScreen
 import badlog.page.section.setPageState
 import badlog.recording.ProblemKind
 import badlog.recording.Recording
+import badlog.rules.RuleSet
+import badlog.rules.withSignals
 import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.dom.Element
@@ -57,7 +59,8 @@ internal class Startup {
             return
         }
         val additions = findAdditions()
-        val formulas = Formulas(LogView.of(read), additions?.virtualTopics.orEmpty(), about.fileKey)
+        val signals = (additions?.rules ?: RuleSet.NONE).signals
+        val formulas = Formulas(LogView.of(read).withSignals(signals), signals, additions?.virtualTopics.orEmpty(), about.fileKey)
         val shown = LogPage(formulas, about, additions, downloads, theme)
         page = shown
         show(shown.element)

@@ -22,16 +22,17 @@ import badlog.cli.output.newLog
 import badlog.cli.output.recordsOf
 import badlog.cli.output.writeLog
 import badlog.cli.recover.Damage
+import badlog.cli.search.signalsBeside
 import badlog.cli.text.counted
 import badlog.cli.text.jsonOf
 import badlog.cli.text.lossLines
 import badlog.cli.text.undefinedLines
 import badlog.cli.text.wrapped
-import badlog.expression.withVirtualTopics
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
 import badlog.report.UndefinedJson
 import badlog.report.withX
+import badlog.rules.withVirtualTopics
 import badlog.terminal.Progress
 import badlog.wpilog.Omission
 import badlog.wpilog.record.RecordLane
@@ -70,7 +71,7 @@ internal class ConvertTask(
         if (read.topics.isEmpty()) {
             throw Failure("${input.file}: nothing can be converted. ${read.problems.firstOrNull()?.message.orEmpty()}".trim())
         }
-        val with = LogView.of(read).withVirtualTopics(virtualTopics)
+        val with = LogView.of(read).withVirtualTopics(virtualTopics, signalsBeside(input.file))
         val all = with.view.recording
         val fit = if (format.hasRows) withRows(all, input.file) else WithRows(all, Omissions())
         val recording = fit.recording

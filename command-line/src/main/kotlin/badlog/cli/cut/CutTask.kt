@@ -18,6 +18,7 @@ import badlog.cli.output.isEvent
 import badlog.cli.output.recordsOf
 import badlog.cli.output.topicOf
 import badlog.cli.output.writeLog
+import badlog.cli.search.signalsBeside
 import badlog.cli.text.StretchJson
 import badlog.cli.text.XTime
 import badlog.cli.text.counted
@@ -27,6 +28,7 @@ import badlog.cli.text.lossLines
 import badlog.cli.text.wrapped
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
+import badlog.rules.withSignals
 import badlog.terminal.Progress
 import kotlinx.serialization.Serializable
 import java.nio.file.Path
@@ -47,7 +49,7 @@ internal class CutTask(
     override fun run(console: Console): ExitCode = LogLoop("cut", console, isJson).run(paths, ::cut)
 
     private fun cut(input: LogInput, progress: Progress): Outcome {
-        val view = LogView.of(readLog(input.file, progress, xTopic))
+        val view = LogView.of(readLog(input.file, progress, xTopic)).withSignals(signalsBeside(input.file))
         val part = try {
             partOf(view)
         } catch (e: Failure) {

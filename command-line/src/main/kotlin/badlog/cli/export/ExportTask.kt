@@ -11,6 +11,7 @@ import badlog.cli.input.NotALog
 import badlog.cli.output.OutputPlan
 import badlog.cli.search.Search
 import badlog.cli.search.SearchException
+import badlog.cli.search.signalsBeside
 import badlog.cli.text.counted
 import badlog.cli.text.json
 import badlog.cli.text.jsonOf
@@ -29,6 +30,7 @@ import badlog.report.UndefinedJson
 import badlog.report.page.hookParts
 import badlog.rules.FolderRules
 import badlog.rules.SkippedRule
+import badlog.rules.namesWith
 import badlog.rules.skippedFor
 import badlog.terminal.Progress
 import kotlinx.serialization.json.JsonArray
@@ -65,7 +67,8 @@ internal class ExportTask(
         val refused = ArrayList<List<SkippedRule>>()
         val code = LogLoop("export", console, isJson).run(paths) { input, progress ->
             val rules = if (named == null) rulesBeside(input.file, console) else null
-            val additions = PageAdditions(search.virtualTopics, rules?.rules ?: checkNotNull(named).rules, rules?.problem)
+            val all = rules?.rules ?: checkNotNull(named).rules.with(signalsBeside(input.file))
+            val additions = PageAdditions(search.virtualTopics, all, rules?.problem)
             // Only what looks for something here reads a log before it is in a page.
             if (hooks.isEmpty()) return@run export(exporter, input, additions, rules, PageFindings.NONE, refused, progress)
             val found = PageFindings.of(input.file, hooks) { done, total -> progress.advanced(done, total * 2) }
@@ -98,7 +101,7 @@ internal class ExportTask(
             throw NotALog(e.message.orEmpty())
         }
         val view = LogView.of(report.recording)
-        val undefined = undefinedTopics(view, search.virtualTopics)
+        val undefined = undefinedTopics(view.namesWith(own.rules.signals), search.virtualTopics)
         val skipped = own.rules.skippedFor(view, search.virtualTopics)
         refused += skipped
         val reported = search.reportedOf(skipped)

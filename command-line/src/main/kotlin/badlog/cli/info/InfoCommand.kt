@@ -9,13 +9,14 @@ import badlog.cli.command.Task
 import badlog.cli.command.VirtualTopicOption
 import badlog.cli.console.Console
 import badlog.cli.input.readLog
+import badlog.cli.search.signalsBeside
 import badlog.cli.text.jsonOf
-import badlog.expression.withVirtualTopics
 import badlog.report.NamedTopics
 import badlog.report.UndefinedTopic
 import badlog.report.undefinedTexts
-import badlog.rules.FolderRules
 import badlog.rules.signalTopicsOf
+import badlog.rules.withSignals
+import badlog.rules.withVirtualTopics
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.help
@@ -93,10 +94,11 @@ internal class InfoTask(
         var isFirst = true
         val undefined = ArrayList<List<UndefinedTopic>>()
         val code = LogLoop("info", console, isJson).run(paths) { input, progress ->
-            val numbers = StreamedNumbers(NamedTopics(virtualTopics, xTopic))
+            val vocabulary = signalsBeside(input.file)
+            val numbers = StreamedNumbers(NamedTopics(virtualTopics, xTopic, vocabulary.namedIn(virtualTopics.joinToString("\n"))))
             val recording = readLog(input.file, progress, xTopic, numbers)
-            val with = LogView.of(recording).withVirtualTopics(virtualTopics)
-            val signals = signalTopicsOf(with.view, FolderRules.of(input.file).rules.signals).all
+            val with = LogView.of(recording).withSignals(vocabulary).withVirtualTopics(virtualTopics, vocabulary)
+            val signals = signalTopicsOf(with.view, vocabulary).all
             val summary = LogSummary(input.file, Files.size(input.file), with.view, numbers)
             val text = when {
                 isJson -> ""

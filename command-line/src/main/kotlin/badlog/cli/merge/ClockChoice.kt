@@ -4,6 +4,8 @@ import badlog.analysis.LogView
 import badlog.analysis.Units
 import badlog.analysis.enabledSpans
 import badlog.cli.input.Failure
+import badlog.cli.search.signalsBeside
+import badlog.rules.withSignals
 import java.math.BigDecimal
 import java.nio.file.Path
 import java.util.IdentityHashMap
@@ -101,7 +103,7 @@ internal class ClockChoice(private val offsets: List<Offset>, private val aligns
 
     /** When the robot was enabled and disabled; not where the log itself begins and ends. */
     private fun edgesOf(part: LogPart): List<Edge> {
-        val spans = LogView.of(part.recording).enabledSpans().map { it.span }
+        val spans = LogView.of(part.recording).withSignals(signalsBeside(part.file)).enabledSpans().map { it.span }
         val edges = spans.flatMap { span ->
             listOfNotNull(
                 span.from.takeIf { from -> from > part.firstX && spans.none { it.to == from } }?.let { Edge(it * part.secondsPerX, true) },

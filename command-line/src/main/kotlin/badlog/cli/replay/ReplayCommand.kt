@@ -16,10 +16,10 @@ import badlog.cli.input.position
 import badlog.cli.input.readLog
 import badlog.cli.output.recordsOf
 import badlog.cli.output.topicOf
+import badlog.cli.search.signalsBeside
 import badlog.cli.text.jsonOf
 import badlog.cli.text.shortNumber
 import badlog.cli.text.undefinedLines
-import badlog.expression.withVirtualTopics
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
 import badlog.replay.LoggedTopic
@@ -27,6 +27,8 @@ import badlog.replay.ReplayOptions
 import badlog.replay.ReplayServer
 import badlog.replay.UnavailablePortException
 import badlog.report.UndefinedJson
+import badlog.rules.withSignals
+import badlog.rules.withVirtualTopics
 import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.default
@@ -91,7 +93,8 @@ internal class ReplayTask(
         val outcomes = Outcomes("replay", console, isJson)
         try {
             val recording = console.progress(file.fileName.toString()).use { readLog(file, it, xTopic) }
-            val with = LogView.of(recording).withVirtualTopics(virtualTopics)
+            val signals = signalsBeside(file)
+            val with = LogView.of(recording).withSignals(signals).withVirtualTopics(virtualTopics, signals)
             if (!isJson) undefinedLines(with.errors).forEach(console::warn)
             val options = ReplayOptions(port = port, speed = speed, isLooping = isLooping, range = rangeOn(with.view), prefix = prefix)
             ReplayServer(with.view, options, loggedTopics(recording)).use { server ->

@@ -4,6 +4,7 @@ import badlog.rules.BUILT_IN
 import badlog.rules.FolderRules
 import badlog.rules.RuleSet
 import badlog.rules.RulesFile
+import badlog.rules.signal.SignalVocabulary
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -14,3 +15,6 @@ internal fun rulesBeside(paths: List<Path>, warn: (String) -> Unit): RuleSet {
     rules.problem?.let(warn)
     return rules.rules
 }
+
+/** What topics are called in [log], as a file beside it says, too. */
+internal fun signalsBeside(log: Path): SignalVocabulary = FolderRules.of(log).rules.signals

@@ -42,7 +42,7 @@ class ClockChoiceSpec : FunSpec({
 
     fun Path.match(name: String, topic: String, begin: Double, late: Double = 0.0) = wpilog(
         "$name.wpilog",
-        listOf(Logged("$name/Enabled", "boolean", "", enabled(begin, late)), Logged(topic, "int64", "", samples(begin))),
+        listOf(Logged("$name/Robot Enabled", "boolean", "", enabled(begin, late)), Logged(topic, "int64", "", samples(begin))),
     )
 
     fun moved(json: JsonObject) = json.getValue("moved").jsonArray.single().jsonObject

@@ -67,7 +67,7 @@ internal class Viewer(
     val current = CurrentRecording()
     val view = AxisView()
     val board = GraphBoard()
-    val compared = ComparedRecordings(current, tasks, definitions = { formulas.definitions })
+    val compared = ComparedRecordings(current, tasks, { library.state.folder }, definitions = { formulas.definitions })
     val formulas: FormulaStore = FormulaStore(current, compared, board, notices)
     val events = FilteredEvents(current)
     val topics = TopicListing()
@@ -83,10 +83,10 @@ internal class Viewer(
     val graphs = GraphScene(current, board, view, compared, events, findings, player, settings, figures::copy)
     private val watcher = RecordingWatcher(
         notices,
-        read = { shown, isGrowing -> OpenRecording.read(shown.file, { formulas.definitions }, isGrowing) },
+        read = { shown, isGrowing -> OpenRecording.read(shown.file, library.state.folder, { formulas.definitions }, isGrowing) },
         update = ::showGrown,
     )
-    val loader = RecordingLoader(scope, tasks, watcher, definitions = { formulas.definitions }, ::show)
+    val loader = RecordingLoader(scope, tasks, watcher, { library.state.folder }, definitions = { formulas.definitions }, ::show)
     val opener = LogOpener(library, loader, files, notices)
     val newest = NewestLog(library, current, loader, opener, notices, isInUse = ::isInUse)
     val logActions = LibraryActions(

@@ -12,11 +12,13 @@ import java.nio.file.Path
 /**
  * The recordings that are laid over the current one: reads them, and lets go of those that no longer are.
  *
+ * @param library gives the folder of logs.
  * @param definitions gives the formulas to calculate in each.
  */
 internal class ComparedRecordings(
     private val current: CurrentRecording,
     private val tasks: LongTasks,
+    private val library: () -> Path?,
     private val definitions: () -> List<String>,
 ) : Part<Comparison>(Comparison()) {
     private val jobs = HashMap<Path, Job>()
@@ -65,7 +67,7 @@ internal class ComparedRecordings(
     }
 
     private fun load(file: Path) {
-        val read = { progress: (Float) -> Unit -> OpenRecording.read(file, definitions, progress = progress) }
+        val read = { progress: (Float) -> Unit -> OpenRecording.read(file, library(), definitions, progress = progress) }
         val job = tasks.run("Reading ${file.fileName} to compare", read) { change { withLoaded(it) } }
         jobs[file] = job
         job.invokeOnCompletion {

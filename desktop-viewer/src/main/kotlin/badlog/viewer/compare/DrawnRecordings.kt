@@ -18,7 +18,7 @@ internal data class DrawnRecording(val recording: OpenRecording, val offset: Dou
  * name of the file where that would be the same twice.
  */
 internal fun namesOf(recordings: List<OpenRecording>): List<String> {
-    val facts = recordings.map { MatchFacts.of(it.view.recording.values, it.file.fileName.toString()) }
+    val facts = recordings.map { MatchFacts.of(it.view.recording.values, it.file.fileName.toString(), it.match) }
     val isOneEvent = facts.mapNotNull { it.event }.distinct().size <= 1
     val names = recordings.mapIndexed { i, recording -> facts[i].match?.takeIf { isOneEvent } ?: recording.label }
     val isDistinct = names.distinct().size == names.size

@@ -4,10 +4,10 @@ import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import androidx.compose.runtime.snapshotFlow
-import badlog.expression.LogViewSignals
 import badlog.expression.signals.Vocabulary
 import badlog.plot.formula.nameIn
 import badlog.plot.formula.nameInExpression
+import badlog.rules.namesWith
 import badlog.viewer.board.GraphBoard
 import badlog.viewer.compare.ComparedRecordings
 import badlog.viewer.recording.CurrentRecording
@@ -115,6 +115,5 @@ internal data class FormulaSheet(val before: String? = null, val start: String =
 /** The names that the definition [definition] of [open] may use: the topics, and the formulas before it; all for null. */
 internal fun vocabularyFor(open: OpenRecording, definition: String?): Vocabulary {
     val earlier = open.formulas.takeWhile { it.definition != definition }.mapNotNull { it.topic?.signal }
-    val logged = LogViewSignals(open.logged).vocabulary
-    return Vocabulary(logged.signals + earlier, logged.hasTime)
+    return earlier.fold(open.logged.namesWith(open.vocabulary).vocabulary) { names, topic -> names.with(topic) }
 }

@@ -42,7 +42,6 @@ import badlog.viewer.graph.plot.pixelOf
 import badlog.viewer.graph.scene.GraphScene
 import badlog.viewer.graph.scene.overviewPointer
 import badlog.viewer.recording.OpenRecording
-import badlog.viewer.recording.batteryAmong
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Palette
 
@@ -81,7 +80,7 @@ internal fun Overview(scene: GraphScene) {
 /** The graph in the overview: the battery's voltage, in which a match is easily known again, or else the first numbers that change. */
 internal fun overviewSpec(open: OpenRecording): BoardGraph? {
     val numbers = open.signals.filter { it.states == null && !it.isDerived }
-    val chosen = batteryAmong(numbers, { it.name }, { it.unit })
+    val chosen = open.of("battery").firstOrNull()
         ?: numbers.firstOrNull { everChanges(it.topic) }
         ?: numbers.firstOrNull()
         ?: return null

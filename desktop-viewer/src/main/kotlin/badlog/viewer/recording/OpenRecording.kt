@@ -5,7 +5,6 @@ import badlog.analysis.EventLog
 import badlog.analysis.LogView
 import badlog.analysis.Span
 import badlog.analysis.enabledSpans
-import badlog.expression.withVirtualTopics
 import badlog.file.readRecording
 import badlog.formats.LOG_FORMATS
 import badlog.plot.cursor.CursorSteps
@@ -13,6 +12,16 @@ import badlog.plot.formula.Formula
 import badlog.plot.formula.formulasOf
 import badlog.plot.range.Viewport
 import badlog.plot.timeline.EventTimeline
+import badlog.rules.BUILT_IN
+import badlog.rules.FolderRules
+import badlog.rules.RuleSet
+import badlog.rules.signal.LoggedMatch
+import badlog.rules.signal.SignalTopics
+import badlog.rules.signal.SignalVocabulary
+import badlog.rules.signal.matchOf
+import badlog.rules.signalTopicsOf
+import badlog.rules.withSignals
+import badlog.rules.withVirtualTopics
 import java.io.IOException
 import java.nio.file.Path
 
@@ -20,11 +29,23 @@ import java.nio.file.Path
  * A recording whose file was read, with all that can be drawn of it.
  *
  * @property file where it was read from; absolute.
- * @property logged what the file holds.
+ * @param read what the file holds.
  * @property definitions those of the formulas that are calculated in it.
+ * @property vocabulary what its topics are called.
  */
-internal class OpenRecording(val file: Path, val logged: LogView, val definitions: List<String> = emptyList()) {
-    private val calculated = if (definitions.isEmpty()) null else logged.withVirtualTopics(definitions)
+internal class OpenRecording(
+    val file: Path,
+    read: LogView,
+    val definitions: List<String> = emptyList(),
+    val vocabulary: SignalVocabulary = RuleSet.BUILT_IN.signals,
+) {
+    /** What the file holds. */
+    val logged: LogView = read.withSignals(vocabulary)
+
+    /** What match it is of. */
+    val match: LoggedMatch by lazy { vocabulary.matchOf(read.recording) }
+
+    private val calculated = if (definitions.isEmpty()) null else logged.withVirtualTopics(definitions, vocabulary)
 
     /** What the file holds, and the topics that the formulas make of it. */
     val view: LogView = calculated?.view ?: logged
@@ -36,6 +57,12 @@ internal class OpenRecording(val file: Path, val logged: LogView, val definition
     val signals: List<Signal> = signalsOf(view, formulas)
 
     private val byName = signals.associateBy { it.name }
+
+    /** Which of its topics are the signals of [vocabulary]. */
+    val signalTopics: SignalTopics by lazy { signalTopicsOf(view, vocabulary) }
+
+    /** What can be drawn of the topics that are the signal [name]. */
+    fun of(name: String): List<Signal> = signalTopics.of(name).mapNotNull { signal(it.topic) }
 
     /** The events of all topics of texts. */
     val eventLogs: List<EventLog> = view.folders.flatMap { it.eventLogs }
@@ -65,7 +92,7 @@ internal class OpenRecording(val file: Path, val logged: LogView, val definition
     fun signal(name: String): Signal? = byName[name]
 
     /** The same file with the formulas [definitions] instead. Takes its time. */
-    fun withFormulas(definitions: List<String>): OpenRecording = OpenRecording(file, logged, definitions).also { it.prepare() }
+    fun withFormulas(definitions: List<String>): OpenRecording = OpenRecording(file, logged, definitions, vocabulary).also { it.prepare() }
 
     /** Finds out now what the first frame needs, so that the window's thread does not have to. */
     private fun prepare() {
@@ -77,6 +104,7 @@ internal class OpenRecording(val file: Path, val logged: LogView, val definition
         /**
          * Reads [file], an absolute path; see [readRecording] for what it may throw besides.
          *
+         * @param library the folder of logs, see [FolderRules.of]; null for that of [file] alone.
          * @param definitions gives, once it is read, the formulas to calculate in it.
          * @param isGrowing whether what follows the last line end is left out, as a row that is half written.
          * @param progress hears how much is done, from 0 to 1.
@@ -84,6 +112,7 @@ internal class OpenRecording(val file: Path, val logged: LogView, val definition
          */
         fun read(
             file: Path,
+            library: Path? = null,
             definitions: () -> List<String> = { emptyList() },
             isGrowing: Boolean = false,
             progress: (Float) -> Unit = {},
@@ -92,7 +121,8 @@ internal class OpenRecording(val file: Path, val logged: LogView, val definition
                 if (total > 0) progress(done.toFloat() / total)
             }
             if (!recording.isReadable) throw IOException("${file.fileName}: ${recording.problems.last().message}")
-            return OpenRecording(file, LogView.of(recording), definitions()).also { it.prepare() }
+            val vocabulary = FolderRules.of(file, library).rules.signals
+            return OpenRecording(file, LogView.of(recording), definitions(), vocabulary).also { it.prepare() }
         }
     }
 }

@@ -15,6 +15,7 @@ import java.nio.file.Path
  *
  * @param scope where files are watched; its thread is the window's.
  * @param watcher keeps what was opened as its file is.
+ * @param library gives the folder of logs.
  * @param definitions gives the formulas to calculate in a recording.
  * @param show shows what was read.
  */
@@ -22,6 +23,7 @@ internal class RecordingLoader(
     private val scope: CoroutineScope,
     private val tasks: LongTasks,
     private val watcher: RecordingWatcher,
+    private val library: () -> Path?,
     private val definitions: () -> List<String>,
     private val show: (OpenRecording) -> Unit,
 ) {
@@ -36,7 +38,8 @@ internal class RecordingLoader(
     fun open(file: Path) {
         val path = file.toAbsolutePath().normalize()
         reading?.cancel()
-        val job = tasks.run("Opening ${path.fileName}", { progress -> Stamped.read(path, definitions, progress) }) { read ->
+        val folder = library()
+        val job = tasks.run("Opening ${path.fileName}", { progress -> Stamped.read(path, folder, definitions, progress) }) { read ->
             show(read.recording)
             watching?.cancel()
             watching = scope.launch { watcher.watch(read.recording, read.stamp) }
@@ -48,10 +51,10 @@ internal class RecordingLoader(
 
     private class Stamped(val recording: OpenRecording, val stamp: FileStamp) {
         companion object {
-            fun read(file: Path, definitions: () -> List<String>, progress: (Float) -> Unit): Stamped {
+            fun read(file: Path, library: Path?, definitions: () -> List<String>, progress: (Float) -> Unit): Stamped {
                 // Before it is read: what is written meanwhile is a change.
                 val stamp = FileStamp.of(file) ?: FileStamp(0, 0)
-                return Stamped(OpenRecording.read(file, definitions, progress = progress), stamp)
+                return Stamped(OpenRecording.read(file, library, definitions, progress = progress), stamp)
             }
         }
     }

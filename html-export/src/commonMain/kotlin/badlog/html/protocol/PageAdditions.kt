@@ -10,7 +10,7 @@ import badlog.rules.RuleSet
  *
  * @property virtualTopics definitions of topics that are calculated from others, as `Power [W] = Voltage * Current`. The page
  *   evaluates them when it opens, and reports what is wrong with one there.
- * @property rules what the page looks for in the recording once its graphs are drawn.
+ * @property rules what the page looks for in the recording once its graphs are drawn, and what topics are called.
  * @property rulesProblem why these are not the rules that were meant, as a sentence, perhaps with the line of a mistake below it; null
  *   when all is well.
  * @property findings what was found in another way than by [rules], as by a comparison with other logs.
@@ -25,7 +25,8 @@ public class PageAdditions(
 ) {
     /** Whether there is nothing, so that a page is as small as one without. */
     public val isEmpty: Boolean
-        get() = virtualTopics.isEmpty() && rules.rules.isEmpty() && rulesProblem == null && findings.isEmpty() && hooks.isEmpty()
+        get() = virtualTopics.isEmpty() && rules.rules.isEmpty() && rules.signals.isEmpty && rulesProblem == null && findings.isEmpty() &&
+            hooks.isEmpty()
 
     /** Reads what [toJson] wrote. */
     public companion object

@@ -16,7 +16,7 @@ import badlog.rules.toJson
 public fun PageAdditions.toJson(): String = inScript(
     jsonObject(
         "virtual" to array(virtualTopics, ::quotedJson),
-        "rules" to rules.takeIf { it.rules.isNotEmpty() }?.toJson(),
+        "rules" to rules.takeIf { it.rules.isNotEmpty() || !it.signals.isEmpty }?.toJson(),
         "rulesProblem" to rulesProblem?.let(::quotedJson),
         "findings" to array(findings, ::findingJson),
         "hooks" to array(hooks, ::hookJson),

@@ -3,23 +3,25 @@ package badlog.page.formula
 import badlog.analysis.Graph
 import badlog.analysis.LogView
 import badlog.expression.ExpressionError
-import badlog.expression.LogViewSignals
 import badlog.expression.VirtualTopic
 import badlog.expression.signals.Vocabulary
-import badlog.expression.withVirtualTopics
 import badlog.page.dom.LocalStorage
 import badlog.plot.formula.Formula
 import badlog.plot.formula.formulasOf
+import badlog.rules.namesWith
+import badlog.rules.signal.SignalVocabulary
+import badlog.rules.withVirtualTopics
 
 /**
  * The topics of the page that are calculated from others: those it came with, and those of the person who reads it, which the
  * browser remembers for the file.
  *
  * @param logged the recording as it is.
+ * @param signals what topics are called; formulas may name them.
  * @param given the definitions that the page came with.
  * @param fileKey identifies the file.
  */
-internal class Formulas(logged: LogView, given: List<String>, fileKey: String) {
+internal class Formulas(logged: LogView, private val signals: SignalVocabulary, given: List<String>, fileKey: String) {
     private val key = "formulas:$fileKey"
     private val remembered = LocalStorage[key].orEmpty().split('\n').filter { it.isNotBlank() && it !in given }.toMutableList()
     private val formulas = ArrayList<Formula>()
@@ -29,7 +31,7 @@ internal class Formulas(logged: LogView, given: List<String>, fileKey: String) {
         private set
 
     /** What the recording's topics and the calculated ones are called in formulas. */
-    var vocabulary: Vocabulary = LogViewSignals(logged).vocabulary
+    var vocabulary: Vocabulary = logged.namesWith(signals).vocabulary
         private set
 
     /** Why some of what was given or remembered could not be calculated. */
@@ -74,9 +76,9 @@ internal class Formulas(logged: LogView, given: List<String>, fileKey: String) {
 
     private fun extend(definitions: List<String>): List<ExpressionError> {
         if (definitions.isEmpty()) return emptyList()
-        val extended = view.withVirtualTopics(definitions)
+        val extended = view.withVirtualTopics(definitions, signals)
         view = extended.view
-        vocabulary = LogViewSignals(view).vocabulary
+        vocabulary = view.namesWith(signals).vocabulary
         formulas += formulasOf(definitions, extended)
         return extended.errors
     }

@@ -7,6 +7,7 @@ import badlog.html.checkReadable
 import badlog.html.protocol.PageAdditions
 import badlog.recording.Severity
 import badlog.rules.FolderRules
+import badlog.rules.RuleSet
 import badlog.terminal.Progress
 import badlog.terminal.ProgressBar
 import badlog.terminal.printable
@@ -72,10 +73,11 @@ internal class BadlogHtml(
     }
 
     private fun additions(job: ExportJob, arguments: Arguments): PageAdditions {
-        if (!arguments.hasRules) return PageAdditions()
         val rules = rulesOfFolder.getOrPut(job.input.toAbsolutePath().normalize().parent) {
             FolderRules.of(job.input).also { rules -> rules.problem?.lines()?.forEach { err.println(printable(it)) } }
         }
+        // A page without rules still has to know when the robot was enabled.
+        if (!arguments.hasRules) return PageAdditions(rules = RuleSet.NONE.with(rules.rules.signals))
         return PageAdditions(rules = rules.rules, rulesProblem = rules.problem)
     }
 

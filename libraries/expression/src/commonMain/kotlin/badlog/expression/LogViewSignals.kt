@@ -25,7 +25,7 @@ public class LogViewSignals(private val view: LogView) : Signals {
     private val events = HashMap<String, Series>()
 
     override val vocabulary: Vocabulary =
-        Vocabulary(view.recording.topics.map { Signal(it.name, kindOf(it), it.unit) }, view.xAxis.run { !isIndex && mayBeTime(unit) })
+        Vocabulary(view.recording.topics.map(::signalOf), view.xAxis.run { !isIndex && mayBeTime(unit) })
 
     override fun series(name: String): Series {
         val topic = topics.getValue(name)
@@ -90,12 +90,15 @@ public class LogViewSignals(private val view: LogView) : Signals {
     private companion object {
         // Without a unit, seconds are what an x other than the index counts.
         fun mayBeTime(unit: String) = Units.isNone(unit) || Units.secondsIn(unit) != null
-
-        fun kindOf(topic: Topic) = when (topic.kind) {
-            TopicKind.EMPTY, TopicKind.NUMERIC -> SignalKind.NUMBER
-            TopicKind.BOOLEAN -> SignalKind.CONDITION
-            TopicKind.STATE -> if ("log" in topic.attributes) SignalKind.EVENT else SignalKind.STATE
-            TopicKind.EVENT -> SignalKind.EVENT
-        }
     }
+}
+
+/** What expressions see of [topic]. */
+public fun signalOf(topic: Topic): Signal = Signal(topic.name, kindOf(topic), topic.unit)
+
+private fun kindOf(topic: Topic) = when (topic.kind) {
+    TopicKind.EMPTY, TopicKind.NUMERIC -> SignalKind.NUMBER
+    TopicKind.BOOLEAN -> SignalKind.CONDITION
+    TopicKind.STATE -> if ("log" in topic.attributes) SignalKind.EVENT else SignalKind.STATE
+    TopicKind.EVENT -> SignalKind.EVENT
 }

@@ -31,30 +31,29 @@ public class ViewWithVirtualTopics internal constructor(
  *
  * The new topics have as [metadata][badlog.recording.Topic.metadata] what they are calculated by. Those of recordings with rows
  * share the rows where they have a sample in each.
+ *
+ * @param names what the definitions may name: the topics of this view, under further names, too.
  */
-public fun LogView.withVirtualTopics(definitions: List<String>): ViewWithVirtualTopics {
-    val defined = DefinedTopics(this, definitions)
+public fun LogView.withVirtualTopics(definitions: List<String>, names: Signals = LogViewSignals(this)): ViewWithVirtualTopics {
+    val defined = DefinedTopics(names, definitions)
     if (defined.topics.isEmpty()) return ViewWithVirtualTopics(this, emptyList(), defined.errors)
     val extended = recording.run {
         val added = defined.topics.map { calculatedTopic(it, defined.signals.series(it.name), xAxis, defined.signals.stretches) }
         copy(topics = topics + added)
     }
-    return ViewWithVirtualTopics(LogView.of(extended), defined.topics, defined.errors)
+    return ViewWithVirtualTopics(LogView.of(extended).identified(title, modes), defined.topics, defined.errors)
 }
 
-/** Why some of [definitions] make no topic in [view], in their order. Calculates nothing, so [view] needs no samples. */
-public fun undefinedTopics(view: LogView, definitions: List<String>): List<ExpressionError> = DefinedTopics(view, definitions).errors
+/** Why some of [definitions] make no topic of what [names] has, in their order. Calculates nothing, so no samples are needed. */
+public fun undefinedTopics(names: Signals, definitions: List<String>): List<ExpressionError> = DefinedTopics(names, definitions).errors
 
-/**
- * What the topics of [view], and those that [definitions] make in it, are called in expressions. Calculates nothing, so [view] needs no
- * samples.
- */
-public fun vocabularyWith(view: LogView, definitions: List<String>): Vocabulary = DefinedTopics(view, definitions).signals.vocabulary
+/** What [names] has, and the topics that [definitions] make of it. Calculates nothing, so no samples are needed. */
+public fun vocabularyWith(names: Signals, definitions: List<String>): Vocabulary = DefinedTopics(names, definitions).signals.vocabulary
 
-private class DefinedTopics(view: LogView, definitions: List<String>) {
+private class DefinedTopics(names: Signals, definitions: List<String>) {
     val topics = ArrayList<VirtualTopic>()
     val errors = ArrayList<ExpressionError>()
-    var signals: Signals = LogViewSignals(view)
+    var signals: Signals = names
         private set
 
     init {
@@ -80,7 +79,7 @@ public fun Signals.with(topic: VirtualTopic): Signals = SignalsWithVirtual(this,
 private class SignalsWithVirtual(private val others: Signals, private val topic: VirtualTopic) : Signals {
     private val samples by lazy { topic.series(others) }
 
-    override val vocabulary: Vocabulary = others.vocabulary.run { Vocabulary(signals + topic.signal, hasTime) }
+    override val vocabulary: Vocabulary = others.vocabulary.with(topic.signal)
 
     override fun series(name: String): Series = if (name == topic.name) samples else others.series(name)
 

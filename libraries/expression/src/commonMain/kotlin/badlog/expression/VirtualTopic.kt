@@ -40,10 +40,14 @@ public class VirtualTopic private constructor(public val name: String, public va
         public fun parse(text: String, vocabulary: Vocabulary): ParsedVirtualTopic = try {
             val heading = VirtualTopicHeading(text)
             val taken = vocabulary.signals.find { it.name == heading.name }
-            if (taken != null) heading.fail("There already is a topic “${heading.name}”.")
+            if (taken != null && taken.name !in vocabulary.meanings) heading.fail("There already is a topic “${heading.name}”.")
             if (heading.name in KEYWORDS) heading.fail("“${heading.name}” is a word of the language; use another name.")
             val hidden = vocabulary.find(heading.name).singleOrNull()
-            if (hidden != null) heading.fail("“${heading.name}” already means “${hidden.name}”; use another name.")
+            if (hidden != null &&
+                hidden.name !in vocabulary.meanings
+            ) {
+                heading.fail("“${heading.name}” already means “${hidden.name}”; use another name.")
+            }
             // The heading's place is kept by spaces, so that every position is that in the whole text.
             when (val body = Expression.parse(" ".repeat(heading.length) + text.substring(heading.length), vocabulary)) {
                 is Expression -> VirtualTopic(heading.name, heading.unit, body)

@@ -1,6 +1,9 @@
 package badlog.expression
 
+import badlog.analysis.FlagReading
+import badlog.analysis.FlagTopic
 import badlog.analysis.LogView
+import badlog.analysis.ModeTopics
 import badlog.analysis.Span
 import badlog.bag.BagParser
 import badlog.expression.signals.Signal
@@ -78,7 +81,8 @@ class VirtualTopicSpec : FunSpec({
         }
     }
 
-    val signals = LogViewSignals(LogView.of(BagParser().apply { accept(VARIED_BAG.encodeToByteArray()) }.finish()))
+    val view = LogView.of(BagParser().apply { accept(VARIED_BAG.encodeToByteArray()) }.finish())
+    val signals = LogViewSignals(view.identified(null, ModeTopics(FlagTopic("Enabled", FlagReading.Truth), null)))
 
     test("the topics of a bag can be named, as what they are") {
         signals.vocabulary.signals.map { it.name to it.kind } shouldBe listOf(

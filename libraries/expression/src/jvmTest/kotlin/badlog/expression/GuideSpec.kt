@@ -1,6 +1,9 @@
 package badlog.expression
 
+import badlog.analysis.FlagReading
+import badlog.analysis.FlagTopic
 import badlog.analysis.LogView
+import badlog.analysis.ModeTopics
 import badlog.expression.signals.Signals
 import badlog.file.readRecording
 import badlog.formats.LOG_FORMATS
@@ -21,7 +24,10 @@ private fun printed(occurrence: Occurrence) = "at ${readable(occurrence.span.fro
 /** With the environment variable `BADLOG_WRITE_GUIDE` the guide is written anew. */
 class GuideSpec : FunSpec({
     test("each example in docs/expressions.md gives what stands below it") {
-        var signals: Signals = LogViewSignals(LogView.of(readRecording(File(ROOT, "samples/qualification-42.bag").toPath(), LOG_FORMATS)))
+        var signals: Signals = readRecording(File(ROOT, "samples/qualification-42.bag").toPath(), LOG_FORMATS).let { recording ->
+            val modes = ModeTopics(FlagTopic("System/Enabled", FlagReading.Truth), FlagTopic("System/Autonomous", FlagReading.Truth))
+            LogViewSignals(LogView.of(recording).identified(null, modes))
+        }
         val guide = File(ROOT, "docs/expressions.md").readText()
         val blocks = Regex("```(expression|question|virtual-topic)\n(.*?)```", RegexOption.DOT_MATCHES_ALL)
         val asItIs = blocks.replace(guide) { block ->

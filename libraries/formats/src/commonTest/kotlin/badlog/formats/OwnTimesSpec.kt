@@ -1,14 +1,16 @@
 package badlog.formats
 
 import badlog.analysis.EnabledSpan
+import badlog.analysis.FlagReading
+import badlog.analysis.FlagTopic
 import badlog.analysis.LogView
+import badlog.analysis.ModeTopics
 import badlog.analysis.Span
 import badlog.analysis.enabledSpans
 import badlog.recording.ProblemKind
 import badlog.recording.Topic
 import badlog.wpilog.TestLog
 import badlog.wpilog.doubles
-import badlog.wpilog.longs
 import badlog.wpilog.number
 import badlog.wpilog.parseLog
 import badlog.wpilog.text
@@ -74,20 +76,11 @@ class OwnTimesSpec : FunSpec({
     }
 
     test("enabled as the driver station said last holds until the recording's end") {
-        val view = TestLog().start(4, "/Shooter/enabled", "boolean").start(1, "DS:enabled", "boolean")
-            .start(2, "DS:autonomous", "boolean").start(3, "x", "double")
-            .record(4, 0, byteArrayOf(1)).record(1, 0, byteArrayOf(0)).record(1, 1_000_000, byteArrayOf(1))
+        val view = TestLog().start(1, "DS:enabled", "boolean").start(2, "DS:autonomous", "boolean").start(3, "x", "double")
+            .record(1, 0, byteArrayOf(0)).record(1, 1_000_000, byteArrayOf(1))
             .record(2, 500_000, byteArrayOf(1)).record(2, 3_000_000, byteArrayOf(0)).double(3, 9_000_000, 1.0).view()
-        view.enabledSpans() shouldBe listOf(EnabledSpan(Span(1.0, 3.0), true), EnabledSpan(Span(3.0, 9.0), false))
-    }
-
-    test("the control word shows where nothing else of the driver station does") {
-        val view = TestLog().start(4, "/Shooter/enabled", "boolean").start(1, "NT:/FMSInfo/FMSControlData", "int64")
-            .record(4, 0, byteArrayOf(1))
-            .record(1, 0, longs(32)).record(1, 1_000_000, longs(35))
-            .record(1, 2_000_000, longs(33)).record(1, 3_000_000, longs(32))
-            .view()
-        view.enabledSpans() shouldBe listOf(EnabledSpan(Span(1.0, 2.0), true), EnabledSpan(Span(2.0, 3.0), false))
+        val modes = ModeTopics(FlagTopic("DS:enabled", FlagReading.Truth), FlagTopic("DS:autonomous", FlagReading.Truth))
+        view.identified(null, modes).enabledSpans() shouldBe listOf(EnabledSpan(Span(1.0, 3.0), true), EnabledSpan(Span(3.0, 9.0), false))
     }
 
     test("what cannot be written as rows is refused as the caller's mistake") {

@@ -1,7 +1,6 @@
 package badlog.wpilog
 
 import badlog.analysis.LogView
-import badlog.analysis.enabledSpans
 import badlog.recording.ProblemKind
 import badlog.recording.ProblemList
 import io.kotest.core.spec.style.FunSpec
@@ -85,7 +84,6 @@ class RealLogsSpec : FunSpec({
             val view = LogView.of(recording)
             view.xAxis.range.shouldNotBeNull().endInclusive shouldBeLessThan 3600.0
             view.folders.sumOf { it.graphs.size + it.eventLogs.size } shouldBeGreaterThan 100
-            view.enabledSpans()
         }
     }
 

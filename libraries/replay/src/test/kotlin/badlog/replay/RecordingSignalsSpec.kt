@@ -1,5 +1,8 @@
 package badlog.replay
 
+import badlog.analysis.FlagReading
+import badlog.analysis.FlagTopic
+import badlog.analysis.ModeTopics
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
@@ -67,7 +70,9 @@ class RecordingSignalsSpec : FunSpec({
 
     test("When the robot was enabled stands where a robot has it, but not twice") {
         val header = "{\"topics\":[{\"name\":\"T\",\"unit\":\"s\",\"attrs\":[\"xaxis\"]},{\"name\":\"Enabled\"},{\"name\":\"Autonomous\"}],\"values\":[]}\n"
-        val view = viewOf("${header}T,Enabled,Autonomous\n0,false,false\n1,true,true\n2,true,false\n3,false,false\n4,false,false\n")
+        val rows = "T,Enabled,Autonomous\n0,false,false\n1,true,true\n2,true,false\n3,false,false\n4,false,false\n"
+        val modes = ModeTopics(FlagTopic("Enabled", FlagReading.Truth), FlagTopic("Autonomous", FlagReading.Truth))
+        val view = viewOf(header + rows).identified(null, modes)
         val word = signalsOf(view, "/badlog").last()
         word.name shouldBe "/FMSInfo/FMSControlData"
         word.typeName shouldBe "int"

@@ -31,7 +31,7 @@ public class Find(
     signals: SignalVocabulary = RuleSet.BUILT_IN.signals,
 ) {
     private val clauses = QuestionClauses.of(question)
-    private val usedSignals = signals.namedIn(clauses.question)
+    private val usedSignals = signals.namedIn((virtualTopics + clauses.question).joinToString("\n"))
     private val named = NamedTopics(virtualTopics + clauses.question, xTopic, usedSignals)
     private val asked = LruCache<LogShape, Asked>(MAX_SHAPES) { Asked(it) }
 
@@ -91,7 +91,7 @@ public class Find(
 
     private fun ask(file: LogFile, cores: Int): CachedResult<Stored> {
         if (mistake != null) return CachedResult(Stored(null, mistake), isLasting = false)
-        return LogContent.examined(file, virtualTopics, xTopic, named, cores, ::ask)
+        return LogContent.examined(file, virtualTopics, usedSignals, xTopic, named, cores, ::ask)
     }
 
     private fun ask(content: LogContent): CachedResult<Stored> = when (content) {

@@ -1,7 +1,6 @@
 package badlog.report
 
 import badlog.analysis.LogView
-import badlog.expression.withVirtualTopics
 import badlog.file.LogFile
 import badlog.file.UnreadableFileException
 import badlog.file.readRecording
@@ -9,6 +8,9 @@ import badlog.formats.LOG_FORMATS
 import badlog.recording.NumberSinks
 import badlog.recording.ProblemKind
 import badlog.recording.Recording
+import badlog.rules.signal.SignalVocabulary
+import badlog.rules.withSignals
+import badlog.rules.withVirtualTopics
 
 /** What a file turned out to hold. */
 internal sealed interface LogContent {
@@ -30,13 +32,20 @@ internal sealed interface LogContent {
     class None(val message: String, val isNoLog: Boolean) : LogContent
 
     companion object {
-        private fun of(file: LogFile, definitions: List<String>, xTopic: String?, sinks: NumberSinks, cores: Int): LogContent = try {
+        private fun of(
+            file: LogFile,
+            definitions: List<String>,
+            signals: SignalVocabulary,
+            xTopic: String?,
+            sinks: NumberSinks,
+            cores: Int,
+        ): LogContent = try {
             val recording = readRecording(file.path, LOG_FORMATS, sinks = sinks, cores = cores)
             val problem = recording.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
             if (problem != null) {
                 None(problem.message, isNoLog = true)
             } else {
-                withVirtualTopics(if (xTopic == null) recording else recording.withX(xTopic, file.path), definitions)
+                withVirtualTopics(if (xTopic == null) recording else recording.withX(xTopic, file.path), definitions, signals)
             }
         } catch (e: UnreadableFileException) {
             None(e.message, isNoLog = false)
@@ -45,8 +54,8 @@ internal sealed interface LogContent {
         }
 
         /**
-         * What [work] makes of [file], read on [cores] cores with the topics of [definitions], and with [xTopic] as x axis if it is not null; [sinks] says
-         * which numbers are needed.
+         * What [work] makes of [file], read on [cores] cores with the topics of [definitions], which may name [signals], and with [xTopic]
+         * as x axis if it is not null; [sinks] says which numbers are needed.
          * Whatever fails, fails for this file alone: [work] is then given a [None] that says so.
          *
          * @throws InterruptedException when the thread was interrupted.
@@ -54,12 +63,13 @@ internal sealed interface LogContent {
         fun <R> examined(
             file: LogFile,
             definitions: List<String>,
+            signals: SignalVocabulary,
             xTopic: String? = null,
             sinks: NumberSinks = NumberSinks.RECORDING,
             cores: Int = 1,
             work: (LogContent) -> R,
         ): R = try {
-            work(of(file, definitions, xTopic, sinks, cores))
+            work(of(file, definitions, signals, xTopic, sinks, cores))
         } catch (_: OutOfMemoryError) {
             work(tooLarge())
         } catch (e: InterruptedException) {
@@ -75,8 +85,8 @@ internal sealed interface LogContent {
 
         private fun tooLarge() = None("It is too large for the available memory; give the program more, or cut the file.", isNoLog = false)
 
-        private fun withVirtualTopics(recording: Recording, definitions: List<String>): Log {
-            val with = LogView.of(recording).withVirtualTopics(definitions)
+        private fun withVirtualTopics(recording: Recording, definitions: List<String>, signals: SignalVocabulary): Log {
+            val with = LogView.of(recording).withSignals(signals).withVirtualTopics(definitions, signals)
             return Log(recording, with.view, with.errors.map { UndefinedTopic(it) })
         }
     }

@@ -38,7 +38,7 @@ public class MatchTable(
     private val xTopic: String? = null,
     signals: SignalVocabulary = RuleSet.BUILT_IN.signals,
 ) {
-    private val usedSignals = signals.namedIn(questions.joinToString("\n"))
+    private val usedSignals = signals.namedIn((virtualTopics + questions).joinToString("\n"))
     private val named = NamedTopics(virtualTopics + questions, xTopic, usedSignals)
     private val asked = LruCache<LogShape, Asked>(MAX_SHAPES) { Asked(it) }
 
@@ -73,7 +73,9 @@ public class MatchTable(
         val parts =
             listOf("table", xTopic.orEmpty(), condition.orEmpty(), usedSignals.toJson()) + questions + "by" + by + "topics" + virtualTopics
         val known = cache?.let { ResultCache(it, parts.joinToString("\n"), Stored.serializer()) }
-        runCached(files, known, { file, cores -> LogContent.examined(file, virtualTopics, xTopic, named, cores, ::ask) }) { file, stored ->
+        runCached(files, known, { file, cores ->
+            LogContent.examined(file, virtualTopics, usedSignals, xTopic, named, cores, ::ask)
+        }) { file, stored ->
             rows += stored.run { TableRow(file, title, headers, cells, unreadable, isNoLog, isSalvaged, isWanted, mistake) }
             progress(rows.size, files.size)
         }

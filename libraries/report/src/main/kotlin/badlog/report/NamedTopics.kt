@@ -7,11 +7,11 @@ import badlog.rules.signal.SignalVocabulary
 /**
  * Drops the numbers of topics that none of some expressions can name, so that a question costs no memory for them. What stays is
  * rather too much: each topic whose path ends in something that the expressions hold in any case of letters, the x axis, and
- * where they speak of `enabled` or `autonomous`, what may show that.
+ * what may be one of the signals.
  *
  * @param expressions questions, and definitions of virtual topics.
  * @param xTopic the topic to take as x axis, or null.
- * @param signals the signals that the expressions name.
+ * @param signals the signals that the expressions name, and those that tell of every log when the robot was enabled.
  */
 public class NamedTopics(
     expressions: List<String>,
@@ -19,7 +19,6 @@ public class NamedTopics(
     private val signals: SignalVocabulary = SignalVocabulary.NONE,
 ) : NumberSinks {
     private val text = expressions.joinToString("\n", transform = ::folded)
-    private val needsEnabled = listOf("enabled", "autonomous", "teleop").any { it in text }
 
     // Those of “by topic”.
     private val patterns = Regex("\"([^\"]*\\*[^\"]*)\"").findAll(text).map { found ->
@@ -30,8 +29,7 @@ public class NamedTopics(
 
     private fun isNeeded(name: String, attributes: List<String>): Boolean =
         isNamed(name) || signals.mayBe(name) || attributes.any { it.contains(X_AXIS, ignoreCase = true) } ||
-            name.equals(xTopic, ignoreCase = true) ||
-            (needsEnabled && folded(name).let { folded -> MODES.any { it in folded } })
+            name.equals(xTopic, ignoreCase = true)
 
     /** By the last part of its path, which every way to write it holds; a quote in it would be written twice. */
     private fun isNamed(name: String): Boolean {
@@ -42,9 +40,6 @@ public class NamedTopics(
     private companion object {
         const val X_AXIS = "xaxis"
         const val QUOTES = "\"`'"
-
-        /** Parts of the names of topics that show when a robot was enabled. */
-        val MODES = listOf("enabled", "auto", "fmscontroldata")
 
         // Character by character, as expressions compare names.
         fun folded(text: String) = String(CharArray(text.length) { text[it].lowercaseChar() })

@@ -95,7 +95,7 @@ public class Report(
     }
 
     private fun examine(file: LogFile, cores: Int): CachedResult<Stored> =
-        LogContent.examined(file, virtualTopics, xTopic, cores = cores) { examine(file, it) }
+        LogContent.examined(file, virtualTopics, rules.signals, xTopic, cores = cores) { examine(file, it) }
 
     private fun examine(file: LogFile, content: LogContent): CachedResult<Stored> = when (content) {
         is LogContent.None -> CachedResult(Stored(null, emptyList(), emptyList(), content.message, content.isNoLog), content.isNoLog)

@@ -1,5 +1,6 @@
 package badlog.report
 
+import badlog.rules.signal.SignalVocabulary
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.string.shouldContain
@@ -11,7 +12,7 @@ class LogContentSpec : FunSpec({
         inFolder { folder ->
             folder.put("1.bag", batteryBag(6.0))
             val file = logsIn(folder).single()
-            fun messageAfter(fail: () -> Unit) = LogContent.examined(file, emptyList()) { content ->
+            fun messageAfter(fail: () -> Unit) = LogContent.examined(file, emptyList(), SignalVocabulary.NONE) { content ->
                 if (content is LogContent.None) content.message else null.also { fail() }
             }.orEmpty()
             messageAfter { error("odd") } shouldContain "(java.lang.IllegalStateException: odd); report it"

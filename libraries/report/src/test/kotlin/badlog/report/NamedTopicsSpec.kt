@@ -7,6 +7,9 @@ import badlog.expression.LogViewSignals
 import badlog.file.readRecording
 import badlog.formats.LOG_FORMATS
 import badlog.recording.Recording
+import badlog.rules.BUILT_IN
+import badlog.rules.RuleSet
+import badlog.rules.withSignals
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.shouldBe
@@ -38,8 +41,10 @@ private val WRITTEN = listOf<(String) -> String>(
 class NamedTopicsSpec : FunSpec({
     val files = listOf("qualification-42.bag", "practice.bag", "elevator-bench.csv").map(::sample)
 
+    val signals = RuleSet.BUILT_IN.signals
+
     fun answer(recording: Recording, question: String): String {
-        val signals = LogViewSignals(LogView.of(recording))
+        val signals = LogViewSignals(LogView.of(recording).withSignals(signals))
         return when (val parsed = Expression.parse(question, signals.vocabulary)) {
             is ExpressionError -> parsed.pointed()
             is Expression -> parsed.answer(signals).run { "$this $spans $quantities" }
@@ -51,7 +56,7 @@ class NamedTopicsSpec : FunSpec({
         checkAll(120, Arb.element(files), Arb.int(0, 99), Arb.element(FORMS), Arb.element(WRITTEN)) { file, index, form, written ->
             val whole = wholes.getValue(file)
             val question = form.replace("%s", written(whole.topics[index % whole.topics.size].name))
-            val partial = readRecording(file, LOG_FORMATS, sinks = NamedTopics(listOf(question)))
+            val partial = readRecording(file, LOG_FORMATS, sinks = NamedTopics(listOf(question), signals = signals.namedIn(question)))
             answer(partial, question) shouldBe answer(whole, question)
         }
     }

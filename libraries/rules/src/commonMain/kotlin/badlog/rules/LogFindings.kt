@@ -1,6 +1,7 @@
 package badlog.rules
 
 import badlog.analysis.LogView
+import badlog.expression.signals.Vocabulary
 import badlog.expression.vocabularyWith
 
 /**
@@ -57,6 +58,10 @@ public fun RuleSet.over(view: LogView, file: String, beforeEach: () -> Unit = {}
 
 /** The rules that would be skipped for [view], which needs no samples for it, with the topics that [definitions] make there. */
 public fun RuleSet.skippedFor(view: LogView, definitions: List<String> = emptyList()): List<SkippedRule> {
-    val shape = LogShape.of(view).copy(vocabulary = vocabularyWith(view, definitions))
-    return RuleProgram(this, shape).refusals(view.recording.values).map { (rule, refusal) -> refusal.of(rule, logs = 1) }
+    val defined = vocabularyWith(view.namesWith(signals), definitions).let { all ->
+        Vocabulary(all.signals.filter { it.name !in all.meanings }, all.hasTime)
+    }
+    return RuleProgram(this, LogShape.of(view).copy(vocabulary = defined)).refusals(view.recording).map { (rule, refusal) ->
+        refusal.of(rule, logs = 1)
+    }
 }

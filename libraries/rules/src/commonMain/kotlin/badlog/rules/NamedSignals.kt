@@ -1,5 +1,6 @@
 package badlog.rules
 
+import badlog.analysis.FlagReading
 import badlog.analysis.LogView
 import badlog.analysis.Series
 import badlog.expression.signals.SampleBounds
@@ -11,13 +12,16 @@ import badlog.rules.signal.FRACTION
 import badlog.rules.signal.SignalTopic
 import kotlin.math.abs
 
-/** The numbers of [signal] times [scale]; where that is null, so that all is [whole], whether they are percent or fractions. */
-internal data class ScaledSignal(val signal: Signal, val scale: Double?, val whole: Double = 1.0)
+/**
+ * The numbers of [signal] times [scale]; where that is null, so that all is [whole], whether they are percent or fractions. With a
+ * [reading], whether they say that something is so.
+ */
+internal data class ScaledSignal(val signal: Signal, val scale: Double?, val whole: Double = 1.0, val reading: FlagReading? = null)
 
 /** The sum of [summands], mostly a single one, under the name [name], in [unit]. */
 internal class NamedSignal(val name: String, val summands: List<ScaledSignal>, unit: String) {
     /** How a vocabulary lists it. */
-    val listed: Signal = Signal(name, if (summands.size > 1) SignalKind.NUMBER else summands[0].signal.kind, unit)
+    val listed: Signal = Signal(name, kindOf(summands), unit)
 
     /** The names of its topics. */
     val topics: List<String> get() = summands.map { it.signal }.filter { it !== CLOCK && it !== ACTIVITY }.map { it.name }
@@ -30,7 +34,13 @@ internal class NamedSignal(val name: String, val summands: List<ScaledSignal>, u
 
         /** The sum of [topics] as [name]. */
         fun of(name: String, topics: List<SignalTopic>): NamedSignal =
-            NamedSignal(name, topics.map { ScaledSignal(it.source, it.scale, wholeIn(it.unit)) }, topics[0].unit)
+            NamedSignal(name, topics.map { ScaledSignal(it.source, it.scale, wholeIn(it.unit), it.reading) }, topics[0].unit)
+
+        private fun kindOf(summands: List<ScaledSignal>) = when {
+            summands.size > 1 -> SignalKind.NUMBER
+            summands[0].reading != null -> SignalKind.CONDITION
+            else -> summands[0].signal.kind
+        }
 
         /** What all of something is in [unit]. */
         fun wholeIn(unit: String): Double = if (unit == FRACTION) 1.0 else PERCENT
@@ -56,8 +66,26 @@ internal class NamedSamples(private val log: Signals, private val view: LogView)
         if (source.signal === CLOCK) return clockOf(view.xAxis)
         if (source.signal === ACTIVITY) return activeIn(view, log.enabled.orEmpty())
         val series = log.series(source.signal.name)
+        if (source.reading != null) return flagged(series, source.reading, source.signal)
         val scale = source.scale ?: if (isFraction(series)) source.whole else source.whole / PERCENT
         return if (scale == 1.0) series else Series(series.x, DoubleArray(series.size) { series.y[it] * scale })
+    }
+
+    private fun flagged(series: Series, reading: FlagReading, signal: Signal): Series {
+        val states = if (reading is FlagReading.Text) log.states(signal.name) else emptyList()
+        return Series(
+            series.x,
+            DoubleArray(series.size) {
+                val sample = series.y[it]
+                if (sample.isNaN()) {
+                    sample
+                } else if (reading.isSet(sample, states)) {
+                    1.0
+                } else {
+                    0.0
+                }
+            },
+        )
     }
 
     // No robot has a load of so few percent all the time.

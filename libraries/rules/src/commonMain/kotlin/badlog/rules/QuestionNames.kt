@@ -4,7 +4,6 @@ import badlog.analysis.LogView
 import badlog.expression.LogViewSignals
 import badlog.expression.signals.Signals
 import badlog.expression.signals.Vocabulary
-import badlog.rules.signal.SignalTopics
 import badlog.rules.signal.SignalVocabulary
 
 /**
@@ -14,8 +13,9 @@ import badlog.rules.signal.SignalVocabulary
 public class QuestionNames(signals: SignalVocabulary, shape: LogShape) {
     private val named = LinkedHashMap<String, NamedSignal>()
 
+    private val topics = shape.topicsOf(signals)
+
     init {
-        val topics = SignalTopics(signals, shape.vocabulary, shape.timeTopic)
         for (signal in signals.signals) {
             if (signal.isMany || shape.vocabulary.knows(signal.name)) continue
             val found = topics.of(signal.name).ifEmpty { topics.summandsOf(signal.name) }
@@ -24,16 +24,15 @@ public class QuestionNames(signals: SignalVocabulary, shape: LogShape) {
     }
 
     /** The names. */
-    public val vocabulary: Vocabulary =
-        shape.vocabulary.let { Vocabulary(it.signals + named.values.map { signal -> signal.listed }, it.hasTime) }
+    public val vocabulary: Vocabulary = shape.vocabulary.let {
+        val meanings = signals.signals.filter { signal -> !signal.isMany }.map { signal -> signal.name }.filterNot(it::knows)
+        Vocabulary(it.signals + named.values.map { signal -> signal.listed }, it.hasTime, meanings.toSet())
+    }
 
     /** The samples of [view], which is of the shape, under these names. */
     public fun signalsOf(view: LogView): Signals {
-        val log = LogViewSignals(view)
-        return NamedSignals(log, named, vocabulary, NamedSamples(log, view))
+        val known = view.identified(view.title, topics.modes)
+        val log = LogViewSignals(known)
+        return NamedSignals(log, named, vocabulary, NamedSamples(log, known))
     }
 }
-
-/** Which topics of [view] are the signals of [vocabulary]; needs no samples. */
-public fun signalTopicsOf(view: LogView, vocabulary: SignalVocabulary): SignalTopics =
-    LogShape.of(view).let { SignalTopics(vocabulary, it.vocabulary, it.timeTopic) }

@@ -4,33 +4,14 @@ import badlog.analysis.LogView
 import badlog.analysis.Units
 import badlog.expression.Expression
 import badlog.expression.ExpressionError
-import badlog.expression.LogViewSignals
 import badlog.expression.signals.Signal
 import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Vocabulary
 import badlog.expression.syntax.ExpressionErrorKind
-import badlog.recording.PathName
-import badlog.recording.Value
+import badlog.recording.Recording
 import badlog.rules.signal.NamePattern
 import badlog.rules.signal.SignalTopic
-import badlog.rules.signal.SignalTopics
-
-/**
- * What decides how rules are asked of a log. Logs of an equal shape share a [RuleProgram].
- *
- * @property vocabulary the names of the topics.
- * @property timeTopic the topic of the x axis, or null.
- * @property hasClock whether x is time, though no topic has it.
- */
-public data class LogShape(public val vocabulary: Vocabulary, public val timeTopic: String?, public val hasClock: Boolean) {
-    public companion object {
-        /** The shape of [view], which needs no samples for it. */
-        public fun of(view: LogView): LogShape {
-            val x = view.xAxis
-            return LogShape(LogViewSignals(view).vocabulary, x.topic?.name, hasClock = x.topic == null && !x.isIndex)
-        }
-    }
-}
+import badlog.rules.signal.matchOf
 
 /**
  * What came of asking a rule of a log.
@@ -79,7 +60,7 @@ public class RuleProgram(private val rules: RuleSet, private val shape: LogShape
 
     private val vocabulary get() = shape.vocabulary
     private val timeTopic get() = shape.timeTopic
-    private val signals = SignalTopics(rules.signals, vocabulary, timeTopic)
+    private val signals = shape.topicsOf(rules.signals)
     private val time = (vocabulary.signals.find { it.name == timeTopic } ?: CLOCK).let { x ->
         // Without a unit, an x axis that is time counts seconds.
         NamedSignal(TIME, listOf(ScaledSignal(x, 1.0)), if (vocabulary.hasTime && Units.isNone(x.unit)) "s" else x.unit)
@@ -128,14 +109,15 @@ public class RuleProgram(private val rules: RuleSet, private val shape: LogShape
      * comes in the sequence, which may be gone through once. Those for other types of match are left out.
      */
     public fun run(view: LogView, file: String): Sequence<AskedRule> {
-        val run = RuleRun(view, file)
-        val type = matchType(view.recording.values)
+        val match = rules.signals.matchOf(view.recording)
+        val run = RuleRun(view.identified(match.title, signals.modes), file)
+        val type = match.type
         return steps.asSequence().filter { it.rule.isFor(type) }.map(run::ask)
     }
 
-    /** The rules that cannot be asked of a log with these [values], and why. */
-    internal fun refusals(values: List<Value>): List<Pair<Rule, Refusal>> {
-        val type = matchType(values)
+    /** The rules that cannot be asked of [recording], and why. */
+    internal fun refusals(recording: Recording): List<Pair<Rule, Refusal>> {
+        val type = rules.signals.matchOf(recording).type
         return steps.mapNotNull { step -> step.refusal?.takeIf { step.rule.isFor(type) }?.let { step.rule to it } }
     }
 
@@ -287,8 +269,3 @@ public class RuleProgram(private val rules: RuleSet, private val shape: LogShape
         val RESERVED = setOf(TOPIC, TIME, ACTIVE)
     }
 }
-
-/** The type of the match in [values], such as `Qualification`. */
-private fun matchType(values: List<Value>): String? = values
-    .firstOrNull { PathName.baseNameOf(it.name).replace('_', ' ').lowercase() == "match type" && it.text.isNotBlank() }
-    ?.text?.trim()

@@ -6,6 +6,7 @@ import badlog.rules.signal.SignalContent
 import badlog.rules.signal.SignalName
 import badlog.rules.signal.SignalVocabulary
 import badlog.rules.signal.TopicPattern
+import badlog.rules.signal.flagReadingOf
 import org.tomlj.TomlArray
 import org.tomlj.TomlTable
 
@@ -44,21 +45,29 @@ private class SignalsReader(private val toml: TomlText) {
         if (!name[0].isLetter() || !name.all { it.isLetterOrDigit() || it in " _" }) {
             toml.fail(toml.placeOf(table, "name"), "A signal's name begins with a letter and has letters, digits and spaces, not “$name”.")
         }
-        val content = toml.string(table, "is") ?: "number"
+        val written = toml.string(table, "is") ?: "number"
+        val content = SignalContent.entries.find { it.name.lowercase() == written }
+            ?: toml.fail(toml.placeOf(table, "is"), "A signal is a “number”, a “condition” or a “text”, not “$written”.")
         return SignalName(
             name = name,
             meaning = toml.string(table, "means").orEmpty(),
-            content = SignalContent.entries.find { it.name.lowercase() == content }
-                ?: toml.fail(toml.placeOf(table, "is"), "A signal is a “number”, a “condition” or a “text”, not “$content”."),
+            content = content,
             unit = toml.string(table, "unit"),
-            topics = topics(table),
+            topics = topics(table).onEach { requireReading(table, content, it) },
             except = toml.patterns(table, "except", isNeeded = false),
             isMany = toml.isTrue(table, "many"),
             sumOf = toml.string(table, "sum_of"),
         )
     }
 
-    /** Names, or pairs of a name and the unit in which such logs have it. */
+    private fun requireReading(table: TomlTable, content: SignalContent, topic: TopicPattern) {
+        val reading = topic.unit.takeIf { content == SignalContent.CONDITION } ?: return
+        if (flagReadingOf(reading) != null) return
+        val mistake = "A condition is read as “not”, “bit 3” or “is TEXT”, not as “$reading”."
+        toml.fail(toml.placeOf(table, "topics"), mistake)
+    }
+
+    /** Names, or pairs of a name and the unit in which such logs have it; of a condition, and how such logs say it. */
     private fun topics(table: TomlTable): List<TopicPattern> {
         val value = table.get(listOf("topics"))
         if (value is String) return listOf(TopicPattern(NamePattern(value), null))

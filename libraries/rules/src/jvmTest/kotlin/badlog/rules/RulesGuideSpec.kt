@@ -42,7 +42,7 @@ class RulesGuideSpec : FunSpec({
         val block = Regex("```([a-z-]+)\n((?:.*\n)*?)```")
         val examples = listOf("rules.md", "signals.md").flatMap { block.findAll(File("../../docs/$it").readText()) }
             .associate { it.groupValues[1] to it.groupValues[2] }
-        SignalsFile.parse(examples.getValue("signals")).signals.map { it.name } shouldBe listOf("battery", "hood angle")
+        SignalsFile.parse(examples.getValue("signals")).signals.map { it.name } shouldBe listOf("battery", "hood angle", "robot enabled")
         val changed = RulesFile.parse(examples.getValue("built-in-rules-changed")).rules.rules
         changed.none { it.group == "pneumatics" || it.name == "Flat sensor" } shouldBe true
         changed.first { it.name == "Low battery" }.condition shouldBe "(battery < 6.8 and battery > 1) for 0.1 s"

@@ -8,6 +8,7 @@ import badlog.html.ExportException
 import badlog.html.HtmlExporter
 import badlog.html.protocol.PageAdditions
 import badlog.rules.FolderRules
+import badlog.rules.namesWith
 import badlog.text.freeName
 import badlog.viewer.recording.OpenRecording
 import java.io.IOException
@@ -87,7 +88,10 @@ internal class Additions(known: List<OpenRecording>, private val definitions: Li
         if (definitions.isEmpty()) return emptyList()
         known[log]?.let { recording -> return recording.formulas.filter { it.topic != null }.map { it.definition } }
         return try {
-            val undefined = undefinedTopics(LogView.of(readRecording(log, LOG_FORMATS, keepSamples = false)), definitions)
+            val undefined = undefinedTopics(
+                LogView.of(readRecording(log, LOG_FORMATS, keepSamples = false)).namesWith(FolderRules.of(log, library).rules.signals),
+                definitions,
+            )
             definitions - undefined.mapTo(HashSet()) { it.text }
         } catch (_: IOException) {
             emptyList()

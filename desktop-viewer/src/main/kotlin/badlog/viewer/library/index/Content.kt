@@ -1,7 +1,8 @@
 package badlog.viewer.library.index
 
-import badlog.analysis.isNameOfEnabled
-import badlog.recording.Recording
+import badlog.analysis.LogView
+import badlog.analysis.enabledSpans
+import badlog.analysis.knowsEnabled
 import badlog.recording.Topic
 
 /**
@@ -33,17 +34,17 @@ internal enum class Content(val saying: String) {
 }
 
 /**
- * Whether there is anything to see in [recording]. Only what surely is nothing counts as nothing: a change of a single number,
+ * Whether there is anything to see in [view]. Only what surely is nothing counts as nothing: a change of a single number,
  * or a single event, is something.
  *
  * @param time the topic that only shows where on x a row stands, or null.
  * @param seconds how long it is, or null where it is unknown.
  */
-internal fun contentOf(recording: Recording, topics: List<TopicSummary>, time: Topic?, seconds: Double?, isMatch: Boolean): Content = when {
-    recording.sampleCount == 0L -> Content.NO_SAMPLES
-    topics.none { it.name != time?.name && changes(it) } && recording.topics.none(::hasNews) -> Content.NOTHING_CHANGES
+internal fun contentOf(view: LogView, topics: List<TopicSummary>, time: Topic?, seconds: Double?): Content = when {
+    view.recording.sampleCount == 0L -> Content.NO_SAMPLES
+    topics.none { it.name != time?.name && changes(it) } && view.recording.topics.none(::hasNews) -> Content.NOTHING_CHANGES
     seconds != null && seconds < 1 -> Content.TOO_SHORT
-    !isMatch && topics.any(::isNeverEnabled) -> Content.NEVER_ENABLED
+    view.title == null && view.knowsEnabled && view.enabledSpans().isEmpty() -> Content.NEVER_ENABLED
     else -> Content.SOMETHING
 }
 
@@ -54,6 +55,3 @@ private fun hasNews(topic: Topic): Boolean {
     val texts = topic.texts
     return texts.size > 0 && (texts.size < topic.counts.total || texts.dictionary.size > 1)
 }
-
-private fun isNeverEnabled(topic: TopicSummary): Boolean =
-    isNameOfEnabled(topic.name) && topic.statistics.count > 0 && topic.statistics.max == 0.0

@@ -1,6 +1,9 @@
 package badlog.viewer.library.index
 
 import badlog.file.writeAtomically
+import badlog.rules.FolderRules
+import badlog.rules.SignalsFile
+import badlog.rules.signal.toJson
 import badlog.viewer.settings.keyOf
 import java.io.IOException
 import java.nio.file.Files
@@ -8,14 +11,15 @@ import java.nio.file.Path
 
 /**
  * Keeps what is known of the logs of [folder], so that they need not be read again: in one file of [cache], which may be
- * deleted at any time. What is damaged, or of another version, is as nothing.
+ * deleted at any time. What is damaged, of another version, or found out when signals were called differently there, is as nothing.
  */
 internal class IndexCache(cache: Path, folder: Path) {
     private val file = cache.resolve("logs-${keyOf(folder)}.index")
+    private val names by lazy { FolderRules.of(folder.resolve(SignalsFile.NAME)).rules.signals.toJson().hashCode() }
 
     /** What was kept. */
     fun load(): List<LogEntry> = try {
-        IndexFormat.decode(Files.readAllBytes(file)).orEmpty()
+        IndexFormat.decode(Files.readAllBytes(file), names).orEmpty()
     } catch (_: IOException) {
         emptyList()
     } catch (_: OutOfMemoryError) {
@@ -28,7 +32,7 @@ internal class IndexCache(cache: Path, folder: Path) {
      * @throws IOException when they cannot be written.
      */
     fun save(entries: Collection<LogEntry>) {
-        val bytes = IndexFormat.encode(entries)
+        val bytes = IndexFormat.encode(entries, names)
         writeAtomically(file) { it.write(bytes) }
     }
 }

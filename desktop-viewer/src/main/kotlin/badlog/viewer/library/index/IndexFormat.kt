@@ -18,10 +18,10 @@ internal object IndexFormat {
     private const val HEAD = 12
 
     /** To be raised whenever the bytes, or what is found out about a file, change their meaning. */
-    const val VERSION = 3
+    const val VERSION = 4
 
-    /** The bytes of [entries]. */
-    fun encode(entries: Collection<LogEntry>): ByteArray {
+    /** The bytes of [entries], found out with signals that are called as [names] stands for. */
+    fun encode(entries: Collection<LogEntry>, names: Int = 0): ByteArray {
         val bodyBytes = ByteArrayOutputStream(entries.sumOf { it.topics.size } * 220 + 1024)
         val texts = TextTable()
         val writer = EntryWriter(DataOutputStream(bodyBytes), texts)
@@ -37,15 +37,15 @@ internal object IndexFormat {
             out.writeInt(entries.size)
         }
         val all = ByteBuffer.allocate(HEAD + tableBytes.size() + bodyBytes.size())
-        all.putInt(MAGIC).putInt(VERSION).putInt(0).put(tableBytes.toByteArray()).put(bodyBytes.toByteArray())
+        all.putInt(MAGIC).putInt(VERSION + names).putInt(0).put(tableBytes.toByteArray()).put(bodyBytes.toByteArray())
         return all.putInt(HEAD - 4, checksum(all.array())).array()
     }
 
-    /** The entries of [bytes]; null when they are not an index of this version, or damaged. */
-    fun decode(bytes: ByteArray): List<LogEntry>? {
+    /** The entries of [bytes]; null when they are not an index of this version and these [names], or damaged. */
+    fun decode(bytes: ByteArray, names: Int = 0): List<LogEntry>? {
         if (bytes.size < HEAD) return null
         val buffer = ByteBuffer.wrap(bytes)
-        if (buffer.getInt() != MAGIC || buffer.getInt() != VERSION || buffer.getInt() != checksum(bytes)) return null
+        if (buffer.getInt() != MAGIC || buffer.getInt() != VERSION + names || buffer.getInt() != checksum(bytes)) return null
         return try {
             decode(buffer)
         } catch (_: RuntimeException) {

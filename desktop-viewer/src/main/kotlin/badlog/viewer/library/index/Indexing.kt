@@ -145,7 +145,7 @@ internal class Indexing(
             if (file.size > LARGE) largeFile.lock()
             val began = started.elapsedNow()
             val entry = try {
-                summarize(file) { ensureActive() }
+                summarize(file, folder) { ensureActive() }
             } finally {
                 if (file.size > LARGE) largeFile.unlock()
             }

@@ -1,5 +1,6 @@
 package badlog.viewer.library.index
 
+import badlog.analysis.meant
 import badlog.file.LogFile
 import badlog.recording.Value
 import java.time.DateTimeException

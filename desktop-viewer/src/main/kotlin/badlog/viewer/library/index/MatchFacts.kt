@@ -1,7 +1,8 @@
 package badlog.viewer.library.index
 
-import badlog.recording.PathName
+import badlog.analysis.meant
 import badlog.recording.Value
+import badlog.rules.signal.LoggedMatch
 
 /**
  * What match a log is of. Each is null when unknown.
@@ -21,29 +22,19 @@ internal data class MatchFacts(
     val match: String? get() = number?.let { "${type ?: "Match"} $it" }
 
     companion object {
-        /** What [values] tell, and for what they do not, the name of the file. */
-        fun of(values: List<Value>, fileName: String): MatchFacts {
+        /** What [logged] tells, the alliance what [values] tell, and for what neither does, the name of the file. */
+        fun of(values: List<Value>, fileName: String, logged: LoggedMatch?): MatchFacts {
             val named = matchInName(fileName)
-            val number = values.meant("match number", "match")
+            val number = logged?.number
             return MatchFacts(
-                event = values.meant("event name", "event") ?: named.event,
-                type = values.meant("match type") ?: named.type.takeIf { number == null || number == named.number },
+                event = logged?.event ?: named.event,
+                type = logged?.type ?: named.type.takeIf { number == null || number == named.number },
                 number = number ?: named.number,
                 alliance = values.meant("alliance", "alliance color", "alliance colour", "alliance station")?.let(::color),
             )
         }
     }
 }
-
-/** The text of the first value with one of [names] that means anything. */
-internal fun List<Value>.meant(vararg names: String): String? = firstOrNull { value ->
-    PathName.baseNameOf(value.name).replace('_', ' ').lowercase() in names && isMeant(value.text)
-}?.text?.trim()
-
-// Without a field, robots log what the driver station gives them.
-private fun isMeant(text: String) = text.isNotBlank() && text.trim().lowercase() !in MEANINGLESS
-
-private val MEANINGLESS = setOf("0", "none", "null", "invalid", "unknown")
 
 private fun color(text: String) = when {
     text.startsWith("red", ignoreCase = true) -> "Red"

@@ -3,7 +3,6 @@ package badlog.viewer.library.index
 import badlog.analysis.LogView
 import badlog.analysis.Span
 import badlog.analysis.Units
-import badlog.analysis.matchTitle
 import badlog.analysis.statisticsOf
 import badlog.file.LogFile
 import badlog.file.LogName
@@ -13,20 +12,26 @@ import badlog.recording.PathName
 import badlog.recording.Recording
 import badlog.recording.Severity
 import badlog.recording.Topic
-import badlog.viewer.recording.batteryAmong
+import badlog.rules.FolderRules
+import badlog.rules.signal.SignalTopic
+import badlog.rules.signal.matchOf
+import badlog.rules.signalTopicsOf
+import badlog.rules.withSignals
 import java.io.IOException
+import java.nio.file.Path
 import java.util.concurrent.CancellationException
 
 /**
  * Reads [file] and keeps what the library wants to know of it. Whatever is wrong with the file becomes part of the entry.
  * It keeps to one core: the library reads several files at a time, and the window is in use.
  *
+ * @param library the folder of logs, see [FolderRules.of]; null for that of [file] alone.
  * @param checkpoint is called again and again while the file is read; to give up, it may throw a [CancellationException], the
  *   only exception that comes out.
  */
-internal fun summarize(file: LogFile, checkpoint: () -> Unit = {}): LogEntry = try {
+internal fun summarize(file: LogFile, library: Path? = null, checkpoint: () -> Unit = {}): LogEntry = try {
     when {
-        isLikelyLog(file) -> summaryOf(file, LogView.of(readRecording(file.path, LOG_FORMATS, cores = 1) { _, _ -> checkpoint() }))
+        isLikelyLog(file) -> summaryOf(file, library, readRecording(file.path, LOG_FORMATS, cores = 1) { _, _ -> checkpoint() })
         else -> unreadable(file, "${file.name} is not a log.").copy(content = Content.NO_LOG)
     }
 } catch (e: CancellationException) {
@@ -34,16 +39,16 @@ internal fun summarize(file: LogFile, checkpoint: () -> Unit = {}): LogEntry = t
 } catch (e: IOException) {
     unreadable(file, e.message ?: "${file.name} could not be read; is its drive still connected?")
 } catch (_: OutOfMemoryError) {
-    withoutSamples(file, checkpoint)
+    withoutSamples(file, library, checkpoint)
 } catch (e: RuntimeException) {
     // A bug that one file shows must not cost all the others.
     unreadable(file, "${file.name} made badlog fail (${e.javaClass.simpleName}); send us the file.")
 }
 
 /** The summary of a file whose samples do not fit into memory. */
-private fun withoutSamples(file: LogFile, checkpoint: () -> Unit): LogEntry = try {
+private fun withoutSamples(file: LogFile, library: Path?, checkpoint: () -> Unit): LogEntry = try {
     val recording = readRecording(file.path, LOG_FORMATS, keepSamples = false, cores = 1) { _, _ -> checkpoint() }
-    summaryOf(file, LogView.of(recording)).copy(content = Content.SOMETHING)
+    summaryOf(file, library, recording).copy(content = Content.SOMETHING)
 } catch (e: IOException) {
     unreadable(file, e.message ?: "${file.name} could not be read; is its drive still connected?")
 } catch (_: OutOfMemoryError) {
@@ -51,17 +56,18 @@ private fun withoutSamples(file: LogFile, checkpoint: () -> Unit): LogEntry = tr
 }
 
 private fun unreadable(file: LogFile, trouble: String) =
-    LogEntry(file, MatchFacts.of(emptyList(), file.name), LogDate.ofFile(file), trouble = trouble)
+    LogEntry(file, MatchFacts.of(emptyList(), file.name, logged = null), LogDate.ofFile(file), trouble = trouble)
 
-private fun summaryOf(file: LogFile, view: LogView): LogEntry {
-    val recording = view.recording
+private fun summaryOf(file: LogFile, library: Path?, recording: Recording): LogEntry {
+    val vocabulary = FolderRules.of(file.path, library).rules.signals
+    val view = LogView.of(recording).withSignals(vocabulary)
     val topics = recording.topics.filter { it.samples.isNotEmpty() && !isPlumbing(it) }.map { summaryOf(it, view) }
-    val match = MatchFacts.of(recording.values, file.name)
+    val match = MatchFacts.of(recording.values, file.name, vocabulary.matchOf(recording))
     val axis = view.xAxis
     val time = if (axis.isIndex) timeTopic(recording) else axis.topic
     val duration = if (axis.isIndex) time?.let { finiteSpan(it.samples)?.width } else axis.range?.let { it.endInclusive - it.start }
     val xUnit = if (axis.isIndex) time?.unit.orEmpty() else axis.unit
-    val battery = batteryAmong(topics.filter { it.statistics.count > 0 }, { it.name }, { it.unit })
+    val battery = signalTopicsOf(view, vocabulary).of("battery").firstOrNull()
     val trouble = if (recording.isReadable) null else recording.problems.last().message
     return LogEntry(
         source = file,
@@ -74,7 +80,7 @@ private fun summaryOf(file: LogFile, view: LogView): LogEntry {
         content = when {
             trouble == null -> {
                 val seconds = duration?.let { secondsOf(it, xUnit) }
-                contentOf(recording, topics, time, seconds, isMatch = matchTitle(recording.values) != null)
+                contentOf(view, topics, time, seconds)
             }
 
             LogName.of(file.name).isOnlyOfLogs -> Content.UNREADABLE
@@ -82,8 +88,8 @@ private fun summaryOf(file: LogFile, view: LogView): LogEntry {
             else -> Content.NO_LOG
         },
         trouble = trouble,
-        batteryMinimum = battery?.let { lowestVoltage(recording.topics, it.name) },
-        batteryTopic = battery?.name,
+        batteryMinimum = battery?.let { lowestVoltage(recording.topics, it) },
+        batteryTopic = battery?.topic,
         topics = topics,
     )
 }
@@ -110,10 +116,10 @@ private fun timeTopic(recording: Recording): Topic? = recording.topics.firstOrNu
 }
 
 /** Before a sensor has been read the first time it gives 0, which no battery that feeds a robot has. */
-private fun lowestVoltage(topics: List<Topic>, name: String): Double? {
+private fun lowestVoltage(topics: List<Topic>, battery: SignalTopic): Double? {
     var lowest = Double.POSITIVE_INFINITY
-    for (voltage in topics.first { it.name == name }.samples) if (voltage > 0 && voltage < lowest) lowest = voltage
-    return lowest.takeIf { it.isFinite() }
+    for (voltage in topics.first { it.name == battery.topic }.samples) if (voltage > 0 && voltage < lowest) lowest = voltage
+    return lowest.takeIf { it.isFinite() }?.let { it * (battery.scale ?: 1.0) }
 }
 
 /** How many seconds [duration] in [unit] is; null when the unit is none of time. */

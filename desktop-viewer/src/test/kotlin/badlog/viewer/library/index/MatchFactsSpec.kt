@@ -1,11 +1,21 @@
 package badlog.viewer.library.index
 
+import badlog.recording.Recording
+import badlog.recording.RecordingFormat
 import badlog.recording.Value
+import badlog.rules.BUILT_IN
+import badlog.rules.RuleSet
+import badlog.rules.signal.matchOf
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
 class MatchFactsSpec : FunSpec({
-    fun named(name: String) = MatchFacts.of(emptyList(), name)
+    fun named(name: String) = MatchFacts.of(emptyList(), name, logged = null)
+
+    fun of(values: List<Value>, name: String): MatchFacts {
+        val recording = Recording(RecordingFormat.BAG, null, values, emptyList(), 0, emptyList())
+        return MatchFacts.of(values, name, RuleSet.BUILT_IN.signals.matchOf(recording))
+    }
 
     test("values show event, type, number and alliance") {
         val values = listOf(
@@ -14,12 +24,12 @@ class MatchFactsSpec : FunSpec({
             Value("MATCH NUMBER", "42"),
             Value("Alliance Station", "Red2"),
         )
-        MatchFacts.of(values, "any.bag") shouldBe MatchFacts("OHCL", "Qualification", "42", "Red")
+        of(values, "any.bag") shouldBe MatchFacts("OHCL", "Qualification", "42", "Red")
     }
 
     test("what the driver station gives without a field means nothing") {
         val values = listOf(Value("Event Name", " "), Value("Match Type", "None"), Value("Match Number", "0"))
-        MatchFacts.of(values, "practice.bag") shouldBe MatchFacts()
+        of(values, "practice.bag") shouldBe MatchFacts()
     }
 
     listOf(
@@ -41,6 +51,6 @@ class MatchFactsSpec : FunSpec({
     }
 
     test("a type in the name is not put to a number of the values") {
-        MatchFacts.of(listOf(Value("Match Number", "5")), "q7.bag") shouldBe MatchFacts(number = "5")
+        of(listOf(Value("Match Number", "5")), "q7.bag") shouldBe MatchFacts(number = "5")
     }
 })

@@ -9,17 +9,23 @@ package badlog.expression.signals
  *
  * @property signals what there is; where two have the same name, the first counts.
  * @property hasTime whether x is a time; where it is not, an expression with a time, such as `0.5 s`, is a mistake.
+ * @property meanings names that mean the same in every recording, whatever its topics are called. A virtual topic may be called so, and
+ *   goes first then; one that is not among [signals] means nothing in this recording.
  */
-public class Vocabulary(public val signals: List<Signal>, public val hasTime: Boolean) {
+public class Vocabulary(public val signals: List<Signal>, public val hasTime: Boolean, public val meanings: Set<String> = emptySet()) {
     /** Of a recording over time. */
     public constructor(signals: List<Signal>) : this(signals, hasTime = true)
 
     private val entries by lazy { Entries(signals) }
 
-    override fun equals(other: Any?): Boolean =
-        this === other || (other is Vocabulary && hasTime == other.hasTime && signals == other.signals)
+    override fun equals(other: Any?): Boolean = this === other ||
+        (other is Vocabulary && hasTime == other.hasTime && signals == other.signals && meanings == other.meanings)
 
     override fun hashCode(): Int = signals.hashCode()
+
+    /** These names and [topic], which goes before a meaning of the same name. */
+    public fun with(topic: Signal): Vocabulary =
+        Vocabulary(signals.filter { it.name != topic.name } + topic, hasTime, meanings - topic.name)
 
     /** Whether [name] means one of the signals, or several. */
     public fun knows(name: String): Boolean = find(name).isNotEmpty()
@@ -32,6 +38,10 @@ public class Vocabulary(public val signals: List<Signal>, public val hasTime: Bo
         val until = from + length
         until <= text.length && isWordEnd(text, until) && entries.find(text.substring(from, until), ignoreCase).isNotEmpty()
     } ?: 0
+
+    /** Which of [meanings] [name] is, whatever the case of its letters, though the recording has none; or null. */
+    internal fun lacking(name: String): String? =
+        meanings.find { it.equals(name, ignoreCase = true) }?.takeIf { meaning -> signals.none { it.name == meaning } }
 
     /** The signal whose name is most like [name], or null when none is like it. */
     internal fun nearest(name: String): Signal? {

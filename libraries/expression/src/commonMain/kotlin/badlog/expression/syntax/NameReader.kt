@@ -139,6 +139,10 @@ internal class NameReader(private val text: String, private val scanner: Scanner
     }
 
     private fun failUnknownTopic(name: String, from: Int, until: Int): Nothing {
+        vocabulary.lacking(name)?.let {
+            val message = "No topic of the log is the signal “$it”; name yours in badlog-signals.toml."
+            throw Mistake(from, until, ExpressionErrorKind.UNKNOWN_TOPIC, message)
+        }
         val nearest = vocabulary.nearest(name)
         val suggestion = if (nearest == null) "." else "; did you mean “${nearest.name}”?"
         throw Mistake(from, until, ExpressionErrorKind.UNKNOWN_TOPIC, "There is no topic “$name”$suggestion")

@@ -1,5 +1,8 @@
 package badlog.rules.signal
 
+import badlog.analysis.FlagReading
+import badlog.analysis.FlagTopic
+import badlog.analysis.ModeTopics
 import badlog.analysis.Units
 import badlog.expression.signals.Signal
 import badlog.expression.signals.Vocabulary
@@ -20,8 +23,9 @@ public class SignalTopic internal constructor(
     internal val source: Signal,
     public val unit: String,
     public val reason: String,
-    internal val scale: Double?,
+    public val scale: Double?,
     internal val device: String,
+    internal val reading: FlagReading? = null,
 ) {
     public val topic: String get() = source.name
 }
@@ -30,16 +34,27 @@ public class SignalTopic internal constructor(
  * Which topics of a log, which are called as [names] has them, are the signals of [vocabulary].
  *
  * @param timeTopic the topic of the x axis, which is no other signal; or null.
+ * @param empty the names of topics without a sample, which are none.
  */
-public class SignalTopics(private val vocabulary: SignalVocabulary, private val names: Vocabulary, private val timeTopic: String?) {
-    private val folded by lazy { names.signals.map { it to NamePattern.folded(it.name) } }
+public class SignalTopics(
+    private val vocabulary: SignalVocabulary,
+    private val names: Vocabulary,
+    private val timeTopic: String?,
+    private val empty: Set<String> = emptySet(),
+) {
+    private val folded by lazy { names.signals.filter { it.name !in empty }.map { it to NamePattern.folded(it.name) } }
     private val found = HashMap<String, List<SignalTopic>>()
 
     /** All that was taken for a signal, in the order of the vocabulary. */
     public val all: List<SignalTopic> get() = vocabulary.signals.flatMap { of(it.name) }
 
     /** The topics of the signal [name]: at most one, unless it is one of many. */
-    internal fun of(name: String): List<SignalTopic> = found.getOrPut(name) { vocabulary.find(name)?.let(::search).orEmpty() }
+    public fun of(name: String): List<SignalTopic> = found.getOrPut(name) { vocabulary.find(name)?.let(::search).orEmpty() }
+
+    /** Those that tell when the robot was enabled. */
+    public val modes: ModeTopics by lazy { ModeTopics(flag(ROBOT_ENABLED), flag(ROBOT_AUTONOMOUS)) }
+
+    private fun flag(signal: String) = of(signal).firstOrNull()?.let { FlagTopic(it.topic, it.reading ?: FlagReading.Truth) }
 
     /** The topics that make the signal [name] when they are added, where it has none of its own. */
     internal fun summandsOf(name: String): List<SignalTopic> = vocabulary.find(name)?.sumOf?.let(::of).orEmpty()
@@ -55,7 +70,7 @@ public class SignalTopics(private val vocabulary: SignalVocabulary, private val 
         for (pattern in signal.topics) {
             for ((source, name) in folded) {
                 if (source.name == timeTopic || source.name in taken || !pattern.pattern.matchesFolded(name)) continue
-                if (!signal.content.isOf(source.kind) || signal.except.any { it.matchesFolded(name) }) continue
+                if (!pattern.fits(source.kind, signal.content) || signal.except.any { it.matchesFolded(name) }) continue
                 taken[source.name] = taken(signal, pattern, source) ?: continue
                 if (!signal.isMany) return taken.values.toList()
             }
@@ -64,6 +79,18 @@ public class SignalTopics(private val vocabulary: SignalVocabulary, private val 
     }
 
     private fun taken(signal: SignalName, pattern: TopicPattern, source: Signal): SignalTopic? {
+        if (signal.content == SignalContent.CONDITION) {
+            val how = pattern.unit?.let { ", read as “$it”" }.orEmpty()
+            return SignalTopic(
+                signal.name,
+                source,
+                unit = "",
+                "fits “${pattern.pattern.text}”$how",
+                scale = 1.0,
+                pattern.pattern.deviceIn(source.name),
+                pattern.reading.takeIf { pattern.unit != null },
+            )
+        }
         val wanted = signal.unit
         val named = if (Units.isNone(source.unit)) vocabulary.unitIn(source.name) else null
         val (unit, isKnownFrom) = when {

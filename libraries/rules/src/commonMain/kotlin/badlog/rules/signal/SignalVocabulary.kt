@@ -1,5 +1,6 @@
 package badlog.rules.signal
 
+import badlog.analysis.FlagReading
 import badlog.expression.signals.SignalKind
 
 /** What signals are called in the logs of robots; `docs/signals.md` has the format of the file that it is read from. */
@@ -10,11 +11,17 @@ public class SignalVocabulary internal constructor(
 ) {
     private val byName = signals.associateBy { it.name }
 
+    /** Whether it names no signal. */
+    public val isEmpty: Boolean get() = signals.isEmpty()
+
     internal fun find(name: String): SignalName? = byName[name]
 
-    /** The signals that [text] holds the names of, in any case of letters, and those that they are the sums of. */
+    /**
+     * The signals that [text] holds the names of, in any case of letters, those that they are the sums of, and those that tell the match
+     * and when the robot was enabled.
+     */
     public fun namedIn(text: String): SignalVocabulary {
-        val named = signals.filter { text.contains(it.name, ignoreCase = true) }
+        val named = signals.filter { it.name in OF_EVERY_LOG || text.contains(it.name, ignoreCase = true) }
         return SignalVocabulary(named + named.mapNotNull { it.sumOf?.let(::find) }, units, linked)
     }
 
@@ -53,9 +60,25 @@ internal class NamedUnit(val ending: String, val unit: String) {
 /**
  * A pattern for the topics of a signal.
  *
- * @property unit the unit of what it fits, where neither the log nor the name says one; null where that is the signal's.
+ * @property unit the unit of what it fits, where neither the log nor the name says one; null where that is the signal's. Of a condition,
+ *   how such a topic says that it is so, as [flagReadingOf] has it.
  */
-internal class TopicPattern(val pattern: NamePattern, val unit: String?)
+internal class TopicPattern(val pattern: NamePattern, val unit: String?) {
+    /** Of a condition: how what it fits says that it is so. */
+    val reading: FlagReading get() = unit?.let(::flagReadingOf) ?: FlagReading.Truth
+
+    /** Whether a topic of the kind [kind] can be a signal of [content] as this pattern has it. */
+    fun fits(kind: SignalKind, content: SignalContent): Boolean =
+        if (content == SignalContent.CONDITION && reading is FlagReading.Text) SignalContent.TEXT.isOf(kind) else content.isOf(kind)
+}
+
+/** How a topic says that a condition holds, written `not`, `bit 3` or `is TEXT`; null for another [text]. */
+internal fun flagReadingOf(text: String): FlagReading? = when {
+    text == "not" -> FlagReading.Opposite
+    text.startsWith("bit ") -> text.substring(4).toIntOrNull()?.takeIf { it in 0..52 }?.let(FlagReading::Bit)
+    text.startsWith("is ") && text.length > 3 -> FlagReading.Text(text.substring(3).trim())
+    else -> null
+}
 
 /**
  * A signal, and the topics that it may be.

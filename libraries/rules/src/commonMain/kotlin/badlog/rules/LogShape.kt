@@ -1,0 +1,35 @@
+package badlog.rules
+
+import badlog.analysis.LogView
+import badlog.expression.LogViewSignals
+import badlog.expression.signals.Vocabulary
+import badlog.recording.TopicKind
+import badlog.rules.signal.SignalTopics
+import badlog.rules.signal.SignalVocabulary
+
+/**
+ * What decides how rules are asked of a log. Logs of an equal shape share a [RuleProgram].
+ *
+ * @property vocabulary the names of the topics.
+ * @property timeTopic the topic of the x axis, or null.
+ * @property hasClock whether x is time, though no topic has it.
+ * @property empty the names of the topics that hold nothing, which are no signals.
+ */
+public data class LogShape(
+    public val vocabulary: Vocabulary,
+    public val timeTopic: String?,
+    public val hasClock: Boolean,
+    public val empty: Set<String> = emptySet(),
+) {
+    /** Which of the topics are the signals of [signals]. */
+    public fun topicsOf(signals: SignalVocabulary): SignalTopics = SignalTopics(signals, vocabulary, timeTopic, empty)
+
+    public companion object {
+        /** The shape of [view], which needs no samples for it. */
+        public fun of(view: LogView): LogShape {
+            val x = view.xAxis
+            val empty = view.recording.topics.filter { it.kind == TopicKind.EMPTY }.mapTo(HashSet()) { it.name }
+            return LogShape(LogViewSignals(view).vocabulary, x.topic?.name, hasClock = x.topic == null && !x.isIndex, empty)
+        }
+    }
+}

@@ -1,0 +1,61 @@
+package badlog.rules.signal
+
+import badlog.analysis.isMeant
+import badlog.analysis.matchTitle
+import badlog.analysis.meant
+import badlog.expression.signalOf
+import badlog.expression.signals.Vocabulary
+import badlog.recording.Recording
+import badlog.recording.Topic
+import badlog.recording.TopicKind
+
+/**
+ * What match a log is of, as its values tell, or else its topics. Each is null when unknown.
+ *
+ * @property event where, such as `Mill Creek Regional`.
+ * @property type such as `Qualification`.
+ * @property number of the match.
+ */
+public class LoggedMatch internal constructor(public val event: String?, public val type: String?, public val number: String?) {
+    /** What a person calls it; null without an event and a number. */
+    public val title: String? get() = matchTitle(event, type, number)
+}
+
+/** What match [recording] is of, where these are the names of what tells it. */
+public fun SignalVocabulary.matchOf(recording: Recording): LoggedMatch {
+    val empty = recording.topics.filter { it.kind == TopicKind.EMPTY }.mapTo(HashSet()) { it.name }
+    val topics = SignalTopics(this, Vocabulary(recording.topics.map(::signalOf)), timeTopic = null, empty)
+    fun topic(signal: String) = topics.of(signal).firstOrNull()?.let { found -> recording.topics.find { it.name == found.topic } }
+    fun value(signal: String): String? {
+        val patterns = find(signal)?.topics.orEmpty().map { it.pattern }
+        return recording.values.firstOrNull { value -> isMeant(value.text) && patterns.any { it.matches(value.name) } }?.text?.trim()
+    }
+    val values = recording.values
+    return LoggedMatch(
+        event = values.meant("event name", "event") ?: value(EVENT_NAME) ?: topic(EVENT_NAME)?.let(::lastText),
+        type = values.meant("match type") ?: value(MATCH_TYPE) ?: topic(MATCH_TYPE)?.let(::typeIn),
+        number = values.meant("match number", "match") ?: value(MATCH_NUMBER) ?: topic(MATCH_NUMBER)?.let(::lastNumber)?.toString(),
+    )
+}
+
+/** The signals that say something of every log, whatever is asked of it. */
+internal val OF_EVERY_LOG: Set<String> get() = setOf(EVENT_NAME, MATCH_TYPE, MATCH_NUMBER, ROBOT_ENABLED, ROBOT_AUTONOMOUS)
+
+internal const val ROBOT_ENABLED = "robot enabled"
+internal const val ROBOT_AUTONOMOUS = "robot autonomous"
+
+private const val EVENT_NAME = "event name"
+private const val MATCH_TYPE = "match type"
+private const val MATCH_NUMBER = "match number"
+
+// Before the field says which match it is, robots log that they do not know.
+private fun lastText(topic: Topic): String? {
+    val texts = topic.texts
+    return (texts.size - 1 downTo 0).firstNotNullOfOrNull { i -> texts.dictionary[texts.ids[i]].trim().takeIf(::isMeant) }
+}
+
+private fun lastNumber(topic: Topic): Int? = topic.samples.lastOrNull { it.isFinite() && it >= 1 }?.toInt()
+
+private fun typeIn(topic: Topic): String? = lastText(topic) ?: lastNumber(topic)?.let { TYPES.getOrNull(it - 1) }
+
+private val TYPES = listOf("Practice", "Qualification", "Elimination")
