@@ -259,7 +259,7 @@ internal class ColumnBuilder(
         val samples = when {
             !keepsNumbers || numeric == 0 -> DoubleArray(0)
             numbers.size == rows -> numbers
-            else -> numbers.copyOfRange(0, rows)
+            else -> numbers.shortened(rows)
         }
         numbers = samples
         val column = texts?.let { TextColumn(textRows.copyOf(textCount), textIds.copyOf(textCount), it.dictionary) }

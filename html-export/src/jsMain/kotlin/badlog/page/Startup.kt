@@ -4,6 +4,7 @@ import badlog.analysis.LogView
 import badlog.page.embedded.About
 import badlog.page.embedded.findAdditions
 import badlog.page.formula.Formulas
+import badlog.page.reading.PartsReading
 import badlog.page.reading.Reading
 import badlog.page.section.Downloads
 import badlog.page.section.LoadingScreen
@@ -30,14 +31,46 @@ internal class Startup {
     /** Does it. */
     fun run() {
         setPageState("loading")
-        try {
-            load()
-        } catch (problem: Throwable) {
-            failUnexpectedly(problem)
+        guarded(::begin)
+    }
+
+    private fun guarded(work: () -> Unit) = try {
+        work()
+    } catch (problem: Throwable) {
+        failUnexpectedly(problem)
+    }
+
+    /** Reads a large recording while it arrives, any other when the page has been loaded. */
+    private fun begin() {
+        // Before the look: what arrives after it is looked for again.
+        val isLoaded = document.asDynamic().readyState != "loading"
+        val element = document.getElementById("recording")
+        val loading = element?.let { LoadingScreen(it.getAttribute("data-name").orEmpty()) }
+        val reading = element?.let { PartsReading.start(it, checkNotNull(loading)::show) }
+        when {
+            reading != null -> {
+                show(checkNotNull(loading).element)
+                // Whatever was wrong with the parts shows when the whole stream is read.
+                reading.then({ read ->
+                    show(read, checkNotNull(About.find()), element)
+                }, { whenLoaded(::readWhole) }).catch(::failUnexpectedly)
+            }
+
+            isLoaded -> readWhole()
+
+            element != null -> whenLoaded(::readWhole)
+
+            else -> window.setTimeout({ guarded(::begin) }, PAUSE)
         }
     }
 
-    private fun load() {
+    /** Does [work] once the page has been loaded. */
+    private fun whenLoaded(work: () -> Unit) {
+        if (document.asDynamic().readyState != "loading") return work()
+        document.addEventListener("DOMContentLoaded", { guarded(work) })
+    }
+
+    private fun readWhole() {
         val about = About.find()
         val recording = document.getElementById("recording")
         if (about == null || recording == null) {
@@ -87,5 +120,10 @@ internal class Startup {
         console.error(problem)
         val reason = problem.message ?: problem.toString()
         fail("Something went wrong", "$reason. Report it with the file, if you may share it.")
+    }
+
+    private companion object {
+        /** Milliseconds until the page is asked again what has arrived. */
+        const val PAUSE = 5
     }
 }

@@ -4,8 +4,8 @@ import java.io.OutputStream
 import java.util.Base64
 
 /**
- * Writes what it is given to [out] as one base64 text without line breaks, however it is cut into pieces: the one or
- * two bytes that fill no group of three wait for the next piece, so that padding stands at the end only.
+ * Writes what it is given to [out] as base64, however it is cut into pieces: the one or two bytes that fill no group of three wait for
+ * the next piece, so that padding stands at the end of a line only. Lines end where they are told to, and nowhere else.
  */
 internal class Base64Stream(private val out: OutputStream) {
     private val encoder = Base64.getEncoder()
@@ -26,6 +26,12 @@ internal class Base64Stream(private val out: OutputStream) {
                 held = 0
             }
         }
+    }
+
+    /** Ends a line, which can be decoded without the others. */
+    fun endLine() {
+        finish()
+        out.write('\n'.code)
     }
 
     /** Writes what is held, with its padding. To be called once, last; does not close the stream under it. */

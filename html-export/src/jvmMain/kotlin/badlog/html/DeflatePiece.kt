@@ -7,7 +7,7 @@ import java.util.zip.Deflater
 /**
  * One piece of a file on its way into a gzip stream. It is deflated without its neighbors, so several are at a time,
  * but knows the bytes before it as a dictionary and ends on a byte, so the pieces one after another are one deflate
- * stream. A piece that knows none begins a part of the stream that can be inflated by itself.
+ * stream but for its [END]. A piece that knows none begins a part of the stream that can be inflated by itself.
  *
  * Made once and filled again and again: its buffers are what an export costs in memory.
  */
@@ -51,12 +51,10 @@ internal class DeflatePiece {
         deflater.reset()
         if (dictionarySize > 0) deflater.setDictionary(bytes, 0, dictionarySize)
         deflater.setInput(bytes, from, until - from)
-        if (isLast) deflater.finish()
-        val flush = if (isLast) Deflater.NO_FLUSH else Deflater.SYNC_FLUSH
         deflatedSize = 0
         do {
             if (deflatedSize == deflated.size) deflated = deflated.copyOf(deflated.size * 2)
-            deflatedSize += deflater.deflate(deflated, deflatedSize, deflated.size - deflatedSize, flush)
+            deflatedSize += deflater.deflate(deflated, deflatedSize, deflated.size - deflatedSize, Deflater.SYNC_FLUSH)
         } while (deflatedSize == deflated.size)
     }
 
@@ -65,6 +63,9 @@ internal class DeflatePiece {
 
     companion object {
         const val SIZE = 1 shl 19
+
+        /** An empty block that is the last one, and so ends the stream. */
+        val END = byteArrayOf(3, 0)
 
         /** As far back as deflate ever looks. */
         private const val DICTIONARY = 1 shl 15

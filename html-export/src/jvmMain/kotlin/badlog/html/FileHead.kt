@@ -5,15 +5,17 @@ import badlog.bag.RecordingParser
 import badlog.file.GzipReader
 import badlog.formats.LOG_FORMATS
 import badlog.recording.ProblemKind
+import badlog.recording.RecordingFormat
 
 /**
  * What the first bytes of a file show before the rest is read.
  *
  * @property isGzip whether the file is compressed.
+ * @property hasLines whether it is a text of lines.
  * @property title the match, from the values in the header, or null where they name none.
  * @property refusal why the file is certainly no recording, whatever follows; null when it may be one.
  */
-internal class FileHead private constructor(val isGzip: Boolean, val title: String?, val refusal: String?) {
+internal class FileHead private constructor(val isGzip: Boolean, val hasLines: Boolean, val title: String?, val refusal: String?) {
     companion object {
         /** How many bytes [of] wants to see; fewer are a shorter file. */
         const val BYTES = 1 shl 18
@@ -33,7 +35,7 @@ internal class FileHead private constructor(val isGzip: Boolean, val title: Stri
             val refusal = recording.problems
                 .firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING && parser.rowCount == 0 }
                 ?.message
-            return FileHead(isGzip, matchTitle(recording.values), refusal)
+            return FileHead(isGzip, recording.format != RecordingFormat.WPILOG, matchTitle(recording.values), refusal)
         }
     }
 }

@@ -7,7 +7,6 @@ import badlog.formats.LOG_FORMATS
 import badlog.html.protocol.PageAdditions
 import badlog.recording.ProblemKind
 import badlog.recording.Recording
-import badlog.recording.RecordingFormat
 import badlog.terminal.Progress
 import java.io.ByteArrayInputStream
 import java.io.InputStream
@@ -69,8 +68,11 @@ public class HtmlExporter(private val attachments: List<Path> = emptyList(), pri
         return AtomicFile(page).use { file ->
             val writer = PageWriter(file.out, parts)
             writer.begin(head.title ?: name)
+            writer.program(additions)
             val embedded = ExportThreads().use { threads ->
-                val embedded = writer.recording { out ->
+                // Only so long a file is worth the work of several workers, and of the page while it is still being loaded.
+                val lineBytes = total.takeIf { head.hasLines && !head.isGzip && it > MANY_BYTES }
+                val embedded = writer.recording(name, lineBytes) { out ->
                     val heard: (Long) -> Unit = { progress.advanced(it, total) }
                     if (head.isGzip) {
                         GzipEmbedding(threads, out, parser::accept).embed(source, heard)
@@ -86,23 +88,19 @@ public class HtmlExporter(private val attachments: List<Path> = emptyList(), pri
             recording.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }?.let { problem ->
                 throw ExportException.NotARecording(input, "$input: ${problem.message}")
             }
-            writer.additions(additions)
-            writer.end(name, embedded, head.isGzip, linesOf(recording))
+            writer.end(name, embedded, head.isGzip)
             file.commit()
             ExportReport(page, recording, embedded.originalBytes, embedded.inflatedBytes)
         }
-    }
-
-    /** How many lines a bag or a CSV file has, of those that are read as rows and of its header; 0 for a log without lines. */
-    private fun linesOf(recording: Recording): Int = when (recording.format) {
-        RecordingFormat.BAG -> recording.rowCount + 2
-        RecordingFormat.CSV -> recording.rowCount + 1
-        else -> 0
     }
 
     private fun attach(file: Path, writer: PageWriter, threads: ExportThreads) {
         reading(file) { Files.newInputStream(file) }.use { stream ->
             writer.attachment(file.fileName.toString()) { RawEmbedding(threads, it).embed(ReadGuard(file, stream)) }
         }
+    }
+
+    private companion object {
+        const val MANY_BYTES = 4_000_000L
     }
 }

@@ -110,7 +110,7 @@ internal val UNPACKING: String = """/* Unpacks the program of this page, which h
     const script = document.createElement('script');
     script.id = 'program';
     script.textContent = text.slice(end + 1);
-    document.body.append(script);
+    document.head.append(script);
   }).catch(() => fail('This page is not complete. Something of it was damaged in copying; export it again.'));
 })();
 """.replace(Regex("\n +"), "\n")

@@ -34,38 +34,41 @@ internal class PageWriter(private val out: OutputStream, private val parts: Page
         )
     }
 
-    /** The recording; [embed] gives its gzip stream to the base64 stream. */
-    fun <T> recording(embed: (Base64Stream) -> T): T = base64("id=\"recording\"", embed)
+    /** What the page shows besides the recording, no byte when that is nothing; then the program, which runs while the rest is loaded. */
+    fun program(additions: PageAdditions) {
+        if (!additions.isEmpty) {
+            text("<script type=\"application/octet-stream\" id=\"packed-additions\">")
+            out.write(packed(additions.toJson()))
+            text("</script>\n")
+        }
+        text("<script type=\"application/octet-stream\" id=\"packed\">")
+        out.write(parts.packedProgram)
+        text("</script>\n<script id=\"unpacking\">$UNPACKING</script>\n")
+    }
+
+    /**
+     * The recording that came from the file [name]; [embed] gives its gzip stream to the base64 stream.
+     *
+     * @param lineBytes how long the file is, where each line of the base64 but the first and the last holds some of its rows, which can
+     *   be read before the others are there; else null.
+     */
+    fun <T> recording(name: String, lineBytes: Long?, embed: (Base64Stream) -> T): T {
+        val bytes = if (lineBytes == null) "" else " data-bytes=\"$lineBytes\""
+        return base64("id=\"recording\" data-name=\"${escapeHtml(name)}\"$bytes", embed)
+    }
 
     /** An attached file with its [name]; [embed] as in [recording]. */
     fun <T> attachment(name: String, embed: (Base64Stream) -> T): T =
         base64("class=\"attachment\" data-name=\"${escapeHtml(name)}\"", embed)
 
-    /** What the page shows besides the recording; no byte when that is nothing. */
-    fun additions(additions: PageAdditions) {
-        if (additions.isEmpty) return
-        text("<script type=\"application/octet-stream\" id=\"packed-additions\">")
-        out.write(packed(additions.toJson()))
-        text("</script>\n")
-    }
-
-    /**
-     * Everything after the additions, about the recording that came from the file [name].
-     *
-     * @param lines how many lines of text it has; 0 for a log that has none, and is not read in parts.
-     */
-    fun end(name: String, file: EmbeddedFile, isGzip: Boolean, lines: Int) {
+    /** The end, about the recording that came from the file [name]. A page without it was cut. */
+    fun end(name: String, file: EmbeddedFile, isGzip: Boolean) {
         val cut = if (file.isCut) ",\"cut\":true" else ""
-        val isInParts = lines > 0 && file.parts.size > MIN_PARTS
-        val listed = if (isInParts) ",\"lines\":$lines,\"parts\":${file.parts.joinToString(",", "[", "]")}" else ""
         text(
             "<script type=\"application/json\" id=\"about\">{\"name\":${inScript(quotedJson(name))}," +
-                "\"original\":\"${if (isGzip) "gzip" else "raw"}\",\"inflatedBytes\":${file.inflatedBytes}$cut$listed," +
-                "\"version\":${quotedJson(BADLOG_VERSION)}}</script>\n" +
-                "<script type=\"application/octet-stream\" id=\"packed\">",
+                "\"original\":\"${if (isGzip) "gzip" else "raw"}\",\"inflatedBytes\":${file.inflatedBytes}$cut," +
+                "\"version\":${quotedJson(BADLOG_VERSION)}}</script>\n</body>\n</html>\n",
         )
-        out.write(parts.packedProgram)
-        text("</script>\n<script id=\"unpacking\">$UNPACKING</script>\n</body>\n</html>\n")
     }
 
     private fun <T> base64(attributes: String, embed: (Base64Stream) -> T): T {
@@ -80,10 +83,7 @@ internal class PageWriter(private val out: OutputStream, private val parts: Page
     private fun text(text: String) = out.write(text.encodeToByteArray())
 
     private companion object {
-        /** Fewer parts are read faster in one go. */
-        const val MIN_PARTS = 3
-
-        // The program stands last: a page that was cut never runs it, and a large one only after a while.
+        // Until the program runs, or instead.
         const val WAITING = "Loading… If this stays, the file is incomplete: copy it again."
         const val NO_SCRIPT = "This page needs JavaScript to draw. The log is inside all the same: allow " +
             "scripts for this file, or open it in another browser."

@@ -6,8 +6,9 @@ import java.nio.ByteOrder
 import java.util.zip.CRC32
 
 /**
- * Embeds a file that is not compressed: deflates it piece by piece on all cores, into one gzip member. The calling
- * thread reads and writes; only so many pieces are in flight, which bounds the memory whatever the file's size.
+ * Embeds a file that is not compressed: deflates it piece by piece on all cores, into one gzip member. Each part that can be inflated
+ * by itself is a line of the text, between a line with the member's header and one with its end. The calling thread reads and writes;
+ * only so many pieces are in flight, which bounds the memory whatever the file's size.
  */
 internal class RawEmbedding(
     private val threads: ExportThreads,
@@ -17,14 +18,12 @@ internal class RawEmbedding(
     private val pieces = ArrayList<DeflatePiece>()
     private val inFlight = ArrayDeque<DeflatePiece>()
     private val check = CRC32()
-    private val parts = ArrayList<Long>()
-    private var written = 0L
     private var read = 0L
     private var done = 0L
 
     /** Embeds [source] to its end; [progress] hears how many bytes are done. */
     fun embed(source: InputStream, progress: (Long) -> Unit = {}): EmbeddedFile {
-        write(HEADER, HEADER.size)
+        out.write(HEADER)
         try {
             var last: DeflatePiece? = null
             var count = 0
@@ -39,9 +38,10 @@ internal class RawEmbedding(
         } finally {
             pieces.forEach { it.close() }
         }
-        parts += written
-        write(trailer(), TRAILER_SIZE)
-        return EmbeddedFile(read, read, isCut = false, parts)
+        out.endLine()
+        out.write(DeflatePiece.END)
+        out.write(trailer())
+        return EmbeddedFile(read, read, isCut = false)
     }
 
     private fun newPiece() = DeflatePiece().also { pieces += it }
@@ -59,16 +59,11 @@ internal class RawEmbedding(
     private fun next(progress: (Long) -> Unit): DeflatePiece {
         val piece = inFlight.removeFirst()
         piece.work.forEach(ExportThreads::await)
-        if (piece.beginsPart) parts += written
-        write(piece.deflated, piece.deflatedSize)
+        if (piece.beginsPart) out.endLine()
+        out.write(piece.deflated, 0, piece.deflatedSize)
         done += piece.until - piece.from
         progress(done)
         return piece
-    }
-
-    private fun write(bytes: ByteArray, size: Int) {
-        out.write(bytes, 0, size)
-        written += size
     }
 
     private fun trailer() = ByteBuffer.allocate(TRAILER_SIZE).order(ByteOrder.LITTLE_ENDIAN)

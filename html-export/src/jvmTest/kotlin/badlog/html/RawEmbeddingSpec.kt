@@ -11,7 +11,6 @@ import io.kotest.property.arbitrary.int
 import io.kotest.property.checkAll
 import java.io.ByteArrayInputStream
 import java.io.ByteArrayOutputStream
-import java.util.Base64
 import java.util.zip.GZIPInputStream
 import kotlin.random.Random
 
@@ -32,7 +31,7 @@ class RawEmbeddingSpec : FunSpec({
         out.finish()
         file.originalBytes shouldBe bytes.size
         file.inflatedBytes shouldBe bytes.size
-        return GZIPInputStream(ByteArrayInputStream(Base64.getDecoder().decode(text.toByteArray()))).readAllBytes()
+        return GZIPInputStream(ByteArrayInputStream(decodeLines(text.toString()))).readAllBytes()
     }
 
     val around = listOf(0, 1, 2, DeflatePiece.SIZE, 2 * DeflatePiece.SIZE, 9 * DeflatePiece.SIZE)

@@ -4,6 +4,7 @@ import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.jsonObject
 import java.io.ByteArrayInputStream
+import java.io.ByteArrayOutputStream
 import java.nio.file.Files
 import java.nio.file.Path
 import java.util.Base64
@@ -21,7 +22,7 @@ internal class ReadPage(file: Path) {
         Json.parseToJsonElement(between("<script type=\"application/json\" id=\"about\">", "</script>")).jsonObject
 
     /** The bytes that the page embeds: a gzip stream. */
-    val recording: ByteArray = decode(between("id=\"recording\">", "</script>"))
+    val recording: ByteArray = decode(between("id=\"recording\"", "</script>").substringAfter('>'))
 
     /** The attached files, by their escaped names. */
     val attachments: Map<String, ByteArray> = Regex("class=\"attachment\" data-name=\"([^\"]*)\">([^<]*)</script>")
@@ -42,7 +43,14 @@ internal class ReadPage(file: Path) {
         return html.substring(from, html.indexOf(end, from))
     }
 
-    private fun decode(text: String) = Base64.getDecoder().decode(text)
+    private fun decode(text: String) = decodeLines(text)
 
     private fun inflate(bytes: ByteArray) = GZIPInputStream(ByteArrayInputStream(bytes)).readAllBytes()
+}
+
+/** The bytes of [text], each line of which is base64 by itself. */
+internal fun decodeLines(text: String): ByteArray {
+    val bytes = ByteArrayOutputStream()
+    for (line in text.split('\n')) bytes.write(Base64.getDecoder().decode(line))
+    return bytes.toByteArray()
 }

@@ -21,17 +21,18 @@ internal class BrokenPageSpec : PageSpec({
         }
     }
 
-    browserTest("a page cut in half says so") {
-        val page = TestPages.ofSample("practice.bag")
-        OpenPage.open(cut(page, (Files.size(page) / 2).toInt()), Screen.WIDE, null).use {
+    browserTest("a page cut inside its program says so") {
+        OpenPage.open(cut(TestPages.ofSample("practice.bag"), 100_000), Screen.WIDE, null).use {
             it.await("a word about the cut") { "the file is incomplete" in it.text }
         }
     }
 
-    browserTest("a page cut inside its script says so") {
-        val page = TestPages.ofSample("practice.bag")
-        OpenPage.open(cut(page, (Files.size(page) - 100).toInt()), Screen.WIDE, null).use {
-            it.await("a word about the cut") { "the file is incomplete" in it.text }
+    for ((place, bytesOf) in mapOf<String, (Path) -> Long>("inside its log" to { Files.size(it) - 1000 }, "before its end" to { Files.size(it) - 100 })) {
+        for (log in listOf((1..3000), (1..600_000)).map { rows -> rows.joinToString("") { "$it,2.5\n" } }) {
+            browserTest("a page of ${log.length} bytes cut $place says so") {
+                val page = TestPages.of("a,b\n$log")
+                onPage(cut(page, bytesOf(page).toInt()), state = "failed") { text shouldContain "This page is not complete" }
+            }
         }
     }
 

@@ -3,6 +3,7 @@ package badlog.page
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.ints.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
 import java.nio.file.Files
 
 private const val ROWS = 120_000
@@ -62,6 +63,34 @@ internal class PartsSpec : PageSpec({
         }
     }
 
+    browserTest("a large log is read while the rest of its page is still to come") {
+        val text = Files.readString(TestPages.of(CLEAN))
+        val middle = text.indexOf("id=\"recording\"").let { it + (text.indexOf("</script>", it) - it) / 2 }
+        onPage(TestPages.of("a\n1\n", "b.csv")) {
+            script(
+                """
+                window.taken = 0
+                const Real = Worker
+                window.Worker = class extends Real {
+                    constructor(...all) {
+                        super(...all)
+                        this.addEventListener('message', event => { if (event.data.part !== undefined) window.taken++ })
+                    }
+                }
+                document.open()
+                document.write(arguments[0])
+                """.trimIndent(),
+                text.take(middle),
+            )
+            await("a part to be read") { number("return window.taken") > 0 }
+            state shouldBe "loading"
+            script("document.write(arguments[0]); document.close()", text.drop(middle))
+            awaitState("ready")
+            readInParts() shouldBe 1
+            texts(".fact").joinToString() shouldContain "120 000 samples each"
+        }
+    }
+
     browserTest("fast workers wait for a slow one, so that no more than a few parts are held") {
         val held = """
             ${cores(2)};
@@ -88,7 +117,7 @@ internal class PartsSpec : PageSpec({
 
     browserTest("a page with a damaged part is read in one go, as far as that goes") {
         val text = Files.readString(TestPages.of(CLEAN))
-        val from = text.indexOf("id=\"recording\">")
+        val from = text.indexOf("id=\"recording\"")
         val middle = from + (text.indexOf("</script>", from) - from) / 2
         val file = Files.createTempFile("badlog-parts", ".html")
         file.toFile().deleteOnExit()

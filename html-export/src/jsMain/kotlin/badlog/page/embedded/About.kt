@@ -9,20 +9,9 @@ import kotlinx.browser.document
  * @property isCompressed whether the file itself is a gzip stream, possibly a cut one.
  * @property inflatedBytes how many bytes can be inflated from what the page carries.
  * @property isCut whether something of that gzip stream is missing.
- * @property lines how many lines that makes, if it is in parts; else 0.
- * @property parts where in the gzip stream that the page carries the parts begin that can be inflated by themselves, then where
- *   the last one ends; empty where it is to be inflated in one go.
  * @property version the version of badlog that made the page.
  */
-internal class About(
-    val name: String,
-    val isCompressed: Boolean,
-    val inflatedBytes: Double,
-    val isCut: Boolean,
-    val lines: Double,
-    val parts: Array<Double>,
-    val version: String,
-) {
+internal class About(val name: String, val isCompressed: Boolean, val inflatedBytes: Double, val isCut: Boolean, val version: String) {
     /** Tells this file from others, for what the browser remembers of it. */
     val fileKey: String get() = "$name:$inflatedBytes"
 
@@ -40,8 +29,6 @@ internal class About(
                 isCompressed = json.original == "gzip",
                 inflatedBytes = (json.inflatedBytes as? Number)?.toDouble() ?: 0.0,
                 isCut = json.cut == true,
-                lines = (json.lines as? Number)?.toDouble() ?: 0.0,
-                parts = if (json.parts == undefined) emptyArray() else json.parts.unsafeCast<Array<Double>>(),
                 version = json.version as? String ?: "",
             )
         }

@@ -5,27 +5,50 @@ import org.w3c.dom.Node
 import org.w3c.dom.Text
 
 /**
- * The base64 text of an element, piece by piece. It can be hundreds of megabytes, in one text node or in thousands, so
- * it is never put together.
+ * The base64 text of an [element], piece by piece. It can be hundreds of megabytes, in one text node or in thousands, so
+ * it is never put together. More of it may arrive while the page is being loaded.
  */
-internal class Base64Text(element: Element) {
-    private var node: Node? = element.firstChild
+internal class Base64Text(private val element: Element) {
+    private var node: Node? = null
     private var offset = 0
 
-    /** The next [characters], a multiple of four so that a piece ends where a group does; fewer and then null at the end. */
-    fun next(characters: Int = PIECE): String? {
+    /** Whether the last piece was the end of a line, which can be decoded without those before it. */
+    var endedLine = false
+        private set
+
+    /**
+     * The next piece of a line: all of it, but at most so many characters that it takes no long time; a multiple of four of them,
+     * where no more arrives. Null when there is no more, or not yet.
+     */
+    fun next(): String? {
         var piece = ""
-        while (piece.length < characters) {
-            val text = node?.unsafeCast<Text>() ?: break
-            val taken = minOf(characters - piece.length, text.length - offset)
-            piece += text.substringData(offset, taken)
-            offset += taken
-            if (offset == text.length) {
-                node = text.nextSibling
-                offset = 0
+        endedLine = false
+        while (piece.length < PIECE && hasMore()) {
+            val text = node.unsafeCast<Text>()
+            val isAll = offset == 0 && text.length <= PIECE - piece.length
+            // The text of a whole node is not copied.
+            val taken = if (isAll) text.data else text.substringData(offset, minOf(PIECE - piece.length, text.length - offset))
+            val end = taken.indexOf('\n')
+            if (end < 0) {
+                piece += taken
+                offset += taken.length
+            } else {
+                offset += end + 1
+                endedLine = true
+                return piece + taken.substring(0, end)
             }
         }
         return piece.ifEmpty { null }
+    }
+
+    private fun hasMore(): Boolean {
+        val text = node ?: element.firstChild ?: return false
+        node = text
+        if (offset < text.unsafeCast<Text>().length) return true
+        // The last one may still grow.
+        node = text.nextSibling ?: return false
+        offset = 0
+        return hasMore()
     }
 
     private companion object {

@@ -12,18 +12,15 @@ import kotlin.js.Promise
 /**
  * The messages between the page and a worker about one part of a recording, see [PartsReading].
  *
- * The page sends the base64 and which of its bytes are the part. The worker answers with what they inflate to and, once it
- * knows the columns, with the rows that are complete in it; or with a failure.
+ * The page sends the base64 and, once it knows them, the columns. The worker answers with what it inflates to and, where it knows the
+ * columns, with the rows that are complete in it; or with a failure.
  */
 internal object PartMessage {
-    /** A part for the worker: its number, its bytes from [skipped] until [until] of [base64], and the columns once they are known. */
-    fun of(part: Int, base64: String, skipped: Int, until: Int, isLast: Boolean, readsDecimalComma: BooleanArray?): dynamic {
+    /** The part number [part] for the worker, and the columns once they are known. */
+    fun of(part: Int, base64: String, readsDecimalComma: BooleanArray?): dynamic {
         val message = js("({})")
         message.part = part
         message.base64 = base64
-        message.skipped = skipped
-        message.until = until
-        message.isLast = isLast
         message.columns = readsDecimalComma?.let { columns -> IntArray(columns.size) { if (columns[it]) 1 else 0 } }
         return message
     }
@@ -33,7 +30,7 @@ internal object PartMessage {
 
     /** Does the worker's work for the part [message]. */
     fun answer(page: DedicatedWorkerGlobalScope, message: dynamic) {
-        inflate(message).then { page.postMessage(message, read(message, it)) }.catch { problem ->
+        inflate(message.base64 as String).then { page.postMessage(message, read(message, it)) }.catch { problem ->
             val failure = js("({})")
             failure.failure = problem.message ?: problem.toString()
             page.postMessage(failure)
@@ -46,30 +43,27 @@ internal object PartMessage {
         val from = message.from as Int
         val until = message.until as Int
         parser.accept(bytes, 0, from)
-        val isTaken = message.numbers != null && parser.accept(batchOf(message))
+        val isTaken = message.numbers != undefined && parser.accept(batchOf(message))
         if (!isTaken) parser.accept(bytes, from, until)
         parser.accept(bytes, until, bytes.size)
         return bytes.size
     }
 
-    private fun batchOf(message: dynamic) = RowBatch(
-        message.numbers.unsafeCast<Array<DoubleArray>>(),
-        message.details.unsafeCast<IntArray>(),
-        message.texts.unsafeCast<Array<String>>(),
-    )
+    private fun batchOf(message: dynamic): RowBatch {
+        val details = message.details.unsafeCast<IntArray>()
+        val rows = details[0]
+        val numbers = Array((message.numbers.length as Int) / rows) { column ->
+            message.numbers.subarray(column * rows, (column + 1) * rows).unsafeCast<DoubleArray>()
+        }
+        return RowBatch(numbers, details, message.texts.unsafeCast<Array<String>>())
+    }
 
-    private fun inflate(message: dynamic): Promise<ByteArray> {
-        val decoded = Base64.decode(message.base64 as String).unsafeCast<Int8Array>()
-        val skipped = message.skipped as Int
-        val compressed = Uint8Array(decoded.buffer, decoded.byteOffset + skipped, message.until as Int - skipped)
-        // All parts but the last end in a flush; an empty last block makes whole streams of them.
-        val isLast = message.isLast as Boolean
-        val pieces: Array<dynamic> = if (isLast) arrayOf(compressed) else arrayOf(compressed, Uint8Array(arrayOf<Byte>(3, 0)))
-        message.base64 = null
+    private fun inflate(base64: String): Promise<ByteArray> {
         val stream: dynamic = js("new DecompressionStream('deflate-raw')")
         val writer = stream.writable.getWriter()
-        // The reader below gets the same failures.
-        for (piece in pieces) writer.write(piece).then({}, {})
+        // A part ends in a flush; an empty last block makes a whole stream of it. The reader below gets the same failures.
+        writer.write(Base64.decode(base64)).then({}, {})
+        writer.write(Uint8Array(arrayOf<Byte>(3, 0))).then({}, {})
         writer.close().then({}, {})
         return readAll(stream.readable.getReader(), ArrayList())
     }
@@ -89,33 +83,40 @@ internal object PartMessage {
     }
 
     private fun joined(chunks: List<Uint8Array>): ByteArray {
-        val all = Uint8Array(chunks.sumOf { it.length })
-        var at = 0
-        for (chunk in chunks) {
-            all.set(chunk, at)
-            at += chunk.length
+        // Mostly it is one.
+        val all = chunks.singleOrNull { it.length > 0 } ?: Uint8Array(chunks.sumOf { it.length }).apply {
+            var at = 0
+            for (chunk in chunks) {
+                set(chunk, at)
+                at += chunk.length
+            }
         }
-        return Int8Array(all.buffer).unsafeCast<ByteArray>()
+        return Int8Array(all.buffer, all.byteOffset, all.length).unsafeCast<ByteArray>()
     }
 
     /** Puts what is in [bytes] into [message]; returns the buffers that change their owner. */
     private fun read(message: dynamic, bytes: ByteArray): Array<dynamic> {
-        val columns = message.columns.unsafeCast<IntArray?>()
-        val buffers = ArrayList<dynamic>()
+        message.base64 = null
         message.bytes = bytes
-        buffers.add(bytes.unsafeCast<Int8Array>().buffer)
-        message.from = if (columns == null) bytes.size else bytes.indexOf(LINE_FEED) + 1
-        message.until = if (columns == null) bytes.size else bytes.lastIndexOf(LINE_FEED) + 1
-        val batch = columns?.let { ints -> RowBatchParser(BooleanArray(ints.size) { ints[it] != 0 }) }
-            ?.parse(bytes, message.from as Int, message.until as Int)
-        if (batch != null) {
-            message.numbers = batch.numbers
-            message.details = batch.details
-            message.texts = batch.texts
-            for (numbers in batch.numbers) if (numbers.isNotEmpty()) buffers.add(numbers.asDynamic().buffer)
-        }
-        return buffers.toTypedArray()
+        message.from = bytes.indexOf(LINE_FEED) + 1
+        message.until = bytes.lastIndexOf(LINE_FEED) + 1
+        val buffer = bytes.asDynamic().buffer
+        val columns = message.columns.unsafeCast<IntArray?>() ?: return arrayOf(buffer)
+        val batch = parserFor(columns).parse(bytes, message.from as Int, message.until as Int) ?: return arrayOf(buffer)
+        // All in one: each buffer that changes its owner takes time.
+        val count = batch.rowCount
+        val numbers = DoubleArray(count * columns.size)
+        batch.numbers.forEachIndexed { column, samples -> samples.copyInto(numbers, column * count, 0, count) }
+        message.numbers = numbers
+        message.details = batch.details
+        message.texts = batch.texts
+        return arrayOf(buffer, numbers.asDynamic().buffer)
     }
+
+    // One for all parts, which have the same columns.
+    private var rows: RowBatchParser? = null
+
+    private fun parserFor(columns: IntArray) = rows ?: RowBatchParser(BooleanArray(columns.size) { columns[it] != 0 }).also { rows = it }
 
     private const val LINE_FEED: Byte = 10
 }

@@ -3,8 +3,8 @@ package badlog.page.reading
 import badlog.bag.BagParser
 import badlog.page.embedded.About
 import badlog.page.embedded.Base64Text
-import badlog.recording.NumberSinks
 import badlog.recording.Recording
+import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.dom.Element
 import org.w3c.dom.MessageEvent
@@ -12,26 +12,27 @@ import org.w3c.dom.Worker
 import kotlin.js.Promise
 
 /**
- * Reads a recording in the parts that its exporter deflated apart from each other: several workers inflate them and read their
- * rows, the page puts these together in their order.
+ * Reads a recording in the parts that its exporter deflated apart from each other, a line of base64 each, as they arrive while the page
+ * is being loaded: several workers inflate them and read their rows, the page puts these together in their order.
  */
 internal class PartsReading private constructor(
-    private val about: About,
+    private val expectedBytes: Double,
     element: Element,
     private val workers: List<Worker>,
     private val onProgress: (Double) -> Unit,
 ) {
     private val text = Base64Text(element)
-    private val parser = BagParser(about.inflatedBytes.toLong(), keepSamples = true, NumberSinks.RECORDING, about.lines.toLong())
+    private val parser = BagParser(expectedBytes.toLong())
     private val answers = HashMap<Int, dynamic>()
-    private val count = about.parts.size - 1
 
     /** Those with room for one more part, once for each. */
     private val ready = ArrayDeque<Worker>()
-    private var held = ""
-    private var sent = 0
+    private var line = ""
+    private var sent = BEFORE_PARTS
     private var taken = 0
     private var takenBytes = 0.0
+    private var isAllSent = false
+    private var isWaiting = false
     private lateinit var resolve: (Recording) -> Unit
     private lateinit var reject: (Throwable) -> Unit
 
@@ -40,35 +41,49 @@ internal class PartsReading private constructor(
         this.reject = reject
         for (worker in workers) {
             worker.onerror = { fail("A worker cannot run.") }
-            worker.onmessage = { event: MessageEvent ->
-                try {
-                    answered(worker, event.data)
-                } catch (problem: Throwable) {
-                    fail(problem.message ?: problem.toString())
-                }
-            }
+            worker.onmessage = { event: MessageEvent -> guarded { answered(worker, event.data) } }
         }
         // The header is in the first part, and nobody can read rows without it.
-        send(workers[0])
+        ready += workers[0]
+        send()
     }
 
-    private fun send(worker: Worker) {
-        if (sent == count) return
-        val from = about.parts[sent]
-        val until = about.parts[sent + 1]
-        // A group of three bytes may belong to two parts.
-        val start = if (sent == 0) 0.0 else from - from % GROUP_BYTES
-        val begun = if (sent == 0 || from % GROUP_BYTES == 0.0) "" else held
-        val characters = groupsUntil(until) - (if (sent == 0) 0.0 else groupsUntil(from))
-        val base64 = begun + text.next((characters * GROUP_CHARACTERS).toInt()).orEmpty()
-        held = base64.takeLast(GROUP_CHARACTERS)
-        val last = sent == count - 1
-        val columns = if (sent == 0) null else parser.readsDecimalComma
-        worker.postMessage(PartMessage.of(sent, base64, (from - start).toInt(), (until - start).toInt(), last, columns))
-        sent++
+    private fun guarded(work: () -> Unit) = try {
+        work()
+    } catch (problem: Throwable) {
+        fail(problem.message ?: problem.toString())
     }
 
-    private fun groupsUntil(bytes: Double) = kotlin.math.ceil(bytes / GROUP_BYTES)
+    private fun send() {
+        // What fast workers read waits for the slowest, and takes memory.
+        while (ready.isNotEmpty() && sent - taken < workers.size * MAX_AHEAD) {
+            // Before the look: what arrives after it is looked at again.
+            val isLoaded = document.asDynamic().readyState != "loading"
+            val part = nextLine()
+            if (part == null) {
+                isAllSent = isLoaded
+                if (!isLoaded && !isWaiting) {
+                    isWaiting = true
+                    window.setTimeout({
+                        isWaiting = false
+                        guarded(::send)
+                    }, PAUSE)
+                }
+                break
+            }
+            if (sent >= 0) ready.removeFirst().postMessage(PartMessage.of(sent, part, if (sent == 0) null else parser.readsDecimalComma))
+            sent++
+        }
+        if (isAllSent && taken == sent) finish()
+    }
+
+    /** The next line that has arrived to its end. */
+    private fun nextLine(): String? {
+        while (true) {
+            line += text.next() ?: return null
+            if (text.endedLine) return line.also { line = "" }
+        }
+    }
 
     private fun answered(worker: Worker, message: dynamic) {
         if (message.failure != undefined) return fail(message.failure as String)
@@ -77,16 +92,14 @@ internal class PartsReading private constructor(
             takenBytes += PartMessage.take(answers.remove(taken) ?: break, parser)
             taken++
         }
-        onProgress(takenBytes / about.inflatedBytes)
-        if (taken == count) return finish()
+        onProgress(takenBytes / expectedBytes)
         if (taken > 0 && parser.readsDecimalComma == null) return fail("No rows begin in the first part.")
         if (message.part == 0) repeat(AHEAD) { ready += workers } else ready += worker
-        // What fast workers read waits for the slowest, and takes memory.
-        while (ready.isNotEmpty() && sent - taken < workers.size * MAX_AHEAD) send(ready.removeFirst())
+        send()
     }
 
     private fun finish() {
-        if (takenBytes != about.inflatedBytes) return fail("Parts are missing.")
+        if (takenBytes != About.find()?.inflatedBytes) return fail("Parts are missing.")
         workers.forEach { it.terminate() }
         window.performance.asDynamic().mark("badlog-parts-read")
         resolve(parser.finish())
@@ -94,12 +107,16 @@ internal class PartsReading private constructor(
 
     private fun fail(reason: String) {
         workers.forEach { it.terminate() }
+        ready.clear()
         reject(Error(reason))
     }
 
     companion object {
-        private const val GROUP_BYTES = 3
-        private const val GROUP_CHARACTERS = 4
+        /** The first line is the header of the gzip stream. */
+        private const val BEFORE_PARTS = -1
+
+        /** Milliseconds until the page is asked again what has arrived. */
+        private const val PAUSE = 5
 
         /** So many parts are on their way to each worker. */
         private const val AHEAD = 2
@@ -109,11 +126,12 @@ internal class PartsReading private constructor(
         private const val MAX_WORKERS = 4
 
         /** Starts, and promises the recording; null where it has no parts, or the browser cannot read them at a time. */
-        fun start(about: About, element: Element, onProgress: (Double) -> Unit): Promise<Recording>? {
-            val cores = minOf(window.navigator.hardwareConcurrency.toInt(), MAX_WORKERS, about.parts.size - 1)
+        fun start(element: Element, onProgress: (Double) -> Unit): Promise<Recording>? {
+            val bytes = element.getAttribute("data-bytes")?.toDoubleOrNull() ?: return null
+            val cores = minOf(window.navigator.hardwareConcurrency.toInt(), MAX_WORKERS)
             if (cores < 2 || !canInflateParts()) return null
             val workers = List(cores) { ReadingWorker.start() ?: return null }
-            return PartsReading(about, element, workers, onProgress).start()
+            return PartsReading(bytes, element, workers, onProgress).start()
         }
 
         private fun canInflateParts(): Boolean = try {

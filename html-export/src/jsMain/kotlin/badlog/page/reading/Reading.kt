@@ -18,12 +18,7 @@ import kotlin.js.Promise
  */
 internal class Reading(private val about: About, private val element: Element, private val onProgress: (Double) -> Unit) {
     /** Starts, and promises the recording. */
-    fun start(): Promise<Recording> = PartsReading.start(about, element, onProgress)
-        // Whatever was wrong with the parts shows when the whole stream is read.
-        ?.then({ it }, { readWhole() }).unsafeCast<Promise<Recording>?>()
-        ?: readWhole()
-
-    private fun readWhole(): Promise<Recording> = Promise { resolve, reject ->
+    fun start(): Promise<Recording> = Promise { resolve, reject ->
         val worker = ReadingWorker.start()
         val finish = { recording: Recording -> resolve(withCut(recording)) }
         if (worker == null) readHere(finish, reject) else readIn(worker, finish, reject)
