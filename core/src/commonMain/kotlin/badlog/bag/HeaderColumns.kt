@@ -3,6 +3,7 @@ package badlog.bag
 import badlog.recording.ProblemKind
 import badlog.recording.ProblemList
 import badlog.text.UniqueNames
+import badlog.text.isLetterOrDigit
 
 /**
  * How the topics of line 1 and the columns of line 2 belong together.
@@ -63,7 +64,7 @@ internal class HeaderColumns private constructor(val columnNames: List<String>, 
                         name,
                     )
                 }
-                val odd = titles[index].find { !it.isLetterOrDigit() && it !in " _/" }
+                val odd = titles[index].find { !isLetterOrDigit(it) && it !in " _/" }
                 if (odd != null) {
                     problems.add(
                         ProblemKind.UNUSUAL_NAME,

@@ -1,6 +1,7 @@
 package badlog.json
 
 import badlog.number.DecimalReader
+import badlog.text.isLetterOrDigit
 
 /**
  * A value of a JSON text.
@@ -127,7 +128,7 @@ public class JsonReader private constructor(private val text: String) {
     /** `true`, `false`, `null` or a number. */
     private fun word(): String {
         val start = at
-        while (at < text.length && (text[at].isLetterOrDigit() || text[at] in "+-.")) at++
+        while (at < text.length && (isLetterOrDigit(text[at]) || text[at] in "+-.")) at++
         val word = text.substring(start, at)
         if (word != "true" && word != "false" && word != "null" && !isNumber(word)) throw Malformed()
         return word

@@ -84,7 +84,7 @@ internal class Evaluation(private val signals: Signals, nodes: Int) {
 
         is Node.Binary -> computeBinary(node)
 
-        is Node.Call -> node.function.compute.of(Arguments(node.arguments, argumentsOf(node), range))
+        is Node.Call -> node.function.compute(Arguments(node.arguments, argumentsOf(node), range))
     }
 
     private fun argumentsOf(call: Node.Call): List<Value> {

@@ -1,5 +1,7 @@
 package badlog.wpilog
 
+import badlog.text.isLetterOrDigit
+
 /** The structs whose schemas a file has brought so far. */
 internal class StructSchemas {
     private val fields = HashMap<String, List<StructField>>()
@@ -129,7 +131,7 @@ internal class SchemaReader private constructor(private val text: String) {
     private fun word(): String {
         peek()
         val start = at
-        while (at < text.length && (text[at].isLetterOrDigit() || text[at] == '_')) at++
+        while (at < text.length && (isLetterOrDigit(text[at]) || text[at] == '_')) at++
         if (at == start || text[start] in '0'..'9') throw Malformed()
         return text.substring(start, at)
     }

@@ -1,5 +1,7 @@
 package badlog.expression.samples
 
+import badlog.text.isLetterOrDigit
+
 /** 1 where the text of [column] is one that [holds], 0 where it is another, a gap where there is none. */
 internal fun whereText(column: Column, holds: (String) -> Boolean): Column {
     val results = DoubleArray(column.texts!!.size) { if (holds(column.texts[it])) 1.0 else 0.0 }
@@ -56,9 +58,9 @@ private fun numberIn(text: String, mark: String): Double {
     if (found < 0) return Double.NaN
     for (from in found + mark.length until text.length) {
         // Digits within a word, as in CAN1, are part of its name.
-        val isWithinWord = from > 0 && (text[from - 1].isLetterOrDigit() || text[from - 1] == '_')
+        val isWithinWord = from > 0 && (isLetterOrDigit(text[from - 1]) || text[from - 1] == '_')
         if (text[from] !in DIGITS || isWithinWord) continue
-        val isNegative = from > 0 && text[from - 1] == '-' && (from < 2 || !text[from - 2].isLetterOrDigit())
+        val isNegative = from > 0 && text[from - 1] == '-' && (from < 2 || !isLetterOrDigit(text[from - 2]))
         var until = from
         while (until < text.length && (text[until] in DIGITS || (text[until] == '.' && text.getOrNull(until + 1) in DIGITS))) until++
         val number = text.substring(from, until).toDoubleOrNull() ?: continue

@@ -1,5 +1,7 @@
 package badlog.expression.signals
 
+import badlog.text.isLetterOrDigit
+
 /**
  * The names that expressions over one recording may use. Equal ones have equal signals in the same order, so that an expression
  * parsed for one recording serves all recordings with an equal vocabulary.
@@ -115,7 +117,7 @@ internal const val MAX_EXPRESSION_LENGTH = 4000
 internal fun isWordEnd(text: String, at: Int): Boolean =
     at >= text.length || at == 0 || !isWordCharacter(text[at]) || !isWordCharacter(text[at - 1])
 
-internal fun isWordCharacter(character: Char): Boolean = character.isLetterOrDigit() || character == '_'
+internal fun isWordCharacter(character: Char): Boolean = isLetterOrDigit(character) || character == '_'
 
 // Character by character, so that the length stays.
 private fun folded(text: String): String {

@@ -93,7 +93,7 @@ internal enum class Function(
     val needsLasting: Boolean = needsSteps,
     val timing: Timing = Timing.AS_OPERANDS,
     val unit: UnitOfResult = UnitOfResult.UNKNOWN,
-    val compute: Computation,
+    val compute: (Arguments) -> Value,
 ) {
     MIN("min", listOf(VARYING_NUMBERS), Result.NUMBER, unit = UnitOfResult.AS_FIRST, compute = { it.column(0).minimum() }),
     MAX("max", listOf(VARYING_NUMBERS), Result.NUMBER, unit = UnitOfResult.AS_FIRST, compute = { it.column(0).maximum() }),
@@ -282,11 +282,6 @@ internal enum class Function(
     CEIL("ceil", listOf(NUMBERS), Result.ELEMENTWISE, unit = UnitOfResult.AS_FIRST, compute = { it.elementwise { x, _ -> ceil(x) } }),
     ROUND("round", listOf(NUMBERS), Result.ELEMENTWISE, unit = UnitOfResult.AS_FIRST, compute = { it.elementwise { x, _ -> round(x) } }),
     ;
-
-    /** Computes the result of one call. */
-    fun interface Computation {
-        fun of(arguments: Arguments): Value
-    }
 
     /** Whether what a function gives over time is there at moments only. */
     enum class Timing { AS_OPERANDS, AT_MOMENTS, LASTING }

@@ -1,6 +1,8 @@
 package badlog.expression.syntax
 
 import badlog.analysis.Units
+import badlog.text.isLetter
+import badlog.text.isLetterOrDigit
 import kotlin.math.abs
 import kotlin.math.round
 
@@ -31,9 +33,9 @@ internal class Measure(val dimension: String, val size: Double, val axisPower: I
         /** The longest unit that begins at [from] in [text] and ends there as a word does; empty without one. */
         fun longestAt(text: String, from: Int): String {
             var until = from
-            while (until < text.length && until - from < MAX_LENGTH && (text[until].isLetter() || text[until] in OF_UNITS)) until++
+            while (until < text.length && until - from < MAX_LENGTH && (isLetter(text[until]) || text[until] in OF_UNITS)) until++
             while (until > from) {
-                val isEnd = until == text.length || !(text[until].isLetterOrDigit() || text[until] == '_') || text[until - 1] == '²'
+                val isEnd = until == text.length || !(isLetterOrDigit(text[until]) || text[until] == '_') || text[until - 1] == '²'
                 if (isEnd && of(text.substring(from, until)) != null) return text.substring(from, until)
                 until--
             }

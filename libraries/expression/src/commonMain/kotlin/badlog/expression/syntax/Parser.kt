@@ -3,6 +3,7 @@ package badlog.expression.syntax
 import badlog.expression.signals.MAX_EXPRESSION_LENGTH
 import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Vocabulary
+import badlog.text.isLetter
 
 /**
  * Reads an expression by the precedence of its operators (Pratt 1973). Written by hand, since what is a name depends on the
@@ -67,7 +68,7 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
 
     /** What is written as a path, as `Arm/Angle`, is not divided when it is no topic's name. */
     private fun requireNoPath(slash: Int) {
-        val isPath = plainNameUntil == slash && slash + 1 < text.length && (text[slash + 1].isLetter() || text[slash + 1] == '_')
+        val isPath = plainNameUntil == slash && slash + 1 < text.length && (isLetter(text[slash + 1]) || text[slash + 1] == '_')
         if (isPath && !names.isCallAt(slash + 1)) names.failPath(plainNameFrom)
     }
 

@@ -2,6 +2,7 @@ package badlog.plot.formula
 
 import badlog.expression.signals.Vocabulary
 import badlog.plot.search.Query
+import badlog.text.isLetterOrDigit
 
 /**
  * The names that may be meant where a person types a definition.
@@ -44,7 +45,7 @@ public class Suggestions(public val from: Int, public val until: Int, public val
 
         private fun endsWith(typed: String, until: Int, word: String): Boolean {
             val from = until - word.length
-            return from >= 0 && typed.startsWith(word, from) && (from == 0 || !typed[from - 1].isLetterOrDigit())
+            return from >= 0 && typed.startsWith(word, from) && (from == 0 || !isLetterOrDigit(typed[from - 1]))
         }
 
         private const val OPERATORS = "+*(),<>=!&|^%\n"

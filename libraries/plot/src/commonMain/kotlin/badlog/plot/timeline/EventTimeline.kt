@@ -5,6 +5,7 @@ import badlog.analysis.EventLog
 import badlog.analysis.Series
 import badlog.analysis.stableOrder
 import badlog.plot.search.Query
+import badlog.text.isLetterOrDigit
 import kotlin.math.abs
 
 /**
@@ -115,7 +116,7 @@ public class EventTimeline private constructor(
 /** Whether [text] calls itself an error or a warning, as logs write it: `ERROR: brownout`, `[warning] …`. */
 private fun isSerious(text: String): Boolean {
     var start = 0
-    while (start < text.length && !text[start].isLetterOrDigit() && text[start] != '_') start++
+    while (start < text.length && !isLetterOrDigit(text[start]) && text[start] != '_') start++
     return SERIOUS.any { text.startsWith(it, start, ignoreCase = true) }
 }
 

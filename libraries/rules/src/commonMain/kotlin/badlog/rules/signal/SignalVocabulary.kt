@@ -53,9 +53,12 @@ internal class NamedUnit(val ending: String, val unit: String) {
         if (!end.endsWith(ending, ignoreCase = true)) return false
         val before = end.getOrNull(end.length - ending.length - 1) ?: return true
         // “Full Cycle MS” and “FullCycleMS” end in MS; “Items” does not.
-        return before in " _-/." || (end.endsWith(ending) && ending[0].isUpperCase() && !before.isUpperCase())
+        return before in " _-/." || (end.endsWith(ending) && isUpper(ending[0]) && !isUpper(before))
     }
 }
+
+// The standard library's own would carry tables of letters into every page.
+private fun isUpper(char: Char) = char.lowercaseChar() != char
 
 /**
  * A pattern for the topics of a signal.
