@@ -61,8 +61,7 @@ internal class FindingSpec : PageSpec({
             cursor() shouldBe (8.0 plusOrMinus 0.001)
             8.0 shouldBeIn visibleRange
             element(".finding[aria-current]").text shouldContain "Brownout"
-            act { moveToElement(elements(".finding")[2]) }
-            elements(".finding .event-zoom")[1].click()
+            elements(".finding .event-go")[1].click()
             settle()
             visibleRange.start shouldBeLessThan 5.0
             visibleRange.endInclusive shouldBeGreaterThan 6.5
@@ -110,6 +109,8 @@ internal class FindingSpec : PageSpec({
                 cursor()
             }
             times shouldBe listOf(2.0, 5.0, 8.0, 8.0, 5.0, 2.0, 2.0)
+            // All of it, to point between two of them.
+            press("0")
             graph("Angle").hover(0.4)
             press("n")
             cursor() shouldBe 5.0
@@ -140,7 +141,8 @@ internal class FindingSpec : PageSpec({
             element(".finding[aria-current]").text shouldContain "A"
             press("n")
             element(".finding[aria-current]").text shouldContain "B"
-            graph("Angle").hover(0.3)
+            press("0")
+            graph("Angle").hover(0.301)
             graph("Angle").label shouldBe "note · A: A (and 1 more)"
         }
     }
@@ -184,7 +186,7 @@ internal class FindingSpec : PageSpec({
         onPage(pageWith(listOf(-1e300, 1e300).map { finding("R", Severity.ERROR, "far", it, 1e301) })) {
             press("n")
             cursor() shouldBe 0.0
-            elements(".finding .event-zoom")[1].click()
+            elements(".finding .event-go")[1].click()
             settle()
             10.0 shouldBeIn visibleRange
         }

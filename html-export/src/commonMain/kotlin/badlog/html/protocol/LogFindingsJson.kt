@@ -47,6 +47,7 @@ internal fun findingJson(finding: Finding): String = jsonObject(
     "isOfHook" to finding.isOfHook.toString(),
     "evidence" to array(finding.evidence, ::quotedJson),
     "next" to finding.next.takeIf { it.isNotEmpty() }?.let(::quotedJson),
+    "texts" to finding.texts.takeIf { it.isNotEmpty() }?.let { array(it, ::quotedJson) },
 )
 
 internal fun findingOf(value: JsonValue): Finding {
@@ -67,5 +68,6 @@ internal fun findingOf(value: JsonValue): Finding {
         isOfHook = json["isOfHook"].boolean,
         evidence = json.list("evidence") { it.string },
         next = json.find("next")?.string.orEmpty(),
+        texts = if (json.find("texts") == null) emptyList() else json.list("texts") { it.string },
     )
 }

@@ -51,6 +51,7 @@ private val FINDINGS = arbitrary {
         isOfHook = Arb.boolean().bind(),
         evidence = Arb.list(TEXTS, 0..3).bind(),
         next = TEXTS.bind(),
+        texts = Arb.list(TEXTS, 0..3).bind(),
     )
 }
 
@@ -80,7 +81,7 @@ private val RULES = arbitrary {
 class ProtocolSpec : FunSpec({
     fun partsOf(finding: Finding) = finding.run {
         val at = if (time.isNaN()) null else time
-        listOf(rule, severity, topic, text, at, spans.map { it.from to it.to }, spanCount, timeUnit, isOfHook, evidence, next)
+        listOf(rule, severity, topic, text, at, spans.map { it.from to it.to }, spanCount, timeUnit, isOfHook, evidence, next, texts)
     }
 
     fun bitsOf(series: PageSeries) = listOf(series.data.x, series.data.y).map { numbers -> numbers.map { it.toBits() } }

@@ -47,7 +47,7 @@ internal class CursorOverlay(
         val findings = scene.findingsAt(x)
         if (findings.isEmpty()) return
         findingLabel.className = "finding-label is-${findings[0].word}"
-        show(findingLabel, findingText(findings), pixel, width)
+        show(findingLabel, findingText(findings, x), pixel, width)
     }
 
     private fun show(label: HTMLElement, text: String, pixel: Double, width: Int) {

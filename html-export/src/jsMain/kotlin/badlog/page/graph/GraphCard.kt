@@ -19,8 +19,9 @@ import org.w3c.dom.HTMLElement
  * before: derived ones are calculated when they are first looked at.
  *
  * @param origin what calculated it, where that was not the recording's own attributes; else empty.
+ * @param height how tall a graph of numbers is; null for as tall as others.
  */
-internal class GraphCard(val graph: Graph, private val scene: Scene, origin: String = "") {
+internal class GraphCard(val graph: Graph, private val scene: Scene, origin: String = "", private val height: Int? = null) {
     private val isShown = BooleanArray(graph.series.size) { true }
     private val legend = Legend(graph, isShown, ::redraw)
     private val statistics = StatisticsTable(graph, scene)
@@ -74,7 +75,7 @@ internal class GraphCard(val graph: Graph, private val scene: Scene, origin: Str
         val content = if (graph.showsStates) {
             LaneContent(graph, scene.palette, isShown, scene.range.full.to)
         } else {
-            LineContent(graph, scene.palette, isShown, scene.range.full.to)
+            LineContent(graph, scene.palette, isShown, scene.range.full.to, height)
         }
         content.limits.chosen = chosenY
         host.textContent = ""

@@ -17,13 +17,19 @@ import org.w3c.dom.CanvasRenderingContext2D
  *
  * @param isShown for each series whether its line is to be drawn; the legend changes it.
  * @param end until where the last value of a series holds, if its values do.
+ * @param height how tall it is; null for as tall as others.
  */
-internal class LineContent(private val graph: Graph, private val palette: Palette, private val isShown: BooleanArray, end: Double) :
-    PlotContent {
+internal class LineContent(
+    private val graph: Graph,
+    private val palette: Palette,
+    private val isShown: BooleanArray,
+    end: Double,
+    height: Int?,
+) : PlotContent {
     private val curves = graph.series.map { Curve(it.data, if (it.holds) end else null) }
     private val strokes = curves.map { Strokes() }
 
-    override val height: Int get() = HEIGHT
+    override val height: Int = height ?: HEIGHT
     override val limits: YLimits = YLimits()
     override val hasYAxis: Boolean get() = true
 

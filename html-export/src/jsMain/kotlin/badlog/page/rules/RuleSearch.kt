@@ -23,7 +23,7 @@ internal class RuleSearch(private val view: LogView, private val rules: RuleSet,
     /** One rule after the other on the page itself; a timer between two lets it draw and answer. */
     private fun runHere(onFindings: (LogFindings) -> Unit, onFailure: (String) -> Unit) {
         val asked = try {
-            RuleProgram(rules, LogShape.of(view)).run(view, file).iterator()
+            RuleProgram(rules, LogShape.of(view)).run(view, file, isEverywhere = true).iterator()
         } catch (problem: Throwable) {
             return onFailure(problem.message ?: problem.toString())
         }

@@ -75,7 +75,7 @@ internal object RulesWorker {
             try {
                 val rules = checkNotNull(RuleSet.fromJson(question.rules as String))
                 val view = LogView.of(RecordingMessage.read(question.recording))
-                page.postMessage(rules.over(view, question.file as String).toJson())
+                page.postMessage(rules.over(view, question.file as String, isEverywhere = true).toJson())
             } catch (problem: Throwable) {
                 page.postMessage(json("failure" to (problem.message ?: problem.toString())))
             }

@@ -1,6 +1,5 @@
 package badlog.page.section
 
-import badlog.analysis.Span
 import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.element
@@ -13,6 +12,7 @@ import badlog.page.view.word
 import badlog.plot.search.Query
 import badlog.plot.text.countText
 import badlog.plot.text.decimalsFor
+import badlog.plot.timeline.FindingPlace
 import badlog.recording.Severity
 import badlog.rules.Finding
 import badlog.rules.SkippedRule
@@ -21,12 +21,12 @@ import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
 /**
- * What was found in the recording: incidents, then all findings, the worst first: a few at once, all when asked for. A finding takes the cursor to its time.
- * Hidden while there is nothing to show.
+ * What was found in the recording: incidents, then all findings, the worst first: a few at once, all when asked for. A finding takes the
+ * cursor to its time, and shows what is around it. Hidden while there is nothing to show.
  *
- * @param onJump is called when the cursor was taken somewhere.
+ * @param onVisit is called when a person was taken to a place, perhaps as a part of an incident.
  */
-internal class FindingList(private val scene: Scene, private val onJump: () -> Unit) {
+internal class FindingList(private val scene: Scene, private val onVisit: (FindingPlace<Finding>, Incident?) -> Unit) {
     private var all = emptyList<Finding>()
     private var haystacks = emptyList<String>()
     private var incidents = emptyList<Incident>()
@@ -35,7 +35,7 @@ internal class FindingList(private val scene: Scene, private val onJump: () -> U
     private val rows = HashMap<Finding, HTMLElement>()
     private var found = all
     private var listed = 0
-    private var current: Finding? = null
+    private val current: Finding? get() = scene.visited?.finding
     private var isSearching = false
     private lateinit var count: HTMLElement
     private lateinit var incidentList: HTMLElement
@@ -110,7 +110,20 @@ internal class FindingList(private val scene: Scene, private val onJump: () -> U
 
     /** Goes to the next finding after the cursor, or the one before it when [steps] is negative. */
     fun step(steps: Int) {
-        scene.findings.beside(current, scene.cursor.x, steps)?.let { go(it.finding, it.span) }
+        scene.findings.beside(current, scene.cursor.x, steps)?.let { visit(it) }
+    }
+
+    /** Goes to the place of the same finding that is [steps] further on, or back where that is negative. */
+    fun stepWithin(steps: Int) {
+        val visited = scene.visited ?: return
+        val places = scene.findings.placesOf(visited.finding)
+        visit(places[(places.indexOfFirst { it.span == visited.span } + steps).coerceIn(places.indices)])
+    }
+
+    /** Goes to the worst finding that begins at [x], if there is one. */
+    fun visitAt(x: Double) {
+        val place = scene.findings.places.filter { it.span.from == x }.maxByOrNull { it.severity } ?: return
+        visit(place)
     }
 
     private fun addProblem(text: String, pointed: String = "") {
@@ -127,7 +140,7 @@ internal class FindingList(private val scene: Scene, private val onJump: () -> U
     private fun showIncidents() {
         incidentList.textContent = ""
         val shown = incidents.filter { it.isFoundBy(query) }
-        for (incident in shown) incidentList.appendChild(incidentRow(incident, decimals) { go(it, it.places[0]) })
+        for (incident in shown) incidentList.appendChild(incidentRow(incident, decimals) { visit(firstPlaceOf(it), incident) })
         incidentList.isHidden = shown.isEmpty()
     }
 
@@ -152,7 +165,7 @@ internal class FindingList(private val scene: Scene, private val onJump: () -> U
             listed = 0
         }
         for (finding in found.subList(listed, until)) {
-            val row = findingRow(finding, decimals, { go(it, it.places[0]) }, { zoom(it, it.places[0]) })
+            val row = findingRow(finding, decimals) { visit(firstPlaceOf(it)) }
             rows[finding] = row
             body.appendChild(row)
         }
@@ -168,24 +181,24 @@ internal class FindingList(private val scene: Scene, private val onJump: () -> U
         mark()
     }
 
-    private fun go(finding: Finding, place: Span) {
-        current = finding
-        scene.goTo(place.from)
-        mark()
-        onJump()
-    }
+    private fun firstPlaceOf(finding: Finding) = FindingPlace(finding, finding.severity, finding.places[0])
 
-    private fun zoom(finding: Finding, place: Span) {
-        current = finding
-        scene.zoomTo(place.from, place.to)
+    private fun visit(place: FindingPlace<Finding>, incident: Incident? = incidents.find { place.finding in it }) {
+        scene.visited = place
+        scene.zoomTo(place.span.from, place.span.to)
+        val index = found.indexOf(place.finding)
+        if (index >= listed) list(index + 1)
         mark()
-        onJump()
+        onVisit(place, incident)
     }
 
     private fun mark() {
         for ((finding, row) in rows) {
             if (finding == current) row.setAttribute("aria-current", "true") else row.removeAttribute("aria-current")
         }
+        val row = rows[current] ?: return
+        // Only the list: what is above and below it stays where it is.
+        if (list.classList.contains("is-long")) list.scrollTop = (row.offsetTop - list.offsetTop - list.clientHeight / 2).toDouble()
     }
 
     private companion object {

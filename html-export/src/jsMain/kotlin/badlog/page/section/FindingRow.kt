@@ -1,9 +1,7 @@
 package badlog.page.section
 
-import badlog.page.dom.Icon
 import badlog.page.dom.add
 import badlog.page.dom.addButton
-import badlog.page.dom.addIconButton
 import badlog.page.dom.element
 import badlog.page.view.end
 import badlog.page.view.isPlaced
@@ -16,25 +14,22 @@ import org.w3c.dom.HTMLElement
  * One finding as a row: its severity, its time with so many [decimals], what found it, and its text.
  *
  * @param go is called when a person wants to see the place.
- * @param zoom is called when a person wants to see nothing else.
  */
-internal fun findingRow(finding: Finding, decimals: Int, go: (Finding) -> Unit, zoom: (Finding) -> Unit): HTMLElement =
-    element("li", "finding") {
-        add("span", "severity is-${finding.word}", finding.word)
-        if (finding.isPlaced) {
-            addButton("event-go", timeText(finding, decimals), "Move the cursor here") { go(finding) }
-        } else {
-            add("span", "finding-whole", "whole log")
-        }
-        add("span", "finding-text") {
-            add("span", "finding-source", finding.rule)
-            add("span", "", finding.text)
-        }
-        if (finding.isPlaced) {
-            addIconButton("event-zoom", Icon.SEARCH, "Zoom in on this finding") { zoom(finding) }
-            addEventListener("click", { if (it.target.asDynamic().closest("button") == null) go(finding) })
-        }
+internal fun findingRow(finding: Finding, decimals: Int, go: (Finding) -> Unit): HTMLElement = element("li", "finding") {
+    add("span", "severity is-${finding.word}", finding.word)
+    if (finding.isPlaced) {
+        addButton("event-go", timeText(finding, decimals), "Show what is around it") { go(finding) }
+    } else {
+        add("span", "finding-whole", "whole log")
     }
+    add("span", "finding-text") {
+        add("span", "finding-source", finding.rule)
+        add("span", "", finding.text)
+    }
+    if (finding.isPlaced) {
+        addEventListener("click", { if (it.target.asDynamic().closest("button") == null) go(finding) })
+    }
+}
 
 private fun timeText(finding: Finding, decimals: Int): String {
     val start = fixedText(finding.time, decimals)

@@ -24,7 +24,7 @@ internal fun incidentRow(incident: Incident, decimals: Int, go: (Finding) -> Uni
             add("p") {
                 val finding = sentence.finding
                 if (finding.isPlaced) {
-                    addButton("event-go", fixedText(finding.time, decimals), "Move the cursor here") { go(finding) }
+                    addButton("event-go", fixedText(finding.time, decimals), "Show what is around it") { go(finding) }
                 } else {
                     add("span", "finding-whole", "whole log")
                 }

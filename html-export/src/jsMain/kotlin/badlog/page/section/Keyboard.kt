@@ -12,6 +12,7 @@ internal class Keyboard(
     private val scene: Scene,
     private val search: SearchBox,
     private val findings: FindingList,
+    private val evidence: EvidenceSection,
     private val formulas: FormulaDialog,
     private val help: HelpOverlay,
 ) {
@@ -58,6 +59,7 @@ internal class Keyboard(
 
     private fun escape() {
         search.clear()
+        evidence.close()
         scene.cursor.place(Double.NaN)
     }
 

@@ -18,6 +18,9 @@ import badlog.page.view.Hits
 import badlog.page.view.Scene
 import badlog.page.view.timelineOf
 import badlog.plot.search.Query
+import badlog.plot.timeline.FindingPlace
+import badlog.rules.Finding
+import badlog.rules.incident.Incident
 import badlog.rules.incident.incidentsIn
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
@@ -53,8 +56,12 @@ internal class LogPage(
     private val zoomBar = ZoomBar(scene, ways)
     private val help = HelpOverlay()
     private val graphs = VisibleGraphs(scene)
-    private val findings = FindingList(scene, ::showAnyGraph)
-    private val timeLink = TimeLink(scene, ::showAnyGraph)
+    private val findings = FindingList(scene, ::showEvidence)
+    private val evidence = EvidenceSection(scene, graphs, this.additions.rules.signals, findings::stepWithin)
+    private val timeLink = TimeLink(scene) { time ->
+        showAnyGraph()
+        findings.visitAt(time)
+    }
     private val nothingFound = element("p", "nothing-found", "Nothing matches. Escape clears the search.")
 
     private lateinit var content: HTMLElement
@@ -72,6 +79,7 @@ internal class LogPage(
         appendChild(ProblemStrip(view, additionProblems(formulas, additions)).element)
         appendChild(findings.element)
         appendChild(zoomBar.element)
+        appendChild(evidence.element)
         add("div", "columns") {
             appendChild(navigation.list)
             content = add("div", "content") {
@@ -86,7 +94,7 @@ internal class LogPage(
 
     init {
         nothingFound.isHidden = true
-        Keyboard(scene, search, findings, formulaDialog, help)
+        Keyboard(scene, search, findings, evidence, formulaDialog, help)
     }
 
     /** Draws the graphs, and goes to the time that the address names; to be called when [element] is on the page. */
@@ -103,6 +111,8 @@ internal class LogPage(
             onFindings = { found ->
                 scene.findings = timelineOf(found.findings + embeddedFindings)
                 findings.show(found.skipped, additions.rules.incidentsIn(found.findings))
+                // What the address names is known only now.
+                if (!scene.range.isZoomed) timeLink.follow()
                 // Into the graphs that are there: somebody may be dragging over one.
                 if (found.findings.isNotEmpty()) {
                     graphs.redraw()
@@ -144,6 +154,11 @@ internal class LogPage(
         formulas.remove(definition)
         name?.let(folders::remove)?.let(graphs::remove)
         navigation.list()
+    }
+
+    private fun showEvidence(place: FindingPlace<Finding>, incident: Incident?) {
+        evidence.show(place, incident)
+        if (!evidence.hasGraphs) showAnyGraph()
     }
 
     /** Scrolls to the first graph where none is on the screen, so that the cursor is seen. */

@@ -89,7 +89,7 @@ internal class Overview(private val scene: Scene) {
         val x = xAt(event)
         val going = drag
         if (going == null) {
-            element.title = findingText(scene.findings.at(x, full.width * REACH))
+            element.title = findingText(scene.findings.at(x, full.width * REACH), x)
             val grip = OverviewGrip.at(x, scene.range.viewport, full.width / element.clientWidth)
             element.style.cursor = CURSORS[grip.ordinal]
         } else {

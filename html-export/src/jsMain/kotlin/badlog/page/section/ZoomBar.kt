@@ -11,6 +11,7 @@ import badlog.page.dom.showText
 import badlog.page.view.Frame
 import badlog.page.view.Scene
 import badlog.page.view.shortFindingText
+import badlog.page.view.textNear
 import badlog.page.view.word
 import org.w3c.dom.HTMLElement
 
@@ -83,8 +84,8 @@ internal class ZoomBar(private val scene: Scene, ways: List<HTMLElement>) {
         event.className = "event-readout" + if (findings.isEmpty()) "" else " is-${findings[0].word}"
         if (findings.isNotEmpty()) {
             event.isHidden = false
-            event.showText(shortFindingText(findings))
-            event.title = findings.joinToString("\n") { "${it.word} · ${it.rule}: ${it.text}" }
+            event.showText(shortFindingText(findings, x))
+            event.title = findings.joinToString("\n") { "${it.word} · ${it.rule}: ${it.textNear(x)}" }
             return
         }
         val last = scene.lastEventAt(x) ?: return

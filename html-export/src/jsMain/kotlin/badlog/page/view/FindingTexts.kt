@@ -16,14 +16,17 @@ internal val Finding.end: Double get() = maxOf(time, spans.firstOrNull()?.to ?: 
 /** Its severity as a word, which is also the name of its style. */
 internal val Finding.word: String get() = severity.name.lowercase()
 
-/** The first of [findings] with its severity, and how many more there are. */
-internal fun findingText(findings: List<Finding>): String {
+/** What of this was found at the place nearest to [x]. */
+internal fun Finding.textNear(x: Double): String = placeNear(x)?.let(::textAt) ?: text
+
+/** The first of [findings] with its severity and what was found near [x], and how many more there are. */
+internal fun findingText(findings: List<Finding>, x: Double): String {
     val first = findings.firstOrNull() ?: return ""
-    return "${first.word} · ${shortFindingText(findings)}"
+    return "${first.word} · ${shortFindingText(findings, x)}"
 }
 
 /** The same without the severity. */
-internal fun shortFindingText(findings: List<Finding>): String {
+internal fun shortFindingText(findings: List<Finding>, x: Double): String {
     val others = if (findings.size > 1) " (and ${countText(findings.size - 1)} more)" else ""
-    return "${findings[0].rule}: ${findings[0].text}$others"
+    return "${findings[0].rule}: ${findings[0].textNear(x)}$others"
 }

@@ -9,6 +9,7 @@ import badlog.plot.range.Viewport
 import badlog.plot.text.placeText
 import badlog.plot.text.withUnit
 import badlog.plot.timeline.EventTimeline
+import badlog.plot.timeline.FindingPlace
 import badlog.plot.timeline.FindingTimeline
 import badlog.rules.Finding
 
@@ -19,6 +20,9 @@ internal class Scene(val view: LogView, val palette: Palette) {
 
     /** What was found so far. Whoever changes it draws again. */
     var findings: FindingTimeline<Finding> = timelineOf(emptyList())
+
+    /** Where a person went last to look at a finding; null before. */
+    var visited: FindingPlace<Finding>? = null
     val range: VisibleRange = VisibleRange(Viewport.of(xAxis.range))
     val cursor: Cursor = Cursor(xAxis.clocks)
 
@@ -31,8 +35,12 @@ internal class Scene(val view: LogView, val palette: Palette) {
     /** The last event at or before [x], as exactly as a pixel is; null before the first. */
     fun lastEventAt(x: Double): Event? = events.lastBefore(x + range.now.width * ONE_PIXEL)
 
-    /** The findings that are pointed at when the cursor is at [x], the worst first. */
-    fun findingsAt(x: Double): List<Finding> = findings.at(x, range.now.width * REACH)
+    /** The findings that are pointed at when the cursor is at [x]: the one that it was taken to, then the worst first. */
+    fun findingsAt(x: Double): List<Finding> {
+        val all = findings.at(x, range.now.width * REACH)
+        val here = visited?.takeIf { it.span.from == x }?.finding ?: return all
+        return listOf(here) + (all - here)
+    }
 
     /** The same without those that began before the last event at or before [x]: that is the news then. */
     fun newsAt(x: Double): List<Finding> {

@@ -26,7 +26,14 @@ public class Answer internal constructor(
     public val timeUnit: String,
     public val reason: String? = null,
     public val occurrences: List<Occurrence> = emptyList(),
+    private val firstOver: (List<Span>) -> List<Quantity?> = { spans -> spans.map { null } },
 ) {
+    /**
+     * The first of [quantities] as it was over each of [some] of the [spans] alone, in their order; null where it is not of a condition
+     * over time, and where it has no sample there.
+     */
+    public fun firstQuantityOver(some: List<Span>): List<Quantity?> = firstOver(some)
+
     /** Whether the expression holds. */
     public val matches: Boolean get() = outcome == Outcome.HOLDS
 

@@ -24,6 +24,9 @@ internal class Answering(private val text: String, private val root: Node, priva
     private val evaluation = Evaluation(signals, root.id + 1)
     private val quantities = ArrayList<Quantity>()
     private val whenTrue = ArrayList<Spans>()
+
+    // What the first quantity was found in, and how, to find it again over a part of that.
+    private var first: SpannedQuantity? = null
     private val whyUnknown = whyUnknown(root)
 
     fun answer(): Answer {
@@ -53,8 +56,15 @@ internal class Answering(private val text: String, private val root: Node, priva
         else -> Outcome.UNKNOWN
     }
 
-    private fun answer(outcome: Outcome, spans: Spans?) =
-        Answer(outcome, spans.orEmpty(), spans?.times ?: 0, quantities, shownUnit(signals.timeUnit), whyUnknown.takeIf { isOpen(outcome) })
+    private fun answer(outcome: Outcome, spans: Spans?) = Answer(
+        outcome,
+        spans.orEmpty(),
+        spans?.times ?: 0,
+        quantities,
+        shownUnit(signals.timeUnit),
+        whyUnknown.takeIf { isOpen(outcome) },
+        firstOver = { some -> first?.over(some) ?: some.map { null } },
+    )
 
     private fun isOpen(outcome: Outcome) =
         outcome == Outcome.UNKNOWN || (outcome == Outcome.NO_QUESTION && quantities.all { it.value.isNaN() })
@@ -129,7 +139,9 @@ internal class Answering(private val text: String, private val root: Node, priva
                 false -> inside.maximum()
                 null -> inside.first()
             }
-            if (!found.value.isNaN()) addQuantity(side, found)
+            if (found.value.isNaN()) return
+            addQuantity(side, found)
+            if (quantities.size == 1) first = SpannedQuantity(quantities[0], inside, smallest)
         }
     }
 

@@ -44,12 +44,13 @@ public class SkippedRule(
 /**
  * Runs these rules over [view], which was read from a file called [file].
  *
+ * @param isEverywhere whether findings have all their spans, with a text for each, as for somebody who looks at them one by one.
  * @param beforeEach is called before each rule; what it throws stops the run and is passed on.
  */
-public fun RuleSet.over(view: LogView, file: String, beforeEach: () -> Unit = {}): LogFindings {
+public fun RuleSet.over(view: LogView, file: String, isEverywhere: Boolean = false, beforeEach: () -> Unit = {}): LogFindings {
     var found = LogFindings(emptyList(), emptyList())
     beforeEach()
-    for (asked in RuleProgram(this, LogShape.of(view)).run(view, file)) {
+    for (asked in RuleProgram(this, LogShape.of(view)).run(view, file, isEverywhere)) {
         found += asked
         beforeEach()
     }

@@ -107,10 +107,12 @@ public class RuleProgram(private val rules: RuleSet, private val shape: LogShape
     /**
      * Asks the rules of [view], which was read from a file called [file] and is of the program's shape: each when its turn
      * comes in the sequence, which may be gone through once. Those for other types of match are left out.
+     *
+     * @param isEverywhere whether findings have all their spans, with a text for each, as for somebody who looks at them one by one.
      */
-    public fun run(view: LogView, file: String): Sequence<AskedRule> {
+    public fun run(view: LogView, file: String, isEverywhere: Boolean = false): Sequence<AskedRule> {
         val match = rules.signals.matchOf(view.recording)
-        val run = RuleRun(view.identified(match.title, signals.modes), file)
+        val run = RuleRun(view.identified(match.title, signals.modes), file, isEverywhere)
         val type = match.type
         return steps.asSequence().filter { it.rule.isFor(type) }.map(run::ask)
     }

@@ -6,13 +6,13 @@ import badlog.expression.Answer
 import badlog.expression.LogViewSignals
 import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Signals
-import kotlin.math.floor
-import kotlin.math.log10
-import kotlin.math.pow
-import kotlin.math.round
 
-/** The rules of a program on their way over [view], which was read from a file called [file]. */
-internal class RuleRun(view: LogView, private val file: String) {
+/**
+ * The rules of a program on their way over [view], which was read from a file called [file].
+ *
+ * @param isEverywhere whether findings are to have all their spans, with a text for each.
+ */
+internal class RuleRun(view: LogView, private val file: String, private val isEverywhere: Boolean) {
     private val log = LogViewSignals(view)
     private val match = view.title ?: file
     private val samples = NamedSamples(log, view)
@@ -57,31 +57,34 @@ internal class RuleRun(view: LogView, private val file: String) {
         val spans = whole ?: found
         val at = if (found.isEmpty()) answer.time else found[0].from
         val time = if (at.isNaN() && spans.isNotEmpty()) spans[0].from else at
-        val text = rule.text.filled(
-            mapOf(
-                "value" to (answer.quantities.firstOrNull()?.text ?: texts?.at(at).orEmpty()),
-                "time" to timeText(time, answer.timeUnit),
-                "match" to match,
-                "file" to file,
-                "topic" to question.topic.orEmpty(),
-                "other" to question.other.orEmpty(),
-                "device" to question.device,
-                "count" to (if (whole == null) times else whole.size).toString(),
-                "duration" to timeText(roundedLength(spans.sumOf { it.width }), answer.timeUnit),
-            ),
-        )
+        val texted = TextedRule(rule, question, match, file, answer.timeUnit)
         return Finding(
             rule.name,
             rule.severity,
             question.topic,
-            text,
+            texted.text(
+                value = answer.quantities.firstOrNull()?.text ?: texts?.at(at).orEmpty(),
+                time = time,
+                count = if (whole == null) times else whole.size,
+                length = spans.sumOf { it.width },
+            ),
             at,
-            found.take(Finding.MAX_SPANS),
+            found.take(if (isEverywhere) Finding.MAX_PLACES else Finding.MAX_SPANS),
             times,
             answer.timeUnit,
             evidence = question.evidence,
             next = rule.next,
+            texts = if (isEverywhere && found.size > 1) textsOf(found.take(Finding.MAX_PLACES), answer, texts, texted) else emptyList(),
         )
+    }
+
+    private fun textsOf(spans: List<Span>, answer: Answer, texts: Texts?, texted: TextedRule): List<String> {
+        val all = answer.quantities.firstOrNull()?.text
+        val own = answer.firstQuantityOver(spans)
+        return spans.mapIndexed { i, span ->
+            val value = own[i]?.text ?: all ?: texts?.at(span.from).orEmpty()
+            texted.text(value, span.from, count = 1, span.width).replace(ONCE, "")
+        }
     }
 
     /** The texts of the first topic of [question] that has some, or null. */
@@ -106,6 +109,9 @@ internal class RuleRun(view: LogView, private val file: String) {
     }
 
     private companion object {
+        /** What texts say of something that was only once, which goes without saying of one of many. */
+        const val ONCE = " (1×)"
+
         /** So many different texts of a topic are listed for a rule. */
         const val MAX_TEXTS = 20
 
@@ -113,12 +119,3 @@ internal class RuleRun(view: LogView, private val file: String) {
         const val MAX_LETTERS = 300
     }
 }
-
-/** [length] with so many digits as a person wants to know of how long something was. */
-private fun roundedLength(length: Double): Double {
-    if (!(length > 0 && length.isFinite())) return length
-    val places = 10.0.pow(LENGTH_DIGITS - 1 - floor(log10(length)).toInt())
-    return round(length * places) / places
-}
-
-private const val LENGTH_DIGITS = 3

@@ -31,6 +31,23 @@ class LogFindingsSpec : FunSpec({
         rules.over(exact, "a.bag").findings.single().text shouldBe "3 s"
     }
 
+    test("of somebody who goes from one to the next, every place is kept, and each has its own figures") {
+        val rows = (0 until 800).joinToString("") { "$it,${if (it % 2 == 0) "12" else "${it % 7}.5"}\n" }
+        val many = LogView.of(BagParser().apply { accept("$header\nTime,Battery Voltage\n$rows".encodeToByteArray()) }.finish())
+        val rule = "[[rule]]\nname = \"A\"\nseverity = \"note\"\nwhen = \"Battery Voltage < 7\"\ntext = \"{value} at {time} for {duration} ({count}×)\"\n"
+        val rules = RulesFile.parse(rule).rules
+        val all = rules.over(many, "a.bag", isEverywhere = true).findings.single()
+        all.text shouldBe "0.5 V at 1 s for 399 s (400×)"
+        all.spans.size shouldBe 400
+        all.texts.take(3) shouldBe listOf("1.5 V at 1 s for 1 s", "3.5 V at 3 s for 1 s", "5.5 V at 5 s for 1 s")
+        all.textAt(checkNotNull(all.placeNear(798.9))) shouldBe "1.5 V at 799 s for 0 s"
+        rules.over(many, "a.bag").findings.single().run {
+            spans.size shouldBe Finding.MAX_SPANS
+            texts shouldBe emptyList()
+            textAt(spans[5]) shouldBe all.text
+        }
+    }
+
     test("a rule that is wrong is reported as such, with its place") {
         val rules = RulesFile.parse("[[rule]]\nname = \"A\"\nseverity = \"note\"\nwhen = \"mean(Battery Voltage, 5) < 3\"\ntext = \"t\"\n").rules
         val skipped = rules.over(view, "test.bag").skipped.single()

@@ -22,6 +22,9 @@ public class FindingTimeline<F>(all: List<F>, private val severityOf: (F) -> Sev
     public val worstFirst: List<F> = all.map { it to (placesOf(it).firstOrNull()?.from ?: Double.NEGATIVE_INFINITY) }
         .sortedWith(compareBy({ -severityOf(it.first).ordinal }, { it.second })).map { it.first }
 
+    /** The places of [finding], in the order of x. */
+    public fun placesOf(finding: F): List<FindingPlace<F>> = places.filter { it.finding == finding }
+
     /** How many are of [severity]. */
     public fun count(severity: Severity): Int = worstFirst.count { severityOf(it) == severity }
 

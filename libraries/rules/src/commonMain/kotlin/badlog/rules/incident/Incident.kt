@@ -40,6 +40,12 @@ public class Incident internal constructor(
     /** What followed that [sentences] leave out. */
     public val others: List<Finding> get() = sentences.mapTo(HashSet()) { it.finding }.let { told -> effects.filter { it !in told } }
 
+    /** The full names of the topics that show what [sentences] say, in their order. */
+    public val evidence: List<String> get() = sentences.flatMap { it.finding.evidence }.distinct()
+
+    /** Whether [finding] is a part of it. */
+    public operator fun contains(finding: Finding): Boolean = finding in causes || finding in effects
+
     private fun after(effect: Finding): String {
         val later = effect.time - causes[0].time
         return if (later >= MIN_LATER) "${timeText(rounded(later), timeUnit)} later: " else ""

@@ -33,11 +33,14 @@ private fun togetherIn(findings: List<Finding>, cause: Cause): List<Finding> {
     return findings.filter { one -> findings.count { other -> other === one || overlap(one, other) } >= cause.together }
 }
 
-private fun overlap(one: Finding, other: Finding) = one.spans.any { span -> other.spans.any { it.from <= span.to && it.to >= span.from } }
+private fun overlap(one: Finding, other: Finding) = one.first.any { span -> other.first.any { it.from <= span.to && it.to >= span.from } }
+
+// However many spans were kept, the same log has the same incidents.
+private val Finding.first get() = spans.take(Finding.MAX_SPANS)
 
 /** Whether [effect] began while one of [causes] was there, or soon after. What is of the whole log is there at all times. */
 private fun follows(effect: Finding, causes: List<Finding>): Boolean = effect.spans.isEmpty() || causes.any { cause ->
-    cause.spans.isEmpty() || cause.spans.any { span -> effect.spans.any { begins(it, span) } }
+    cause.spans.isEmpty() || cause.first.any { span -> effect.first.any { begins(it, span) } }
 }
 
 private fun begins(effect: Span, cause: Span) = effect.from >= cause.from - EARLIEST && effect.from <= cause.to + LATEST

@@ -1,0 +1,117 @@
+package badlog.page.section
+
+import badlog.page.dom.Icon
+import badlog.page.dom.add
+import badlog.page.dom.addButton
+import badlog.page.dom.addIconButton
+import badlog.page.dom.bringIntoSight
+import badlog.page.dom.element
+import badlog.page.dom.isHidden
+import badlog.page.dom.showText
+import badlog.page.graph.GraphCard
+import badlog.page.graph.VisibleGraphs
+import badlog.page.view.Scene
+import badlog.page.view.graphOf
+import badlog.page.view.word
+import badlog.plot.board.Board
+import badlog.plot.board.evidenceBoard
+import badlog.plot.board.evidenceOffers
+import badlog.plot.board.with
+import badlog.plot.text.countText
+import badlog.plot.timeline.FindingPlace
+import badlog.rules.Finding
+import badlog.rules.incident.Incident
+import badlog.rules.signal.SignalVocabulary
+import org.w3c.dom.HTMLElement
+
+/**
+ * One place of a finding: what was found there, what to look at next, and the graphs that show it, together on a screen. Hidden until
+ * a person goes to one.
+ *
+ * @param onStep is called when a person wants to see another place of the same finding, so many further on.
+ */
+internal class EvidenceSection(
+    private val scene: Scene,
+    private val graphs: VisibleGraphs,
+    private val signals: SignalVocabulary,
+    private val onStep: (Int) -> Unit,
+) {
+    private var board = Board()
+    private val cards = ArrayList<GraphCard>()
+    private lateinit var severity: HTMLElement
+    private lateinit var heading: HTMLElement
+    private lateinit var steps: HTMLElement
+    private lateinit var number: HTMLElement
+    private lateinit var text: HTMLElement
+    private lateinit var next: HTMLElement
+    private lateinit var body: HTMLElement
+    private lateinit var offers: HTMLElement
+
+    val element: HTMLElement = element("section", "evidence card") {
+        id = "evidence"
+        setAttribute("aria-label", "Evidence")
+        add("header", "graph-head") {
+            severity = add("span")
+            heading = add("h2", "findings-title")
+            steps = add("span", "evidence-steps") {
+                addIconButton("", Icon.BACK, "The one before") { onStep(-1) }
+                number = add("span", "unit") { setAttribute("role", "status") }
+                addIconButton("evidence-next", Icon.BACK, "The next one") { onStep(1) }
+            }
+            add("div", "graph-tools") { addIconButton("", Icon.CLOSE, "Close the evidence (Escape)") { close() }.id = "close-evidence" }
+        }
+        text = add("p", "evidence-text")
+        next = add("p", "evidence-text incident-next")
+        body = add("div", "folder-body")
+        offers = add("div", "evidence-offers")
+        isHidden = true
+    }
+
+    /** Whether it shows a graph. */
+    val hasGraphs: Boolean get() = cards.isNotEmpty()
+
+    /** Shows what was found at [place], and of [incident], where it is a part of one, all that shows it. */
+    fun show(place: FindingPlace<Finding>, incident: Incident?) {
+        val finding = place.finding
+        val places = scene.findings.placesOf(finding)
+        severity.className = "severity is-${finding.word}"
+        severity.showText(finding.word)
+        heading.showText(finding.rule)
+        steps.isHidden = places.size < 2
+        number.showText("${countText(places.indexOfFirst { it.span == place.span } + 1)} of ${countText(finding.spanCount)}")
+        text.showText(finding.textAt(place.span))
+        val advice = incident?.next.orEmpty().ifEmpty { finding.next }
+        next.isHidden = advice.isEmpty()
+        next.showText("Next: $advice")
+        element.isHidden = false
+        draw(evidenceBoard(scene.view, finding.evidence + incident?.evidence.orEmpty()))
+        element.bringIntoSight()
+    }
+
+    /** Takes it off the page. */
+    fun close() {
+        draw(Board())
+        element.isHidden = true
+    }
+
+    private fun draw(wanted: Board) {
+        if (!wanted.showsSame(board)) {
+            board = wanted
+            for (card in cards) {
+                graphs.remove(card)
+                card.element.remove()
+            }
+            cards.clear()
+            for (spec in board.graphs) {
+                val card = GraphCard(graphOf(spec, scene.view), scene, height = spec.height)
+                body.appendChild(card.element)
+                graphs.add(card)
+                cards += card
+            }
+        }
+        offers.textContent = ""
+        for (offer in evidenceOffers(scene.view, signals, board)) {
+            offers.addButton("text-button", "+ ${offer.label}", offer.topics.joinToString()) { draw(board.with(offer, scene.view)) }
+        }
+    }
+}

@@ -1,0 +1,48 @@
+package badlog.expression
+
+import badlog.analysis.Span
+import badlog.expression.samples.Column
+
+/**
+ * A [quantity] that was found in [samples] over time, to be found again in parts of them.
+ *
+ * @param smallest whether the smallest sample tells most, or the largest; null for the first.
+ */
+internal class SpannedQuantity(private val quantity: Quantity, private val samples: Column, private val smallest: Boolean?) {
+    /** What tells most of each of [spans]; null for those without a sample, and for all when they are not in the order of time. */
+    fun over(spans: List<Span>): List<Quantity?> {
+        val best = IntArray(spans.size) { NONE }
+        if (spans.zipWithNext().all { (one, next) -> one.to <= next.from }) {
+            for (sample in 0 until samples.size) {
+                val value = samples.y[sample]
+                if (value.isNaN()) continue
+                val place = placeOf(samples.time(sample), spans)
+                if (place != NONE && (best[place] == NONE || tellsMore(value, samples.y[best[place]]))) best[place] = sample
+            }
+        }
+        return best.map { if (it == NONE) null else quantity.copy(value = samples.y[it], time = samples.time(it)) }
+    }
+
+    private fun tellsMore(value: Double, other: Double) = when (smallest) {
+        true -> value < other
+        false -> value > other
+        null -> false
+    }
+
+    private fun placeOf(time: Double, spans: List<Span>): Int {
+        val place = spans.binarySearch {
+            if (time < it.from) {
+                1
+            } else if (time > it.to) {
+                -1
+            } else {
+                0
+            }
+        }
+        return if (place < 0) NONE else place
+    }
+
+    private companion object {
+        const val NONE = -1
+    }
+}

@@ -1,0 +1,38 @@
+package badlog.plot.board
+
+import badlog.analysis.GraphSeries
+import badlog.analysis.LogView
+import badlog.analysis.Units
+import badlog.recording.PathName
+import badlog.recording.TopicKind
+
+/**
+ * The graphs that show together what the topics called [evidence] were, low enough for one screen: numbers of one unit share a graph,
+ * then the states share one. Names that [view] lacks, topics without samples and texts, which are marks in every graph, are left out.
+ */
+public fun evidenceBoard(view: LogView, evidence: List<String>): Board {
+    val topics = view.recording.topics.associateBy { it.name }
+    val lines = evidence.distinct().mapNotNull(topics::get)
+        .filter { it.kind != TopicKind.EMPTY && it.kind != TopicKind.EVENT && "log" !in it.attributes }.map(view::seriesOf)
+    val (states, numbers) = lines.partition { it.states != null }
+    val groups = numbers.groupBy { if (Units.isNone(it.unit)) "" else it.unit }.values.map { it.take(MAX_LINES) }
+    val lanes = listOf(states.take(MAX_LANES)).filter { it.isNotEmpty() }
+    val shown = groups.take(MAX_GRAPHS - lanes.size) + lanes
+    return Board(shown.mapIndexed { i, group -> BoardGraph(i + 1, titleOf(group), group.map { it.topic.name }, height = HEIGHT) })
+}
+
+/** The name of a line alone, the folder of several, or the names of the first ones. */
+private fun titleOf(lines: List<GraphSeries>): String {
+    val names = lines.map { it.topic.name }
+    if (names.size == 1) return names[0]
+    val folder = names.map(PathName::folderOf).distinct().singleOrNull().orEmpty()
+    val listed = names.take(MAX_NAMES).joinToString { if (folder.isEmpty()) PathName.baseNameOf(it) else it.removePrefix("$folder/") }
+    val title = if (names.size > MAX_NAMES) "$listed…" else listed
+    return if (folder.isEmpty()) title else "$folder: $title"
+}
+
+private const val HEIGHT = 110
+private const val MAX_GRAPHS = 4
+private const val MAX_LINES = 4
+private const val MAX_LANES = 6
+private const val MAX_NAMES = 2

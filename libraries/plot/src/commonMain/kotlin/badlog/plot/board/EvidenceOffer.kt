@@ -1,0 +1,36 @@
+package badlog.plot.board
+
+import badlog.analysis.LogView
+import badlog.rules.LogShape
+import badlog.rules.signal.SignalVocabulary
+
+/**
+ * Graphs that somebody who looks into a finding may want beside its evidence.
+ *
+ * @property label what they show, as in “+ Current”.
+ * @property topics the full names of the topics.
+ */
+public class EvidenceOffer(public val label: String, public val topics: List<String>)
+
+/** What [view] has, by the signals of [vocabulary], that [board] does not show yet. */
+public fun evidenceOffers(view: LogView, vocabulary: SignalVocabulary, board: Board): List<EvidenceOffer> {
+    val topics = LogShape.of(view).topicsOf(vocabulary).all
+    val shown = board.placesOfLines().keys
+    return OFFERED.mapNotNull { (label, signals) ->
+        val names = signals.flatMap { signal -> topics.filter { it.signal == signal } }.map { it.topic }.distinct()
+        if (names.isEmpty() || names.any { it in shown }) null else EvidenceOffer(label, names)
+    }
+}
+
+/** This board with graphs of [offer] below its own. */
+public fun Board.with(offer: EvidenceOffer, view: LogView): Board = evidenceBoard(view, offer.topics).graphs.fold(this) { board, graph ->
+    Board(board.graphs + graph.copy(id = (board.graphs.maxOfOrNull { it.id } ?: 0) + 1))
+}
+
+private val OFFERED = listOf(
+    "Voltage" to listOf("battery"),
+    "Current" to listOf("total current", "channel current"),
+    "Outputs" to listOf("motor output", "motor voltage"),
+    "Modes" to listOf("robot enabled", "robot autonomous", "robot teleop"),
+    "Loop time" to listOf("loop time"),
+)

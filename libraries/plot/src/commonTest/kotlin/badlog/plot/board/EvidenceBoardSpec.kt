@@ -1,0 +1,41 @@
+package badlog.plot.board
+
+import badlog.analysis.LogView
+import badlog.plot.bagView
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.ints.shouldBeLessThan
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldEndWith
+
+class EvidenceBoardSpec : FunSpec({
+    fun linesOf(view: LogView, vararg names: String) = evidenceBoard(view, names.toList()).graphs.map { it.lines }
+
+    val view = bagView(
+        listOf("Time|xaxis", "A/Voltage", "B/Voltage", "Mode", "On", "Said|log", "Empty"),
+        listOf("0,12,11,auto,true,hello,", "1,11,10,teleop,false,,"),
+    )
+
+    test("numbers of one unit share a graph, states another below") {
+        linesOf(view, "Mode", "A/Voltage", "On", "B/Voltage") shouldBe listOf(listOf("A/Voltage", "B/Voltage"), listOf("Mode", "On"))
+    }
+
+    test("texts, what has no sample, what is named twice and what is not in the log are left out") {
+        linesOf(view, "Said", "Empty", "A/Voltage", "Nothing", "A/Voltage") shouldBe listOf(listOf("A/Voltage"))
+        evidenceBoard(view, listOf("Said")).graphs shouldBe emptyList()
+    }
+
+    test("however much shows it, it fits a screen") {
+        val names = (1..40).map { "Motors/Left $it" }
+        val many = bagView(names, listOf(names.joinToString(",") { "1" }))
+        evidenceBoard(many, names).graphs.single().run {
+            lines.size shouldBeLessThan 10
+            checkNotNull(height) shouldBeLessThan 150
+            title shouldBe "Motors: Left 1, Left 2…"
+        }
+    }
+
+    test("what shows several things is named by them, wherever they are") {
+        evidenceBoard(view, listOf("A/Voltage")).graphs.single().title shouldBe "A/Voltage"
+        evidenceBoard(view, listOf("A/Voltage", "B/Voltage")).graphs.single().title shouldEndWith "Voltage, Voltage"
+    }
+})

@@ -1,0 +1,39 @@
+package badlog.rules
+
+import kotlin.math.floor
+import kotlin.math.log10
+import kotlin.math.pow
+import kotlin.math.round
+
+/** The text of [rule] about [question] in a log, which was read from [file] and is of [match]. */
+internal class TextedRule(
+    private val rule: Rule,
+    private val question: RuleProgram.Question,
+    private val match: String,
+    private val file: String,
+    private val timeUnit: String,
+) {
+    /** What was found: [value], at [time], [count] times, and over a [length] of time in all. */
+    fun text(value: String, time: Double, count: Int, length: Double): String = rule.text.filled(
+        mapOf(
+            "value" to value,
+            "time" to timeText(time, timeUnit),
+            "match" to match,
+            "file" to file,
+            "topic" to question.topic.orEmpty(),
+            "other" to question.other.orEmpty(),
+            "device" to question.device,
+            "count" to count.toString(),
+            "duration" to timeText(roundedLength(length), timeUnit),
+        ),
+    )
+}
+
+/** [length] with so many digits as a person wants to know of how long something was. */
+private fun roundedLength(length: Double): Double {
+    if (!(length > 0 && length.isFinite())) return length
+    val places = 10.0.pow(LENGTH_DIGITS - 1 - floor(log10(length)).toInt())
+    return round(length * places) / places
+}
+
+private const val LENGTH_DIGITS = 3
