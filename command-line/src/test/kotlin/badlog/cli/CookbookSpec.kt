@@ -2,12 +2,11 @@ package badlog.cli
 
 import badlog.cli.command.ExitCode
 import badlog.file.LogFile
+import badlog.python.TestPython
 import badlog.report.Find
 import badlog.report.Reply
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
-import io.kotest.core.test.Enabled
-import io.kotest.core.test.EnabledOrReasonIf
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.ints.shouldBeGreaterThanOrEqual
 import io.kotest.matchers.shouldBe
@@ -15,36 +14,21 @@ import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.double
 import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
-import java.io.IOException
 import java.nio.file.Path
 import kotlin.io.path.div
 import kotlin.io.path.exists
 import kotlin.math.abs
 
-/** The Python that CI has installed for these tests, or the system's; null where neither has pandas. */
-private val PYTHON = listOf("$ROOT/build/python/bin/python", "python3").firstOrNull(::hasPandas)
-
-private fun hasPandas(python: String): Boolean = try {
-    ProcessBuilder(python, "-c", "import pandas").redirectErrorStream(true).start().run {
-        inputStream.readAllBytes()
-        waitFor() == 0
-    }
-} catch (_: IOException) {
-    false
-}
-
-private val WITH_PANDAS: EnabledOrReasonIf = {
-    if (PYTHON != null) Enabled.enabled else Enabled.disabled("no Python with pandas here")
-}
+private val PYTHON = TestPython("pandas", "pandas")
 
 /** The questions of the cookbook that pandas answers, too. */
 class CookbookSpec : FunSpec({
     fun numberOf(question: String, log: Path): Double = (Find(question).over(listOf(LogFile.of(log))).single().reply as Reply.Answered).quantities.first().value
 
-    test("pandas gives the answers that the cookbook gives, of rows and of a log of changes").config(enabledOrReasonIf = WITH_PANDAS) {
+    test("pandas gives the answers that the cookbook gives, of rows and of a log of changes").config(enabledOrReasonIf = PYTHON.isHere) {
         val bag = SAMPLES / "qualification-42.bag"
         val script = ROOT / "command-line/src/test/python/cookbook.py"
-        val python = ProcessBuilder(PYTHON, script.toString(), bag.toString()).redirectError(ProcessBuilder.Redirect.INHERIT).start()
+        val python = PYTHON.running(script.toString(), bag.toString())
         val wanted = Json.parseToJsonElement(python.inputStream.readAllBytes().decodeToString()).jsonObject
         python.waitFor() shouldBe 0
         wanted.size shouldBeGreaterThanOrEqual 20

@@ -11,7 +11,6 @@ import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.jsonObject
 import java.io.ByteArrayOutputStream
-import java.io.IOException
 import java.io.PrintStream
 import java.nio.file.Files
 import java.nio.file.Path
@@ -42,13 +41,6 @@ internal val BAG: String = """
 
 /** The same bag after a loss of power in its last row. */
 internal val CUT_BAG: String = BAG.dropLast(9)
-
-/** Whether hooks in Python can run. */
-internal val HAS_PYTHON: Boolean = try {
-    ProcessBuilder("python3", "--version").start().waitFor() == 0
-} catch (_: IOException) {
-    false
-}
 
 /** What the program said and returned. */
 internal class Ended(val code: ExitCode, val out: String, val err: String) {

@@ -11,18 +11,18 @@ import badlog.recording.Topic
 public data class EnabledSpan(public val span: Span, public val isAutonomous: Boolean)
 
 /**
- * When the robot was enabled, in the order of x, as the [modes][LogView.modes] tell. The last value of a topic with times of its own
- * holds until the recording's end. Empty when no topic tells, and when x goes backwards.
+ * When the robot was enabled, in the order of x, as the [modes][LogView.modes] say. The last value of a topic with times of its own
+ * holds until the recording's end. Empty when no topic shows it, and when x goes backwards.
  */
 public fun LogView.enabledSpans(): List<EnabledSpan> {
     val alone = modes.autonomous?.let(::spansOf).orEmpty()
     return modes.enabled?.let(::spansOf).orEmpty().flatMap { split(it, alone) }
 }
 
-/** Whether the recording tells when the robot was enabled; where not, [enabledSpans] is empty and means nothing. */
+/** Whether the recording shows when the robot was enabled; where not, [enabledSpans] is empty and means nothing. */
 public val LogView.knowsEnabled: Boolean get() = modes.enabled?.let { topicOf(it) }?.let { seriesOf(it).data.isOrdered } ?: false
 
-/** Whether the recording tells [enabledSpans] under the robot's own control from those under a driver's. */
+/** Whether the recording shows which [enabledSpans] were under the robot's own control. */
 public val LogView.knowsAutonomous: Boolean get() = knowsEnabled && modes.autonomous?.let { topicOf(it) } != null
 
 /** The topics that [enabledSpans] looks at. */

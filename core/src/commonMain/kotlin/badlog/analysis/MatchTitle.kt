@@ -5,7 +5,7 @@ import badlog.recording.Value
 
 /**
  * What match a recording is of, from the values that teams log under these names: `OHCL Qualification 42`. Null when no
- * value tells.
+ * value says.
  */
 public fun matchTitle(values: List<Value>): String? =
     matchTitle(values.meant("event name", "event"), values.meant("match type"), values.meant("match number", "match"))

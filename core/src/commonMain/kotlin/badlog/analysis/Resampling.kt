@@ -45,7 +45,7 @@ private fun newXAxis(recording: Recording, unit: String, times: DoubleArray): To
     return Topic(name, unit, listOf("xaxis", "hide"), times, TextColumn.EMPTY, xCounts(times))
 }
 
-/** The topic [former] with its own numbers where they tell the [times] more exactly than these do. */
+/** The topic [former] with its own numbers where they have the [times] more exactly than these do. */
 private fun xAxisAgain(former: Topic, times: DoubleArray): Topic {
     val inSeconds = Units.microsIn(former.unit) / 1e6
     val x = DoubleArray(times.size) { row ->
@@ -160,7 +160,7 @@ private class LastValueSampler(private val topic: Topic, rows: Int) {
         return Topic(topic.name, topic.unit, attributes(), samples, texts, counts(rows.size))
     }
 
-    // What happened is told by few rows of many, which makes a state of it unless it says so.
+    // Few rows of many have what happened, which makes a state of it unless it says so.
     private fun attributes() = if (isEvent && "log" !in topic.attributes) topic.attributes + "log" else topic.attributes
 
     private fun counts(texts: Int): CellCounts {

@@ -139,7 +139,7 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
         forAll,
     )
 
-    /** Without a line of titles there are no rows, but the line of JSON may still tell which topics there were to be. */
+    /** Without a line of titles there are no rows, but the line of JSON may still have the topics that there were to be. */
     private fun columnsOfHeaderAlone(): HeaderColumns =
         HeaderColumns.match(header.header, header.header?.topics.orEmpty().map { it.name }, pending.line, problems)
 

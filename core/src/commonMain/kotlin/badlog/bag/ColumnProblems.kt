@@ -4,19 +4,14 @@ import badlog.recording.ProblemKind
 import badlog.recording.ProblemList
 import badlog.recording.Topic
 import badlog.recording.TopicKind
+import badlog.recording.addNotFinite
+import badlog.recording.addNotUtf8
 
 /** Reports what was odd about a whole column, once, when all of it was read. */
 internal fun reportColumn(column: ColumnBuilder, topic: Topic, problems: ProblemList) {
     val counts = topic.counts
     val name = topic.name
-    if (column.notUtf8Line > 0) {
-        problems.add(
-            ProblemKind.NOT_UTF8,
-            "Texts in “$name” are not UTF-8; they were read as Windows-1252.",
-            column.notUtf8Line,
-            name,
-        )
-    }
+    if (column.notUtf8Line > 0) problems.addNotUtf8(name, column.notUtf8Line)
     if (column.decimalCommas > 0) {
         problems.add(
             ProblemKind.DECIMAL_COMMA,
@@ -26,14 +21,7 @@ internal fun reportColumn(column: ColumnBuilder, topic: Topic, problems: Problem
             column.decimalCommas,
         )
     }
-    if (counts.notFinite > 0) {
-        problems.add(
-            ProblemKind.NOT_FINITE,
-            "${counts.notFinite} cells of “$name” are NaN or infinite; they are kept, and drawn as gaps.",
-            topic = name,
-            count = counts.notFinite,
-        )
-    }
+    problems.addNotFinite(topic, "cells")
     if (counts.truthValues > 0) {
         problems.add(
             ProblemKind.TRUTH_VALUES,

@@ -2,7 +2,7 @@ package badlog.bag
 
 import badlog.text.TAB
 
-/** What the first lines from the titles on look like; tells a damaged line of titles from an odd one by the rows that follow. */
+/** What the first lines from the titles on look like; the rows that follow show whether a line of titles is damaged or only odd. */
 internal class FirstLines(private val pending: PendingBytes, private val cellReader: CellReader) {
     /**
      * A line without its end.
@@ -19,7 +19,7 @@ internal class FirstLines(private val pending: PendingBytes, private val cellRea
 
     private val splitter = RowSplitter()
 
-    /** The titles, and as many lines after them as tell. */
+    /** The titles, and as many lines after them as are looked at. */
     val lines = ArrayList<Line>()
 
     /** How many cells most of the lines after the titles have; 0 where that is not clear. */
@@ -85,7 +85,7 @@ internal class FirstLines(private val pending: PendingBytes, private val cellRea
     fun rowsOf(width: Int): Int = lines.drop(1).count { it.cells == width }
 
     companion object {
-        /** So many rows tell. */
+        /** So many rows are looked at. */
         private const val ROWS = 20
         private const val MAX_BYTES = 1 shl 20
         private const val CLEARLY = 3

@@ -234,7 +234,7 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
 
     private fun titles(lineEnd: Int, names: List<String>): List<String> {
         sawOtherText = false
-        // The original does not quote names, so a name with a comma is told only by the line of JSON.
+        // The original does not quote names, so only the line of JSON shows that a name has a comma.
         if (names.size > 1 && decode(pending.start, lineEnd) == names.joinToString(",")) return names
         val splitter = RowSplitter()
         val count = splitter.split(pending.bytes, pending.start, lineEnd, RowSplitter.Quotes.STRICT)
@@ -275,7 +275,7 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
         /** Each column costs memory before it has a row. */
         private const val MAX_COLUMNS = 1 shl 16
 
-        /** So many rows of one width tell more than the titles. */
+        /** So many rows of one width count more than the titles. */
         private const val LEAST_ROWS = 3
     }
 }

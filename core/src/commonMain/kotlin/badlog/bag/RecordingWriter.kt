@@ -147,7 +147,7 @@ internal class TopicCells(private val topic: Topic) {
 
     private companion object {
         /**
-         * The samples do not tell an empty cell from one with `NaN`, but the counts do where there was but one of the two.
+         * An empty cell and one with `NaN` are the same sample; the counts show which it was where there was but one of the two.
          * Where there were both, empty ones are the better guess, unless the topic's kind would be another without `NaN`.
          */
         fun gapsAreNaN(topic: Topic): Boolean {

@@ -146,7 +146,7 @@ internal class RowRepair(
     /** A text cell that a raw newline has torn: the pieces fit together when they have the right number of cells. */
     private fun joinedLines(bytes: ByteArray, from: Int, end: Int, next: Int, until: Int, isEnd: Boolean): Int {
         var start = next
-        // Without quotes the commas tell the number of cells, and nothing has to be split again and again.
+        // Without quotes the commas give the number of cells, and nothing has to be split again and again.
         var commas = bytes.count(COMMA, from, end)
         var quotes = bytes.count(QUOTE, from, end)
         for (lines in 2..MAX_LINES) {

@@ -3,6 +3,7 @@ package badlog.cli.console
 import badlog.cli.text.LINE_WIDTH
 import badlog.cli.text.grouped
 import badlog.terminal.ProgressBar
+import badlog.terminal.StatusLine
 import badlog.terminal.printable
 import java.io.PrintStream
 import java.nio.charset.Charset
@@ -84,25 +85,18 @@ internal class Console(
  *
  * @param patience nanoseconds for which nothing is shown, and after which it is shown anew.
  */
-internal class SearchCount(private val err: PrintStream, private val isShown: Boolean, private val patience: Long = 500_000_000L) :
-    AutoCloseable {
+internal class SearchCount(err: PrintStream, private val isShown: Boolean, private val patience: Long = 500_000_000L) : AutoCloseable {
     private var shown = System.nanoTime()
     private var files = 0L
-    private var width = 0
+    private val line = StatusLine(err)
 
     /** Another file was looked at. */
     fun next() {
         files++
         if (!isShown || System.nanoTime() - shown < patience) return
         shown = System.nanoTime()
-        val text = "looking for logs: ${grouped(files)} files"
-        err.print("\r" + text.padEnd(width))
-        err.flush()
-        width = text.length
+        line.show("looking for logs: ${grouped(files)} files")
     }
 
-    override fun close() {
-        if (width > 0) err.print("\r" + " ".repeat(width) + "\r")
-        err.flush()
-    }
+    override fun close() = line.close()
 }

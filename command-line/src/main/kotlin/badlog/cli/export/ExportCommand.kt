@@ -4,6 +4,7 @@ import badlog.cli.command.SubCommand
 import badlog.cli.command.Task
 import badlog.cli.command.VirtualTopicOption
 import badlog.cli.output.OutputOptions
+import badlog.cli.search.HookOptions
 import badlog.cli.search.SearchOptions
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.help
@@ -23,7 +24,8 @@ internal class ExportCommand :
     private val attachments by option("-a", "--attach", metavar = "FILE").path().multiple()
         .help("Include this file in each page; may be given again.")
     private val search by SearchOptions()
+    private val hooks by HookOptions()
     private val virtual by VirtualTopicOption()
 
-    override fun makeTask(): Task = ExportTask(paths, output.plan(paths), attachments, search.search(virtual.definitions), isJson)
+    override fun makeTask(): Task = ExportTask(paths, output.plan(paths), attachments, search.search(hooks, virtual.definitions), isJson)
 }

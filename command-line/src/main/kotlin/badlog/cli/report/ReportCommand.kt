@@ -1,9 +1,11 @@
 package badlog.cli.report
 
+import badlog.cli.command.ResultForm
 import badlog.cli.command.SubCommand
 import badlog.cli.command.Task
 import badlog.cli.command.VirtualTopicOption
 import badlog.cli.command.cacheFolder
+import badlog.cli.search.HookOptions
 import badlog.cli.search.SearchOptions
 import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
@@ -20,6 +22,7 @@ internal class ReportCommand :
         "Without --rules, the built-in rules: brownouts, slow loops, gaps, flat sensors and the like.",
     ) {
     private val search by SearchOptions()
+    private val hooks by HookOptions()
     private val virtual by VirtualTopicOption()
     private val isCsv by option("--csv").flag().help("Print a line of CSV for each finding.")
     private val folder by option("--out", metavar = "DIR").path()
@@ -29,22 +32,20 @@ internal class ReportCommand :
     private val isFresh by option("--no-cache").flag().help("Read every log again, and store no results.")
 
     override fun makeTask(): Task {
-        if (isCsv && isJson) throw UsageError("--csv and --json exclude each other")
+        val form = ResultForm.of(isCsv, isJson)
         if (xTopic != null && folder != null) {
             throw UsageError(
                 "--x and --out exclude each other, since pages show logs as they are; make bags of them with convert --x first",
             )
         }
-        val form = if (isCsv) {
-            ReportForm.CSV
-        } else if (isJson) {
-            ReportForm.JSON
-        } else {
-            ReportForm.TEXT
-        }
-        return ReportTask(paths, search.search(virtual.definitions), form, folder, isForced, if (isFresh) null else cacheFolder(), xTopic)
+        return ReportTask(
+            paths,
+            search.search(hooks, virtual.definitions),
+            form,
+            folder,
+            isForced,
+            if (isFresh) null else cacheFolder(),
+            xTopic,
+        )
     }
 }
-
-/** How findings are printed. */
-internal enum class ReportForm { TEXT, CSV, JSON }

@@ -41,7 +41,7 @@ internal class ReportPages(private val folder: ReportFolder) {
     /** What a program reads about the page of [log]. */
     fun json(log: LogReport): PageJson = PageJson(pages[log]?.toString(), failures[log])
 
-    /** Writes the index of [result], unless there is no log to be in it. */
+    /** Writes the index of [result], where at least one log could be read. */
     fun finish(result: ReportResult, outcomes: Outcomes) {
         if (result.logs.all { it.unreadable != null }) return
         try {

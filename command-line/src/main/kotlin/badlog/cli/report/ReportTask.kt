@@ -4,6 +4,7 @@ import badlog.cli.command.ExitCode
 import badlog.cli.command.LogFiles
 import badlog.cli.command.Outcome
 import badlog.cli.command.Outcomes
+import badlog.cli.command.ResultForm
 import badlog.cli.command.Task
 import badlog.cli.console.Console
 import badlog.cli.search.Search
@@ -35,7 +36,7 @@ import java.nio.file.Path
 internal class ReportTask(
     private val paths: List<Path>,
     private val search: Search,
-    private val form: ReportForm,
+    private val form: ResultForm,
     private val folder: Path?,
     private val isForced: Boolean,
     private val cache: Path?,
@@ -63,7 +64,7 @@ internal class ReportTask(
             report.over(logs.files, { done, total -> bar.advanced(done.toLong(), total.toLong()) }) { log, hooks -> pages?.add(log, hooks) }
         }
         if (result.logs.any { !it.isNoLog }) say(result, console)
-        val outcomes = Outcomes("report", console, form == ReportForm.JSON)
+        val outcomes = Outcomes("report", console, form == ResultForm.JSON)
         val reportOf = result.logs.associateBy { it.file }
         logs.report(outcomes) { input, file ->
             val log = reportOf.getValue(file)
@@ -74,7 +75,7 @@ internal class ReportTask(
         val refused = result.logs.filter { it.unreadable == null }.map { it.skipped }
         if (search.neverAsked(refused).isNotEmpty()) outcomes.leaveOut()
         val code = outcomes.end()
-        if (form != ReportForm.JSON && pages?.index != null) console.warn("The index is ${pages.index}.")
+        if (form != ResultForm.JSON && pages?.index != null) console.warn("The index is ${pages.index}.")
         return if (result.skipped.any { it.isMistake }) ExitCode.USAGE else code
     }
 
@@ -82,18 +83,18 @@ internal class ReportTask(
         val failure = pages?.failureOf(log)
         val json = jsonOf(ReportJson(log)) + pages?.let { jsonOf(it.json(log)) }.orEmpty()
         outcomes.done(log.file.path, Outcome(log.isSalvaged || log.hookFailures.isNotEmpty() || failure != null, "", json))
-        if (failure != null && form != ReportForm.JSON) console.warn(failure)
+        if (failure != null && form != ResultForm.JSON) console.warn(failure)
     }
 
     private fun say(result: ReportResult, console: Console) = when (form) {
-        ReportForm.TEXT -> console.say(reportText(result))
+        ResultForm.TEXT -> console.say(reportText(result))
 
-        ReportForm.CSV -> {
+        ResultForm.CSV -> {
             console.say(reportCsv(result).trimEnd())
             // No line of CSV has them.
             notesOf(result).forEach(console::warn)
         }
 
-        ReportForm.JSON -> Unit
+        ResultForm.JSON -> Unit
     }
 }

@@ -4,17 +4,21 @@ import badlog.cli.command.ExitCode
 import badlog.cli.command.LogFiles
 import badlog.cli.command.Outcome
 import badlog.cli.command.Outcomes
+import badlog.cli.command.ResultForm
 import badlog.cli.command.SubCommand
 import badlog.cli.command.Task
 import badlog.cli.command.VirtualTopicOption
 import badlog.cli.command.cacheFolder
 import badlog.cli.console.Console
+import badlog.cli.search.HookOptions
 import badlog.cli.search.rulesBeside
 import badlog.cli.text.jsonOf
-import badlog.report.MatchTable
-import badlog.report.TableRowJson
-import badlog.report.tableCsv
-import badlog.report.tableText
+import badlog.report.table.MatchTable
+import badlog.report.table.TableRow
+import badlog.report.table.TableRowJson
+import badlog.report.table.notesOf
+import badlog.report.table.tableCsv
+import badlog.report.table.tableText
 import badlog.rules.signal.SignalVocabulary
 import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
@@ -29,9 +33,10 @@ internal class TableCommand :
     SubCommand(
         "table",
         "Makes a table with a row per log.",
-        "Each --value is an expression, such as 'min(battery voltage)', and gives a column. Answers are cached as those of find.",
+        "Each --value is an expression, such as 'min(battery voltage)', and gives a column; so does each value that a --hook " +
+            "returns. Answers are cached as those of find, but not those of hooks.",
     ) {
-    private val values by option("--value", metavar = "EXPRESSION").multiple(required = true).help("A column; may be repeated.")
+    private val values by option("--value", metavar = "EXPRESSION").multiple().help("A column; may be repeated.")
     private val by by option("--by", metavar = "NAME").multiple()
         .help("A column for this header value, such as 'Match Number', by which the rows are sorted.")
     private val condition by option(
@@ -39,17 +44,19 @@ internal class TableCommand :
         metavar = "CONDITION",
     ).help("Only logs whose header values meet it: \"Match Type = 'Playoff'\".")
     private val isCsv by option("--csv").flag().help("Print CSV.")
+    private val hooks by HookOptions()
     private val virtual by VirtualTopicOption()
     private val xTopic by option("--x", metavar = "TOPIC").help("Use this topic as x axis; CSV does not name one.")
     private val isFresh by option("--no-cache").flag().help("Read every log again, and store no results.")
 
     override fun makeTask(): Task {
-        if (isCsv && isJson) throw UsageError("choose one of --csv and --json")
+        val form = ResultForm.of(isCsv, isJson)
+        if (values.isEmpty() && hooks.runners.isEmpty()) throw UsageError("name a column: --value EXPRESSION, or --hook COMMAND")
+        val cache = if (isFresh) null else cacheFolder()
         return TableTask(
             paths,
-            { signals -> MatchTable(values, by, condition, virtual.definitions, if (isFresh) null else cacheFolder(), xTopic, signals) },
-            isCsv,
-            isJson,
+            { signals -> MatchTable(values, by, hooks.runners, condition, virtual.definitions, cache, xTopic, signals) },
+            form,
         )
     }
 }
@@ -58,8 +65,7 @@ internal class TableCommand :
 internal class TableTask(
     private val paths: List<Path>,
     private val tableWith: (SignalVocabulary) -> MatchTable,
-    private val isCsv: Boolean,
-    private val isJson: Boolean,
+    private val form: ResultForm,
 ) : Task {
     override fun run(console: Console): ExitCode {
         val table = tableWith(rulesBeside(paths, console::warn).signals)
@@ -72,20 +78,35 @@ internal class TableTask(
             table.over(logs.files) { done, total -> bar.advanced(done.toLong(), total.toLong()) }
         }
         table.mistakeIn(rows)?.let {
+            // What the question lacks may be what was not defined.
+            notesOf(rows).forEach(console::warn)
             console.warn(it.pointed)
             return ExitCode.USAGE
         }
-        if (!isJson && rows.any { !it.isNoLog }) console.say(if (isCsv) tableCsv(table, rows).trimEnd() else tableText(table, rows))
-        val outcomes = Outcomes("table", console, isJson)
+        if (rows.any { !it.isNoLog }) say(table, rows, console)
+        val outcomes = Outcomes("table", console, form == ResultForm.JSON)
         val rowOf = rows.associateBy { it.file }
         logs.report(outcomes) { input, file ->
             val row = rowOf.getValue(file)
             val unreadable = row.unreadable
             when {
                 unreadable != null -> outcomes.unreadable(input, unreadable, row.isNoLog)
-                else -> outcomes.done(input.file, Outcome(row.isSalvaged, "", jsonOf(TableRowJson(table, row))))
+
+                else -> outcomes.done(
+                    input.file,
+                    Outcome(row.isSalvaged || row.hookFailures.isNotEmpty(), "", jsonOf(TableRowJson(table, row))),
+                )
             }
         }
         return outcomes.end()
+    }
+
+    private fun say(table: MatchTable, rows: List<TableRow>, console: Console) {
+        when (form) {
+            ResultForm.TEXT -> console.say(tableText(table, rows))
+            ResultForm.CSV -> console.say(tableCsv(table, rows).trimEnd())
+            ResultForm.JSON -> return
+        }
+        notesOf(rows).forEach(console::warn)
     }
 }

@@ -3,7 +3,6 @@ package badlog.cli.export
 import badlog.cli.BAG
 import badlog.cli.CUT_BAG
 import badlog.cli.Ended
-import badlog.cli.HAS_PYTHON
 import badlog.cli.badlog
 import badlog.cli.badlogJson
 import badlog.cli.command.ExitCode
@@ -11,6 +10,7 @@ import badlog.cli.inFolder
 import badlog.cli.names
 import badlog.cli.with
 import badlog.html.additionsIn
+import badlog.python.HAS_PYTHON
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe

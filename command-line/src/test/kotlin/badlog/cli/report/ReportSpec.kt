@@ -2,7 +2,6 @@ package badlog.cli.report
 
 import badlog.cli.BAG
 import badlog.cli.CUT_BAG
-import badlog.cli.HAS_PYTHON
 import badlog.cli.SAMPLES
 import badlog.cli.badlog
 import badlog.cli.badlogJson
@@ -10,6 +9,7 @@ import badlog.cli.command.ExitCode
 import badlog.cli.inFolder
 import badlog.cli.with
 import badlog.html.additionsIn
+import badlog.python.HAS_PYTHON
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.ints.shouldBeGreaterThan

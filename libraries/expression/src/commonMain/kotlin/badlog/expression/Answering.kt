@@ -119,7 +119,7 @@ internal class Answering(private val text: String, private val root: Node, priva
         addQuantities(call.arguments[0], if (isAny) condition else inverted(condition) as Column, isNegated != !isAny)
     }
 
-    /** Whether the smallest value of the left side tells most, or the largest; null when neither does. */
+    /** Whether the smallest value of the left side decides, or the largest; null when neither does. */
     private fun smallest(operator: Operator, isTurned: Boolean): Boolean? = when (operator) {
         Operator.LESS, Operator.LESS_OR_EQUAL -> !isTurned
         Operator.GREATER, Operator.GREATER_OR_EQUAL -> isTurned

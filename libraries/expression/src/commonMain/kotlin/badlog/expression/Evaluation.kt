@@ -94,7 +94,7 @@ internal class Evaluation(private val signals: Signals, nodes: Int) {
         return listOf(first.refined(STEP * second, first.end(range))) + values.drop(1)
     }
 
-    /** Whether [column] has a sample in each row, as often as the log's rows tell anything. */
+    /** Whether [column] has a sample in each row, as often as the log's rows have anything. */
     private fun isOfRows(column: Column): Boolean {
         val rows = signals.rows ?: return false
         return column.x === rows || column.x.contentEquals(stretches?.steady(rows) ?: rows)

@@ -26,7 +26,7 @@ public class ViewWithVirtualTopics internal constructor(
 )
 
 /**
- * This view with a topic for each of [definitions], see [VirtualTopic.parse]; each may use those before it. What fails is told
+ * This view with a topic for each of [definitions], see [VirtualTopic.parse]; each may use those before it. What fails is listed
  * and costs the others nothing.
  *
  * The new topics have as [metadata][badlog.recording.Topic.metadata] what they are calculated by. Those of recordings with rows

@@ -158,6 +158,42 @@ class FunctionsSpec : FunSpec({
         numbers("number(log, 'VOLTAGE')") shouldBe "- - 6.9 -"
     }
 
+    test("a number in a text is read whole: fractions, exponents as Java writes them, but no version and no address") {
+        val texts = mapOf(
+            "error 1.0E-4 rad" to "0.0001", "gain 2e3" to "2000", "offset .5" to "0.5", "offset -.5" to "-0.5", "takes 3e" to "3",
+            "1.2.3 at 10.0.0.2" to "-", "version 1.2.3 of 2026" to "2026", "12V" to "12", "7.5, then 8." to "7.5", "e5" to "-",
+        )
+        for ((text, wanted) in texts) {
+            val log = Signal("log", SignalKind.EVENT) to Series(doubleArrayOf(0.0), doubleArrayOf(0.0))
+            val signals = SampleSignals(mapOf(log), mapOf("log" to listOf(text)))
+            rounded(parsed("number(log)", signals.vocabulary).series(signals).y[0]) shouldBe wanted
+        }
+    }
+
+    test("rounding makes no changes where there are none") {
+        val x = DoubleArray(50) { it * 0.7 }
+        val signals = SampleSignals(
+            mapOf(
+                Signal("same", SignalKind.NUMBER) to Series(x, DoubleArray(50) { 0.1 }),
+                Signal("up", SignalKind.NUMBER) to Series(x, DoubleArray(50) { it * 0.1 }),
+            ),
+        )
+        fun number(text: String) = parsed(text, signals.vocabulary).answer(signals).quantities.single().value
+        number("count(changed(mean(same, 3 s)))") shouldBe 0.0
+        number("max(same) - mean(same)") shouldBe 0.0
+        parsed("correlation(up, 3 * up) <= 1 and correlation(up, -3 * up) >= -1", signals.vocabulary).answer(signals).matches shouldBe true
+    }
+
+    test("what holds until the end of the log is true there, too") {
+        pairs("last(i > 2, 1 s)") shouldBe "0:0, 3:1"
+        pairs("first(i > 2, 9 s)") shouldBe "0:0, 2:1"
+        parsed("min(i when last(i > 2, 0.5 s))").answer(SIGNALS).quantities.single().value shouldBe 3.0
+    }
+
+    test("a condition that is shifted beyond the end of the log becomes false there no more") {
+        parsed("count(falls(shift(on, 1.5 s)))").answer(SIGNALS).quantities.single().value shouldBe 0.0
+    }
+
     test("an event that is held is a state") {
         pairs("hold(log) contains 'can'") shouldBe "1:1, 1.5:0, 4:1"
         parsed("hold(log) == 'brownout' for 1 s").answer(SIGNALS).spans shouldBe listOf(Span(1.5, 4.0))

@@ -15,78 +15,93 @@ internal class RandomExpressions(private val random: Random) {
     private fun <T> pick(vararg choices: T): T = choices[random.nextInt(choices.size)]
 
     private fun number(depth: Int): String = if (depth == 0 || random.nextInt(4) == 0) {
-        pick("A", "B", "C", "Dir/D", "2", "0.5", "-1", "min(A)", "A ^ 2", "B % 3")
+        pick("A", "B", "C", "Dir/D", "2", "0.5", "-1", "min(A)", "time")
     } else {
         when (random.nextInt(6)) {
-            0 -> "(${number(depth - 1)} ${pick("+", "-", "*", "/")} ${number(depth - 1)})"
+            0 -> "(${number(depth - 1)} ${pick("+", "-", "*", "/", "%", "^")} ${number(depth - 1)})"
 
             1 -> "(${pick(series(depth), "A", "C", "1")} when ${condition(depth - 1)})"
 
-            // Of whole numbers only: where a mean is 0 but for rounding, a root exists or not.
-            2 -> pick("abs(${number(depth - 1)})", "sqrt(${pick("A", "C", "delta(B)")})")
+            2 -> "${pick("abs", "sqrt", "sign", "floor", "round")}(${number(depth - 1)})"
 
-            3 -> pick(
-                "delta(${lasting(depth)})", "derivative(${plain()})", "area(${plain()})", "hold(${series(depth)})",
-                "previous(${series(depth)})",
-                "shift(${series(depth)}, ${pick("0.5 s", "-0.25 s")})", "mean(${plain()}, 1 s)",
-                "min(${plain()}, 0.5 s)", "max(${plain()}, 2 s)",
-            )
+            3 -> overTime(depth)
 
-            4 -> pick(
-                "min", "max", "mean", "median", "stddev", "first", "last", "duration", "count",
-                "integral", "sample_mean", "sample_median", "sample_stddev",
-            ).let {
-                "$it(${if (it == "integral") lasting(depth) else series(depth)})"
-            }
+            4 -> figure(depth)
 
             else -> pick(
                 "if(${condition(depth - 1)}, ${number(depth - 1)}, ${number(depth - 1)})",
                 "clamp(${number(depth - 1)}, 0, 2)",
                 "-${number(depth - 1)}",
-                "percentile(${series(depth)}, 30)",
-                "total(${conditionOverTime(depth)})",
-                "count(${conditionOverTime(depth)})",
-                "count(changed(S))",
-                // Which of several is the largest may be a matter of rounding.
-                "time_of_max(${pick("A", "C", "A - C", "delta(B)")})",
-                "time_of_min(${pick("B", "A when F", "previous(C)")})",
             )
         }
     }
 
-    // One with a topic always changes over time, and joined with one that lasts, nothing is a moment.
-    private fun series(depth: Int): String = if (random.nextInt(8) == 0) "delta(${pick("A", "C")})" else lasting(depth)
+    private fun overTime(depth: Int): String = when (random.nextInt(5)) {
+        0 -> "${pick("delta", "derivative", "hold", "previous")}(${series(depth)})"
+        1 -> "shift(${series(depth)}, ${pick("0.5 s", "-0.25 s")})"
+        2 -> pick("area(${lasting(depth)})", "mean(${lasting(depth)}, 1 s)", "min(${lasting(depth)}, 0.5 s)", "max(${lasting(depth)}, 2 s)")
+        3 -> pick("lengths(${lastingCondition(depth)})", "cycle_times(${conditionOverTime(depth)})")
+        else -> pick("number(E)", "number(E, 'y')", "number(T)")
+    }
 
+    private fun figure(depth: Int): String = when (random.nextInt(5)) {
+        0 -> pick(
+            "min", "max", "mean", "median", "stddev", "first", "last", "duration", "count", "time_of_min", "time_of_max",
+            "sample_mean", "sample_median", "sample_stddev",
+        ).let { "$it(${series(depth)})" }
+
+        1 -> pick(
+            "integral(${lasting(depth)})",
+            "percentile(${series(depth)}, 30)",
+            "sample_percentile(${series(depth)}, 70)",
+            "duration(${pick("T", "E", "F", "hold(E)")})",
+        )
+
+        2 -> "${pick("slope", "correlation")}(${series(depth)}, ${series(depth)})"
+
+        3 -> "total(${lastingCondition(depth)})"
+
+        else -> "count(${pick(conditionOverTime(depth), "E", "T", "changed(S)")})"
+    }
+
+    // One with a topic always changes over time.
+    private fun series(depth: Int): String = "${number(depth - 1)} + ${pick("A", "B", "C", "Dir/D")}"
+
+    // Where one of two lasts, what is either of them does.
     private fun lasting(depth: Int): String = "if(${pick("F", "true or G")}, ${number(depth - 1)}, B) + ${pick("A", "B", "C", "Dir/D")}"
 
-    // Of rows alone: times that are put in nearly meet others, and which comes first is a matter of rounding.
-    private fun plain(): String = "if(F, ${pick("A", "-1", "B * A")}, B) + ${pick("A", "B")}"
+    private fun conditionOverTime(depth: Int): String = "(${condition(depth - 1)} ${pick("and", "or")} ${pick("F", "G", "B > 0", "C < 1")})"
 
-    private fun conditionOverTime(depth: Int): String = "((${condition(depth - 1)} or ${pick("F", "G", "B > 9")}) ${pick("and", "or")} ${pick("F", "G", "B > 0", "C < 1")})"
+    private fun lastingCondition(depth: Int): String = "((${condition(depth - 1)} or ${pick("F", "G", "B > 9")}) ${pick("and", "or")} ${pick("F", "G", "B > 0", "C < 1")})"
 
     private fun condition(depth: Int): String = if (depth == 0 || random.nextInt(5) == 0) {
         pick(
-            "F", "G", "true", "S == 'a'", "S != 'b'", "T = S", "E contains 'X'", "E matches '?*y'", "enabled", "autonomous", "teleop", "time > 2",
-            "missing(C)", "changed(S)", "A > 0",
+            "F", "G", "true", "S == 'a'", "S != 'b'", "T = S", "E contains 'X'", "E matches '?*y*'", "enabled", "autonomous", "teleop", "time > 2",
+            "missing(C)", "changed(S)", "changed(T)", "A > 0",
         )
     } else {
-        when (random.nextInt(8)) {
-            7 -> "(hold(E) ${pick("==", "!=")} 'xy' for ${pick("0.25 s", "0.5 s")})"
-
+        when (random.nextInt(9)) {
             0 -> "(${condition(depth - 1)} ${pick("and", "or", "&&", "||")} ${condition(depth - 1)})"
 
             1 -> "not ${condition(depth - 1)}"
 
-            2 -> "(${conditionOverTime(depth)} for ${pick("0.25 s", "0.5 s", "1 s")})"
+            2 -> pick("(${lastingCondition(depth)} for ${pick("0.25 s", "0.5 s", "1 s")})", "(hold(E) ${pick("==", "!=")} 'Xerxes' for ${pick("0.25 s", "0.5 s")})")
 
             3 -> pick("any", "all").let { "$it(${conditionOverTime(depth)})" }
 
             4 -> "during(${pick("1", "2 s", "time_of_min(A)")}, 3.25 s)"
 
-            // What was calculated is the same but for rounding.
-            5 -> "(${pick("A", "C", "previous(B)", "delta(A)")} ${pick("==", "!=", "=")} ${pick("A", "B", "1", "Dir/D")})"
+            5 -> pick("rises", "falls", "changed").let { "$it(${conditionOverTime(depth)})" }
 
-            else -> "(${number(depth - 1)} ${pick("<", "<=", ">", ">=")} ${number(depth - 1)})"
+            6 -> pick(
+                "${pick("after", "before")}(${conditionOverTime(depth)}, ${pick("0.5 s", "1 s")})",
+                "${pick("first", "last")}(${lastingCondition(depth)}, ${pick("0.5 s", "2 s")})",
+                "(${conditionOverTime(depth)} within 1 s ${pick("after", "before")} ${conditionOverTime(depth)})",
+            )
+
+            7 -> "crosses(${series(depth)}, ${pick("0", "1", number(depth - 1))})"
+
+            else -> "(${number(depth - 1)} ${pick("<", "<=", ">", ">=", "==", "!=", "=")} ${number(depth - 1)})"
         }
     }
 }
@@ -115,7 +130,7 @@ internal fun randomSignals(random: Random): Signals {
             Signal("T", SignalKind.STATE) to among(times(5), 2),
             Signal("E", SignalKind.EVENT) to among(times(4), 3, hasGaps = false),
         ),
-        texts = mapOf("S" to listOf("a", "b", "c"), "T" to listOf("c", "a"), "E" to listOf("xy", "Xerxes", "no")),
+        texts = mapOf("S" to listOf("a", "b", "c"), "T" to listOf("c", "a 1.5"), "E" to listOf("xy -2", "Xerxes", "3 y 1.0E-1")),
         rows = common,
         enabled = if (isMeasured) {
             listOf(

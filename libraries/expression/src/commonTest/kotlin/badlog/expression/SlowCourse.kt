@@ -1,12 +1,12 @@
 package badlog.expression
 
-/** How time went in a recording whose clock was set back: on and on, by a tick where the logged time [x] went back. */
-internal class SlowCourse(val x: List<Double>) {
+/** How time went in a recording whose clock was set back: on and on, by a [tick] where the logged time [x] went back. */
+internal class SlowCourse(val x: List<Double>, tick: Double) {
     /** The rows, stretch by stretch. */
     private val stretches: List<List<Double>> = x.indices.filter { it == 0 || x[it] < x[it - 1] }.let { begins ->
         begins.mapIndexed { index, begin -> x.subList(begin, begins.getOrElse(index + 1) { x.size }) }
     }
-    private val begins = stretches.runningFold(x[0]) { begin, stretch -> begin + (stretch.last() - stretch.first()) + TICK }
+    private val begins = stretches.runningFold(x[0]) { begin, stretch -> begin + (stretch.last() - stretch.first()) + tick }
 
     /** Of each row. */
     val times: List<Double> = stretches.flatMapIndexed { index, stretch -> stretch.map { begins[index] + (it - stretch.first()) } }
@@ -15,13 +15,18 @@ internal class SlowCourse(val x: List<Double>) {
 
     fun logged(time: Double): Double = stretchOf(time).let { time - begins[it] + stretches[it].first() }
 
-    /** Every time at which something that was logged at [logged] counts; [isHeld] when it does after it, too. */
-    fun timesOf(logged: List<Double>, isHeld: Boolean): List<Double> = stretches.flatMapIndexed { index, stretch ->
-        val inside = logged.filter { (index == 0 || it >= stretch.first()) && (index == stretches.lastIndex || it <= stretch.last()) }
-        inside.map { begins[index] + (it - stretch.first()) } + if (isHeld && index > 0) listOf(begins[index]) else emptyList()
-    }
-
-    private companion object {
-        const val TICK = 1.0 / (1L shl 40)
-    }
+    /**
+     * The samples of [value], whose clock was never set back, each time that their times come. What [holds][SlowValue.isMomentary] does
+     * so at the begin of each stretch, too.
+     */
+    fun spread(value: SlowValue): SlowValue = SlowValue(
+        stretches.flatMapIndexed { index, stretch ->
+            val rows = value.rows!!.filter { index == stretches.lastIndex || it.time <= stretch.last() }
+            val (before, inside) = rows.partition { index > 0 && if (value.isMomentary) it.time < stretch.first() else it.time <= stretch.first() }
+            val held = if (index > 0 && !value.isMomentary) listOf(Row(begins[index], before.lastOrNull()?.value)) else emptyList()
+            held + inside.map { Row(begins[index] + (it.time - stretch.first()), it.value) }
+        },
+        isMomentary = value.isMomentary,
+        course = this,
+    )
 }

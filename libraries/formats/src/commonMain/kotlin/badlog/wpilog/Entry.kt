@@ -18,7 +18,7 @@ internal class Entry(val name: String, val type: String, val isValue: Boolean, v
     /** What the file said of it last. */
     var metadata = ""
 
-    /** Takes each payload too, where it tells something of the whole recording. */
+    /** Takes each payload too, where it says something about the whole recording. */
     var listener: EntryListener? = null
 
     /** The unit of its samples. */

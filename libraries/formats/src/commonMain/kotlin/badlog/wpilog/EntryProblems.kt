@@ -4,6 +4,8 @@ import badlog.recording.Loss
 import badlog.recording.ProblemKind
 import badlog.recording.ProblemList
 import badlog.recording.Topic
+import badlog.recording.addNotFinite
+import badlog.recording.addNotUtf8
 
 /** Reports what was odd about the records of one entry, once, when all of them were read. */
 internal fun reportEntry(entry: Entry, problems: ProblemList) {
@@ -48,9 +50,7 @@ internal fun reportTopic(topic: Topic, column: SampleColumn, timestamps: Timesta
             count = timestamps.disorder,
         )
     }
-    if (column.sawOtherText) {
-        problems.add(ProblemKind.NOT_UTF8, "Texts in “$name” are not UTF-8; they were read as Windows-1252.", topic = name)
-    }
+    if (column.sawOtherText) problems.addNotUtf8(name)
     if (column.roundedCount > 0) {
         problems.add(
             ProblemKind.NUMBERS_ROUNDED,
@@ -59,12 +59,5 @@ internal fun reportTopic(topic: Topic, column: SampleColumn, timestamps: Timesta
             count = column.roundedCount,
         )
     }
-    if (topic.counts.notFinite > 0) {
-        problems.add(
-            ProblemKind.NOT_FINITE,
-            "${topic.counts.notFinite} samples of “$name” are NaN or infinite; they are kept, and drawn as gaps.",
-            topic = name,
-            count = topic.counts.notFinite,
-        )
-    }
+    problems.addNotFinite(topic, "samples")
 }

@@ -140,7 +140,7 @@ internal class SampleBlock(val columns: List<SampleColumn>, timestamps: Timestam
         private set
     private var isInGap = false
 
-    /** Says that a sample comes at [time]; to be told whether the block goes with [shared], which is moved on by its owner. */
+    /** A sample comes at [time]; whether the block still goes with [shared], which its owner moves on. */
     fun meet(time: Double, shared: Timestamps) {
         isInGap = false
         if (timestamps !== shared) timestamps.add(time)

@@ -2,8 +2,8 @@ package badlog.replay
 
 import badlog.analysis.LogView
 import badlog.file.readRecording
+import badlog.python.TestPython
 import io.kotest.core.spec.style.FunSpec
-import io.kotest.core.test.Enabled
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.shouldBe
@@ -14,23 +14,11 @@ import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
 import kotlinx.serialization.json.long
 import java.io.File
-import java.io.IOException
 import java.util.concurrent.ConcurrentLinkedQueue
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
 
-/** The Python that CI has installed for these tests, or the one at hand. */
-private val PYTHON = listOf("../../build/python/bin/python", "python3").firstOrNull(::hasClient)
-
-private fun hasClient(python: String): Boolean = try {
-    ProcessBuilder(python, "-c", "import ntcore").redirectErrorStream(true).start()
-        .run {
-            inputStream.readAllBytes()
-            waitFor()
-        } == 0
-} catch (_: IOException) {
-    false
-}
+private val PYTHON = TestPython("ntcore", "pyntcore")
 
 /** What WPILib's client receives of a replay from its start to its end, [values] values at least: its lines. */
 private fun linesOf(
@@ -41,8 +29,7 @@ private fun linesOf(
 ): List<JsonObject> = ReplayServer(view, options, logged).use { server ->
     server.open()
     val topics = signalsOf(view, options.prefix, logged).size
-    val client = ProcessBuilder(PYTHON, "src/test/python/listen.py", "${server.port}", "$topics")
-        .redirectError(ProcessBuilder.Redirect.INHERIT).apply { environment()["PYTHONIOENCODING"] = "utf-8" }.start()
+    val client = PYTHON.running("src/test/python/listen.py", "${server.port}", "$topics")
     try {
         val lines = ConcurrentLinkedQueue<JsonObject>()
         val reader = thread {
@@ -115,18 +102,11 @@ private fun shouldArrive(view: LogView, options: ReplayOptions) {
 
 class WpilibClientSpec :
     FunSpec({
-        if (PYTHON == null) {
-            println("WPILib's client is missing; its tests are skipped. .ci/run installs it.")
-        }
-        val whenThere = { _: Any? ->
-            if (PYTHON != null) Enabled.enabled else Enabled.disabled("No Python here has pyntcore; .ci/run installs one.")
-        }
-
-        test("Every topic of every kind arrives with its type, unit, order and timing").config(enabledOrReasonIf = whenThere) {
+        test("Every topic of every kind arrives with its type, unit, order and timing").config(enabledOrReasonIf = PYTHON.isHere) {
             for (speed in listOf(1.0, 0.25)) shouldArrive(VARIED_VIEW, ReplayOptions(0, speed = speed))
         }
 
-        test("What was logged arrives with its type, byte by byte").config(enabledOrReasonIf = whenThere) {
+        test("What was logged arrives with its type, byte by byte").config(enabledOrReasonIf = PYTHON.isHere) {
             fun topic(name: String, type: String, vararg bytes: Int) = LoggedTopic(name, type, "", doubleArrayOf(10.1)) {
                 ByteArray(bytes.size) { bytes[it].toByte() }
             }
@@ -147,7 +127,7 @@ class WpilibClientSpec :
             }
         }
 
-        test("A match arrives, sample by sample, three times as fast").config(enabledOrReasonIf = whenThere) {
+        test("A match arrives, sample by sample, three times as fast").config(enabledOrReasonIf = PYTHON.isHere) {
             val view = LogView.of(readRecording(File("../../samples/qualification-42.bag").toPath(), emptyList()))
             shouldArrive(view, ReplayOptions(0, speed = 3.0, range = 20.0..26.0, prefix = "/badlog"))
         }

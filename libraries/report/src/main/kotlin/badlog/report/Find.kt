@@ -41,7 +41,8 @@ public class Find(
     }
 
     /** What is wrong with the question whatever a log has, such as a parenthesis that is never closed; null when nothing seems to be. */
-    public val mistake: Reply.NotAsked? = errorForEveryLog(clauses.question)?.let(::notAsked)
+    public val mistake: Reply.NotAsked? =
+        listOfNotNull(clauses.question, clauses.condition).firstNotNullOfOrNull(::errorForEveryLog)?.let { notAsked(it) }
 
     @Serializable
     internal class Stored(
@@ -100,7 +101,7 @@ public class Find(
         is LogContent.Log -> {
             val (isWanted, mistake) = clauses.condition?.let { holdsFor(content.recording.values, it) } ?: (true to null)
             val reply = if (mistake != null) {
-                notAsked(mistake)
+                mistake
             } else if (!isWanted) {
                 Reply.LeftOut
             } else {
@@ -131,5 +132,5 @@ public class Find(
     }
 }
 
-internal fun notAsked(error: ExpressionError): Reply.NotAsked =
-    Reply.NotAsked(error.kind, error.text.substring(error.from, error.until), error.message, error.pointed())
+internal fun notAsked(error: ExpressionError, isOfHeader: Boolean = false): Reply.NotAsked =
+    Reply.NotAsked(error.kind, error.text.substring(error.from, error.until), error.message, error.pointed(), isOfHeader)

@@ -88,6 +88,7 @@ public sealed interface Reply {
      * @property topic what was found wrong in the question: the name of the missing topic.
      * @property message what is wrong, as a sentence.
      * @property pointed the message, the question, and carets below it.
+     * @property isOfHeader whether the header values were asked, rather than topics.
      */
     @Serializable
     public class NotAsked internal constructor(
@@ -95,6 +96,7 @@ public sealed interface Reply {
         public val topic: String,
         public val message: String,
         public val pointed: String,
+        public val isOfHeader: Boolean = false,
     ) : Reply {
         /** How far the log understood the question. */
         internal val place: Int get() = pointed.substringAfterLast('\n').indexOf('^')

@@ -57,8 +57,9 @@ private fun summaryOf(results: List<FindResult>, found: Int): List<String> {
     val (missing, others) = notAsked.partition { it.kind == ExpressionErrorKind.UNKNOWN_TOPIC }
     // Where a name is missing, what is left of it may read as anything; but what is right for one log is not a mistake for another.
     val (lacking, mistaken) = others.partition { isAnswered && it.kind == ExpressionErrorKind.SYNTAX }
-    missing.groupBy { it.topic }.forEach { (topic, replies) ->
-        lines += "${have(replies.size)} no topic “$topic”."
+    missing.groupBy { it.topic to it.isOfHeader }.forEach { (what, replies) ->
+        val (name, isOfHeader) = what
+        lines += "${have(replies.size)} no ${if (isOfHeader) "header value" else "topic"} “$name”."
     }
     if (lacking.isNotEmpty()) lines += "${have(lacking.size)} not all topics of the question."
     // Where no log has the topic it may be misspelt, and the message says more.

@@ -55,11 +55,11 @@ internal class QuestionClauses private constructor(val question: String, val con
     }
 }
 
-/** Whether [condition] is true of a log with the header values [values]; the error where it makes no sense for them. */
-internal fun holdsFor(values: List<Value>, condition: String): Pair<Boolean, ExpressionError?> {
+/** Whether [condition] is true of a log with the header values [values]; why it could not be asked where it makes no sense for them. */
+internal fun holdsFor(values: List<Value>, condition: String): Pair<Boolean, Reply.NotAsked?> {
     val signals = HeaderSignals(values)
     return when (val parsed = Expression.parse(condition, signals.vocabulary)) {
-        is ExpressionError -> false to parsed
+        is ExpressionError -> false to notAsked(parsed, isOfHeader = true)
         is Expression -> parsed.answer(signals).matches to null
     }
 }
@@ -70,6 +70,8 @@ private class HeaderSignals(values: List<Value>) : Signals {
 
     override val vocabulary = Vocabulary(
         texts.map { (name, text) -> Signal(name, if (text.toDoubleOrNull() == null) SignalKind.STATE else SignalKind.NUMBER) },
+        hasTime = true,
+        thing = "header value",
     )
 
     override fun series(name: String): Series = Series(doubleArrayOf(0.0), doubleArrayOf(texts.getValue(name).toDoubleOrNull() ?: 0.0))

@@ -1,5 +1,6 @@
 package badlog.report
 
+import badlog.file.LogFile
 import badlog.recording.Severity
 import badlog.rules.incident.Incident
 import badlog.rules.timeText
@@ -44,7 +45,7 @@ public fun notesOf(result: ReportResult): List<String> {
     val readable = result.logs.filter { it.unreadable == null }
     val (builtIn, others) = result.skipped.partition { it.isBuiltIn && !it.isMistake }
     return listOfNotNull(builtInText(builtIn.size)) + others.map { it.toString() } + undefinedTexts(readable.map { it.undefined }) +
-        hookTexts(readable)
+        hookTexts(readable.flatMap { log -> log.hookFailures.map { it to log.file } })
 }
 
 /** No log has all topics that the built-in rules know. */
@@ -57,16 +58,14 @@ private fun builtInText(skipped: Int): String? = if (skipped == 0) {
     )} ${if (skipped == 1) "was" else "were"} skipped for logs without their topics; see badlog info --signals."
 }
 
-/** What fails in one log mostly does in all. */
-private fun hookTexts(logs: List<LogReport>): List<String> {
-    val failures = logs.flatMap { log -> log.hookFailures.map { it to log } }
-    return failures.groupBy { (failure, _) -> failure.hook }.map { (hook, alike) ->
-        val (failure, log) = alike[0]
-        val place = if (alike.size == 1) log.file.name else count(alike.size, "log")
-        val first = if (alike.distinctBy { it.first.message }.size == 1) "" else ", in the first, ${log.file.name}"
+/** Each hook of [failures] with what went wrong: what fails in one log mostly does in all. */
+internal fun hookTexts(failures: List<Pair<HookFailure, LogFile>>): List<String> =
+    failures.groupBy { (failure, _) -> failure.hook }.map { (hook, alike) ->
+        val (failure, file) = alike[0]
+        val place = if (alike.size == 1) file.name else count(alike.size, "log")
+        val first = if (alike.distinctBy { it.first.message }.size == 1) "" else ", in the first, ${file.name}"
         "$place, hook “$hook”$first: ${failure.message}"
     }
-}
 
 /** Such as `2 errors, 1 warning and 0 notes in 3 of 12 logs.` */
 internal fun summary(result: ReportResult): String {

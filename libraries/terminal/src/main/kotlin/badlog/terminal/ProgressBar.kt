@@ -17,17 +17,13 @@ public fun interface Progress {
  * @param label what is worked on.
  * @param delay nanoseconds before the bar appears.
  */
-public class ProgressBar(
-    label: String,
-    private val err: PrintStream,
-    private val isShown: Boolean,
-    private val delay: Long = 500_000_000L,
-) : Progress,
+public class ProgressBar(label: String, err: PrintStream, private val isShown: Boolean, private val delay: Long = 500_000_000L) :
+    Progress,
     AutoCloseable {
     private val label = label.takeLast(LABEL)
     private val start = System.nanoTime()
     private var percent = -1
-    private var width = 0
+    private val line = StatusLine(err)
 
     override fun advanced(done: Long, total: Long) {
         if (!isShown || System.nanoTime() - start < delay) return
@@ -35,16 +31,10 @@ public class ProgressBar(
         if (now == percent) return
         percent = now
         val filled = now * BAR / 100
-        val text = "$label [${"#".repeat(filled)}${" ".repeat(BAR - filled)}] $now %"
-        err.print("\r" + text.padEnd(width))
-        err.flush()
-        width = text.length
+        line.show("$label [${"#".repeat(filled)}${" ".repeat(BAR - filled)}] $now %")
     }
 
-    override fun close() {
-        if (width > 0) err.print("\r" + " ".repeat(width) + "\r")
-        err.flush()
-    }
+    override fun close(): Unit = line.close()
 
     private companion object {
         const val LABEL = 34

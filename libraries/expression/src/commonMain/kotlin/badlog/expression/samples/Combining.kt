@@ -90,7 +90,7 @@ internal class Operand(private val samples: DoubleArray?, private val constant: 
  * Several values at common times. Those of equal times stay sample by sample. Otherwise the common times are all that any of
  * them has, each once, and each value is that of its last sample until then: a gap before its first one, and where it is
  * [momentary][Column.isMomentary], [absent] at all times but its own. Where one clock was set back and another was not, what
- * the other tells of a time counts each time that it comes.
+ * the other has at a time counts each time that it comes.
  *
  * What is made of moments and of what lasts is there at the moments only; if it [isEither] of them, it lasts, and each moment is over
  * as soon as it came.

@@ -8,8 +8,11 @@ import badlog.analysis.Span
 internal fun Column.rises(range: Span?): Column = occurrences(end(range)).let { moments(it.map(Span::from)) { 1.0 } }
 
 /** The moments at which it is true no more. */
-internal fun Column.falls(): Column =
-    (1 until size).filter { y[it] == 0.0 && y[it - 1] == 1.0 && !isMomentary }.let { places -> moments(places.map { x[it] }) { 1.0 } }
+internal fun Column.falls(range: Span?): Column {
+    val end = end(range)
+    val places = (1 until size).filter { y[it] == 0.0 && y[it - 1] == 1.0 && !isMomentary && x[it] <= end }
+    return moments(places.map { x[it] }) { 1.0 }
+}
 
 /** At each moment at which it becomes true, for how long. */
 internal fun Column.lengths(range: Span?): Column = occurrences(end(range)).let { all -> moments(all.map(Span::from)) { all[it].width } }
@@ -54,26 +57,29 @@ private inline fun Column.moments(times: List<Double>, value: (Int) -> Double): 
 
 /** True in what [part] makes of each time that this condition holds; unknown where nothing of it is known. */
 private inline fun Column.within(range: Span?, part: (Span) -> Span?): Column {
-    val start = if (stretches == null && range != null) range.from else x.firstOrNull() ?: return unknown(range)
+    val start = stretches?.begin ?: range?.from ?: return unknown(range)
     if (!isMomentary && y.all { it.isNaN() }) return Column(doubleArrayOf(start), doubleArrayOf(Double.NaN), stretches = stretches)
-    val times = arrayListOf(start)
-    val states = arrayListOf(0.0)
-    for (span in occurrences(end(range))) {
+    val end = end(range)
+    val parts = ArrayList<Span>()
+    for (span in occurrences(end)) {
         val wanted = part(span) ?: continue
         if (wanted.to <= maxOf(start, wanted.from)) continue
         // What is still true goes on.
-        if (times.last() >= wanted.from) {
-            if (states.last() == 0.0) states[states.lastIndex] = 1.0
-            if (times.size > 1 && states[states.lastIndex - 1] == 1.0) {
-                times.removeAt(times.lastIndex)
-                states.removeAt(states.lastIndex)
-            }
-        } else {
-            times += wanted.from
+        val goesOn = parts.isNotEmpty() && parts.last().to >= wanted.from
+        if (goesOn) parts[parts.lastIndex] = Span(parts.last().from, wanted.to) else parts += wanted
+    }
+    val times = arrayListOf(start)
+    val states = arrayListOf(if (parts.isNotEmpty() && parts[0].from <= start) 1.0 else 0.0)
+    for (span in parts) {
+        if (span.from > start) {
+            times += span.from
             states += 1.0
         }
-        times += wanted.to
-        states += 0.0
+        // The end of the log is within what holds until then.
+        if (span.to != end) {
+            times += span.to
+            states += 0.0
+        }
     }
     return Column(times.toDoubleArray(), states.toDoubleArray(), stretches = stretches)
 }

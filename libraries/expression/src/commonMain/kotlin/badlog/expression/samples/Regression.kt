@@ -39,5 +39,6 @@ internal class Regression(y: Value, x: Value, range: Span?) {
     val slope: Scalar get() = Scalar(if (squaresX > 0) products / squaresX else Double.NaN)
 
     /** Pearson's correlation, from -1 to 1. Unknown where one never changes. */
-    val correlation: Scalar get() = Scalar(if (squaresX > 0 && squaresY > 0) products / sqrt(squaresX) / sqrt(squaresY) else Double.NaN)
+    val correlation: Scalar
+        get() = Scalar(if (squaresX > 0 && squaresY > 0) (products / sqrt(squaresX) / sqrt(squaresY)).coerceIn(-1.0, 1.0) else Double.NaN)
 }

@@ -22,18 +22,18 @@ internal class Spans(private val from: DoubleArray, private val to: DoubleArray,
 }
 
 /**
- * When this condition holds: from its first true sample to the next that is not, or to [end], behind which nothing is told. Each true
+ * When this condition holds: from its first true sample to the next that is not, or to [end], behind which nothing is known. Each true
  * sample of a momentary condition is a span without width.
  */
 internal fun Column.spans(end: Double): Spans {
-    var told = size
-    while (!isMomentary && told > 0 && x[told - 1] > end) told--
+    var known = size
+    while (!isMomentary && known > 0 && x[known - 1] > end) known--
     var count = 0
-    for (i in 0 until told) if (beginsAt(i)) count++
+    for (i in 0 until known) if (beginsAt(i)) count++
     val from = DoubleArray(count)
     val to = DoubleArray(count)
     var span = -1
-    for (i in 0 until told) {
+    for (i in 0 until known) {
         if (beginsAt(i)) from[++span] = x[i]
         if (y[i] == 1.0) to[span] = until(i, end).let { if (it - x[i] <= 2 * tick(x[i]) && from[span] == x[i]) x[i] else it }
     }

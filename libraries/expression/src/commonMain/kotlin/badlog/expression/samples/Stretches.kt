@@ -5,7 +5,7 @@ import kotlin.math.ulp
 
 /**
  * The time of a recording whose clock was set back on the way: stretches in which it goes forward, one after another. Expressions
- * see them as if the clock had gone on, so that what comes later in the recording comes later for them, too; times are told as
+ * see them as if the clock had gone on, so that what comes later in the recording comes later for them, too; times are shown as
  * they were logged.
  *
  * @param positions the x of each row; may hold gaps.
@@ -46,6 +46,9 @@ public class Stretches internal constructor(positions: DoubleArray) {
         begins += logged - leads.last()
         ends += begins.last()
     }
+
+    /** The first time of the recording. */
+    internal val begin: Double get() = begins.firstOrNull() ?: Double.POSITIVE_INFINITY
 
     /** The last time of the recording, on the clock that goes on. */
     internal val end: Double get() = ends.lastOrNull() ?: Double.NEGATIVE_INFINITY

@@ -56,18 +56,36 @@ internal fun numbers(column: Column, mark: String): Column {
 private fun numberIn(text: String, mark: String): Double {
     val found = text.indexOf(mark, ignoreCase = true)
     if (found < 0) return Double.NaN
-    for (from in found + mark.length until text.length) {
-        // Digits within a word, as in CAN1, are part of its name.
-        val isWithinWord = from > 0 && (isLetterOrDigit(text[from - 1]) || text[from - 1] == '_')
-        if (text[from] !in DIGITS || isWithinWord) continue
-        val isNegative = from > 0 && text[from - 1] == '-' && (from < 2 || !isLetterOrDigit(text[from - 2]))
-        var until = from
-        while (until < text.length && (text[until] in DIGITS || (text[until] == '.' && text.getOrNull(until + 1) in DIGITS))) until++
-        val number = text.substring(from, until).toDoubleOrNull() ?: continue
-        return if (isNegative) -number else number
+    var at = found + mark.length
+    while (at < text.length) {
+        val begin = at
+        if (text[begin] !in DIGITS && !isFraction(text, begin)) {
+            at++
+            continue
+        }
+        at = endOfNumber(text, begin)
+        // Digits within a word, as in CAN1, are part of its name; several points make a version or an address.
+        val number = text.substring(begin, at).toDoubleOrNull()
+        val isNegative = text.getOrNull(begin - 1) == '-' && (begin < 2 || !isLetterOrDigit(text[begin - 2]))
+        if (number != null && !isWithinWord(text, begin - 1)) return if (isNegative) -number else number
     }
     return Double.NaN
 }
+
+private fun isFraction(text: String, at: Int) = text[at] == '.' && text.getOrNull(at + 1) in DIGITS
+
+/** Behind the digits that stand at [from], with their points and the exponent that Java writes to small numbers. */
+private fun endOfNumber(text: String, from: Int): Int {
+    var until = from
+    while (until < text.length && (text[until] in DIGITS || isFraction(text, until))) until++
+    if (text.getOrNull(until) != 'E' && text.getOrNull(until) != 'e') return until
+    var end = if (text.getOrNull(until + 1) == '-' || text.getOrNull(until + 1) == '+') until + 2 else until + 1
+    if (text.getOrNull(end) !in DIGITS) return until
+    while (text.getOrNull(end) in DIGITS) end++
+    return if (isWithinWord(text, end)) until else end
+}
+
+private fun isWithinWord(text: String, at: Int) = text.getOrNull(at)?.let { isLetterOrDigit(it) || it == '_' } == true
 
 private operator fun CharRange.contains(character: Char?): Boolean = character != null && character in this
 

@@ -53,6 +53,9 @@ internal fun Column.windowMean(width: Double): Column {
     var newer = 0.0
     var newerWeight = 0.0
 
+    // Since when the value is the one before sample i.
+    var sameFrom = 0
+
     // Of sample j, which holds until the next: how long it is known, and times its value.
     fun weight(j: Int) = if (y[j].isFinite()) x[j + 1] - x[j] else 0.0
     fun area(j: Int) = if (y[j].isFinite()) y[j] * (x[j + 1] - x[j]) else 0.0
@@ -86,8 +89,10 @@ internal fun Column.windowMean(width: Double): Column {
             sum += y[begin] * part
             weight += part
         }
+        if (i > 1 && y[i - 1] != y[i - 2]) sameFrom = i - 1
         results[i] = if (weight > 0) {
-            sum / weight
+            // What does not change is its own mean, whatever rounding makes of the sum.
+            if (sameFrom <= begin) y[begin] else sum / weight
         } else if (y[i].isFinite()) {
             y[i]
         } else {

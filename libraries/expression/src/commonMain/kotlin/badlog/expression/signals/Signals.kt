@@ -22,7 +22,7 @@ public interface Signals {
     /** When the robot was enabled, in the order of time; null where the recording does not tell. */
     public val enabled: List<EnabledSpan>?
 
-    /** Whether [enabled] tells autonomous and teleoperated apart. */
+    /** Whether [enabled] distinguishes autonomous and teleoperated. */
     public val knowsAutonomous: Boolean get() = enabled != null
 
     /** The x axis as a signal: a sample at each of its positions, which is that position. */

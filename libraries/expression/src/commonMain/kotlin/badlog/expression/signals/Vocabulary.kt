@@ -7,14 +7,20 @@ import badlog.text.isLetterOrDigit
  * parsed for one recording serves all recordings with an equal vocabulary.
  *
  * A signal is called by its full name or by the end of its path where only one signal ends so: `Battery Voltage` for
- * `System/Battery Voltage`. Upper and lower case count only where nothing else tells two names apart.
+ * `System/Battery Voltage`. Upper and lower case count only where two names differ in nothing else.
  *
  * @property signals what there is; where two have the same name, the first counts.
  * @property hasTime whether x is a time; where it is not, an expression with a time, such as `0.5 s`, is a mistake.
  * @property meanings names that mean the same in every recording, whatever its topics are called. A virtual topic may be called so, and
  *   goes first then; one that is not among [signals] means nothing in this recording.
+ * @property thing what messages call a signal.
  */
-public class Vocabulary(public val signals: List<Signal>, public val hasTime: Boolean, public val meanings: Set<String> = emptySet()) {
+public class Vocabulary(
+    public val signals: List<Signal>,
+    public val hasTime: Boolean,
+    public val meanings: Set<String> = emptySet(),
+    public val thing: String = "topic",
+) {
     /** Of a recording over time. */
     public constructor(signals: List<Signal>) : this(signals, hasTime = true)
 

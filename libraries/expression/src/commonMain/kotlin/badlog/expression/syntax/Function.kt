@@ -1,10 +1,5 @@
 package badlog.expression.syntax
 
-import badlog.analysis.Span
-import badlog.expression.samples.Column
-import badlog.expression.samples.Operation
-import badlog.expression.samples.Regression
-import badlog.expression.samples.Scalar
 import badlog.expression.samples.Value
 import badlog.expression.samples.after
 import badlog.expression.samples.all
@@ -12,9 +7,6 @@ import badlog.expression.samples.any
 import badlog.expression.samples.area
 import badlog.expression.samples.before
 import badlog.expression.samples.changed
-import badlog.expression.samples.chosen
-import badlog.expression.samples.clamped
-import badlog.expression.samples.combined
 import badlog.expression.samples.count
 import badlog.expression.samples.cycleTimes
 import badlog.expression.samples.delta
@@ -195,7 +187,7 @@ internal enum class Function(
     ),
     CHANGED("changed", listOf(VARYING), Result.CONDITIONS, timing = Timing.AT_MOMENTS, compute = { it.column(0).changed() }),
     RISES("rises", listOf(VARYING_CONDITION), Result.CONDITIONS, timing = Timing.AT_MOMENTS, compute = { it.column(0).rises(it.range) }),
-    FALLS("falls", listOf(VARYING_CONDITION), Result.CONDITIONS, timing = Timing.AT_MOMENTS, compute = { it.column(0).falls() }),
+    FALLS("falls", listOf(VARYING_CONDITION), Result.CONDITIONS, timing = Timing.AT_MOMENTS, compute = { it.column(0).falls(it.range) }),
     CROSSES(
         "crosses",
         listOf(VARYING_NUMBERS, NUMBERS),
@@ -312,68 +304,4 @@ internal enum class Function(
         /** Those that are called [name], in any case; empty without one. */
         fun called(name: String): List<Function> = byTitle[name.lowercase()].orEmpty()
     }
-}
-
-/** What a function takes, and how an error says what is needed. */
-internal enum class Parameter(val needed: String) {
-    VARYING("something that changes over time"),
-    VARYING_NUMBERS("numbers that change over time"),
-    VARYING_CONDITION("a condition that changes over time, such as x > 0"),
-    VARYING_TEXTS("a topic of texts"),
-    TEXT("a text in single quotes"),
-    NUMBERS("a number"),
-    CONDITION("a condition, such as x > 0"),
-
-    /** A number or a condition. */
-    NUMBERS_OR_CONDITION("a number or a condition"),
-    ONE_NUMBER("one number for the whole log"),
-    WINDOW("a time above 0 with its unit, such as 1 s"),
-    SHIFT("a time with its unit, such as 0.1 s"),
-    SHARE("a number from 0 to 100"),
-    ;
-
-    /** Whether [node], whose type is known, will do. */
-    fun accepts(node: Node): Boolean {
-        val type = node.type
-        return when (this) {
-            VARYING -> type.isOverTime
-            VARYING_NUMBERS -> type.isOverTime && type.kind.isNumeric
-            VARYING_CONDITION -> type.isOverTime && type.kind == Kind.CONDITION
-            VARYING_TEXTS -> type.isOverTime && type.kind == Kind.TEXT
-            TEXT -> node is Node.Text
-            NUMBERS, NUMBERS_OR_CONDITION -> type.kind.isNumeric
-            CONDITION -> type.kind == Kind.CONDITION
-            ONE_NUMBER -> !type.isOverTime && type.kind.isNumeric
-            WINDOW -> node is Node.Time && node.seconds > 0
-            SHIFT -> node is Node.Time
-            SHARE -> node is Node.Number && node.value in 0.0..100.0
-        }
-    }
-}
-
-/**
- * What a function is called with.
- *
- * @property range of the whole recording.
- */
-internal class Arguments(private val nodes: List<Node>, private val values: List<Value>, val range: Span?) {
-    fun column(index: Int): Column = values[index] as Column
-
-    fun number(index: Int): Double = (values[index] as Scalar).value
-
-    fun isCondition(index: Int): Boolean = nodes[index].type.kind == Kind.CONDITION
-
-    fun text(index: Int): String = (nodes[index] as Node.Text).text
-
-    fun regression() = Regression(values[0], values[1], range)
-
-    /** Where the first operand comes above the second, or below it. */
-    fun crossings(): Column = (combined(values[0], values[1], Operator.GREATER.operation) as Column).changed()
-
-    fun chosen(): Value = chosen(values[0], values[1], values[2])
-
-    fun clamped(): Value = clamped(values[0], values[1], values[2])
-
-    /** Of the one operand, or of both. */
-    fun elementwise(operation: Operation): Value = combined(values[0], values.getOrNull(1) ?: Scalar(Double.NaN), operation)
 }

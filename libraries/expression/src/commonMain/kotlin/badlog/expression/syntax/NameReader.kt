@@ -72,7 +72,7 @@ internal class NameReader(private val text: String, private val scanner: Scanner
             from,
             until,
             ExpressionErrorKind.UNKNOWN_TOPIC,
-            "There is no topic “$name”; $nearest divide, put spaces around the slash: $divided.",
+            "There is no ${vocabulary.thing} “$name”; $nearest divide, put spaces around the slash: $divided.",
         )
     }
 
@@ -145,7 +145,7 @@ internal class NameReader(private val text: String, private val scanner: Scanner
         }
         val nearest = vocabulary.nearest(name)
         val suggestion = if (nearest == null) "." else "; did you mean “${nearest.name}”?"
-        throw Mistake(from, until, ExpressionErrorKind.UNKNOWN_TOPIC, "There is no topic “$name”$suggestion")
+        throw Mistake(from, until, ExpressionErrorKind.UNKNOWN_TOPIC, "There is no ${vocabulary.thing} “$name”$suggestion")
     }
 
     private fun fail(from: Int, until: Int, message: String): Nothing = throw Mistake(from, until, ExpressionErrorKind.SYNTAX, message)

@@ -83,7 +83,7 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
 
     private fun asText(mistake: Mistake): Mistake = mistake.run {
         val name = text.substring(from, until).trim('"', '`')
-        Mistake(from, until, kind, "There is no topic “$name”; a text stands in single quotes, as in '$name'.")
+        Mistake(from, until, kind, "There is no ${vocabulary.thing} “$name”; a text stands in single quotes, as in '$name'.")
     }
 
     // An operand in parentheses reaches farther than what it is made of.

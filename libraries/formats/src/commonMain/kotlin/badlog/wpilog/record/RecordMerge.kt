@@ -14,7 +14,7 @@ public class RecordPiece(public val entry: RecordEntry, public val offsetMicros:
 /**
  * An entry of a log that is made of others: it is called [name], and has the records of [pieces], all of one type.
  *
- * @property described a topic that tells the entry's unit and attributes, where its old name did; else null.
+ * @property described a topic with the entry's unit and attributes, where its old name had them; else null.
  */
 public class RecordLane(public val name: String, public val pieces: List<RecordPiece>, public val described: Topic? = null)
 

@@ -3,6 +3,7 @@ package badlog.wpilog.record
 import badlog.analysis.Span
 import badlog.bag.VARIED_BAG
 import badlog.bag.parse
+import badlog.python.TestPython
 import badlog.recording.Recording
 import badlog.recording.Topic
 import badlog.recording.TopicKind
@@ -16,34 +17,19 @@ import badlog.wpilog.parseLog
 import badlog.wpilog.text
 import badlog.wpilog.writeLog
 import io.kotest.core.spec.style.FunSpec
-import io.kotest.core.test.Enabled
-import io.kotest.core.test.EnabledOrReasonIf
 import io.kotest.matchers.shouldBe
 import java.io.File
-import java.io.IOException
 import java.nio.file.Files
 import kotlin.math.roundToLong
 
-/** The Python that CI has installed for these tests, or the one at hand. */
-private val PYTHON = listOf("../../build/python/bin/python", "python3").firstOrNull(::hasReader)
-
-private fun hasReader(python: String): Boolean = try {
-    ProcessBuilder(python, "-c", "import wpiutil.log").redirectErrorStream(true).start()
-        .run {
-            inputStream.readAllBytes()
-            waitFor()
-        } == 0
-} catch (_: IOException) {
-    false
-}
+private val PYTHON = TestPython("wpiutil.log", "robotpy-wpiutil")
 
 /** What WPILib's reader, the one that robotpy carries, says of a log: its lines. */
 private fun linesOf(bytes: ByteArray): List<List<String>> {
     val file = Files.createTempFile("badlog", ".wpilog")
     try {
         Files.write(file, bytes)
-        val process = ProcessBuilder(PYTHON, "src/jvmTest/python/read_wpilog.py", file.toString())
-            .redirectError(ProcessBuilder.Redirect.INHERIT).apply { environment()["PYTHONIOENCODING"] = "utf-8" }.start()
+        val process = PYTHON.running("src/jvmTest/python/read_wpilog.py", file.toString())
         val lines = process.inputStream.bufferedReader().readLines().map { it.split('\t') }
         process.waitFor() shouldBe 0
         return lines
@@ -96,28 +82,24 @@ private fun parseHex(text: String): Double = when (text) {
     else -> java.lang.Double.parseDouble(text)
 }
 
-private val needsReader: EnabledOrReasonIf = {
-    if (PYTHON != null) Enabled.enabled else Enabled.disabled("Python lacks WPILib's reader; pip install robotpy-wpiutil")
-}
-
 class WpilibReaderSpec : FunSpec({
-    test("WPILib's reader finds every value of a bag").config(enabledOrReasonIf = needsReader) {
+    test("WPILib's reader finds every value of a bag").config(enabledOrReasonIf = PYTHON.isHere) {
         val bag = parse(VARIED_BAG)
         val time = bag.topics.single { it.name == "Time" }
         shouldBeRead(bag) { time.samples }
     }
 
-    test("WPILib's reader finds every value of a log").config(enabledOrReasonIf = needsReader) {
+    test("WPILib's reader finds every value of a log").config(enabledOrReasonIf = PYTHON.isHere) {
         val log = parseLog(VARIED_LOG.bytes)
         log.topics.any { it.kind == TopicKind.BOOLEAN } shouldBe true
         shouldBeRead(log) { checkNotNull(it.times) }
     }
 
-    test("WPILib's reader finds every value of a season's logs, where they are").config(enabledOrReasonIf = needsReader) {
+    test("WPILib's reader finds every value of a season's logs, where they are").config(enabledOrReasonIf = PYTHON.isHere) {
         for (file in REAL_LOGS) shouldBeRead(parseLog(file.readBytes())) { checkNotNull(it.times) }
     }
 
-    test("WPILib's reader finds in a part the records of the whole, of whatever type").config(enabledOrReasonIf = needsReader) {
+    test("WPILib's reader finds in a part the records of the whole, of whatever type").config(enabledOrReasonIf = PYTHON.isHere) {
         val log = TestLog().start(1, "/Pose", "struct:Pose2d", "{}").start(2, "Ticks", "int64").start(3, "Photo", "raw").start(4, "Names", "string[]")
         for (at in 1L..5L) {
             log.record(1, at * 1_000_000, doubles(at / 2.0)).record(2, at * 1_000_000 + 1, longs(9_007_199_254_740_993 + at))
@@ -131,7 +113,7 @@ class WpilibReaderSpec : FunSpec({
         part.filter { it[0] == "data" }.toSet() shouldBe (inside + held).toSet()
     }
 
-    test("WPILib's reader finds every value of a sample of this project").config(enabledOrReasonIf = needsReader) {
+    test("WPILib's reader finds every value of a sample of this project").config(enabledOrReasonIf = PYTHON.isHere) {
         val bag = parse(File("../../samples/practice.bag").readBytes())
         val time = bag.topics.first { "xaxis" in it.attributes }
         shouldBeRead(bag) { time.samples }

@@ -2,6 +2,7 @@ package badlog.report.hook
 
 import badlog.file.readRecording
 import badlog.formats.LOG_FORMATS
+import badlog.python.HAS_PYTHON
 import badlog.recording.CellCounts
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
@@ -27,12 +28,6 @@ import kotlin.time.Duration.Companion.seconds
 import kotlin.time.measureTime
 
 private val RECORDING: Recording by lazy { readRecording(sample("qualification-42.bag"), LOG_FORMATS) }
-
-internal val HAS_PYTHON: Boolean = try {
-    ProcessBuilder("python3", "--version").start().waitFor() == 0
-} catch (_: IOException) {
-    false
-}
 
 private val HAS_R: Boolean = try {
     ProcessBuilder("Rscript", "-e", "library(jsonlite)").start().waitFor() == 0

@@ -1,0 +1,21 @@
+package badlog.cli.command
+
+import com.github.ajalt.clikt.core.UsageError
+
+/** How a list of results is printed. */
+internal enum class ResultForm {
+    TEXT,
+    CSV,
+    JSON,
+    ;
+
+    companion object {
+        /** What `--csv` and `--json` ask for. */
+        fun of(isCsv: Boolean, isJson: Boolean): ResultForm = when {
+            isCsv && isJson -> throw UsageError("--csv and --json exclude each other")
+            isCsv -> CSV
+            isJson -> JSON
+            else -> TEXT
+        }
+    }
+}

@@ -1,0 +1,17 @@
+package badlog.report.table
+
+import badlog.recording.PathName
+import badlog.recording.Value
+
+/** The value that is called [name], or ends so, whatever the case; empty without one. */
+internal fun headerOf(values: List<Value>, name: String): String {
+    val value = values.find { it.name == name }
+        ?: values.find { it.name.equals(name, ignoreCase = true) || PathName.baseNameOf(it.name).equals(name, ignoreCase = true) }
+    return value?.text?.trim().orEmpty()
+}
+
+/** Numbers as numbers, before all texts. */
+internal fun compareHeaders(one: String?, other: String?): Int = HEADERS.compare(one.orEmpty(), other.orEmpty())
+
+private val HEADERS: Comparator<String> =
+    compareBy<String, Double?>(nullsLast()) { it.toDoubleOrNull() }.then(String.CASE_INSENSITIVE_ORDER)

@@ -1,0 +1,172 @@
+package badlog.report.table
+
+import badlog.expression.ExpressionError
+import badlog.expression.Outcome
+import badlog.expression.ParsedQuestion
+import badlog.expression.Question
+import badlog.expression.signals.Signals
+import badlog.file.LogFile
+import badlog.recording.NumberSinks
+import badlog.report.CachedResult
+import badlog.report.HookFailure
+import badlog.report.LogContent
+import badlog.report.LruCache
+import badlog.report.NamedTopics
+import badlog.report.Reply
+import badlog.report.ResultCache
+import badlog.report.UndefinedTopic
+import badlog.report.errorForEveryLog
+import badlog.report.holdsFor
+import badlog.report.hook.HookOutcome
+import badlog.report.hook.HookRunner
+import badlog.report.notAsked
+import badlog.report.runCached
+import badlog.rules.BUILT_IN
+import badlog.rules.LogShape
+import badlog.rules.QuestionNames
+import badlog.rules.RuleSet
+import badlog.rules.signal.SignalVocabulary
+import badlog.rules.signal.toJson
+import kotlinx.serialization.Serializable
+import kotlinx.serialization.Transient
+import java.nio.file.Path
+
+/**
+ * A table with a row for each log, a column for each of [questions], see `docs/expressions.md`, and one for each value that [hooks]
+ * return.
+ *
+ * @param by the names of header values that have columns of their own, and by which the rows are sorted; numbers as numbers.
+ * @param hooks programs to run for each log.
+ * @param condition what must be true of a log's header values, as an expression; null for no condition.
+ * @param virtualTopics definitions of topics that the questions may use beside the log's own.
+ * @param cache a folder for what was found out before; null for none. What hooks return is not kept there: nobody knows what it
+ *   depends on.
+ * @param xTopic the topic to take as x axis, which plain CSV does not name; null for what the log itself says.
+ * @param signals what topics are called that the questions name by their meaning.
+ */
+public class MatchTable(
+    public val questions: List<String>,
+    public val by: List<String> = emptyList(),
+    private val hooks: List<HookRunner> = emptyList(),
+    private val condition: String? = null,
+    private val virtualTopics: List<String> = emptyList(),
+    private val cache: Path? = null,
+    private val xTopic: String? = null,
+    signals: SignalVocabulary = RuleSet.BUILT_IN.signals,
+) {
+    private val usedSignals = signals.namedIn((virtualTopics + questions).joinToString("\n"))
+
+    // A hook is given all that the log has.
+    private val sinks = if (hooks.isEmpty()) NamedTopics(virtualTopics + questions, xTopic, usedSignals) else NumberSinks.RECORDING
+    private val asked = LruCache<LogShape, Asked>(MAX_SHAPES) { Asked(it) }
+
+    private inner class Asked(shape: LogShape) {
+        val names = QuestionNames(usedSignals, shape)
+        val questions: List<ParsedQuestion> = this@MatchTable.questions.map { Question.parse(it, names.vocabulary) }
+    }
+
+    /** What is wrong with a question, or the condition, whatever a log has; null when nothing seems to be. */
+    public val mistake: Reply.NotAsked? =
+        (questions + listOfNotNull(condition)).firstNotNullOfOrNull(::errorForEveryLog)?.let { notAsked(it) }
+
+    @Serializable
+    internal class Stored(
+        val title: String?,
+        val headers: List<String> = emptyList(),
+        val cells: List<TableCell> = emptyList(),
+        val unreadable: String? = null,
+        val isNoLog: Boolean = false,
+        val isSalvaged: Boolean = false,
+        val isWanted: Boolean = true,
+        val mistake: Reply.NotAsked? = null,
+        val undefined: List<UndefinedTopic> = emptyList(),
+        @Transient val hooks: List<HookOutcome> = emptyList(),
+    )
+
+    /**
+     * Asks each of [files], on all cores.
+     *
+     * @param progress hears on this thread how many files are done.
+     * @return a row for each file, sorted.
+     */
+    public fun over(files: List<LogFile>, progress: (done: Int, total: Int) -> Unit = { _, _ -> }): List<TableRow> {
+        val rows = ArrayList<TableRow>(files.size)
+        val parts =
+            listOf("table", xTopic.orEmpty(), condition.orEmpty(), usedSignals.toJson()) + questions + "by" + by + "topics" + virtualTopics
+        val known = cache?.takeIf { hooks.isEmpty() }?.let { ResultCache(it, parts.joinToString("\n"), Stored.serializer()) }
+        runCached(files, known, { file, cores ->
+            LogContent.examined(file, virtualTopics, usedSignals, xTopic, sinks, cores, ::ask)
+        }) { file, stored ->
+            rows += rowOf(file, stored)
+            progress(rows.size, files.size)
+        }
+        return rows.sortedWith { one, other ->
+            by.indices.map { compareHeaders(one.headers.getOrNull(it), other.headers.getOrNull(it)) }.firstOrNull { it != 0 } ?: 0
+        }
+    }
+
+    /** What is wrong with a question of [rows], of which none could be asked. */
+    public fun mistakeIn(rows: List<TableRow>): Reply.NotAsked? {
+        val wrong = rows.mapNotNull { it.mistake }
+        if (wrong.isNotEmpty() && rows.all { it.mistake != null || it.unreadable != null }) return wrong.maxBy { it.place }
+        val cells = rows.filter { it.isWanted }.map { it.cells }.filter { it.isNotEmpty() }
+        return questions.indices.firstNotNullOfOrNull { column ->
+            val refusals = cells.mapNotNull { it[column].refusal }
+            if (refusals.size < cells.size) null else refusals.maxByOrNull { it.place }
+        }
+    }
+
+    private fun rowOf(file: LogFile, stored: Stored): TableRow {
+        val found = stored.hooks.flatMap { hook -> hook.result?.values.orEmpty().map { (name, text) -> HookValue(hook.hook, name, text) } }
+        val failures = stored.hooks.mapNotNull { hook -> hook.failure?.let { HookFailure(hook.hook, it.message) } }
+        return stored.run {
+            TableRow(file, title, headers, cells, found, failures, unreadable, isNoLog, isSalvaged, isWanted, undefined, mistake)
+        }
+    }
+
+    private fun ask(content: LogContent): CachedResult<Stored> = when (content) {
+        is LogContent.None -> CachedResult(Stored(null, unreadable = content.message, isNoLog = content.isNoLog), content.isNoLog)
+        is LogContent.Log -> CachedResult(ask(content), isLasting = true)
+    }
+
+    private fun ask(log: LogContent.Log): Stored {
+        val values = log.recording.values
+        val (isWanted, mistake) = condition?.let { holdsFor(values, it) } ?: (true to null)
+        val asked = asked[LogShape.of(log.view)]
+        return Stored(
+            log.view.title,
+            by.map { headerOf(values, it) },
+            cells = if (isWanted) {
+                asked.names.signalsOf(log.view).let { signals ->
+                    asked.questions.map { cellOf(it, signals) }
+                }
+            } else {
+                emptyList()
+            },
+            isSalvaged = log.recording.isSalvaged,
+            isWanted = isWanted,
+            mistake = mistake,
+            undefined = log.undefined,
+            hooks = if (isWanted) hooks.map { HookOutcome.of(it, log.recording) } else emptyList(),
+        )
+    }
+
+    private fun cellOf(question: ParsedQuestion, signals: Signals): TableCell = when (question) {
+        is ExpressionError -> TableCell(Double.NaN, "", "", notAsked(question))
+
+        is Question -> {
+            val answer = question.answer(signals)
+            val quantity = answer.quantities.firstOrNull()
+            when (answer.outcome) {
+                Outcome.NO_QUESTION -> TableCell(quantity?.value ?: Double.NaN, quantity?.unit.orEmpty(), "", null)
+                Outcome.HOLDS -> TableCell(1.0, "", "yes", null)
+                Outcome.FAILS -> TableCell(0.0, "", "no", null)
+                Outcome.UNKNOWN -> TableCell(Double.NaN, "", "", null)
+            }
+        }
+    }
+
+    private companion object {
+        const val MAX_SHAPES = 64
+    }
+}

@@ -1,0 +1,78 @@
+package badlog.report.table
+
+import badlog.file.LogFile
+import badlog.report.HookFailure
+import badlog.report.Reply
+import badlog.report.UndefinedTopic
+import kotlinx.serialization.Serializable
+
+/**
+ * A log in a [MatchTable].
+ *
+ * @property headers the header values by which the table is sorted; empty texts where the log has none.
+ * @property cells what each question came to; empty where the log was not asked.
+ * @property hookValues what the hooks returned.
+ * @property hookFailures the hooks that failed for it.
+ * @property unreadable why the file cannot be read; null when it can.
+ * @property isNoLog whether it is something else than a log.
+ * @property isSalvaged whether the log lost something.
+ * @property isWanted whether the log meets the table's condition.
+ * @property undefined the virtual topics that the log could not be given.
+ */
+public class TableRow internal constructor(
+    public val file: LogFile,
+    public val title: String?,
+    public val headers: List<String>,
+    public val cells: List<TableCell>,
+    public val hookValues: List<HookValue>,
+    public val hookFailures: List<HookFailure>,
+    public val unreadable: String?,
+    public val isNoLog: Boolean,
+    public val isSalvaged: Boolean,
+    public val isWanted: Boolean,
+    public val undefined: List<UndefinedTopic>,
+    internal val mistake: Reply.NotAsked?,
+)
+
+/**
+ * What a question to a log came to.
+ *
+ * @property value the number; 1 and 0 for yes and no; NaN where it is not known, or could not be asked.
+ * @property unit its unit, empty for none.
+ * @property word “yes” or “no”; empty for a number.
+ * @property refusal why it could not be asked; null when it was.
+ */
+@Serializable
+public class TableCell internal constructor(
+    public val value: Double,
+    public val unit: String,
+    public val word: String,
+    public val refusal: Reply.NotAsked?,
+)
+
+/**
+ * A value that a hook returned for a log.
+ *
+ * @property hook what the hook is called.
+ * @property name what the value is called.
+ * @property text a text, or a number as one.
+ */
+public class HookValue internal constructor(public val hook: String, public val name: String, public val text: String)
+
+/**
+ * What [rows] have of hooks, in the order in which it first comes.
+ *
+ * @property title the name of the value, with that of its hook where several hooks have such a value.
+ */
+internal class HookColumn private constructor(private val hook: String, private val name: String, val title: String) {
+    /** Its text in [row]; null without one. */
+    fun textIn(row: TableRow): String? = row.hookValues.find { it.hook == hook && it.name == name }?.text
+
+    companion object {
+        fun of(rows: List<TableRow>): List<HookColumn> {
+            val columns = rows.flatMap { row -> row.hookValues.map { it.hook to it.name } }.distinct()
+            val hooks = columns.groupBy({ it.second }, { it.first })
+            return columns.map { (hook, name) -> HookColumn(hook, name, if (hooks.getValue(name).size > 1) "$name ($hook)" else name) }
+        }
+    }
+}

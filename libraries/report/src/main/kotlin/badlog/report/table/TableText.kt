@@ -1,0 +1,64 @@
+package badlog.report.table
+
+import badlog.expression.Quantity
+import badlog.report.cell
+import badlog.report.hookTexts
+import badlog.report.plain
+import badlog.report.shortNames
+import badlog.report.undefinedTexts
+import badlog.terminal.TextTable
+
+/** [rows] of [table] for a terminal: a line for each log that was asked. */
+public fun tableText(table: MatchTable, rows: List<TableRow>): String {
+    val asked = askedOf(rows)
+    val names = shortNames(asked.map { it.file })
+    val units = unitsOf(table, asked)
+    val hooks = HookColumn.of(asked)
+    val columns = listOf(TextTable.Column("Match"), TextTable.Column("File")) + table.by.map { TextTable.Column(it) } +
+        table.questions.mapIndexed { i, question -> TextTable.Column(titled(question, units[i]), isNumber = true) } +
+        hooks.map { column -> TextTable.Column(column.title, isNumber = asked.all { isNumber(column.textIn(it)) }) }
+    val lines = asked.map { row ->
+        val file = names.getValue(row.file)
+        listOf(row.title ?: file, file) + row.headers +
+            row.cells.mapIndexed { i, cell -> textOf(cell, isUnitInTitle = units[i].isNotEmpty()) } +
+            hooks.map { it.textIn(row) ?: UNKNOWN }
+    }
+    return TextTable(columns).lines(lines).flatten().joinToString("\n")
+}
+
+/** [rows] of [table] as CSV (RFC 4180): exact numbers, an empty cell for none. */
+public fun tableCsv(table: MatchTable, rows: List<TableRow>): String {
+    val asked = askedOf(rows)
+    val units = unitsOf(table, asked)
+    val hooks = HookColumn.of(asked)
+    val head = listOf("Match", "File") + table.by + table.questions.mapIndexed { i, question -> titled(question, units[i]) } +
+        hooks.map { it.title }
+    val lines = asked.map { row ->
+        listOf(row.title.orEmpty(), row.file.path.toString()) + row.headers + row.cells.map { plain(it.value) } +
+            hooks.map { it.textIn(row).orEmpty() }
+    }
+    return (listOf(head) + lines).joinToString("") { line -> line.joinToString(",", postfix = "\r\n", transform = ::cell) }
+}
+
+/** What could not be asked, and why: virtual topics and hooks, each as a sentence or more. */
+public fun notesOf(rows: List<TableRow>): List<String> =
+    undefinedTexts(askedOf(rows).map { it.undefined }) + hookTexts(rows.flatMap { row -> row.hookFailures.map { it to row.file } })
+
+private fun askedOf(rows: List<TableRow>) = rows.filter { it.unreadable == null && it.isWanted }
+
+/** The unit of each column, empty where it has none or several. */
+private fun unitsOf(table: MatchTable, rows: List<TableRow>): List<String> = table.questions.indices.map { column ->
+    rows.mapNotNull { it.cells.getOrNull(column)?.takeIf { cell -> !cell.value.isNaN() }?.unit }.distinct().singleOrNull().orEmpty()
+}
+
+private fun titled(question: String, unit: String) = if (unit.isEmpty()) question else "$question ($unit)"
+
+private fun isNumber(text: String?) = text == null || text.toDoubleOrNull() != null
+
+private fun textOf(cell: TableCell, isUnitInTitle: Boolean): String = when {
+    cell.word.isNotEmpty() -> cell.word
+    cell.value.isNaN() -> UNKNOWN
+    else -> Quantity("", cell.value, if (isUnitInTitle) "" else cell.unit, Double.NaN).text
+}
+
+private const val UNKNOWN = "–"
