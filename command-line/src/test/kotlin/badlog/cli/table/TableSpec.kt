@@ -26,6 +26,8 @@ import java.io.PrintStream
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.div
+import kotlin.io.path.readText
+import kotlin.io.path.writeText
 
 class TableSpec : FunSpec({
     fun Path.match(number: String, type: String = "Qualification") = with("$number.bag", BAG.replace("\"42\"", "\"$number\"").replace("}]}", "},{\"name\":\"Match Type\",\"value\":\"$type\"}]}"))
@@ -49,21 +51,21 @@ class TableSpec : FunSpec({
 
     test("CSV and JSON have exact numbers, and nothing where nothing is known") {
         inFolder { folder ->
-            folder.match("1")
+            folder.match("1").let { it.writeText(it.readText().replace("Enabled", "Height")) }
             folder.with("2.bag", "{\"topics\":[{\"name\":\"Speed\",\"unit\":\"m/s\"}],\"values\":[]}\nSpeed\n0.1\n")
-            val csv = table(folder, "--value", "min(Speed)", "--value", "count(Enabled)", "--by", "Match Number", "--csv")
+            val csv = table(folder, "--value", "min(Speed)", "--value", "count(Height)", "--by", "Match Number", "--csv")
             csv.code shouldBe ExitCode.WHOLE
             csv.out.lines() shouldBe listOf(
-                "Match,File,Match Number,min(Speed) (m/s),count(Enabled)",
+                "Match,File,Match Number,min(Speed) (m/s),count(Height)",
                 "Qualification 1,${folder / "1.bag"},1,1.5,1",
                 ",${folder / "2.bag"},,0.1,",
                 "",
             )
-            val json = badlogJson("table", folder, "--value", "min(Speed)", "--value", "count(Enabled)", "--by", "Match Number", "--no-cache").json
+            val json = badlogJson("table", folder, "--value", "min(Speed)", "--value", "count(Height)", "--by", "Match Number", "--no-cache").json
             json.map { it.getValue("values").jsonObject.getValue("min(Speed)").jsonPrimitive.content } shouldBe listOf("1.5", "0.1")
             json[0].getValue("units").jsonObject.getValue("min(Speed)").jsonPrimitive.content shouldBe "m/s"
             json[0].getValue("by").jsonObject.getValue("Match Number").jsonPrimitive.content shouldBe "1"
-            json[1].getValue("messages").jsonObject.getValue("count(Enabled)").jsonPrimitive.content shouldBe "There is no topic “Enabled”."
+            json[1].getValue("messages").jsonObject.getValue("count(Height)").jsonPrimitive.content shouldBe "There is no topic “Height”."
             table(folder, "--value", "min(Speed)", "--csv", "--json").code shouldBe ExitCode.USAGE
         }
     }
@@ -139,7 +141,7 @@ class TableSpec : FunSpec({
             return Badlog(console, input.byteInputStream()).run(listOf("table", "-", "--value", "max(Speed)", "--csv", "--no-cache")) to out.toString(Charsets.UTF_8)
         }
         piped(BAG) shouldBe (ExitCode.WHOLE to "Match,File,max(Speed) (m/s)\r\nMatch 42,-,5.5\n")
-        piped("prose, and no log").first shouldBe ExitCode.NOTHING
+        piped("There is nothing here\nbut words\n").first shouldBe ExitCode.NOTHING
     }
 
     test("a table that cannot be written is noticed") {
