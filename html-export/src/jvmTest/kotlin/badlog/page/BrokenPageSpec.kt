@@ -21,6 +21,20 @@ internal class BrokenPageSpec : PageSpec({
         }
     }
 
+    browserTest("a browser whose language is none shows the page, as WebKit in the language C") {
+        val script = "Object.defineProperty(navigator, 'language', { get: () => 'C', configurable: true })"
+        onPage(TestPages.of(stepBag(graphs = 1)), script = script) { graph("Step 1").isDrawn shouldBe true }
+    }
+
+    browserTest("a program that fails before it can show anything says why") {
+        val page = TestPages.of(stepBag(graphs = 1))
+        OpenPage.open(page, Screen.WIDE, "Intl.NumberFormat = undefined").use {
+            it.awaitState("failed")
+            it.text shouldContain "Something went wrong"
+            it.text shouldContain "NumberFormat"
+        }
+    }
+
     browserTest("a page cut inside its program says so") {
         OpenPage.open(cut(TestPages.ofSample("practice.bag"), 100_000), Screen.WIDE, null).use {
             it.await("a word about the cut") { "the file is incomplete" in it.text }

@@ -1,6 +1,7 @@
 package badlog.page
 
 import badlog.bag.BagTopic
+import io.kotest.assertions.withClue
 import io.kotest.inspectors.forAll
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.doubles.shouldBeGreaterThan
@@ -27,6 +28,24 @@ internal class CursorSpec : PageSpec({
                 }
             },
         )
+    }
+
+    browserTest("on a screen of any width the cursor's time is there to read, with nothing over it") {
+        onPage(page) {
+            for (width in listOf(1280, 1000, 960, 900, 800, 761)) {
+                show(Screen(width, 800))
+                graph("Row").hover(0.5)
+                withClue("$width px") {
+                    script(
+                        """
+                        const box = document.querySelector('.cursor-readout').getBoundingClientRect();
+                        return [box.left + 1, box.right - 1].every(x =>
+                            document.elementFromPoint(x, box.top + box.height / 2)?.closest('.cursor-readout'));
+                        """.trimIndent(),
+                    ) shouldBe true
+                }
+            }
+        }
     }
 
     browserTest("the values at the cursor are those of the very sample, however many share a pixel") {

@@ -2,6 +2,7 @@ package badlog.page
 
 import badlog.bag.BagTopic
 import badlog.html.protocol.PageAdditions
+import io.kotest.assertions.withClue
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldNotContain
 import io.kotest.matchers.shouldBe
@@ -56,6 +57,57 @@ internal class FormulaSpec : PageSpec({
             texts(".folder-link-name") shouldNotContain "New folder"
             reload()
             graphNames shouldNotContain "Power/Sum"
+        }
+    }
+
+    fun OpenPage.addFormula(definition: String) {
+        click("#add-formula")
+        press(definition, Keys.ENTER)
+    }
+
+    browserTest("a formula that another needs is not removed, and the page says which does") {
+        onPage(TestPages.of(bag)) {
+            addFormula("Sum = Voltage + Current")
+            addFormula("Twice = Sum * 2")
+            click("#add-formula")
+            elements(".formula-remove").first().click()
+            texts(".formula-message").single() shouldBe "“Twice = Sum * 2” needs it; remove that first."
+            elements(".formula-remove").last().click()
+            elements(".formula-remove").last().click()
+            texts(".formula-list li") shouldBe emptyList()
+        }
+    }
+
+    browserTest("a formula is changed, and what is calculated from it with it") {
+        onPage(TestPages.of(bag)) {
+            addFormula("Sum = Voltage + Current")
+            addFormula("Twice = Sum * 2")
+            click("#add-formula")
+            click(".formula-list .text-button")
+            script("document.querySelector('#formula').select()")
+            press("Total = Voltage + 1", Keys.ENTER)
+            texts(".formula-message").single() shouldBe "“Twice = Sum * 2” needs this name; change that first."
+            script("document.querySelector('#formula').select()")
+            press("Sum = Voltage + 1", Keys.ENTER)
+            element("#formula-dialog").isDisplayed shouldBe false
+            for (name in listOf("after the change", "after it was opened again")) {
+                withClue(name) {
+                    graph("Sum").scrollTo().hover(0.5)
+                    graph("Sum").value("Sum") shouldBe "51"
+                    graph("Twice").scrollTo().hover(0.5)
+                    graph("Twice").value("Twice") shouldBe "102"
+                    graphNames.count { it == "Sum" || it == "Twice" } shouldBe 2
+                }
+                reload()
+            }
+        }
+    }
+
+    browserTest("formulas are not counted as topics of the log") {
+        onPage(TestPages.of(bag)) {
+            addFormula("Sum = Voltage + Current")
+            reload()
+            texts(".fact") shouldContain "4 topics"
         }
     }
 

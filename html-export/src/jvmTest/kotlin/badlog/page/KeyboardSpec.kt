@@ -59,6 +59,15 @@ internal class KeyboardSpec : PageSpec({
         }
     }
 
+    browserTest("the first press of Tab offers the way to the graphs, past all findings") {
+        onPage(pageWithAll) {
+            element(".skip").rect.let { it.width > 0 && it.height > 0 } shouldBe true
+            press(Keys.TAB, Keys.ENTER)
+            script("return document.activeElement.className") shouldBe "plot"
+            graph(graphNames.first()).isOnScreen shouldBe true
+        }
+    }
+
     browserTest("every button and field has a name for those who do not see it") {
         onPage(pageWithAll) {
             script(

@@ -39,6 +39,15 @@ internal class LegendSpec : PageSpec({
         }
     }
 
+    browserTest("a screen reader hears a line's name and its value at the cursor, also where the title shows the name already") {
+        onPage(page) {
+            graph("Step 1").scrollTo().hover(0.9)
+            graph("Step 1").legend("Step 1").accessibleName shouldBe "Step 1 1"
+            graph("Arm/Both").scrollTo().hover(0.5)
+            graph("Arm/Both").legend("High").accessibleName shouldBe "High " + graph("Arm/Both").value("High")
+        }
+    }
+
     browserTest("the keyboard hides and shows a line") {
         onPage(page) {
             val graph = graph("Arm/Both").scrollTo()

@@ -2,6 +2,7 @@ package badlog.page
 
 import io.kotest.matchers.ranges.shouldBeIn
 import io.kotest.matchers.shouldBe
+import java.nio.file.Files
 
 internal class TimeLinkSpec : PageSpec({
     fun OpenPage.follow(fragment: String) {
@@ -50,6 +51,27 @@ internal class TimeLinkSpec : PageSpec({
         onPage(TestPages.of("Time,A\n", "empty.csv")) {
             follow("t=3")
             cursor() shouldBe ""
+        }
+    }
+
+    browserTest("a page in a frame goes to its time without scrolling the page around it") {
+        val page = TestPages.of(stepBag(graphs = 20))
+        val host = Files.writeString(
+            page.resolveSibling("host-of-${page.fileName}"),
+            "<!DOCTYPE html><p style='height: 300px'>Above<p><iframe width=900 height=500 src='${page.fileName}#t=9'></iframe>" +
+                "<p style='height: 3000px'>Below",
+        )
+        OpenPage.open(host, Screen.WIDE, null).use {
+            it.driver.switchTo().frame(0)
+            it.awaitState("ready")
+            it.await("the cursor") { it.cursor() == "9.000 s" }
+            it.script("scrollTo(0, 1e6)")
+            it.settle()
+            it.script("location.hash = 't=4'")
+            it.await("a graph on the screen") { (1..20).any { step -> it.graph("Step $step").isOnScreen } }
+            it.settle()
+            it.driver.switchTo().defaultContent()
+            it.number("return scrollY") shouldBe 0.0
         }
     }
 

@@ -40,6 +40,17 @@ internal class UnusualFilesSpec : PageSpec({
             graph("A").value("A") shouldBe "3"
             graph("A").pixelsOfLine(0) shouldBeGreaterThan 0
             graph("A").drag(0.2, 0.6)
+            texts(".fact").none { it.endsWith(" s") } shouldBe true
+        }
+    }
+
+    browserTest("a topic whose samples are all NaN has no data") {
+        onPage(TestPages.of("$HEADER\nTime,A\n0,NaN\n1,NaN\n2,NaN\n")) { texts(".plot") shouldContain "No data" }
+    }
+
+    browserTest("a unit that is written from the right leaves the order of what stands beside it alone") {
+        onPage(TestPages.of("{\"topics\":[{\"name\":\"A\",\"unit\":\"متر\"}],\"values\":[]}\nA\n1\n2\n", "متر.bag")) {
+            (elements(".fact") + elements(".graph-unit")).map { it.tagName }.toSet() shouldBe setOf("bdi")
         }
     }
 

@@ -8,23 +8,34 @@ import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.dom.showText
 import badlog.plot.formula.Suggestions
+import badlog.plot.formula.nameIn
 import badlog.plot.formula.nameInExpression
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLInputElement
 import org.w3c.dom.events.KeyboardEvent
 
 /**
- * Where a person adds formulas and takes them away.
+ * Where a person adds formulas, changes them and takes them away.
  *
  * @param onAdd is called with a definition that has no mistake.
- * @param onRemove is called with one of the person's definitions.
+ * @param onChange is called with one of the person's definitions, and with what takes its place.
+ * @param onRemove is called with one of the person's definitions, which no other uses.
  */
-internal class FormulaDialog(private val formulas: Formulas, private val onAdd: (String) -> Unit, private val onRemove: (String) -> Unit) {
+internal class FormulaDialog(
+    private val formulas: Formulas,
+    private val onAdd: (String) -> Unit,
+    private val onChange: (from: String, to: String) -> Unit,
+    private val onRemove: (String) -> Unit,
+) {
     private lateinit var input: HTMLInputElement
     private lateinit var suggestions: HTMLElement
     private lateinit var message: HTMLElement
     private lateinit var pointer: HTMLElement
     private lateinit var own: HTMLElement
+    private lateinit var submitButton: HTMLElement
+
+    /** The definition that is being changed; null while one is added. */
+    private var changed: String? = null
 
     val element: HTMLElement = element("dialog", "help formula-dialog") {
         id = "formula-dialog"
@@ -38,7 +49,7 @@ internal class FormulaDialog(private val formulas: Formulas, private val onAdd: 
             add("code", "", "Power [W] = Battery Voltage * Total Current")
             add("div", "formula-entry") {
                 input = add("input", "formula-input").unsafeCast<HTMLInputElement>()
-                addButton("", "Add graph") { submit() }.id = "formula-add"
+                submitButton = addButton("", "Add graph") { submit() }.apply { id = "formula-add" }
             }
             suggestions = add("div", "formula-suggestions")
             message = add("p", "formula-message")
@@ -71,6 +82,17 @@ internal class FormulaDialog(private val formulas: Formulas, private val onAdd: 
         if (element.hasAttribute("open")) return
         element.asDynamic().showModal()
         listOwn()
+        edit(null)
+    }
+
+    private fun edit(definition: String?) {
+        if (definition != null) {
+            input.value = definition
+        } else if (changed != null) {
+            input.value = ""
+        }
+        changed = definition
+        submitButton.textContent = if (definition == null) "Add graph" else "Change graph"
         check(isFinal = false)
         input.focus()
     }
@@ -82,25 +104,38 @@ internal class FormulaDialog(private val formulas: Formulas, private val onAdd: 
     private fun submit() {
         val text = input.value.trim()
         if (!check(isFinal = true)) return
+        val replaced = changed
         input.value = ""
+        changed = null
         close()
-        onAdd(text)
+        if (replaced == null) onAdd(text) else onChange(replaced, text)
     }
 
     /** Tells what is wrong, quietly while the person may still be typing it, and whether nothing is. */
     private fun check(isFinal: Boolean): Boolean {
         // What spaces there are before it are not to move the mark.
         val text = input.value.trim()
-        val mistake = if (text.isEmpty() && !isFinal) null else formulas.mistakeIn(text)
-        message.showText(mistake?.message.orEmpty())
+        val mistake = if (text.isEmpty() && !isFinal) null else formulas.mistakeIn(text, changed)
+        val orphans = if (mistake == null) orphansOf(text) else emptyList()
+        show(mistake?.message ?: needed(orphans), isFinal)
         pointer.showText(mistake?.pointed()?.substringAfter('\n').orEmpty())
-        for (part in listOf(message, pointer)) part.isHidden = mistake == null
-        message.classList.toggle("is-error", isFinal)
+        pointer.isHidden = mistake == null
         // A long one does not fit, and its mistake mostly is at its end.
         pointer.scrollLeft = maxOf(0, (mistake?.from ?: 0) - LETTERS_BEFORE) * LETTER_WIDTH
         suggest()
         if (isFinal) input.focus()
-        return mistake == null && text.isNotEmpty()
+        return mistake == null && orphans.isEmpty() && text.isNotEmpty()
+    }
+
+    /** What could no longer be calculated if [text] took the place of what is being changed. */
+    private fun orphansOf(text: String): List<String> = changed?.takeIf { nameIn(it) != nameIn(text) }?.let(formulas::usersOf).orEmpty()
+
+    private fun needed(users: List<String>) = if (users.isEmpty()) "" else "“${users.joinToString("”, “")}” needs this name; change that first."
+
+    private fun show(text: String, isError: Boolean) {
+        message.showText(text)
+        message.isHidden = text.isEmpty()
+        message.classList.toggle("is-error", isError)
     }
 
     private fun suggest() {
@@ -122,14 +157,18 @@ internal class FormulaDialog(private val formulas: Formulas, private val onAdd: 
         own.isHidden = formulas.own.isEmpty()
         for (definition in formulas.own) {
             own.add("li") {
-                add("code", "", definition)
-                addIconButton("formula-remove", Icon.CLOSE, "Remove $definition") {
-                    onRemove(definition)
-                    listOwn()
-                    input.focus()
-                }
+                addButton("text-button", "", "Change this formula") { edit(definition) }.add("code", "", definition)
+                addIconButton("formula-remove", Icon.CLOSE, "Remove $definition") { remove(definition) }
             }
         }
+    }
+
+    private fun remove(definition: String) {
+        val users = formulas.usersOf(definition)
+        if (users.isNotEmpty()) return show("“${users.joinToString("”, “")}” needs it; remove that first.", isError = true)
+        onRemove(definition)
+        listOwn()
+        if (changed == definition) edit(null) else input.focus()
     }
 
     private companion object {

@@ -16,12 +16,12 @@ import badlog.rules.withVirtualTopics
  * The topics of the page that are calculated from others: those it came with, and those of the person who reads it, which the
  * browser remembers for the file.
  *
- * @param logged the recording as it is.
+ * @property logged the recording as it is.
  * @param signals what topics are called; formulas may name them.
  * @param given the definitions that the page came with.
  * @param fileKey identifies the file.
  */
-internal class Formulas(logged: LogView, private val signals: SignalVocabulary, given: List<String>, fileKey: String) {
+internal class Formulas(val logged: LogView, private val signals: SignalVocabulary, given: List<String>, fileKey: String) {
     private val key = "formulas:$fileKey"
     private val remembered = LocalStorage[key].orEmpty().split('\n').filter { it.isNotBlank() && it !in given }.toMutableList()
     private val formulas = ArrayList<Formula>()
@@ -55,23 +55,51 @@ internal class Formulas(logged: LogView, private val signals: SignalVocabulary, 
     /** The name of the topic that [definition], one of [own], makes; null when it makes none. */
     fun nameOf(definition: String): String? = formulas.find { it.definition == definition }?.topic?.name
 
-    /** Why [text] is not a definition, or null when it is one. */
-    fun mistakeIn(text: String): ExpressionError? = VirtualTopic.parse(text, vocabulary) as? ExpressionError
+    /** Those of [own] that cannot be calculated without the topic of [definition], in their order. */
+    fun usersOf(definition: String): List<String> {
+        val needed = hashSetOf(nameOf(definition) ?: return emptyList())
+        return formulas.filter { formula ->
+            val topic = formula.topic
+            topic != null && topic.expression.topics.any { it in needed } && needed.add(topic.name)
+        }.map { it.definition }
+    }
+
+    /** Why [text] is not a definition, in the place of [replaced] where that is not null; null when it is one. */
+    fun mistakeIn(text: String, replaced: String? = null): ExpressionError? {
+        val known = if (replaced == null) vocabulary else viewOf(remembered - replaced - usersOf(replaced).toSet()).namesWith(signals).vocabulary
+        return VirtualTopic.parse(text, known) as? ExpressionError
+    }
 
     /** Calculates [definition], which has no mistake, and remembers it. Returns its graph. */
     fun add(definition: String): Graph {
         extend(listOf(definition))
         remembered += definition
         remember()
-        val name = formulas.last().topic?.name
+        return graphOf(definition)
+    }
+
+    /** Forgets [definition], which no other uses. */
+    fun remove(definition: String) = remember(remembered - definition)
+
+    /** Calculates [definition], which has no mistake, in the place of [replaced], and those that use it again. */
+    fun replace(replaced: String, definition: String) = remember(remembered.map { if (it == replaced) definition else it })
+
+    /** The graph of [definition], which makes one. */
+    fun graphOf(definition: String): Graph {
+        val name = nameOf(definition)
         return view.folders.flatMap { it.graphs }.first { it.name == name }
     }
 
-    /** Forgets [definition]. What was calculated from it stays until the page is opened again. */
-    fun remove(definition: String) {
-        formulas.removeAll { it.definition == definition }
-        remembered -= definition
+    private fun viewOf(definitions: List<String>) = if (definitions.isEmpty()) given else given.withVirtualTopics(definitions, signals).view
+
+    private fun remember(definitions: List<String>) {
+        formulas.removeAll { it.definition in remembered }
+        remembered.clear()
+        remembered += definitions
         remember()
+        view = given
+        vocabulary = view.namesWith(signals).vocabulary
+        extend(remembered)
     }
 
     private fun extend(definitions: List<String>): List<ExpressionError> {

@@ -43,7 +43,7 @@ internal class GraphCard(val graph: Graph, private val scene: Scene, origin: Str
         setAttribute("data-kind", if (graph.showsStates) "states" else "lines")
         add("header", "graph-head") {
             add("h3", "graph-title", graph.title).title = hintOf(graph)
-            add("span", "unit graph-unit", unitText(graph.unit))
+            add("bdi", "unit graph-unit", unitText(graph.unit))
             if (origin.isNotEmpty()) add("span", "origin", origin).title = hintOf(graph)
             appendChild(legend.element)
             add("div", "graph-tools") {
@@ -65,10 +65,13 @@ internal class GraphCard(val graph: Graph, private val scene: Scene, origin: Str
         appendChild(statistics.element.apply { isHidden = true })
     }
 
+    /** Gives it the keys. */
+    fun focus() = host.focus()
+
     /** Draws the graph if it is not drawn. */
     fun approach() {
         if (plot != null || host.clientWidth == 0) return
-        if (graph.series.all { it.data.size == 0 }) {
+        if (graph.series.all { series -> series.data.y.all { it.isNaN() } }) {
             showEmpty()
             return
         }

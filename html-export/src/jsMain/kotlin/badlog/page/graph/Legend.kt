@@ -31,11 +31,10 @@ internal class Legend(private val graph: Graph, private val isShown: BooleanArra
         element.addButton("legend-entry", "", "${series.topic.name} – press to hide or show this line") {}.apply {
             setAttribute("data-series", series.name)
             setAttribute("aria-pressed", "true")
-            setAttribute("aria-label", series.name)
             add("span", "swatch line-${index % LINE_COLORS}")
-            add("span", "legend-name", series.name)
+            add("bdi", "legend-name", series.name)
             value = add("span", "value")
-            if (series.unit != graph.unit) add("span", "unit", unitText(series.unit))
+            if (series.unit != graph.unit) add("bdi", "unit", unitText(series.unit))
             addEventListener("click", {
                 isShown[index] = !isShown[index]
                 setAttribute("aria-pressed", isShown[index].toString())

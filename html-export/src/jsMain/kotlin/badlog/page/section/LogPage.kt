@@ -43,7 +43,7 @@ internal class LogPage(
     private val navigation = FolderNavigation(folders)
     private val search = SearchBox(::filter)
     private val eventsLink = EventsLink(folders)
-    private val formulaDialog = FormulaDialog(formulas, ::addFormula, ::removeFormula)
+    private val formulaDialog = FormulaDialog(formulas, ::addFormula, ::changeFormula, ::removeFormula)
     private val formulaButton = element("div", "formula-button") {
         addButton("", "", "Add a formula (F)") { formulaDialog.open() }.apply {
             id = "add-formula"
@@ -75,7 +75,8 @@ internal class LogPage(
     )
 
     val element: HTMLElement = element("div", "log-page") {
-        appendChild(pageHeader(scene, about, tools))
+        addButton("skip", "Skip to the graphs") { skip() }
+        appendChild(pageHeader(scene, about, formulas.logged.recording, tools))
         appendChild(ProblemStrip(view, additionProblems(formulas, additions)).element)
         appendChild(findings.element)
         appendChild(zoomBar.element)
@@ -139,7 +140,7 @@ internal class LogPage(
         navigation.update()
         eventsLink.update()
         // What was found begins above the screen when the page was scrolled before.
-        if (!query.isEmpty && content.getBoundingClientRect().top < 0) content.scrollIntoView()
+        if (!query.isEmpty && content.getBoundingClientRect().top < 0) content.bringIntoSight()
         return hits
     }
 
@@ -149,16 +150,34 @@ internal class LogPage(
         navigation.list()
     }
 
-    private fun removeFormula(definition: String) {
-        val name = formulas.nameOf(definition)
-        formulas.remove(definition)
-        name?.let(folders::remove)?.let(graphs::remove)
+    private fun changeFormula(from: String, to: String) {
+        search.clear()
+        val users = formulas.usersOf(from)
+        for (definition in users + from) takeAway(definition)
+        formulas.replace(from, to)
+        for (definition in users + to) graphs.add(folders.add(formulas.graphOf(definition)))
         navigation.list()
     }
 
     private fun showEvidence(place: FindingPlace<Finding>, incident: Incident?) {
         evidence.show(place, incident)
         if (!evidence.hasGraphs) showAnyGraph()
+    }
+
+    private fun removeFormula(definition: String) {
+        takeAway(definition)
+        formulas.remove(definition)
+        navigation.list()
+    }
+
+    private fun takeAway(definition: String) {
+        formulas.nameOf(definition)?.let(folders::remove)?.let(graphs::remove)
+    }
+
+    private fun skip() {
+        val first = folders.cards.firstOrNull { it.element.getBoundingClientRect().height > 0 } ?: return
+        first.element.bringIntoSight()
+        first.focus()
     }
 
     /** Scrolls to the first graph where none is on the screen, so that the cursor is seen. */

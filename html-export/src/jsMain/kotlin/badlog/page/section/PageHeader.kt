@@ -14,28 +14,27 @@ import badlog.recording.Recording
 import badlog.recording.RecordingFormat
 import org.w3c.dom.HTMLElement
 
-/** What file this is, and what can be done with it. */
-internal fun pageHeader(scene: Scene, about: About, tools: List<HTMLElement>): HTMLElement = element("header", "page-head") {
+/** What file this is, with what was [logged], and what can be done with it. */
+internal fun pageHeader(scene: Scene, about: About, logged: Recording, tools: List<HTMLElement>): HTMLElement = element("header", "page-head") {
     val view = scene.view
     add("div", "page-title") {
         add("h1", "", view.title ?: about.name)
         add("p", "facts") {
-            for (fact in factsOf(view, scene, about)) add("span", "fact", fact)
+            for (fact in factsOf(view, logged, about)) add("bdi", "fact", fact)
         }
     }
     add("div", "page-tools") { for (tool in tools) appendChild(tool) }
 }
 
-private fun factsOf(view: LogView, scene: Scene, about: About): List<String> {
+private fun factsOf(view: LogView, logged: Recording, about: About): List<String> {
     val facts = ArrayList<String>()
     if (view.title != null) facts += about.name
-    val recording = view.recording
-    if (!view.xAxis.isIndex && recording.sampleCount > 1) {
-        val width = scene.range.full.width
+    val width = view.xAxis.range?.run { endInclusive - start } ?: 0.0
+    if (!view.xAxis.isIndex && width > 0) {
         facts += if (view.xAxis.unit == "s") durationText(width) else withUnit(roundedText(width), view.xAxis.unit)
     }
-    facts += countText(recording.topics.size, "topic")
-    facts += samplesText(recording)
+    facts += countText(logged.topics.size, "topic")
+    facts += samplesText(logged)
     facts += bytesText(about.inflatedBytes)
     return facts
 }

@@ -3,10 +3,10 @@ package badlog.page.section
 import badlog.page.dom.Icon
 import badlog.page.dom.add
 import badlog.page.dom.element
-import badlog.page.dom.isNarrow
 import badlog.page.dom.showText
 import badlog.page.view.Hits
 import badlog.plot.search.Query
+import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLInputElement
 import org.w3c.dom.events.KeyboardEvent
@@ -27,7 +27,7 @@ internal class SearchBox(private val search: (Query) -> Hits) {
     init {
         input.id = "search"
         input.type = "search"
-        input.placeholder = if (isNarrow) "Search" else "Search topics, values, events"
+        input.placeholder = if (window.innerWidth <= SHORT_WIDTH) "Search" else "Search topics, values, events"
         input.autocomplete = "off"
         input.spellcheck = false
         input.setAttribute("aria-label", "Search")
@@ -59,5 +59,10 @@ internal class SearchBox(private val search: (Query) -> Hits) {
         val hits = search(query)
         count.showText(if (query.isEmpty) "" else hits.text())
         element.classList.toggle("is-active", !query.isEmpty)
+    }
+
+    private companion object {
+        /** From this width of the window on, in CSS pixels, the style sheet gives the box more room. */
+        const val SHORT_WIDTH = 1100
     }
 }
