@@ -69,9 +69,7 @@ internal val UNPACKING: String = """/* Unpacks the program of this page, which h
     page.append(line);
     document.documentElement.dataset.state = 'failed';
   };
-  addEventListener('error', event => {
-    if (!document.documentElement.dataset.state) fail(`Something went wrong: ${'$'}{event.message}. Report it with the file, if you may share it.`);
-  });
+  addEventListener('error', event => document.documentElement.dataset.state || fail('Something went wrong: ' + event.message));
   if (!self.DecompressionStream) {
     fail('This browser is too old. This page needs Chrome 80, Edge 80, Firefox 113, Safari 16.4 or newer.');
     return;
