@@ -73,7 +73,7 @@ internal class Viewer(
     val topics = TopicListing()
     val statistics = SelectedStatistics()
     val player = Player(current, view)
-    val findings = LogFindings(current, view, folder = { library.state.folder }, ::awaitDrawn)
+    val findings = LogFindings(current, view, board, folder = { library.state.folder }, ::awaitDrawn)
     val layouts = LayoutStore(folders, library, current, board, view, compared, formulas, panels, notices)
     val layoutFiles = LayoutFiles(layouts, library, current, files, tasks, notices)
     val pages = PageSaver(scope, current, compared, formulas, library, files, tasks, notices)

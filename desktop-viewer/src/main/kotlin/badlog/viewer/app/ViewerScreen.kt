@@ -124,7 +124,7 @@ private fun MainPane(viewer: Viewer, modifier: Modifier) = with(viewer) {
         when (panels.state.main) {
             MainView.GRAPHS -> Column(Modifier.fillMaxSize()) {
                 CompareBar(current, compared)
-                GraphPane(graphs, Modifier.weight(1f).fillMaxWidth())
+                GraphPane(graphs, Modifier.weight(1f).fillMaxWidth(), loader.isReading)
             }
 
             MainView.LOGS -> LogTable(library, settings, shownLogs(), logActions, Modifier.fillMaxSize())

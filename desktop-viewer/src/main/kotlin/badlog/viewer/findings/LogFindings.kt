@@ -2,10 +2,13 @@ package badlog.viewer.findings
 
 import androidx.compose.runtime.snapshotFlow
 import badlog.analysis.LogView
+import badlog.analysis.Span
+import badlog.plot.board.evidenceBoard
 import badlog.rules.Finding
 import badlog.rules.FolderRules
 import badlog.rules.incident.incidentsIn
 import badlog.rules.over
+import badlog.viewer.board.GraphBoard
 import badlog.viewer.part.Part
 import badlog.viewer.recording.CurrentRecording
 import badlog.viewer.view.AxisView
@@ -32,6 +35,7 @@ import kotlin.time.TimeSource
 internal class LogFindings(
     private val current: CurrentRecording,
     private val view: AxisView,
+    private val board: GraphBoard,
     private val folder: () -> Path?,
     private val awaitDrawn: suspend () -> Unit,
     private val find: (view: LogView, file: Path, library: Path?) -> FindingList = ::findingsOf,
@@ -56,10 +60,24 @@ internal class LogFindings(
     /** The pointer is on [finding], or on none; on its mark at [place]. */
     fun point(finding: Finding?, place: Double = Double.NaN) = change { copy(pointed = finding, pointedPlace = place) }
 
-    /** Takes the cursor and the view to [place], where [finding] was found, and shades its time; one of the whole log is only selected. */
+    /**
+     * Shows what is around [place], where [finding] was found, with the cursor there and its time shaded; and above all other graphs those
+     * of what shows it, and of what shows the incident that it is a part of. One of the whole log leaves the view as it is.
+     */
     fun goTo(finding: Finding, place: Double = finding.time) {
         change { copy(selected = finding) }
-        if (place.isFinite()) view.goTo(place)
+        if (place.isFinite()) view.goTo(place, finding.places.find { it.from == place } ?: Span(place, place))
+        val open = current.recording ?: return
+        val incident = state.list?.incidents?.find { finding in it }
+        board.showEvidence(evidenceBoard(open.view, finding.evidence + incident?.evidence.orEmpty()))
+    }
+
+    /** Goes to the place of the selected finding that is [steps] further on. */
+    fun stepWithin(steps: Int) {
+        val finding = state.selected ?: return
+        val places = finding.places
+        val now = places.indexOfFirst { it.from == view.cursor }
+        places.getOrNull((maxOf(now, 0) + steps).coerceIn(places.indices))?.let { goTo(finding, it.from) }
     }
 
     /** Goes to the place of a finding that is [steps] further on than the one of before, or else than the cursor. */
@@ -86,7 +104,9 @@ internal class LogFindings(
 internal fun findingsOf(view: LogView, file: Path, library: Path?): FindingList {
     val rules = FolderRules.of(file, library)
     return try {
-        val found = rules.rules.over(view, file.fileName.toString()) { if (Thread.interrupted()) throw InterruptedException() }
+        val found = rules.rules.over(view, file.fileName.toString(), isEverywhere = true) {
+            if (Thread.interrupted()) throw InterruptedException()
+        }
         FindingList(found.findings, found.skipped, rules.file, rules.problem, rules.rules.incidentsIn(found.findings))
     } catch (_: OutOfMemoryError) {
         FindingList(trouble = "There is not enough memory to run the rules over this log; close other logs and run them again.")

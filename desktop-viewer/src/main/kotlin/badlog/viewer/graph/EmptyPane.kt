@@ -20,8 +20,12 @@ import badlog.viewer.theme.ToolButton
 
 /** What stands here before a recording is open. */
 @Composable
-internal fun NothingOpen(modifier: Modifier) {
-    Sentence("No log is open", "Select a log at the left, or drop a file here.", modifier.fillMaxSize())
+internal fun NothingOpen(isOpening: Boolean, modifier: Modifier) {
+    if (isOpening) {
+        Sentence("Opening the log …", "Its graphs are here in a moment; the line below shows how far it is.", modifier.fillMaxSize())
+    } else {
+        Sentence("No log is open", "Select a log at the left, or drop a file here.", modifier.fillMaxSize())
+    }
 }
 
 /** What stands here when a recording has nothing to draw. */

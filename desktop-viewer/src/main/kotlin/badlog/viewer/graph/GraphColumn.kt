@@ -13,9 +13,11 @@ import androidx.compose.foundation.lazy.rememberLazyListState
 import androidx.compose.foundation.rememberScrollbarAdapter
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.DisposableEffect
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.SideEffect
 import androidx.compose.runtime.remember
+import androidx.compose.runtime.snapshotFlow
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.input.pointer.PointerEventPass
@@ -27,6 +29,7 @@ import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
 import badlog.plot.board.BoardGraph
+import badlog.viewer.board.GraphBoard
 import badlog.viewer.graph.mark.EventLabel
 import badlog.viewer.graph.mark.FindingLabel
 import badlog.viewer.graph.plot.OVERVIEW
@@ -43,6 +46,7 @@ internal fun GraphColumn(scene: GraphScene) {
     BoxWithConstraints(Modifier.fillMaxSize().changesHeights(scene)) {
         val scroll = rememberLazyListState()
         ShowNewGraph(graphs, scroll)
+        ShowWantedGraph(scene.board, scroll)
         val lanes = remember(graphs, scene.recordings) { graphs.map { lanesOf(it, scene) } }
         val settings = scene.settings.state
         val heights = graphHeights(graphs, lanes, maxHeight.value.toInt(), settings.graphHeight, settings.fitsGraphs)
@@ -70,6 +74,24 @@ private fun ShowNewGraph(graphs: List<BoardGraph>, scroll: LazyListState) {
         before += graphs
         val place = graphs.indexOf(added.singleOrNull())
         if (isAddition && scroll.layoutInfo.visibleItemsInfo.dropLast(1).none { it.index == place }) scroll.scrollToItem(place)
+    }
+}
+
+/** Scrolls to the graph that [board] wants, and tells it which ones are in sight. */
+@Composable
+private fun ShowWantedGraph(board: GraphBoard, scroll: LazyListState) {
+    LaunchedEffect(board.wanted) {
+        val place = board.state.graphs.indexOfFirst { it.id == board.wanted }
+        if (place >= 0) scroll.scrollToItem(place)
+        board.goTo(null)
+    }
+    DisposableEffect(board) { onDispose { board.inSight = null } }
+    LaunchedEffect(board, scroll) {
+        snapshotFlow {
+            val seen = scroll.layoutInfo
+            val middles = seen.visibleItemsInfo.associate { it.key to it.offset + it.size / 2 }
+            middles.filterValues { it in seen.viewportStartOffset..seen.viewportEndOffset }.keys.filterIsInstance<Int>().toSet()
+        }.collect { board.inSight = it }
     }
 }
 

@@ -18,13 +18,17 @@ import badlog.viewer.graph.scene.GraphScene
 import badlog.viewer.playback.PlayerFrames
 import badlog.viewer.theme.LocalPalette
 
-/** The graphs of the open recording, with overview and playback. */
+/**
+ * The graphs of the open recording, with overview and playback.
+ *
+ * @param isOpening whether one is being read.
+ */
 @Composable
-internal fun GraphPane(scene: GraphScene, modifier: Modifier = Modifier) {
+internal fun GraphPane(scene: GraphScene, modifier: Modifier = Modifier, isOpening: Boolean = false) {
     PlayerFrames(scene.player)
     val open = scene.current.recording
     if (open == null) {
-        NothingOpen(modifier)
+        NothingOpen(isOpening, modifier)
         return
     }
     Column(modifier.background(LocalPalette.current.surface).takesKeyboard()) {

@@ -42,6 +42,7 @@ import badlog.plot.text.countText
 import badlog.recording.Severity
 import badlog.rules.Finding
 import badlog.rules.SkippedRule
+import badlog.viewer.board.GraphBoard
 import badlog.viewer.compare.ComparedRecordings
 import badlog.viewer.findings.FindingList
 import badlog.viewer.findings.LogFindings
@@ -52,10 +53,19 @@ import badlog.viewer.recording.OpenRecording
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
+import badlog.viewer.view.AxisView
 
-/** What rules found in [open], by time; a click on a line goes there. Below it the rules that were skipped, folded. */
+/**
+ * What rules found in [open], incidents first, then the worst; a click on a line goes there and shows its evidence. Below it the rules that were skipped, folded. */
 @Composable
-internal fun FindingsPanel(compared: ComparedRecordings, findings: LogFindings, open: OpenRecording, modifier: Modifier) {
+internal fun FindingsPanel(
+    compared: ComparedRecordings,
+    findings: LogFindings,
+    view: AxisView,
+    board: GraphBoard,
+    open: OpenRecording,
+    modifier: Modifier,
+) {
     val selected = findings.state.selected
     val list = findings.state.list
     if (list == null) {
@@ -91,7 +101,12 @@ internal fun FindingsPanel(compared: ComparedRecordings, findings: LogFindings, 
         Box(Modifier.weight(1f)) {
             LazyColumn(Modifier.fillMaxSize(), state) {
                 items(list.incidents) { incident -> IncidentLine(incident, times) { findings.goTo(it) } }
-                items(list.all) { FindingLine(it, times, isSelected = it === selected) { findings.goTo(it) } }
+                items(list.all) { finding ->
+                    val isSelected = finding === selected
+                    FindingLine(finding, times, isSelected, { findings.goTo(finding) }) {
+                        if (isSelected) FindingDetails(findings, view, board, open, finding, times)
+                    }
+                }
                 if (list.skipped.isNotEmpty()) {
                     item { SkippedHead(list.skipped.size, showsSkipped) { showsSkipped = !showsSkipped } }
                     if (showsSkipped) items(list.skipped) { SkippedLine(it) }
@@ -114,9 +129,15 @@ private fun Small(text: String) {
     Text(text, Modifier.padding(horizontal = 12.dp, vertical = 2.dp), color = LocalPalette.current.muted, fontSize = 12.sp)
 }
 
-/** A finding: how bad, when, which rule, and what it says. */
+/** A finding: how bad, when, which rule, and what it says; [details] stand below. */
 @Composable
-internal fun FindingLine(finding: Finding, times: EventTimes, isSelected: Boolean, onClick: () -> Unit) {
+internal fun FindingLine(
+    finding: Finding,
+    times: EventTimes,
+    isSelected: Boolean,
+    onClick: () -> Unit,
+    details: @Composable () -> Unit = {},
+) {
     val palette = LocalPalette.current
     Row(
         Modifier.inspectorLine("Finding, ${finding.severity.word}: ${finding.rule}", isSelected, gap = 5.dp, onClick),
@@ -140,6 +161,7 @@ internal fun FindingLine(finding: Finding, times: EventTimes, isSelected: Boolea
         Column(Modifier.weight(1f)) {
             Text(finding.rule, fontWeight = FontWeight.Medium, maxLines = 1, overflow = TextOverflow.Ellipsis)
             Text(finding.text, maxLines = 6, overflow = TextOverflow.Ellipsis)
+            details()
         }
     }
 }

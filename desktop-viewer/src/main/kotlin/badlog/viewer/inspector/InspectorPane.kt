@@ -25,6 +25,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
+import badlog.analysis.LogView
 import badlog.recording.Severity
 import badlog.viewer.board.GraphBoard
 import badlog.viewer.compare.ComparedRecordings
@@ -78,7 +79,7 @@ internal fun InspectorPane(
                 InspectorTab.VALUES -> ValuesPanel(open, Modifier.fillMaxSize())
                 InspectorTab.PROBLEMS -> ProblemsPanel(open, Modifier.fillMaxSize())
                 InspectorTab.STATISTICS -> StatisticsPanel(compared, board, view, open, Modifier.fillMaxSize())
-                InspectorTab.FINDINGS -> FindingsPanel(compared, findings, open, Modifier.fillMaxSize())
+                InspectorTab.FINDINGS -> FindingsPanel(compared, findings, view, board, open, Modifier.fillMaxSize())
             }
         }
     }
@@ -117,10 +118,13 @@ internal fun InspectorTabs(current: CurrentRecording, findings: LogFindings, pan
 private fun countOf(tab: InspectorTab, findings: LogFindings, open: OpenRecording): Int? = when (tab) {
     InspectorTab.EVENTS -> open.eventLogs.sumOf { it.topic.texts.size }
     InspectorTab.VALUES -> open.view.recording.values.size
-    InspectorTab.PROBLEMS -> open.view.problems.size
+    InspectorTab.PROBLEMS -> problemsIn(open.view)
     InspectorTab.STATISTICS -> null
     InspectorTab.FINDINGS -> findings.state.list?.all?.size
 }
+
+/** How many of the problems of [view] cost something; notes, which healthy logs have as well, do not. */
+internal fun problemsIn(view: LogView): Int = view.count(Severity.ERROR) + view.count(Severity.WARNING)
 
 /** Makes a line of a list that takes the window to a time: called [name], with [gap] above and below. */
 @Composable

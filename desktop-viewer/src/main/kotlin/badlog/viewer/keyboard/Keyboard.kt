@@ -1,6 +1,7 @@
 package badlog.viewer.keyboard
 
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.CompositionLocalProvider
 import androidx.compose.ui.ExperimentalComposeUiApi
 import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.input.key.KeyEvent
@@ -16,6 +17,8 @@ import androidx.compose.ui.platform.PlatformTextInputInterceptor
 import badlog.plot.gesture.Action
 import badlog.plot.gesture.HelpLine
 import badlog.plot.gesture.KeyStroke
+import badlog.viewer.menu.LocalOpenMenus
+import badlog.viewer.menu.OpenMenus
 
 /**
  * Knows whether a person is typing into a text field, and gives keys to commands while they are not. A field lets the presses of
@@ -25,6 +28,9 @@ import badlog.plot.gesture.KeyStroke
 internal class Keyboard {
     /** Whether a text field takes what is typed. */
     val isTyping: Boolean get() = fields > 0
+
+    /** The menus that Escape closes before it does anything else. */
+    val menus = OpenMenus()
 
     private var fields = 0
 
@@ -39,7 +45,9 @@ internal class Keyboard {
 
     /** Shows [content] and watches its text fields. */
     @Composable
-    fun Watch(content: @Composable () -> Unit) = InterceptPlatformTextInput(interceptor, content)
+    fun Watch(content: @Composable () -> Unit) = CompositionLocalProvider(LocalOpenMenus provides menus) {
+        InterceptPlatformTextInput(interceptor, content)
+    }
 
     /**
      * Does what the first of [commands] that [event] fits asks for; false when none does. While a person is typing, only those
@@ -58,9 +66,10 @@ internal class Keyboard {
 
     /**
      * Gives Space to [commands] even where a button was clicked before, which would take it for another click; Enter still
-     * presses that. For `onPreviewKeyEvent` of the window.
+     * presses that. Escape closes the open menu. For `onPreviewKeyEvent` of the window.
      */
     fun dispatchFirst(event: KeyEvent, commands: List<Command>): Boolean {
+        if (event.key == Key.Escape && event.type == KeyEventType.KeyDown && menus.closeLast()) return true
         if (event.key != Key.Spacebar || isTyping || event.isAltPressed) return false
         dispatch(event, commands)
         // Its release is none of the button's business either.

@@ -55,10 +55,10 @@ internal class LayoutStore(
     val layout: Layout
         get() {
             val open = current.recording
-            val isDefault = open == null || board.state.showsSame(defaultBoard(open.logged))
+            val isDefault = open == null || board.kept.showsSame(defaultBoard(open.logged))
             return Layout(
                 version = Layout.VERSION,
-                graphs = if (isDefault) null else board.state.renumbered(),
+                graphs = if (isDefault) null else board.kept.renumbered(),
                 recording = open?.let { pathText(it.file, library.state.folder) },
                 visible = view.viewport.visible.takeIf { view.viewport.isZoomed }?.let(::layoutSpan),
                 selection = view.selection?.let(::layoutSpan),
@@ -151,7 +151,7 @@ internal class LayoutStore(
         }
         val shown = layout
         // A recording that lacks a signal must not make all others forget it.
-        val isAsSaved = board.state.showsSame(fittedTo(open)?.graphs ?: defaultBoard(open.logged))
+        val isAsSaved = board.kept.showsSame(fittedTo(open)?.graphs ?: defaultBoard(open.logged))
         val layout = if (isAsSaved) shown.copy(graphs = saved?.graphs) else shown
         return if (layout == saved) null else place to layout
     }
@@ -163,7 +163,7 @@ internal class LayoutStore(
             restoredChecks = compared.state.checked
         }
         val open = current.recording?.takeIf(::isInFolder) ?: return
-        if (board.state.showsSame(defaultBoard(open.logged))) board.replace(graphsOf(open))
+        if (board.kept.showsSame(defaultBoard(open.logged))) board.replace(graphsOf(open))
     }
 
     /** Lays over the open recording what [layout] names, as it was aligned; files that are gone are left out. */

@@ -30,6 +30,7 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import badlog.file.NaturalOrder
 import badlog.viewer.library.index.LogEntry
+import badlog.viewer.menu.ClosesByEscape
 import badlog.viewer.menu.MenuLine
 import badlog.viewer.settings.SettingsStore
 import badlog.viewer.theme.Icons
@@ -66,6 +67,7 @@ internal fun FolderMenu(library: Library, settings: SettingsStore, actions: Libr
                 Icon(Icons.Down, contentDescription = null, Modifier.size(12.dp), palette.muted)
             }
         }
+        ClosesByEscape(isOpen) { isOpen = false }
         DropdownMenu(isOpen, onDismissRequest = { isOpen = false }) {
             MenuLine("Open folder…") {
                 isOpen = false
@@ -94,6 +96,7 @@ internal fun SortMenu(library: Library) {
     val listing = library.state.listing
     Box {
         ToolButton("Sort logs", Icons.Sort) { isOpen = true }
+        ClosesByEscape(isOpen) { isOpen = false }
         DropdownMenu(isOpen, onDismissRequest = { isOpen = false }) {
             for (column in LogColumn.entries) {
                 val mark = if (column != listing.column) {
@@ -117,6 +120,7 @@ internal fun PreviewMenu(entries: List<LogEntry>, settings: SettingsStore) {
     var isOpen by remember { mutableStateOf(false) }
     Box {
         ToolButton("Preview: ${settings.state.previewTopic ?: BATTERY}", Icons.Graph) { isOpen = true }
+        ClosesByEscape(isOpen) { isOpen = false }
         DropdownMenu(isOpen, onDismissRequest = { isOpen = false }) { PreviewChoice(entries, settings) { isOpen = false } }
     }
 }

@@ -70,6 +70,7 @@ internal fun Menu(
     val isRoomy = LocalWindowInfo.current.containerSize.width >= with(LocalDensity.current) { ROOMY.toPx() }
     Box {
         ToolButton(description, icon, text = label.takeIf { isRoomy }, isOn = isOpen) { if (isOpen) close() else isOpen = true }
+        ClosesByEscape(isOpen, close)
         DropdownMenu(isOpen, onDismissRequest = close) {
             Column(Modifier.width(MENU_WIDTH)) {
                 if (showsPanel) {

@@ -7,6 +7,7 @@ import badlog.analysis.Span
 import badlog.analysis.enabledSpans
 import badlog.file.readRecording
 import badlog.formats.LOG_FORMATS
+import badlog.plot.axis.overItsTime
 import badlog.plot.cursor.CursorSteps
 import badlog.plot.formula.Formula
 import badlog.plot.formula.formulasOf
@@ -122,7 +123,7 @@ internal class OpenRecording(
             }
             if (!recording.isReadable) throw IOException("${file.fileName}: ${recording.problems.last().message}")
             val vocabulary = FolderRules.of(file, library).rules.signals
-            return OpenRecording(file, LogView.of(recording), definitions(), vocabulary).also { it.prepare() }
+            return OpenRecording(file, LogView.of(recording.overItsTime()), definitions(), vocabulary).also { it.prepare() }
         }
     }
 }

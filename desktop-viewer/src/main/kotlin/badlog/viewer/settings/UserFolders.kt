@@ -15,10 +15,14 @@ internal class UserFolders(val settings: Path, val cache: Path) {
         /** The folders that the system means for it: XDG's on Linux, `Library` on macOS, `AppData` on Windows. */
         fun ofSystem(
             system: String = System.getProperty("os.name"),
-            home: Path = Path.of(System.getProperty("user.home")),
+            user: Path = Path.of(System.getProperty("user.home")),
             variable: (String) -> String? = System::getenv,
         ): UserFolders {
-            fun named(name: String, otherwise: Path) = variable(name)?.takeIf { it.isNotBlank() }?.let(Path::of) ?: otherwise
+            // XDG has relative paths ignored.
+            fun named(name: String, otherwise: Path) =
+                variable(name)?.takeIf { it.isNotBlank() }?.let(Path::of)?.takeIf { it.isAbsolute } ?: otherwise
+            // Java takes it from the system's list of users, whatever HOME says.
+            val home = if (system.startsWith("Windows")) user else named("HOME", user)
             return when {
                 system.startsWith("Windows") -> UserFolders(
                     settings = named("APPDATA", home.resolve("AppData/Roaming")).resolve(NAME),

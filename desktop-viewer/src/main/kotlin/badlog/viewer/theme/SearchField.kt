@@ -5,6 +5,7 @@ import androidx.compose.foundation.border
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.shape.RoundedCornerShape
@@ -31,7 +32,10 @@ import androidx.compose.ui.unit.dp
 internal fun SearchField(text: String, hint: String, modifier: Modifier = Modifier, onChange: (String) -> Unit) {
     val palette = LocalPalette.current
     val focus = LocalFocusManager.current
-    Row(
+    // All of it is the field: a click beside the text has to give it the keyboard, or what is typed runs commands.
+    BasicTextField(
+        text,
+        onChange,
         modifier
             .onPreviewKeyEvent {
                 val leaves = it.type == KeyEventType.KeyDown && it.key == Key.Escape
@@ -41,23 +45,25 @@ internal fun SearchField(text: String, hint: String, modifier: Modifier = Modifi
                 }
                 leaves
             }
-            .background(palette.raised, RoundedCornerShape(5.dp))
-            .border(1.dp, palette.border, RoundedCornerShape(5.dp))
-            .padding(horizontal = 8.dp, vertical = 5.dp),
-        horizontalArrangement = Arrangement.spacedBy(6.dp),
-        verticalAlignment = Alignment.CenterVertically,
-    ) {
-        Icon(Icons.Search, contentDescription = null, Modifier.size(14.dp), palette.muted)
-        Box(Modifier.weight(1f)) {
-            if (text.isEmpty()) Text(hint, color = palette.muted, maxLines = 1)
-            BasicTextField(
-                text,
-                onChange,
-                Modifier.semantics { contentDescription = hint },
-                textStyle = LocalTextStyle.current,
-                singleLine = true,
-                cursorBrush = SolidColor(palette.accent),
-            )
+            .semantics { contentDescription = hint },
+        textStyle = LocalTextStyle.current,
+        singleLine = true,
+        cursorBrush = SolidColor(palette.accent),
+    ) { field ->
+        Row(
+            Modifier
+                .fillMaxWidth()
+                .background(palette.raised, RoundedCornerShape(5.dp))
+                .border(1.dp, palette.border, RoundedCornerShape(5.dp))
+                .padding(horizontal = 8.dp, vertical = 5.dp),
+            horizontalArrangement = Arrangement.spacedBy(6.dp),
+            verticalAlignment = Alignment.CenterVertically,
+        ) {
+            Icon(Icons.Search, contentDescription = null, Modifier.size(14.dp), palette.muted)
+            Box(Modifier.weight(1f)) {
+                if (text.isEmpty()) Text(hint, color = palette.muted, maxLines = 1)
+                field()
+            }
         }
     }
 }

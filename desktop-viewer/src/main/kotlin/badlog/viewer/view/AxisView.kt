@@ -57,6 +57,11 @@ internal class AxisView {
         state = state.copy(cursor = x, isCursorPinned = true, viewport = state.viewport.revealing(x))
     }
 
+    /** Pins the cursor at [x], and shows what is around [span]. */
+    fun goTo(x: Double, span: Span) {
+        state = state.copy(cursor = x, isCursorPinned = true, viewport = state.viewport.around(span.from, span.to).revealing(x))
+    }
+
     /** Selects [span]; null for nothing. */
     fun select(span: Span?) {
         state = state.copy(selection = span)

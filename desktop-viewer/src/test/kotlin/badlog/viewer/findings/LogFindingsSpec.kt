@@ -31,7 +31,7 @@ class LogFindingsSpec : FunSpec({
     fun viewerIn(scope: CoroutineScope) = Viewer(scope, UserFolders(home, home)).apply { panels.change { copy(main = MainView.LOGS) } }
 
     /** The findings of [viewer], found by [find]. */
-    fun findingsBy(viewer: Viewer, find: (LogView, Path, Path?) -> FindingList) = LogFindings(viewer.current, viewer.view, { null }, {}, find)
+    fun findingsBy(viewer: Viewer, find: (LogView, Path, Path?) -> FindingList) = LogFindings(viewer.current, viewer.view, viewer.board, { null }, {}, find)
 
     suspend fun over(test: suspend (Viewer) -> Unit) {
         val scope = CoroutineScope(Dispatchers.Main + Job())

@@ -10,9 +10,12 @@ import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performMouseInput
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.analysis.Span
+import badlog.plot.board.Board
 import badlog.plot.board.BoardGraph
 import badlog.viewer.app.actionCommands
 import badlog.viewer.theme.Palette
+import badlog.viewer.theme.Theme
+import badlog.viewer.theme.ViewerTheme
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.doubles.plusOrMinus
@@ -42,6 +45,29 @@ class GraphPaneSpec : FunSpec({
         runDesktopComposeUiTest(900, 600) {
             setContent { TestGraphs(viewerOf(null)) }
             onNodeWithText("Select a log at the left, or drop a file here.").assertExists()
+        }
+    }
+
+    test("while a log is being read it says that, and not that none is open") {
+        runDesktopComposeUiTest(900, 600) {
+            setContent { ViewerTheme(Theme.LIGHT) { GraphPane(viewerOf(null).graphs, isOpening = true) } }
+            onNodeWithText("Opening the log …").assertExists()
+            onNodeWithText("No log is open").assertDoesNotExist()
+        }
+    }
+
+    test("a graph out of sight is scrolled to when it is wanted") {
+        val viewer = viewerOf(recordingOf(bagOf(100) { 0.0 }))
+        viewer.settings.change { copy(fitsGraphs = false) }
+        viewer.board.replace(Board(List(12) { BoardGraph(it + 1, "Graph $it", listOf("A/Voltage")) }))
+        runDesktopComposeUiTest(900, 600) {
+            setContent { TestGraphs(viewer) }
+            waitForIdle()
+            (12 in viewer.board.inSight.orEmpty()) shouldBe false
+            runOnIdle { viewer.board.goTo(12) }
+            waitForIdle()
+            (12 in viewer.board.inSight.orEmpty()) shouldBe true
+            viewer.board.wanted shouldBe null
         }
     }
 

@@ -11,6 +11,7 @@ import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.analysis.Span
 import badlog.plot.board.Board
 import badlog.plot.range.Viewport
+import badlog.recording.Severity
 import badlog.viewer.TestInspector
 import badlog.viewer.app.Viewer
 import badlog.viewer.bagOf
@@ -53,6 +54,14 @@ class InspectorPaneSpec : FunSpec({
             onNodeWithContentDescription("Search events").performTextInput("event 99999")
             onNodeWithText("1 of 100 000 events").assertExists()
         }
+    }
+
+    test("the badge of problems does not count notes, which healthy logs have as well") {
+        val healthy = recordingOf("A,On\n1,true\n2,\n").view
+        (healthy.problems.size > 0) shouldBe true
+        problemsIn(healthy) shouldBe healthy.problems.count { it.severity != Severity.NOTE }
+        problemsIn(recordingOf("A,B\n1,2\n3,x,y,z\n1,2\n").view) shouldBe
+            recordingOf("A,B\n1,2\n3,x,y,z\n1,2\n").view.problems.count { it.severity != Severity.NOTE }
     }
 
     test("values are found by name and text, and the panel closes") {

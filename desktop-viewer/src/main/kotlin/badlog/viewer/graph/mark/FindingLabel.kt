@@ -18,6 +18,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import badlog.analysis.Span
 import badlog.rules.Finding
 import badlog.viewer.findings.findingColor
 import badlog.viewer.findings.word
@@ -35,6 +36,7 @@ internal fun FindingLabel(scene: GraphScene, modifier: Modifier) {
         }
     }
     val finding = shown ?: return
+    val span by remember(scene, finding) { derivedStateOf { placeOf(finding, scene) } }
     val palette = LocalPalette.current
     Box(modifier.fillMaxWidth().padding(start = GraphScene.LEFT_GUTTER, end = scene.rightGutter, bottom = 2.dp)) {
         Column(
@@ -43,11 +45,8 @@ internal fun FindingLabel(scene: GraphScene, modifier: Modifier) {
                     val most = minOf(constraints.maxWidth, MAX_WIDTH.dp.roundToPx())
                     val label = measurable.measure(constraints.copy(minWidth = 0, maxWidth = most))
                     layout(constraints.maxWidth, label.height) {
-                        val isPointed = finding == scene.findings.state.pointed
-                        val pointed = scene.findings.state.pointedPlace.takeIf { it.isFinite() }
-                        val place = (if (isPointed) pointed else scene.view.cursor) ?: finding.time
-                        val x = pixelOf(place, scene.view.viewport.visible, constraints.maxWidth.toFloat()).toInt()
-                        label.place((x - label.width / 2).coerceIn(0, constraints.maxWidth - label.width), 0)
+                        fun pixelOf(x: Double) = pixelOf(x, scene.view.viewport.visible, constraints.maxWidth.toFloat()).toInt()
+                        label.place(besides(pixelOf(span.from), pixelOf(span.to), label.width, constraints.maxWidth, GAP.dp.roundToPx()), 0)
                     }
                 }
                 .border(1.dp, palette.findingColor(finding.severity), RoundedCornerShape(4.dp))
@@ -62,12 +61,39 @@ internal fun FindingLabel(scene: GraphScene, modifier: Modifier) {
                 maxLines = 1,
                 overflow = TextOverflow.Ellipsis,
             )
-            Text(finding.text.take(MAX_LETTERS), fontSize = 12.sp, maxLines = 4, overflow = TextOverflow.Ellipsis)
+            Text(finding.textAt(span).take(MAX_LETTERS), fontSize = 12.sp, maxLines = 4, overflow = TextOverflow.Ellipsis)
         }
     }
 }
 
+/**
+ * Where a label of [width] begins that does not cover what lies from pixel [from] to [to] of [room]: at its right, else at its left; where
+ * neither has room, on the side that has more.
+ */
+internal fun besides(from: Int, to: Int, width: Int, room: Int, gap: Int): Int {
+    val left = from - gap - width
+    val right = to + gap
+    val last = maxOf(0, room - width)
+    return if (right <= last) {
+        maxOf(0, right)
+    } else if (left >= 0) {
+        minOf(left, last)
+    } else if (room - to > from) {
+        last
+    } else {
+        0
+    }
+}
+
+/** The place of [finding] that is meant: that under the pointer, or that at which the cursor stands. */
+private fun placeOf(finding: Finding, scene: GraphScene): Span {
+    val state = scene.findings.state
+    val at = (if (finding == state.pointed) state.pointedPlace.takeIf { it.isFinite() } else scene.view.cursor) ?: finding.time
+    return finding.places.find { it.from == at } ?: Span(at, at)
+}
+
 private fun isAt(finding: Finding, cursor: Double?) = finding.time == cursor || finding.spans.any { it.from == cursor }
 
-private const val MAX_WIDTH = 420
+private const val MAX_WIDTH = 340
+private const val GAP = 8
 private const val MAX_LETTERS = 600

@@ -8,8 +8,10 @@ import badlog.file.LogFile
 import badlog.file.LogName
 import badlog.file.readRecording
 import badlog.formats.LOG_FORMATS
+import badlog.plot.axis.overItsTime
 import badlog.recording.PathName
 import badlog.recording.Recording
+import badlog.recording.RecordingFormat
 import badlog.recording.Severity
 import badlog.recording.Topic
 import badlog.rules.FolderRules
@@ -58,7 +60,9 @@ private fun withoutSamples(file: LogFile, library: Path?, checkpoint: () -> Unit
 private fun unreadable(file: LogFile, trouble: String) =
     LogEntry(file, MatchFacts.of(emptyList(), file.name, logged = null), LogDate.ofFile(file), trouble = trouble)
 
-private fun summaryOf(file: LogFile, library: Path?, recording: Recording): LogEntry {
+private fun summaryOf(file: LogFile, library: Path?, read: Recording): LogEntry {
+    if (isTable(read)) return unreadable(file, "${file.name} is a table that badlog made, not a log.").copy(content = Content.NO_LOG)
+    val recording = read.overItsTime()
     val vocabulary = FolderRules.of(file.path, library).rules.signals
     val view = LogView.of(recording).withSignals(vocabulary)
     val topics = recording.topics.filter { it.samples.isNotEmpty() && !isPlumbing(it) }.map { summaryOf(it, view) }
@@ -106,6 +110,10 @@ private fun summaryOf(topic: Topic, view: LogView): TopicSummary {
         PreviewLine.of(line.data, statistics.min, statistics.max, held),
     )
 }
+
+/** Whether [recording] is a table of logs, as the window and the program save them among the logs: each row speaks of a file. */
+private fun isTable(recording: Recording): Boolean = recording.format == RecordingFormat.CSV &&
+    recording.topics.take(3).map { it.name }.let { it == listOf("Log", "Date", "File") || it.take(2) == listOf("Match", "File") }
 
 /** Whether [topic] is what a logger writes for its own sake, such as the time of day that passes. */
 private fun isPlumbing(topic: Topic) = topic.times != null && "hide" in topic.attributes

@@ -22,6 +22,11 @@ class SummarizeSpec : FunSpec({
 
     fun contentOf(text: String, name: String = "a.bag") = summaryOf(folder.put(name, text)).content
 
+    test("a table that badlog saved among the logs is not a log") {
+        contentOf("Log,Date,File,A Max (V)\r\nQualification 42,2024-03-16,/logs/q42.bag,12.5\r\n", "statistics.csv") shouldBe Content.NO_LOG
+        contentOf("Match,File,min(battery) (V)\r\nQualification 42,/logs/q42.bag,7.1\r\n", "table.csv") shouldBe Content.NO_LOG
+    }
+
     test("the samples are summarized") {
         folder.putSamples()
         val match = summaryOf(folder.resolve("qualification-42.bag"))

@@ -1,0 +1,62 @@
+package badlog.viewer.inspector
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.derivedStateOf
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.remember
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import badlog.plot.board.evidenceOffers
+import badlog.plot.board.with
+import badlog.rules.Finding
+import badlog.viewer.board.GraphBoard
+import badlog.viewer.findings.LogFindings
+import badlog.viewer.recording.OpenRecording
+import badlog.viewer.theme.Icons
+import badlog.viewer.theme.LocalPalette
+import badlog.viewer.theme.ToolButton
+import badlog.viewer.view.AxisView
+
+/**
+ * What stands below the selected [finding]: which of its places is shown and what was found there, the way to the others, what to look at
+ * next, and what else of [open] may be drawn beside it.
+ */
+@Composable
+internal fun FindingDetails(
+    findings: LogFindings,
+    view: AxisView,
+    board: GraphBoard,
+    open: OpenRecording,
+    finding: Finding,
+    times: EventTimes,
+) {
+    val palette = LocalPalette.current
+    val places = finding.places
+    if (places.size > 1) {
+        val shown by remember(finding, view) { derivedStateOf { maxOf(0, places.indexOfFirst { it.from == view.cursor }) } }
+        Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(2.dp), Alignment.CenterVertically) {
+            ToolButton("Previous place of this finding", Icons.Up, isEnabled = shown > 0) { findings.stepWithin(-1) }
+            ToolButton("Next place of this finding", Icons.Down, isEnabled = shown < places.lastIndex) { findings.stepWithin(1) }
+            val more = if (finding.spanCount > places.size) ", the first of ${finding.spanCount}" else ""
+            Text("${shown + 1} of ${places.size}$more: ${times.logged(places[shown].from)}", color = palette.muted, fontSize = 12.sp)
+        }
+        Text(finding.textAt(places[shown]), fontSize = 12.sp, maxLines = 6, overflow = TextOverflow.Ellipsis)
+    }
+    if (finding.next.isNotEmpty()) Text("Next: ${finding.next}", color = palette.muted, fontSize = 12.sp)
+    val offers = remember(open, board.state) { evidenceOffers(open.view, open.vocabulary, board.evidence) }
+    FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(2.dp)) {
+        for (offer in offers) {
+            ToolButton("Show ${offer.label.lowercase()} beside this finding", Icons.Add, text = offer.label) {
+                board.showEvidence(board.evidence.with(offer, open.view))
+            }
+        }
+    }
+}

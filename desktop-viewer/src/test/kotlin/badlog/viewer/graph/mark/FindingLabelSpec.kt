@@ -1,0 +1,17 @@
+package badlog.viewer.graph.mark
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+
+class FindingLabelSpec : FunSpec({
+    test("the label of a finding stands beside what it is about, not over it") {
+        besides(from = 100, to = 140, width = 300, room = 1000, gap = 8) shouldBe 148
+        besides(from = 800, to = 840, width = 300, room = 1000, gap = 8) shouldBe 492
+    }
+
+    test("where neither side has room, it stands on the wider one, within the graph") {
+        besides(from = 100, to = 900, width = 300, room = 1000, gap = 8) shouldBe 0
+        besides(from = 100, to = 200, width = 950, room = 1000, gap = 8) shouldBe 50
+        besides(from = 10, to = 20, width = 500, room = 300, gap = 8) shouldBe 0
+    }
+})

@@ -1,0 +1,26 @@
+package badlog.viewer.topic
+
+import badlog.plot.board.Board
+import badlog.plot.board.BoardGraph
+import badlog.viewer.graph.bagOf
+import badlog.viewer.graph.recordingOf
+import badlog.viewer.graph.viewerOf
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+
+class DrawTopicsSpec : FunSpec({
+    test("a click on a topic goes to its graph where that is out of sight, and only then takes it away") {
+        val viewer = viewerOf(recordingOf(bagOf(10) { 1.0 }))
+        val signal = checkNotNull(viewer.current.recording?.signal("A/Voltage"))
+        val board = Board(listOf(BoardGraph(1, "B", listOf("B")), BoardGraph(2, "A/Voltage", listOf("A/Voltage"))))
+        viewer.board.replace(board)
+        fun click() = toggleDrawn(viewer.current, viewer.board, viewer.events, viewer.panels, signal)
+        viewer.board.inSight = setOf(1)
+        click()
+        viewer.board.state shouldBe board
+        viewer.board.wanted shouldBe 2
+        viewer.board.inSight = setOf(1, 2)
+        click()
+        viewer.board.state.graphs.map { it.id } shouldBe listOf(1)
+    }
+})

@@ -1,0 +1,30 @@
+package badlog.plot.axis
+
+import badlog.analysis.LogView
+import badlog.bag.BagParser
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+
+private fun axisOf(csv: String): String? {
+    val recording = BagParser().apply { accept(csv.encodeToByteArray()) }.finish()
+    return LogView.of(recording.overItsTime()).xAxis.topic?.name
+}
+
+class TimeColumnSpec : FunSpec({
+    test("plain CSV is drawn over the rising column of its time, whatever stands before it") {
+        axisOf("A,Time\n5,0\n6,0.02\n7,0.04\n") shouldBe "Time"
+        axisOf("Robot/Timestamp (ms),A\n0,1\n20,2\n") shouldBe "Robot/Timestamp (ms)"
+    }
+
+    test("a column that falls, has gaps or stands still is not the time, and neither is a time of something") {
+        axisOf("Time,A\n0,1\n2,1\n1,1\n") shouldBe null
+        axisOf("Time,A\n0,1\n,1\n1,1\n") shouldBe null
+        axisOf("Time,A\n3,1\n3,2\n") shouldBe null
+        axisOf("Loop Time,A\n1,1\n2,2\n") shouldBe null
+    }
+
+    test("a log that names its x axis keeps it") {
+        val header = "{\"topics\":[{\"name\":\"X\",\"unit\":\"m\",\"attrs\":[\"xaxis\"]},{\"name\":\"Time\",\"unit\":\"s\",\"attrs\":[]}],\"values\":[]}\n"
+        axisOf("${header}X,Time\n0,1\n1,2\n") shouldBe "X"
+    }
+})
