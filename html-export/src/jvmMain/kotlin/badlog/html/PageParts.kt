@@ -2,6 +2,7 @@ package badlog.html
 
 import java.security.MessageDigest
 import java.util.Base64
+import java.util.zip.GZIPInputStream
 
 /**
  * What is the same in all pages: the program that reads and draws the recording, and its styles.
@@ -11,10 +12,17 @@ import java.util.Base64
  * @param waitingStyle the text of the style sheet for what a page shows before its program runs, or instead.
  * @throws IllegalArgumentException when one of them cannot stand in a page as it is.
  */
-public class PageParts(program: String, style: String, waitingStyle: String = "") {
-    private val program = lines(program)
-    private val style = lines(style)
-    internal val waitingStyle: String = lines(waitingStyle)
+public class PageParts private constructor(
+    private val program: String,
+    private val style: String,
+    internal val waitingStyle: String,
+    gzip: ByteArray?,
+) {
+    public constructor(
+        program: String,
+        style: String,
+        waitingStyle: String = "",
+    ) : this(lines(program), lines(style), lines(waitingStyle), null)
 
     init {
         require(!waitingStyle.contains("</style", ignoreCase = true)) { "\"</style\" stands in the page's style." }
@@ -22,7 +30,7 @@ public class PageParts(program: String, style: String, waitingStyle: String = ""
     }
 
     /** The program and its style as they stand in a page. */
-    internal val packedProgram: ByteArray = packed(this.style + SEPARATOR + this.program)
+    internal val packedProgram: ByteArray = gzip?.let(::base91) ?: packed(style + SEPARATOR + program)
 
     /** The Content-Security-Policy of a page with these parts: nothing from the network, no other script or style. */
     internal val policy: String
@@ -32,12 +40,18 @@ public class PageParts(program: String, style: String, waitingStyle: String = ""
 
     public companion object {
         /** The page that is built into this version of badlog. */
-        public fun bundled(): PageParts = PageParts(resource("page.js"), resource("page.css"), resource("waiting.css"))
+        public fun bundled(): PageParts {
+            // The build packs it more tightly than there is time for here.
+            val gzip = resource("page.gz")
+            val text = GZIPInputStream(gzip.inputStream()).use { it.readBytes().decodeToString() }
+            val waitingStyle = resource("waiting.css").decodeToString()
+            return PageParts(text.substringAfter(SEPARATOR), text.substringBefore(SEPARATOR), waitingStyle, gzip)
+        }
 
-        private fun resource(name: String): String {
+        private fun resource(name: String): ByteArray {
             val stream = PageParts::class.java.getResourceAsStream("/badlog/page/$name")
             checkNotNull(stream) { "$name is missing in this build of badlog." }
-            return stream.use { it.readBytes().decodeToString() }
+            return stream.use { it.readBytes() }
         }
 
         // A browser reads every end of line as LF, and takes its hash of that.

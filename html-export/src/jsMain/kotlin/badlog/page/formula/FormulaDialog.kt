@@ -130,7 +130,8 @@ internal class FormulaDialog(
     /** What could no longer be calculated if [text] took the place of what is being changed. */
     private fun orphansOf(text: String): List<String> = changed?.takeIf { nameIn(it) != nameIn(text) }?.let(formulas::usersOf).orEmpty()
 
-    private fun needed(users: List<String>) = if (users.isEmpty()) "" else "“${users.joinToString("”, “")}” needs this name; change that first."
+    private fun needed(users: List<String>) =
+        if (users.isEmpty()) "" else "“${users.joinToString("”, “")}” needs this name; change that first."
 
     private fun show(text: String, isError: Boolean) {
         message.showText(text)

@@ -66,7 +66,13 @@ internal class Formulas(val logged: LogView, private val signals: SignalVocabula
 
     /** Why [text] is not a definition, in the place of [replaced] where that is not null; null when it is one. */
     fun mistakeIn(text: String, replaced: String? = null): ExpressionError? {
-        val known = if (replaced == null) vocabulary else viewOf(remembered - replaced - usersOf(replaced).toSet()).namesWith(signals).vocabulary
+        val known = if (replaced ==
+            null
+        ) {
+            vocabulary
+        } else {
+            viewOf(remembered - replaced - usersOf(replaced).toSet()).namesWith(signals).vocabulary
+        }
         return VirtualTopic.parse(text, known) as? ExpressionError
     }
 

@@ -15,16 +15,17 @@ import badlog.recording.RecordingFormat
 import org.w3c.dom.HTMLElement
 
 /** What file this is, with what was [logged], and what can be done with it. */
-internal fun pageHeader(scene: Scene, about: About, logged: Recording, tools: List<HTMLElement>): HTMLElement = element("header", "page-head") {
-    val view = scene.view
-    add("div", "page-title") {
-        add("h1", "", view.title ?: about.name)
-        add("p", "facts") {
-            for (fact in factsOf(view, logged, about)) add("bdi", "fact", fact)
+internal fun pageHeader(scene: Scene, about: About, logged: Recording, tools: List<HTMLElement>): HTMLElement =
+    element("header", "page-head") {
+        val view = scene.view
+        add("div", "page-title") {
+            add("h1", "", view.title ?: about.name)
+            add("p", "facts") {
+                for (fact in factsOf(view, logged, about)) add("bdi", "fact", fact)
+            }
         }
+        add("div", "page-tools") { for (tool in tools) appendChild(tool) }
     }
-    add("div", "page-tools") { for (tool in tools) appendChild(tool) }
-}
 
 private fun factsOf(view: LogView, logged: Recording, about: About): List<String> {
     val facts = ArrayList<String>()
