@@ -4,6 +4,9 @@ import org.openqa.selenium.Keys
 import org.openqa.selenium.WebElement
 import java.util.Base64
 
+/** The graph of the whole [name]. */
+internal fun OpenPage.graph(name: String): GraphOnPage = GraphOnPage(this, name)
+
 /** One graph of an open page, as a person sees and touches it. */
 internal class GraphOnPage(private val page: OpenPage, private val name: String) {
     /** Its card. */

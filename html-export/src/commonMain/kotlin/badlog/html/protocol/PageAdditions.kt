@@ -15,6 +15,8 @@ import badlog.rules.RuleSet
  *   when all is well.
  * @property findings what was found in another way than by [rules], as by a comparison with other logs.
  * @property hooks what programs that looked at the recording returned, one for each program.
+ * @property differences what was different from the team's other logs, the most different first, of which incidents say what has to
+ *   do with them.
  */
 public class PageAdditions(
     public val virtualTopics: List<String> = emptyList(),
@@ -22,6 +24,7 @@ public class PageAdditions(
     public val rulesProblem: String? = null,
     public val findings: List<Finding> = emptyList(),
     public val hooks: List<HookPart> = emptyList(),
+    public val differences: List<Finding> = emptyList(),
 ) {
     /** Whether there is nothing, so that a page is as small as one without. */
     public val isEmpty: Boolean

@@ -20,6 +20,7 @@ public fun PageAdditions.toJson(): String = inScript(
         "rulesProblem" to rulesProblem?.let(::quotedJson),
         "findings" to array(findings, ::findingJson),
         "hooks" to array(hooks, ::hookJson),
+        "differences" to differences.takeIf { it.isNotEmpty() }?.let { array(it, ::findingJson) },
     ),
 )
 
@@ -32,6 +33,7 @@ public fun PageAdditions.Companion.fromJson(text: String): PageAdditions? = unle
         rulesProblem = json.find("rulesProblem")?.string,
         findings = json.list("findings", ::findingOf),
         hooks = json.list("hooks", ::hookOf),
+        differences = if (json.find("differences") == null) emptyList() else json.list("differences", ::findingOf),
     )
 }
 

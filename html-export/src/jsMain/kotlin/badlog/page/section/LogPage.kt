@@ -111,7 +111,7 @@ internal class LogPage(
         RuleSearch(logged, additions.rules, about.name).start(
             onFindings = { found ->
                 scene.findings = timelineOf(found.findings + embeddedFindings)
-                findings.show(found.skipped, additions.rules.incidentsIn(found.findings))
+                findings.show(found.skipped, additions.rules.incidentsIn(found.findings, additions.differences))
                 // What the address names is known only now.
                 if (!scene.range.isZoomed) timeLink.follow()
                 // Into the graphs that are there: somebody may be dragging over one.

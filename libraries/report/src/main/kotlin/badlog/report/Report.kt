@@ -10,11 +10,18 @@ import badlog.rules.Rule
 import badlog.rules.RuleProgram
 import badlog.rules.RuleSet
 import badlog.rules.SkippedRule
+import badlog.rules.comparison.LogDifferences
+import badlog.rules.comparison.compared
+import badlog.rules.comparison.figuresOf
+import badlog.rules.figure.FigureReader
+import badlog.rules.figure.FigureText
+import badlog.rules.figure.LogFigures
+import badlog.rules.figure.toText
 import badlog.rules.incident.incidentsIn
+import badlog.rules.matchType
 import badlog.rules.toJson
 import badlog.rules.worstFirst
 import kotlinx.serialization.Serializable
-import kotlinx.serialization.Transient
 import java.nio.file.Path
 
 /**
@@ -35,6 +42,7 @@ public class Report(
     private val xTopic: String? = null,
 ) {
     private val ruleOf = rules.rules.associateBy { it.name }
+    private val isComparing = rules.rules.any { it.isComparison }
     private val programs = LruCache<LogShape, RuleProgram>(MAX_PROGRAMS) { RuleProgram(rules, it) }
 
     @Serializable
@@ -49,18 +57,20 @@ public class Report(
         val isNoLog: Boolean = false,
         val isSalvaged: Boolean = false,
         val undefined: List<UndefinedTopic> = emptyList(),
-        @Transient val hooks: List<HookOutcome> = emptyList(),
+        val matchType: String? = null,
+        val figureNames: String = "",
+        val figureValues: String = "",
     )
 
     @Serializable
     internal class Asked(val rule: String, val refusal: String? = null, val mistake: String? = null)
 
     /**
-     * Runs the rules over each of [files], on all cores.
+     * Runs the rules over each of [files], on all cores, compares the logs with each other, and then runs the hooks.
      *
      * @param progress hears on this thread how many files are done.
-     * @param each gets each result on this thread, as soon as it and those before it are there, with all that the hooks returned,
-     *   which is not held any longer. What it or [progress] throws stops the work and is passed on.
+     * @param each gets each result on this thread, once all logs were compared, with all that the hooks returned, which is not held
+     *   any longer. What it or [progress] throws stops the work and is passed on.
      * @throws InterruptedException when the thread was interrupted.
      */
     public fun over(
@@ -68,30 +78,74 @@ public class Report(
         progress: (done: Int, total: Int) -> Unit = { _, _ -> },
         each: (LogReport, List<HookOutcome>) -> Unit = { _, _ -> },
     ): ReportResult {
-        val logs = ArrayList<LogReport>(files.size)
-        val asked = HashMap<String, MutableList<Asked>>()
         val question = "report\n${virtualTopics.joinToString("\n")}\n\n${xTopic.orEmpty()}\n${rules.toJson()}"
-        val known = cache?.takeIf { hooks.isEmpty() }?.let { ResultCache(it, question, Stored.serializer()) }
-        runCached(files, known, ::examine) { file, stored ->
-            val failures = stored.hooks.mapNotNull { hook -> hook.failure?.let { HookFailure(hook.hook, it.message) } }
-            val log = LogReport(
-                file, stored.title, stored.findings, rules.incidentsIn(stored.findings),
-                stored.asked.mapNotNull {
-                    skipped(ruleOf.getValue(it.rule), listOf(it))
-                },
-                stored.unreadable,
-                stored.isNoLog, stored.isSalvaged, stored.undefined, failures,
-            )
-            logs += log
-            for (rule in stored.asked) asked.getOrPut(rule.rule) { ArrayList() } += rule
-            each(log, stored.hooks)
-            progress(logs.size, files.size)
+        val examined = ArrayList<Stored>(files.size)
+        val steps = if (hooks.isEmpty()) 1 else 2
+        runCached(files, cache?.let { ResultCache(it, question, Stored.serializer()) }, ::examine) { _, stored ->
+            examined += stored
+            progress(examined.size, files.size * steps)
         }
-        val readable = logs.count { it.unreadable == null }
-        val skipped = rules.rules.mapNotNull { rule ->
+        val reader = FigureReader()
+        val figures = examined.map { reader.read(FigureText(it.figureNames, it.figureValues)) }
+        val differences = rules.compared(figures)
+        val logs = ArrayList<LogReport>(files.size)
+        withHooks(files, examined) { file, outcomes ->
+            val place = logs.size
+            val log = reportOf(file, examined[place], figures[place], differences[place], outcomes)
+            logs += log
+            each(log, outcomes.map { it.first })
+            if (steps > 1) progress(files.size + logs.size, files.size * steps)
+        }
+        return ReportResult(logs, skippedIn(examined, logs.count { it.unreadable == null }))
+    }
+
+    /** Gives [each] of [files], which were [examined], with what the hooks return for it and find there. */
+    private fun withHooks(files: List<LogFile>, examined: List<Stored>, each: (LogFile, List<Pair<HookOutcome, List<Finding>>>) -> Unit) {
+        if (hooks.isEmpty()) return files.forEach { each(it, emptyList()) }
+        val unreadable = files.zip(examined).filter { (_, stored) -> stored.unreadable != null }.mapTo(HashSet()) { (file, _) -> file }
+        val run = { file: LogFile, cores: Int ->
+            if (file in unreadable) {
+                emptyList()
+            } else {
+                LogContent.examined(file, virtualTopics, xTopic, cores = cores) { content ->
+                    if (content !is LogContent.Log) return@examined emptyList()
+                    hooks.map { hook -> HookOutcome.of(hook, content.recording).let { it to it.findings(content.view.xAxis.unit) } }
+                }
+            }
+        }
+        FolderRun().forEach(files, run, each)
+    }
+
+    private fun reportOf(
+        file: LogFile,
+        stored: Stored,
+        figures: LogFigures,
+        differences: LogDifferences,
+        outcomes: List<Pair<HookOutcome, List<Finding>>>,
+    ): LogReport {
+        val ofHooks = outcomes.flatMap { (_, findings) -> findings }
+        return LogReport(
+            file = file,
+            title = stored.title,
+            matchType = stored.matchType,
+            findings = (stored.findings + differences.findings + ofHooks).worstFirst(),
+            incidents = rules.incidentsIn(stored.findings, differences.differences),
+            skipped = stored.asked.mapNotNull { skipped(ruleOf.getValue(it.rule), listOf(it)) },
+            unreadable = stored.unreadable,
+            isNoLog = stored.isNoLog,
+            isSalvaged = stored.isSalvaged,
+            undefined = stored.undefined,
+            hookFailures = outcomes.mapNotNull { (hook, _) -> hook.failure?.let { HookFailure(hook.hook, it.message) } },
+            figures = figures,
+            differences = differences,
+        )
+    }
+
+    private fun skippedIn(logs: List<Stored>, readable: Int): List<SkippedRule> {
+        val asked = logs.flatMap { it.asked }.groupBy { it.rule }
+        return rules.rules.filter { !it.isComparison }.mapNotNull { rule ->
             asked[rule.name].let { if (it == null) unasked(rule, readable) else skipped(rule, it) }
         }
-        return ReportResult(logs, skipped)
     }
 
     private fun examine(file: LogFile, cores: Int): CachedResult<Stored> =
@@ -107,19 +161,18 @@ public class Report(
                 findings += rule.findings
                 asked += Asked(rule.rule.name, rule.refusal?.message, rule.refusal?.mistake)
             }
-            val outcomes = hooks.map { HookOutcome.of(it, content.recording) }
-            for (outcome in outcomes) findings += outcome.findings(content.view.xAxis.unit)
-            val isSalvaged = content.recording.isSalvaged
-            val stored =
-                Stored(
-                    content.view.title,
-                    findings.worstFirst(),
-                    asked,
-                    null,
-                    isSalvaged = isSalvaged,
-                    undefined = content.undefined,
-                    hooks = outcomes,
-                )
+            val figures = if (isComparing) figuresOf(content.view, rules.signals).toText() else NO_FIGURES
+            val stored = Stored(
+                title = content.view.title,
+                findings = findings,
+                asked = asked,
+                unreadable = null,
+                isSalvaged = content.recording.isSalvaged,
+                undefined = content.undefined,
+                matchType = matchType(content.recording.values),
+                figureNames = figures.names,
+                figureValues = figures.values,
+            )
             CachedResult(stored, isLasting = true)
         }
     }
@@ -141,5 +194,6 @@ public class Report(
     private companion object {
         // Each knows all names of its logs several times over.
         const val MAX_PROGRAMS = 16
+        val NO_FIGURES = LogFigures.NONE.toText()
     }
 }

@@ -1,33 +1,44 @@
 package badlog.report
 
+import badlog.rules.Finding
+import badlog.rules.incident.Incident
 import badlog.terminal.printable
 
 /**
- * All findings as CSV (RFC 4180): one line for each, with the file, the match, the rule, its severity, the topic, the text, the time to
- * look at first, the end of the first span, how many spans there are, and the unit of the times. A log that cannot be read has a
- * line too, with the rule `unreadable`; what is not a log has none.
+ * All incidents and findings as CSV (RFC 4180): one line for each, with the file, the match, the rule, its severity, the topic, the text,
+ * the time to look at first, the end of the first span, how many spans there are, the unit of the times, the incident that a finding is
+ * part of, and what to look at next. An incident has the rule `incident` and stands before the findings of its log. A log that cannot be
+ * read has a line too, with the rule `unreadable`; what is not a log has none.
  */
 public fun reportCsv(result: ReportResult): String {
     val out = StringBuilder()
-    fun line(vararg cells: String) {
+    fun line(cells: List<String>) {
         cells.joinTo(out, ",", transform = ::cell)
         out.append("\r\n")
     }
-    line("file", "match", "rule", "severity", "topic", "text", "time", "until", "spans", "time unit")
+    line(listOf("file", "match", "rule", "severity", "topic", "text", "time", "until", "spans", "time unit", "incident", "next"))
     for (log in result.logs) {
-        val file = log.file.path.toString()
-        val title = log.title.orEmpty()
-        log.unreadable?.takeUnless { log.isNoLog }?.let { line(file, title, "unreadable", "error", "", it, "", "", "", "") }
-        for (finding in log.findings) {
-            line(
-                file, title, finding.rule, finding.severity.name.lowercase(), finding.topic.orEmpty(), finding.text,
-                plain(finding.time), plain(finding.spans.firstOrNull()?.to ?: Double.NaN), finding.spanCount.toString(),
-                finding.timeUnit,
-            )
-        }
+        val head = listOf(log.file.path.toString(), log.title.orEmpty())
+        log.unreadable?.takeUnless { log.isNoLog }?.let { line(head + listOf("unreadable", "error", "", it) + List(NOTHING) { "" }) }
+        log.incidents.forEach { line(head + cellsOf(it)) }
+        log.findings.forEach { line(head + cellsOf(it, log)) }
     }
     return out.toString()
 }
+
+private fun cellsOf(incident: Incident) = listOf(
+    "incident", incident.severity.name.lowercase(), "", incident.sentences.joinToString(" ") { it.text }, plain(incident.time), "", "",
+    incident.timeUnit, incident.name, incident.next,
+)
+
+private fun cellsOf(finding: Finding, log: LogReport) = listOf(
+    finding.rule, finding.severity.name.lowercase(), finding.topic.orEmpty(), finding.text, plain(finding.time),
+    plain(finding.spans.firstOrNull()?.to ?: Double.NaN), finding.spanCount.toString(), finding.timeUnit,
+    log.incidents.find { finding in it.causes || finding in it.effects }?.name.orEmpty(), finding.next,
+)
+
+/** So many cells of an unreadable log are empty. */
+private const val NOTHING = 6
 
 /** [number] with all its digits; empty where it is not finite. */
 internal fun plain(number: Double) = if (number.isFinite()) number.toBigDecimal().stripTrailingZeros().toPlainString() else ""

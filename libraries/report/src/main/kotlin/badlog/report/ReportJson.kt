@@ -14,6 +14,7 @@ public class ReportJson private constructor(
     private val notAsked: List<SkippedJson>,
     private val undefined: List<UndefinedJson>,
     private val hookFailures: List<HookFailureJson>,
+    private val batteryResistance: ResistanceJson?,
 ) {
     public constructor(log: LogReport) : this(
         log.title,
@@ -22,8 +23,13 @@ public class ReportJson private constructor(
         log.skipped.map(::SkippedJson),
         log.undefined.map(::UndefinedJson),
         log.hookFailures.map { HookFailureJson(it.hook, it.message) },
+        log.figures.takeUnless { it.resistance.isNaN() }?.let { ResistanceJson(it.resistance, it.uncertainty) },
     )
 }
+
+/** The resistance of battery and wiring, and within what it is known (95 %). */
+@Serializable
+internal class ResistanceJson(private val milliohms: Double, private val uncertainty: Double)
 
 @Serializable
 internal class FindingJson(
@@ -65,6 +71,7 @@ internal class IncidentJson(
     private val causes: List<String>,
     private val effects: List<String>,
     private val next: String,
+    private val difference: String?,
 ) {
     constructor(incident: Incident) : this(
         incident.name,
@@ -75,6 +82,7 @@ internal class IncidentJson(
         incident.causes.map { it.rule }.distinct(),
         incident.effects.map { it.rule }.distinct(),
         incident.next,
+        incident.difference?.text,
     )
 }
 

@@ -4,6 +4,8 @@ import badlog.file.LogFile
 import badlog.recording.Severity
 import badlog.rules.Finding
 import badlog.rules.SkippedRule
+import badlog.rules.comparison.LogDifferences
+import badlog.rules.figure.LogFigures
 import badlog.rules.incident.Incident
 
 /**
@@ -22,6 +24,7 @@ public class ReportResult internal constructor(public val logs: List<LogReport>,
  *
  * @property file the file.
  * @property title what match it is, from its values; null when they do not say or it cannot be read.
+ * @property matchType the type of the match in its words, such as `Qualification`; null when the log does not say.
  * @property findings the worst first, and of one severity in the order of time.
  * @property incidents which of them belong together, and what came first; the worst first.
  * @property skipped the rules that were skipped for it, in the order of the rules; one that is a mistake here may be right for
@@ -31,10 +34,13 @@ public class ReportResult internal constructor(public val logs: List<LogReport>,
  * @property isSalvaged whether the log lost something, so that the findings are about what is left.
  * @property undefined the virtual topics that the log could not be given.
  * @property hookFailures the hooks that failed for it.
+ * @property figures numbers that say something of all of it, such as the resistance of its battery.
+ * @property differences what was different in it from the others of the report.
  */
 public class LogReport internal constructor(
     public val file: LogFile,
     public val title: String?,
+    public val matchType: String?,
     public val findings: List<Finding>,
     public val incidents: List<Incident>,
     public val skipped: List<SkippedRule>,
@@ -43,6 +49,8 @@ public class LogReport internal constructor(
     public val isSalvaged: Boolean,
     public val undefined: List<UndefinedTopic>,
     public val hookFailures: List<HookFailure>,
+    public val figures: LogFigures = LogFigures.NONE,
+    public val differences: LogDifferences = LogDifferences.NONE,
 )
 
 /**

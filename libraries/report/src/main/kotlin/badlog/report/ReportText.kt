@@ -2,6 +2,7 @@ package badlog.report
 
 import badlog.file.LogFile
 import badlog.recording.Severity
+import badlog.rules.comparison.resistanceText
 import badlog.rules.incident.Incident
 import badlog.rules.timeText
 import badlog.terminal.TextTable
@@ -9,15 +10,16 @@ import badlog.terminal.TextTable.Column
 import badlog.terminal.printable
 
 /**
- * All incidents and findings match by match with time, severity and text, at most 100 columns wide, and below it what was not looked for. Logs that
- * cannot be read are only counted, and what is not a log not even that.
+ * All incidents and findings match by match with time, severity and text, at most 100 columns wide, and below it what was not looked
+ * for. Logs that cannot be read are only counted, and what is not a log not even that.
  */
 public fun reportText(result: ReportResult): String {
     val names = shortNames(result.logs.map { it.file })
     val lines = ArrayList<String>()
     for (log in result.logs.filter { it.findings.isNotEmpty() }) {
         val name = names.getValue(log.file)
-        lines += TextTable.shortened(printable(if (log.title == null) name else "${log.title} ($name)"), TEXT_WIDTH)
+        val resistance = resistanceText(log.figures).let { if (it.isEmpty()) "" else ", battery $it" }
+        lines += TextTable.shortened(printable(if (log.title == null) name else "${log.title} ($name)") + resistance, TEXT_WIDTH)
         val incidents = log.incidents.flatMap(::rowsOf)
         val rows =
             incidents +
@@ -34,7 +36,11 @@ public fun reportText(result: ReportResult): String {
 /** What came first, what followed, and where to look next. */
 private fun rowsOf(incident: Incident): List<List<String>> {
     val told = incident.sentences.mapIndexed { index, sentence ->
-        val label = if (index == 0) incident.severity.name.lowercase() else "then"
+        val label = when {
+            index == 0 -> incident.severity.name.lowercase()
+            sentence.finding === incident.difference -> "differs"
+            else -> "then"
+        }
         listOf(timeText(sentence.finding.time, incident.timeUnit), label.padEnd(SEVERITY_WIDTH), sentence.text)
     }
     return if (incident.next.isEmpty()) told else told + listOf(listOf("", "next".padEnd(SEVERITY_WIDTH), incident.next))

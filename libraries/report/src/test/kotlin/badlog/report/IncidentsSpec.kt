@@ -3,6 +3,7 @@ package badlog.report
 import badlog.report.page.reportPage
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import kotlinx.serialization.json.Json
@@ -24,10 +25,20 @@ class IncidentsSpec : FunSpec({
         val lines = reportText(result).lines()
         lines[1] shouldContain "Likely cause: the robot drew more than its battery gives."
         val page = reportPage(result) { "q42.html" }
-        val incident = page.lines().first { "<td>Incident</td>" in it }
-        incident shouldContain "<tr class=\"error\"><th scope=\"rowgroup\""
+        val incident = page.substringAfter("<ol class=\"incidents\"").substringBefore("</ol>")
+        incident shouldContain "<li class=\"error\""
         incident shouldContain "href=\"./q42.html#t=93.7"
         incident shouldContain "Next: See which channels drew most then"
+        page.indexOf("class=\"incidents\"") shouldBeLessThan page.indexOf("class=\"findings\"")
+    }
+
+    test("a spreadsheet gets a line for each incident, and of each finding which incident it is part of") {
+        val lines = reportCsv(result).lines()
+        val incident = lines.first { ",incident,error," in it }
+        incident shouldContain "Likely cause: the robot drew more than its battery gives."
+        incident shouldContain ",s,The robot drew more than its battery gives,See which channels drew most then"
+        lines.first { ",Browned out," in it } shouldContain ",The robot drew more than its battery gives,"
+        lines.indexOf(incident) shouldBe 1
     }
 
     test("other programs get its sentences, each with what shows it") {

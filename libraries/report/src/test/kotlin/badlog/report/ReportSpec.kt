@@ -264,8 +264,8 @@ class ReportSpec : FunSpec({
             Files.delete(folder.resolve("3.bag"))
             val csv = reportCsv(Report(rules("topic > 7", "=1+1, \\\"{value}\\\"", "each = [\"*\"]")).over(files))
             val lines = csv.split("\r\n")
-            lines[0] shouldBe "file,match,rule,severity,topic,text,time,until,spans,time unit"
-            lines[1] shouldContain ",,R,warning,\"'=A,\"\"1\"\"\",\"'=1+1, \"\"8 V\"\"\",2.5,2.5,1,s"
+            lines[0] shouldBe "file,match,rule,severity,topic,text,time,until,spans,time unit,incident,next"
+            lines[1] shouldContain ",,R,warning,\"'=A,\"\"1\"\"\",\"'=1+1, \"\"8 V\"\"\",2.5,2.5,1,s,,"
             lines[2] shouldContain "3.bag,,unreadable,error,"
             lines.size shouldBe 4
         }

@@ -4,8 +4,10 @@ import badlog.analysis.LogView
 import badlog.analysis.Span
 import badlog.expression.Answer
 import badlog.expression.LogViewSignals
+import badlog.expression.Quantity
 import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Signals
+import badlog.rules.signal.FRACTION
 
 /**
  * The rules of a program on their way over [view], which was read from a file called [file].
@@ -63,7 +65,7 @@ internal class RuleRun(view: LogView, private val file: String, private val isEv
             rule.severity,
             question.topic,
             texted.text(
-                value = answer.quantities.firstOrNull()?.text ?: texts?.at(at).orEmpty(),
+                value = answer.quantities.firstOrNull()?.let(::textOf) ?: texts?.at(at).orEmpty(),
                 time = time,
                 count = if (whole == null) times else whole.size,
                 length = spans.sumOf { it.width },
@@ -79,13 +81,17 @@ internal class RuleRun(view: LogView, private val file: String, private val isEv
     }
 
     private fun textsOf(spans: List<Span>, answer: Answer, texts: Texts?, texted: TextedRule): List<String> {
-        val all = answer.quantities.firstOrNull()?.text
+        val all = answer.quantities.firstOrNull()?.let(::textOf)
         val own = answer.firstQuantityOver(spans)
         return spans.mapIndexed { i, span ->
-            val value = own[i]?.text ?: all ?: texts?.at(span.from).orEmpty()
+            val value = own[i]?.let(::textOf) ?: all ?: texts?.at(span.from).orEmpty()
             texted.text(value, span.from, count = 1, span.width).replace(ONCE, "")
         }
     }
+
+    // A share is told in percent, which needs no word for its unit.
+    private fun textOf(quantity: Quantity) =
+        (if (quantity.unit == FRACTION) quantity.copy(value = PERCENT * quantity.value, unit = "%") else quantity).text
 
     /** The texts of the first topic of [question] that has some, or null. */
     private fun textsOf(question: RuleProgram.Question, signals: Signals): Texts? {
@@ -114,6 +120,7 @@ internal class RuleRun(view: LogView, private val file: String, private val isEv
 
         /** So many different texts of a topic are listed for a rule. */
         const val MAX_TEXTS = 20
+        const val PERCENT = 100.0
 
         /** What is longer, such as a stack trace, is read where it was logged. */
         const val MAX_LETTERS = 300

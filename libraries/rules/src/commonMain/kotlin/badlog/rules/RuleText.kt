@@ -4,7 +4,7 @@ package badlog.rules
 internal class RuleText private constructor(val source: String, private val parts: List<Part>) {
     private class Part(val text: String, val isPlace: Boolean)
 
-    /** The text with [found], which has all of [PLACES], in its places. */
+    /** The text with [found], which has all of its places, in them. */
     fun filled(found: Map<String, String>): String = parts.joinToString("") { if (it.isPlace) found.getValue(it.text) else it.text }
 
     /** A mistake from [from] until [until] of the text. */
@@ -13,8 +13,11 @@ internal class RuleText private constructor(val source: String, private val part
     companion object {
         val PLACES = listOf("value", "time", "match", "file", "topic", "other", "device", "count", "duration")
 
-        /** Reads [text]; throws a [Mistake]. */
-        fun parse(text: String): RuleText {
+        /** Those of a rule that compares logs. */
+        val PLACES_COMPARED = listOf("topic", "when", "value", "difference", "usual", "others")
+
+        /** Reads [text], which may have [places]; throws a [Mistake]. */
+        fun parse(text: String, places: List<String> = PLACES): RuleText {
             val parts = ArrayList<Part>()
             val plain = StringBuilder()
             var at = 0
@@ -27,8 +30,8 @@ internal class RuleText private constructor(val source: String, private val part
                     val end = text.indexOf('}', at)
                     if (end < 0) throw Mistake(at, at + 1, "This brace is never closed; a brace itself is written twice.")
                     val place = text.substring(at + 1, end)
-                    if (place !in PLACES) {
-                        val known = PLACES.joinToString { "{$it}" }
+                    if (place !in places) {
+                        val known = places.joinToString { "{$it}" }
                         throw Mistake(at, end + 1, "There is no place “{$place}”; there are $known.")
                     }
                     parts += Part(plain.toString(), false)

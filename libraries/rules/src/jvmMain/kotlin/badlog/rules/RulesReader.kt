@@ -5,6 +5,7 @@ import badlog.expression.signals.Signal
 import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Vocabulary
 import badlog.recording.Severity
+import badlog.rules.figure.ComparedSignal
 import badlog.rules.signal.SignalVocabulary
 import org.tomlj.TomlTable
 import kotlin.time.Duration
@@ -128,7 +129,8 @@ internal class RulesReader(private val source: String, private val signals: Sign
 
     private fun rule(table: TomlTable, place: RulePlace, others: Map<String, Map<String, Double>>): Rule {
         toml.requireKnown(table, KEYS, "a rule")
-        toml.requireKeys(table, place, listOf("name", "severity", "when", "text"), "rule")
+        val isComparison = table.contains(listOf("compare"))
+        toml.requireKeys(table, place, listOf("name", "severity", if (isComparison) "limits" else "when", "text"), "rule")
         val name = toml.string(table, "name").orEmpty()
         val severity = toml.string(table, "severity").orEmpty()
         val limits = Limits(table, others[name].orEmpty())
@@ -137,22 +139,41 @@ internal class RulesReader(private val source: String, private val signals: Sign
             severity = Severity.entries.find { it.name.lowercase() == severity }
                 ?: toml.fail(toml.placeOf(table, "severity"), "A severity is “error”, “warning” or “note”, not “$severity”."),
             condition = limits.filled(toml.string(table, "when").orEmpty()),
-            text = text(table, limits),
+            text = text(table, limits, if (isComparison) RuleText.PLACES_COMPARED else RuleText.PLACES),
             only = toml.optionalStrings(table, "only"),
             each = each(table),
-            place = if (isBuiltIn) null else toml.placeOf(table, "when"),
+            place = if (isBuiltIn) null else toml.placeOf(table, if (isComparison) "compare" else "when"),
             group = toml.string(table, "group").orEmpty(),
             reason = toml.string(table, "why").orEmpty(),
             next = toml.string(table, "next").orEmpty(),
             show = toml.optionalStrings(table, "show"),
             unless = toml.optionalStrings(table, "unless"),
             isForEachText = toml.isTrue(table, "each_text"),
+            compares = if (isComparison) comparison(table, limits) else null,
         )
+    }
+
+    private fun comparison(table: TomlTable, limits: Limits): Comparison {
+        listOf("when", "each", "except", "unit", "show", "unless", "each_text", "only").find { table.contains(listOf(it)) }
+            ?.let { toml.fail(toml.placeOf(table, it, isKey = true), "A rule that compares logs has no “$it”.") }
+        val compared = toml.strings(table, "compare")
+        compared.find { ComparedSignal.of(it) == null }?.let {
+            val known = ComparedSignal.ALL.joinToString { it.signal }
+            toml.fail(toml.placeOf(table, "compare"), "There are no figures of “$it” to compare; there are those of: $known.")
+        }
+        val (deviations, percent, findings, others) = Comparison.LIMITS.map { name ->
+            limits.numbers[name]?.takeIf { it >= 0 }
+                ?: toml.fail(
+                    toml.placeOf(table, "limits"),
+                    "A rule that compares logs has these limits: ${Comparison.LIMITS.joinToString()}.",
+                )
+        }
+        return Comparison(compared, deviations, percent, findings.toInt(), maxOf(others.toInt(), Comparison.FEWEST_OTHERS))
     }
 
     /** The numbers of a rule in [table] that its `when` and `text` have in braces, or those of [others] instead. */
     private inner class Limits(table: TomlTable, others: Map<String, Double>) {
-        private val numbers: Map<String, Double>
+        val numbers: Map<String, Double>
 
         init {
             val value = table.get(listOf("limits"))
@@ -162,7 +183,7 @@ internal class RulesReader(private val source: String, private val signals: Sign
                 limitsOf(value)
                     ?: toml.fail(toml.placeOf(table, "limits"), "“limits” are numbers by their names, as in limits = { volts = 7 }.")
             }
-            val taken = own.keys.find { it in RuleText.PLACES }
+            val taken = own.keys.find { it in RuleText.PLACES && !table.contains(listOf("compare")) }
             if (taken != null) toml.fail(toml.placeOf(table, "limits"), "“$taken” cannot be a limit, for it is a place in texts.")
             val unknown = others.keys.find { it !in own }
             if (unknown != null) {
@@ -199,8 +220,10 @@ internal class RulesReader(private val source: String, private val signals: Sign
         return TopicsOfSignal(names[0], names.drop(1), toml.isTrue(value, "linked"))
     }
 
-    private fun text(table: TomlTable, limits: Limits): RuleText = try {
-        RuleText.parse(limits.filled(toml.string(table, "text").orEmpty()))
+    private fun text(table: TomlTable, limits: Limits, places: List<String>): RuleText = try {
+        // {others} is a place there, with the word for what they are.
+        val text = toml.string(table, "text").orEmpty()
+        RuleText.parse(if (places === RuleText.PLACES) limits.filled(text) else text, places)
     } catch (mistake: RuleText.Mistake) {
         val place = toml.placeOf(table, "text")
         throw RulesException(place.lineNumber, place.pointed(mistake.message, mistake.from, mistake.until))
@@ -211,7 +234,7 @@ internal class RulesReader(private val source: String, private val signals: Sign
         const val DEFAULT = "default"
         val KEYS = setOf(
             "name", "severity", "when", "text", "only", "each", "except", "unit", "group", "why", "next", "limits", "show", "unless",
-            "each_text",
+            "each_text", "compare",
         )
     }
 }

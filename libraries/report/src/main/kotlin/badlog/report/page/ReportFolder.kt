@@ -60,7 +60,11 @@ public class ReportFolder(
         val page = folder.resolve(name)
         check(page)
         val defined = virtualTopics - log.undefined.mapTo(HashSet()) { it.definition }
-        exporter.export(log.file.path, page, PageAdditions(defined, rules, hooks = hookParts(hooks)))
+        // A page knows its own log alone.
+        val compared = log.differences
+        val additions =
+            PageAdditions(defined, rules, findings = compared.findings, hooks = hookParts(hooks), differences = compared.differences)
+        exporter.export(log.file.path, page, additions)
         pages[log] = name
         return page
     }

@@ -12,12 +12,14 @@ import badlog.rules.timeText
  * @property causes the findings that show what came first; at least one.
  * @property effects the findings that followed, in the order of time.
  * @property next what to look at next, as a sentence; empty where nobody says.
+ * @property difference what of it was different from the team's other matches; null where nothing is known.
  */
 public class Incident internal constructor(
     public val name: String,
     public val causes: List<Finding>,
     public val effects: List<Finding>,
     public val next: String,
+    public val difference: Finding? = null,
 ) {
     public val severity: Severity = (causes + effects).maxOf { it.severity }
 
@@ -27,14 +29,18 @@ public class Incident internal constructor(
     /** The unit of [time]. */
     public val timeUnit: String get() = causes[0].timeUnit
 
-    /** What to say of it: first the likely cause, then what followed, the worst of it; each with the finding that shows it. */
+    /**
+     * What to say of it: first the likely cause, then what followed, the worst of it, and what was different from other matches; each
+     * with the finding that shows it.
+     */
     public val sentences: List<Sentence>
         get() {
             val told = effects.filter {
                 it.severity != Severity.NOTE
             }.sortedByDescending { it.severity }.distinctBy { it.rule }.take(MAX_TOLD)
             return listOf(Sentence("Likely cause: ${name.replaceFirstChar { it.lowercase() }}. ${causes[0].text}", causes[0])) +
-                told.sortedBy { it.time }.map { Sentence(after(it) + it.text, it) }
+                told.sortedBy { it.time }.map { Sentence(after(it) + it.text, it) } +
+                listOfNotNull(difference?.let { Sentence(it.text, it) })
         }
 
     /** What followed that [sentences] leave out. */

@@ -8,8 +8,11 @@ import badlog.rules.cause.Cause
 /**
  * The incidents in a log in which these rules have found [findings]: those causes of the rules that findings show, the worst first.
  * A finding that shows a cause but follows from another one begins no incident of its own.
+ *
+ * @param differences what was different from the team's other matches, the most different first; an incident says the first that is
+ *   of a topic that shows it.
  */
-public fun RuleSet.incidentsIn(findings: List<Finding>): List<Incident> {
+public fun RuleSet.incidentsIn(findings: List<Finding>, differences: List<Finding> = emptyList()): List<Incident> {
     val ofRules = findings.filter { !it.isOfHook }
     val explained = HashSet<Finding>()
     val found = ArrayList<Incident>()
@@ -22,7 +25,9 @@ public fun RuleSet.incidentsIn(findings: List<Finding>): List<Incident> {
         if (cause.onlyWith.isNotEmpty() && effects.none { it.rule in cause.onlyWith }) continue
         explained += showing
         explained += effects
-        found += Incident(cause.name, showing.sortedBy { it.time }, effects.sortedBy { it.time }, cause.next)
+        val evidence = showing.flatMapTo(HashSet()) { it.evidence } + effects.mapNotNull { it.topic }
+        val difference = differences.find { difference -> difference.evidence.any { it in evidence } }
+        found += Incident(cause.name, showing.sortedBy { it.time }, effects.sortedBy { it.time }, cause.next, difference)
     }
     return found.sortedWith(compareBy({ -it.severity.ordinal }, { -it.effects.size }, { it.time }))
 }

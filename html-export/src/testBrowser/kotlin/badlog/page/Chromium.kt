@@ -71,7 +71,9 @@ internal object Chromium {
         while (!folder.toFile().deleteRecursively() && tries++ < MAX_TRIES) Thread.sleep(PAUSE_MILLISECONDS)
     }
 
-    private fun present(program: Path?, name: String): Path = checkNotNull(program) { "BADLOG_BROWSER=required, but $name is not on the PATH." }
+    private fun present(program: Path?, name: String): Path = checkNotNull(program) {
+        "BADLOG_BROWSER=required, but $name is not on the PATH."
+    }
 
     private fun onPath(vararg names: String): Path? {
         val folders = System.getenv("PATH").orEmpty().split(File.pathSeparator).filter { it.isNotEmpty() }

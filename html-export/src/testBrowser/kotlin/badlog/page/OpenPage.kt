@@ -41,9 +41,6 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
         script("return [...document.querySelectorAll(arguments[0])].map(e => e.textContent)", selector),
     )
 
-    /** The graph of the whole [name]. */
-    fun graph(name: String): GraphOnPage = GraphOnPage(this, name)
-
     /** The names of all graphs that are not hidden, in their order. */
     val graphNames: List<String>
         get() = strings(

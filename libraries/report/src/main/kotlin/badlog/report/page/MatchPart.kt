@@ -1,0 +1,71 @@
+package badlog.report.page
+
+import badlog.recording.Severity
+import badlog.report.LogReport
+import badlog.report.ORDER
+import badlog.rules.Finding
+import badlog.rules.comparison.figureText
+import badlog.rules.comparison.resistanceText
+import badlog.rules.figure.Measure
+import badlog.rules.incident.Incident
+import badlog.rules.timeText
+
+/** A log of the index page. */
+internal class IndexedLog(val number: Int, val report: LogReport, val file: String, val page: String?, event: String) {
+    val name: String get() = report.title ?: file
+
+    /** Its name without that of the event, where all are of one. */
+    val shortName: String = report.title?.removePrefix(event)?.trim() ?: file
+
+    /** By which links find its part of the page. */
+    val id: String get() = "log-$number"
+
+    /** By which the filter knows what is of it. */
+    val data: String get() = "data-log=\"$number\" data-type=\"${escaped(report.matchType.orEmpty())}\""
+}
+
+/** What was found in [log]: its incidents, then its findings, both with the worst first and links to their moments. */
+internal fun matchPart(log: IndexedLog): String {
+    val report = log.report
+    val out = StringBuilder("<article id=\"${log.id}\" class=\"match card\" ${log.data} aria-labelledby=\"${log.id}-name\">\n")
+    out.append("<header><h3 id=\"${log.id}-name\">${linked(log.name, log.page, "")}</h3>")
+    if (report.title != null) out.append("<small>${escaped(log.file)}</small>")
+    out.append("</header>\n")
+    val facts = factsOf(report)
+    if (facts.isNotEmpty()) out.append("<p class=\"facts\">${escaped(facts)}</p>\n")
+    if (report.incidents.isNotEmpty()) {
+        out.append("<ol class=\"incidents\" aria-label=\"Incidents\">\n")
+        for (incident in report.incidents) out.append(incidentItem(incident, log.page))
+        out.append("</ol>\n")
+    }
+    out.append("<ol class=\"findings\" aria-label=\"Findings\">\n")
+    for (finding in report.findings.sortedBy { ORDER.indexOf(it.severity) }) out.append(findingItem(finding, log.page))
+    return out.append("</ol>\n</article>\n").toString()
+}
+
+private fun factsOf(report: LogReport): String {
+    val lowest = report.figures.of("battery", Measure.LOWEST)
+    val resistance = resistanceText(report.figures)
+    return listOfNotNull(
+        lowest.takeUnless { it.isNaN() }?.let { "battery down to ${figureText(it, "V")}" },
+        resistance.takeIf { it.isNotEmpty() }?.let { "battery and wiring $it" },
+    ).joinToString(" · ")
+}
+
+private fun findingItem(finding: Finding, page: String?): String {
+    val told = "<span class=\"rule\">${escaped(finding.rule)}</span>${escaped(finding.text)}"
+    return item(finding.severity, finding.time, finding.timeUnit, page) + "<div class=\"told\">$told</div></li>\n"
+}
+
+/** What came first and what followed, each a link to its evidence. */
+private fun incidentItem(incident: Incident, page: String?): String {
+    val told = incident.sentences.joinToString("") { "<p>${linked(it.text, page, fragmentOf(it.finding.time))}</p>" }
+    val next = if (incident.next.isEmpty()) "" else "<p class=\"next\">Next: ${escaped(incident.next)}</p>"
+    return item(incident.severity, incident.time, incident.timeUnit, page) + "<div class=\"told\">$told$next</div></li>\n"
+}
+
+private fun item(severity: Severity, time: Double, unit: String, page: String?): String {
+    val moment = if (time.isFinite()) linked(timeText(time, unit), page, fragmentOf(time)) else "whole log"
+    return "<li class=\"${severity.cssClass}\" data-level=\"${severity.ordinal}\"><span class=\"severity\">${severity.cssClass}</span>" +
+        "<span class=\"time\">$moment</span>"
+}

@@ -1,0 +1,56 @@
+package badlog.report.page
+
+import badlog.recording.Severity
+import badlog.report.LogReport
+import badlog.rules.comparison.figureText
+import badlog.rules.figure.LogFigures
+import badlog.rules.figure.Measure
+
+/** All logs that can be read in a table, the worst first: how much was found in each, what first, and how its battery did. */
+internal fun overview(logs: List<IndexedLog>): String {
+    val out = StringBuilder("<table class=\"overview\">\n<thead><tr><th scope=\"col\">Match</th>")
+    for (title in listOf("Errors", "Warnings", "Notes")) out.append("<th scope=\"col\" class=\"count\">$title</th>")
+    out.append("<th scope=\"col\" class=\"first\">First of all</th>")
+    for ((title, unit) in FIGURES) out.append("<th scope=\"col\" class=\"count figure\">$title<br><small>$unit</small></th>")
+    out.append("</tr></thead>\n<tbody>\n")
+    for (log in logs.sortedWith(WORST_FIRST)) out.append(row(log))
+    return out.append("</tbody>\n</table>\n").toString()
+}
+
+private val WORST_FIRST = compareBy<IndexedLog>(
+    { log -> -(log.report.incidents.maxOfOrNull { it.severity.ordinal } ?: -1) },
+    { log -> -log.report.count(Severity.ERROR) },
+    { log -> -log.report.count(Severity.WARNING) },
+    { log -> -log.report.count(Severity.NOTE) },
+    { log -> log.number },
+)
+
+private fun row(log: IndexedLog): String {
+    val out = StringBuilder("<tr ${log.data}>")
+    val hasPart = log.report.findings.isNotEmpty()
+    val name = if (hasPart) "<a href=\"#${log.id}\">${escaped(log.shortName)}</a>" else linked(log.shortName, log.page, "")
+    out.append("<th scope=\"row\">$name</th>")
+    for (severity in listOf(Severity.ERROR, Severity.WARNING, Severity.NOTE)) {
+        val count = log.report.count(severity)
+        val told = if (count == 0) "–" else "<span class=\"of-${severity.cssClass}\">$count</span>"
+        out.append("<td class=\"count\">$told</td>")
+    }
+    val (first, time) = firstOf(log.report)
+    out.append("<td class=\"first\">${linked(first, log.page.takeIf { hasPart }, fragmentOf(time))}</td>")
+    for ((_, _, figure) in FIGURES) {
+        val value = figure(log.report.figures)
+        out.append("<td class=\"count figure\">${if (value.isNaN()) "–" else escaped(figureText(value, ""))}</td>")
+    }
+    return out.append("</tr>\n").toString()
+}
+
+/** What stands first of all in [report], and when. */
+private fun firstOf(report: LogReport): Pair<String, Double> = report.incidents.firstOrNull()?.let { it.name to it.time }
+    ?: report.findings.firstOrNull()?.let { it.text to it.time } ?: ("Nothing found" to Double.NaN)
+
+private fun LogReport.count(severity: Severity) = findings.count { it.severity == severity }
+
+private val FIGURES = listOf<Triple<String, String, (LogFigures) -> Double>>(
+    Triple("Battery low", "V") { it.of("battery", Measure.LOWEST) },
+    Triple("Resistance", "mΩ") { it.resistance },
+)

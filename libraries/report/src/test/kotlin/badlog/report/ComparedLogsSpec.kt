@@ -1,0 +1,74 @@
+package badlog.report
+
+import badlog.html.HtmlExporter
+import badlog.html.PageParts
+import badlog.html.additionsIn
+import badlog.report.page.ReportFolder
+import badlog.report.page.reportPage
+import badlog.rules.BUILT_IN
+import badlog.rules.RuleSet
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldNotContain
+import kotlinx.serialization.json.jsonObject
+import java.nio.file.Path
+
+/** A minute in which the robot drives, and its arm draws [amps] amperes. */
+private fun match(number: Int, amps: Double, type: String = "Qualification"): String {
+    val topics = mapOf("Time" to "s", "Enabled" to "ul", "Arm/Current" to "A", "Battery Voltage" to "V", "Total Current" to "A")
+    val rows = List(600) { row ->
+        val total = 30 + 30 * (row / 20 % 3)
+        "${row / 10.0},${row > 20},${amps + row % 2},${12.5 - 0.015 * total - row % 5 * 0.01},$total"
+    }
+    return bag(topics, rows, mapOf("Event Name" to "Mill Creek", "Match Type" to type, "Match Number" to "$number"))
+}
+
+private fun Path.season(oddType: String = "Qualification"): Path = resolve("logs").also { logs ->
+    for (number in 1..7) logs.put("Q$number.bag", match(number, 10.0 + number / 10.0))
+    logs.put("Q8.bag", match(8, 21.0, oddType))
+}
+
+private const val FOUND = "Arm/Current while enabled was 21.5 A, 97 % above your 7 other matches (usually 10.9 A)."
+
+class ComparedLogsSpec : FunSpec({
+    fun compared(result: ReportResult) = result.logs.flatMap { log -> log.findings.filter { it.rule == "Unlike other matches" }.map { log.title to it.text } }
+
+    test("what is unlike in one of eight matches is found, by the cache as by reading, also after one more was added") {
+        inFolder { folder ->
+            val logs = folder.season()
+            fun run() = Report(cache = folder.resolve("cache")).over(logsIn(logs))
+            compared(run()) shouldBe listOf("Mill Creek Qualification 8" to FOUND)
+            spoil(logs.resolve("Q8.bag"))
+            compared(run()) shouldBe listOf("Mill Creek Qualification 8" to FOUND)
+            logs.put("Q9.bag", match(9, 11.0))
+            compared(run()).single().second shouldContain "your 8 other matches"
+        }
+    }
+
+    test("practice is not compared with matches") {
+        inFolder { folder -> compared(Report().over(logsIn(folder.season("Practice")))).shouldBeEmpty() }
+    }
+
+    test("the resistance of the battery stands beside the match, in text and JSON") {
+        inFolder { folder ->
+            val result = Report().over(logsIn(folder.season()))
+            reportText(result) shouldContain "Mill Creek Qualification 8 (Q8.bag), battery 15 ± 0."
+            jsonOf(ReportJson(result.logs[0])).getValue("batteryResistance").jsonObject.keys shouldBe setOf("milliohms", "uncertainty")
+        }
+    }
+
+    test("the page of a log carries what only the report can find, and the index shows it over the matches") {
+        inFolder { folder ->
+            val logs = logsIn(folder.season())
+            val pages = ReportFolder(folder.resolve("out"), logs, RuleSet.BUILT_IN, exporter = HtmlExporter(parts = PageParts("", "")))
+            val result = Report().over(logs) { log, hooks -> pages.add(log, hooks) }
+            additionsIn(folder.resolve("out/Q8.html")) shouldContain "97 % above your 7 other matches"
+            additionsIn(folder.resolve("out/Q7.html")) shouldNotContain "other matches (usually"
+            val index = reportPage(result)
+            index shouldContain "aria-label=\"Arm/Current while enabled: 8 matches, from 10.6 A (Qualification 1) to 21.5 A (Qualification 8)"
+            index shouldContain "<circle class=\"odd\""
+        }
+    }
+})

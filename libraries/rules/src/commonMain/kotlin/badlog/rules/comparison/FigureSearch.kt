@@ -1,0 +1,199 @@
+package badlog.rules.comparison
+
+import badlog.analysis.LogView
+import badlog.analysis.Series
+import badlog.analysis.Span
+import badlog.analysis.StateRuns
+import badlog.analysis.Units
+import badlog.analysis.enabledSpans
+import badlog.analysis.knowsAutonomous
+import badlog.expression.LogViewSignals
+import badlog.rules.LogShape
+import badlog.rules.NamedSamples
+import badlog.rules.NamedSignal
+import badlog.rules.figure.ComparedSignal
+import badlog.rules.figure.FigureKey
+import badlog.rules.figure.LogFigures
+import badlog.rules.figure.MatchKind
+import badlog.rules.figure.Measure
+import badlog.rules.figure.Resistance
+import badlog.rules.figure.common
+import badlog.rules.figure.meanOf
+import badlog.rules.figure.percentileOf
+import badlog.rules.figure.resistanceOf
+import badlog.rules.figure.timeWithin
+import badlog.rules.figure.united
+import badlog.rules.matchType
+import badlog.rules.signal.SignalTopic
+import badlog.rules.signal.SignalTopics
+import badlog.rules.signal.SignalVocabulary
+import kotlin.math.abs
+import kotlin.math.floor
+import kotlin.math.log10
+import kotlin.math.pow
+import kotlin.math.round
+
+/**
+ * The figures of [view], whose topics are called as [vocabulary] has them; none where it does not tell when the robot was enabled, or
+ * that was too short.
+ */
+public fun figuresOf(view: LogView, vocabulary: SignalVocabulary): LogFigures {
+    val shape = LogShape.of(view)
+    if (!shape.vocabulary.hasTime) return LogFigures.NONE
+    return FigureSearch(view, SignalTopics(vocabulary, shape.vocabulary, shape.timeTopic)).figures()
+}
+
+private class FigureSearch(private val view: LogView, private val topics: SignalTopics) {
+    private val samples = NamedSamples(LogViewSignals(view), view)
+    private val second = 1 / (Units.secondsIn(view.xAxis.unit) ?: 1.0)
+    private val end = view.xAxis.range?.endInclusive ?: 0.0
+    private val spans: Map<Measure, List<Span>>
+    private val weights = HashMap<Pair<Measure, DoubleArray>, DoubleArray>()
+
+    init {
+        val stretches = view.enabledSpans()
+        val enabled = united(stretches.map { it.span }, gap = 0.0)
+        val driving = common(enabled, drivenSpans())
+        val (autonomous, teleop) = stretches.partition { it.isAutonomous }
+        // Without a word of autonomous, all of it would be teleop.
+        val isTold = view.knowsAutonomous
+        spans = mapOf(
+            Measure.AUTONOMOUS to if (isTold) autonomous.map { it.span } else emptyList(),
+            Measure.TELEOP to if (isTold) teleop.map { it.span } else emptyList(),
+            Measure.DRIVING to driving,
+            Measure.ENABLED to enabled,
+        ).filter { (measure, spans) -> spans.sumOf { it.width } >= leastOf(measure) }
+    }
+
+    fun figures(): LogFigures {
+        if (Measure.ENABLED !in spans) return LogFigures.NONE
+        val keys = ArrayList<FigureKey>()
+        val values = ArrayList<Double>()
+        for (compared in ComparedSignal.ALL) {
+            val (signal, measures) = compared.signal to compared.measures
+            for ((topic, named) in namedOf(signal)) {
+                val series = samples.of(named)
+                if (keys.size >= MAX_FIGURES || !series.isOrdered || topic.any { it < ' ' }) continue
+                for (measure in measures) {
+                    if (measure == Measure.ENABLED && Measure.TELEOP in spans && Measure.TELEOP in measures) continue
+                    val value = measured(series, measure)
+                    if (!value.isFinite()) continue
+                    keys += FigureKey(signal, topic, measure, named.listed.unit)
+                    values += rounded(value)
+                }
+            }
+        }
+        val resistance = resistance()
+        if (resistance != null) {
+            keys += FigureKey(FigureKey.RESISTANCE, namedOf("battery").first().first, Measure.RESISTANCE, "mΩ")
+            values += rounded(resistance.milliohms)
+        }
+        val uncertainty = resistance?.uncertainty?.let(::rounded) ?: Double.NaN
+        return LogFigures(kind(), keys, values.toDoubleArray(), uncertainty)
+    }
+
+    /** The topics that are [signal], each with what it is as that; or their sum, as the first of them. */
+    private fun namedOf(signal: String): List<Pair<String, NamedSignal>> {
+        val found = topics.of(signal)
+        if (found.isNotEmpty()) return found.map { it.topic to NamedSignal.of(signal, listOf(it)) }
+        val summands = topics.summandsOf(signal)
+        return if (summands.isEmpty()) emptyList() else listOf(SUM_OF_CHANNELS to NamedSignal.of(signal, summands))
+    }
+
+    private fun measured(series: Series, measure: Measure): Double = when (measure) {
+        // Before there is a first voltage, libraries log 0.
+        Measure.LOWEST -> extreme(series) { one, other -> if (one <= LEAST_VOLTS || other < one) other else one }
+
+        Measure.HIGHEST -> extreme(series) { one, other -> maxOf(one, other) }
+
+        Measure.PERCENTILE95 -> percentileOf(series, weightsOf(Measure.ENABLED, series), 0.95, leastOf(Measure.ENABLED))
+
+        else -> if (measure in spans) meanOf(series, weightsOf(measure, series), leastOf(measure)) else Double.NaN
+    }
+
+    private fun extreme(series: Series, chosen: (Double, Double) -> Double): Double {
+        val weights = weightsOf(Measure.ENABLED, series)
+        var found = Double.NaN
+        for (i in weights.indices) {
+            val value = series.y[i]
+            if (weights[i] > 0 && value.isFinite()) found = if (found.isNaN()) value else chosen(found, value)
+        }
+        return found
+    }
+
+    private fun weightsOf(measure: Measure, series: Series): DoubleArray =
+        weights.getOrPut(measure to series.x) { timeWithin(spans.getValue(measure), series.x, end) }
+
+    private fun leastOf(measure: Measure) = second * when (measure) {
+        Measure.AUTONOMOUS -> LEAST_AUTONOMOUS
+        Measure.DRIVING -> LEAST_DRIVING
+        else -> LEAST_ENABLED
+    }
+
+    /** When a motor of the drivetrain had an output, or one of its modules a speed. */
+    private fun drivenSpans(): List<Span> {
+        val (driven, least) = topics.of("motor output").filter { isOfDrivetrain(it.topic) } to LEAST_OUTPUT
+        return if (driven.isNotEmpty()) spansAbove(driven, least) else spansAbove(topics.of("module speed"), LEAST_SPEED)
+    }
+
+    private fun spansAbove(topics: List<SignalTopic>, least: Double): List<Span> {
+        val found = ArrayList<Span>()
+        for (topic in topics) {
+            val series = samples.of(NamedSignal.of(topic.signal, listOf(topic)))
+            if (!series.isOrdered || series.size == 0) continue
+            val runs = StateRuns(Series(series.x, DoubleArray(series.size) { if (abs(series.y[it]) > least) 1.0 else 0.0 }), end)
+            for (i in runs.states.indices) if (runs.states[i] == 1) found += Span(runs.from[i], runs.to[i])
+        }
+        return united(found, BRIDGED * second)
+    }
+
+    private fun isOfDrivetrain(topic: String) = DRIVETRAIN.any { topic.contains(it, ignoreCase = true) }
+
+    private fun resistance(): Resistance? {
+        val battery = namedOf("battery").firstOrNull() ?: return null
+        val current = namedOf("total current").firstOrNull() ?: return null
+        fun inSeconds(named: NamedSignal) = samples.of(named).let { series ->
+            if (second == 1.0) series else Series(DoubleArray(series.size) { series.x[it] / second }, series.y)
+        }
+        return resistanceOf(inSeconds(battery.second), inSeconds(current.second), end / second)
+    }
+
+    private fun kind(): MatchKind {
+        val type = matchType(view.recording.values)?.lowercase()
+        val number = topics.of("match type").firstOrNull()
+            ?.let { samples.of(NamedSignal.of(it.signal, listOf(it))).y.lastOrNull { type -> type > 0 } }
+        return when {
+            type != null && MATCH_TYPES.any { it in type } -> MatchKind.MATCH
+            type == null && number != null && number >= 2 -> MatchKind.MATCH
+            type == null && number == null -> MatchKind.UNKNOWN
+            else -> MatchKind.PRACTICE
+        }
+    }
+
+    private companion object {
+        const val LEAST_AUTONOMOUS = 5.0
+        const val LEAST_DRIVING = 10.0
+        const val LEAST_ENABLED = 20.0
+        const val LEAST_VOLTS = 1.0
+
+        /** Of a motor, and of a module in meters a second. */
+        const val LEAST_OUTPUT = 0.15
+        const val LEAST_SPEED = 0.5
+
+        /** Who turns around goes on driving. */
+        const val BRIDGED = 0.3
+        const val MAX_FIGURES = 240
+        val DRIVETRAIN = listOf("drive", "module", "swerve", "chassis")
+        val MATCH_TYPES = listOf("qual", "playoff", "elim", "final")
+
+        /** [value] with so many digits as anybody compares. */
+        fun rounded(value: Double): Double {
+            if (value == 0.0 || !value.isFinite()) return value
+            val places = 10.0.pow(4 - floor(log10(abs(value))).toInt())
+            return round(value * places) / places
+        }
+    }
+}
+
+/** What the total current is called where it is the sum of the channels, and no topic. */
+internal const val SUM_OF_CHANNELS = "Total current"

@@ -1,0 +1,213 @@
+package badlog.rules.comparison
+
+import badlog.rules.Comparison
+import badlog.rules.Finding
+import badlog.rules.Rule
+import badlog.rules.RuleSet
+import badlog.rules.figure.Baseline
+import badlog.rules.figure.ComparedSignal
+import badlog.rules.figure.FigureKey
+import badlog.rules.figure.LogFigures
+import badlog.rules.figure.MatchKind
+import badlog.rules.figure.Measure
+import badlog.rules.timeText
+import kotlin.math.abs
+import kotlin.math.round
+
+/**
+ * What was different in a log from the team's others.
+ *
+ * @property findings what is so far from the others that it is a finding, the farthest first.
+ * @property figures what is measured in each of [findings].
+ * @property differences what is far enough from the others to be said of an incident that it has to do with; [findings] first.
+ */
+public class LogDifferences internal constructor(
+    public val findings: List<Finding>,
+    public val figures: List<FigureKey>,
+    public val differences: List<Finding>,
+) {
+    public companion object {
+        /** Nothing was. */
+        public val NONE: LogDifferences = LogDifferences(emptyList(), emptyList(), emptyList())
+    }
+}
+
+/**
+ * Compares each of [logs], which are in the order of a team's matches, with those of its kind beside it, by those of these rules that
+ * compare.
+ *
+ * @return a result for each log.
+ */
+public fun RuleSet.compared(logs: List<LogFigures>): List<LogDifferences> {
+    val rules = rules.mapNotNull { rule -> rule.compares?.let { rule to it } }
+    val found = arrayOfNulls<LogDifferences>(logs.size)
+    if (rules.isNotEmpty()) {
+        for (kind in MatchKind.entries) {
+            val alike = logs.indices.filter { logs[it].kind == kind && logs[it].keys.isNotEmpty() }
+            if (alike.size <= rules.minOf { (_, comparison) -> comparison.others }) continue
+            val comparison = LogComparison(rules, alike.map { logs[it] })
+            for ((place, log) in alike.withIndex()) found[log] = comparison.differencesOf(place)
+        }
+    }
+    return found.map { it ?: LogDifferences.NONE }
+}
+
+/** Compares [logs], which are of one kind, by [rules]. */
+private class LogComparison(private val rules: List<Pair<Rule, Comparison>>, private val logs: List<LogFigures>) {
+    /** The places of the logs that have a figure, in their order, and their values. */
+    private class Column {
+        val logs = ArrayList<Int>()
+        val values = ArrayList<Double>()
+    }
+
+    private val columns = HashMap<FigureKey, Column>()
+
+    // Logs with the same topics have the same list of keys.
+    private val columnsOf = HashMap<List<FigureKey>, List<Column>>()
+
+    init {
+        for ((place, log) in logs.withIndex()) {
+            val own = columnsOf(log)
+            for (i in log.keys.indices) {
+                own[i].logs += place
+                own[i].values += log.values[i]
+            }
+        }
+    }
+
+    private class Difference(
+        val rule: Rule,
+        val comparison: Comparison,
+        val key: FigureKey,
+        val value: Double,
+        val usual: Baseline,
+        val strength: Double,
+    )
+
+    fun differencesOf(place: Int): LogDifferences {
+        val log = logs[place]
+        val columns = columnsOf(log)
+        val found = ArrayList<Difference>()
+        for (i in log.keys.indices) {
+            val key = log.keys[i]
+            val (rule, comparison) = rules.find { (_, comparison) -> key.signal in comparison.signals } ?: continue
+            val others = othersOf(columns[i], place)
+            if (others.size >= comparison.others) found += differenceOf(log, i, others, rule, comparison) ?: continue
+        }
+        if (found.isEmpty()) return LogDifferences.NONE
+        // Of one topic, that which differs most says it.
+        val differences = found.sortedByDescending { it.strength }.distinctBy { it.key.topic to it.rule }
+        val strong = rules.flatMap { (rule, comparison) ->
+            differences.filter { it.rule === rule && it.strength >= 1 }.take(comparison.findings)
+        }
+        val findings = strong.sortedByDescending { it.strength }.associateWith { findingOf(it, log) }
+        return LogDifferences(
+            findings.values.toList(),
+            findings.keys.map {
+                it.key
+            },
+            differences.map { findings[it] ?: findingOf(it, log) },
+        )
+    }
+
+    private fun columnsOf(log: LogFigures) = columnsOf.getOrPut(log.keys) { log.keys.map { columns.getOrPut(it) { Column() } } }
+
+    /** The figures of the logs nearest to that at [place]: a robot changes over a season. */
+    private fun othersOf(column: Column, place: Int): DoubleArray {
+        val at = column.logs.binarySearch(place)
+        val from = (at - MOST / 2).coerceAtMost(column.logs.size - MOST - 1).coerceAtLeast(0)
+        val until = minOf(column.logs.size, from + MOST + 1)
+        val others = DoubleArray(until - from - 1)
+        var size = 0
+        for (i in from until until) if (i != at) others[size++] = column.values[i]
+        return others
+    }
+
+    private fun differenceOf(log: LogFigures, figure: Int, others: DoubleArray, rule: Rule, comparison: Comparison): Difference? {
+        val key = log.keys[figure]
+        val value = log.values[figure]
+        val signal = ComparedSignal.of(key.signal) ?: return null
+        val isBothWays = signal.isOfMotor && key.measure == Measure.DRIVING
+        val isBelow = others.count { value < it } > others.size / 2
+        if (!isBothWays && isBelow != signal.isWorseBelow) return null
+        // Most figures are among those of the others, which needs no sorting.
+        if (others.count { if (isBelow) it <= value else it >= value } > MOST_BEYOND) return null
+        val usual = Baseline(others)
+        // What mostly is off, such as a compressor or a climber, is on when it is needed.
+        if (signal.isOfMotor && abs(usual.median) < LEAST_AMPS) return null
+        var away = abs(value - usual.median)
+        if (key.measure == Measure.RESISTANCE) away -= log.uncertainty
+        val least = if (signal.isRatio) maxOf(signal.least, comparison.percent / PERCENT * abs(usual.median)) else signal.least
+        // Of a few logs nobody knows well how far they usually are from each other.
+        val few = 1 + FEW / usual.count
+        val scale = maxOf(usual.distance, if (signal.isRatio) LEAST_SHARE * abs(usual.median) else LEAST_PART * signal.least)
+        val strength = minOf(away / (comparison.deviations * few * scale), away / (BEYOND_SECOND * usual.second))
+        return if (strength >= LEAST_STRENGTH && away >= least) Difference(rule, comparison, key, value, usual, strength) else null
+    }
+
+    private fun findingOf(difference: Difference, log: LogFigures): Finding {
+        val (key, usual) = difference.key to difference.usual
+        val text = difference.rule.text.filled(
+            mapOf(
+                "topic" to key.topic,
+                "when" to key.measure.words,
+                "value" to if (key.measure == Measure.RESISTANCE) resistanceText(log) else figureText(difference.value, key.unit),
+                "difference" to differenceText(difference),
+                "usual" to figureText(usual.median, key.unit),
+                "others" to "${usual.count} other ${log.kind.words}",
+            ),
+        )
+        val evidence = log.evidenceOf(key)
+        val rule = difference.rule
+        return Finding(rule.name, rule.severity, evidence.firstOrNull(), text, Double.NaN, emptyList(), 1, "", evidence = evidence, next = rule.next)
+    }
+
+    private fun differenceText(difference: Difference): String {
+        val away = difference.value - difference.usual.median
+        val word = if (away > 0) "above" else "below"
+        val median = difference.usual.median
+        val isRatio = ComparedSignal.of(difference.key.signal)?.isRatio == true
+        if (!isRatio || median <= 0) return "${figureText(abs(away), difference.key.unit)} $word"
+        val ratio = difference.value / median
+        return if (ratio >= MANY_TIMES) "${figureText(ratio, "")} times" else "${round(abs(away) / median * PERCENT).toInt()} % $word"
+    }
+
+    private companion object {
+        /** With so many other logs a log is compared. */
+        const val MOST = 20
+        const val MOST_BEYOND = 1
+        const val FEW = 8.0
+        const val PERCENT = 100.0
+        const val LEAST_SHARE = 0.03
+        const val LEAST_PART = 0.25
+        const val BEYOND_SECOND = 1.5
+        const val MANY_TIMES = 3.0
+        const val LEAST_AMPS = 0.5
+
+        /** What has to do with an incident is one of few, so that less is enough. */
+        const val LEAST_STRENGTH = 0.5
+    }
+}
+
+/** The resistance of a log's battery, with within what it is known: `24.8 ± 0.9 mΩ`. Empty where the log does not tell. */
+public fun resistanceText(log: LogFigures): String =
+    if (log.resistance.isNaN()) "" else "${tenths(log.resistance)} ± ${tenths(maxOf(log.uncertainty, LEAST_TOLD))} mΩ"
+
+private fun tenths(value: Double) = timeText(round(value * 10) / 10, "")
+
+private const val LEAST_TOLD = 0.1
+
+/** What shows [key]: its topic, or those of the battery and its current for their resistance. */
+private fun LogFigures.evidenceOf(key: FigureKey): List<String> {
+    val current = if (key.measure == Measure.RESISTANCE) keys.find { it.signal == "total current" }?.topic else null
+    return listOfNotNull(key.topic, current).filter { it != SUM_OF_CHANNELS }
+}
+
+/** A figure with its unit, in three digits, as anybody says it: `23.1 A`. */
+public fun figureText(value: Double, unit: String): String = timeText(threeDigits(value), unit)
+
+private fun threeDigits(value: Double): Double {
+    var scale = 1.0
+    while (abs(value) * scale < 100 && scale < 1e6) scale *= 10
+    return round(value * scale) / scale
+}
