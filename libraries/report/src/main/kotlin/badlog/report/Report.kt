@@ -42,7 +42,7 @@ public class Report(
     private val xTopic: String? = null,
 ) {
     private val ruleOf = rules.rules.associateBy { it.name }
-    private val isComparing = rules.rules.any { it.isComparison }
+    private val isComparing = rules.comparisons.isNotEmpty()
     private val programs = LruCache<LogShape, RuleProgram>(MAX_PROGRAMS) { RuleProgram(rules, it) }
 
     @Serializable
@@ -78,7 +78,7 @@ public class Report(
         progress: (done: Int, total: Int) -> Unit = { _, _ -> },
         each: (LogReport, List<HookOutcome>) -> Unit = { _, _ -> },
     ): ReportResult {
-        val question = "report\n${virtualTopics.joinToString("\n")}\n\n${xTopic.orEmpty()}\n${rules.toJson()}"
+        val question = "report $isComparing\n${virtualTopics.joinToString("\n")}\n\n${xTopic.orEmpty()}\n${rules.toJson()}"
         val examined = ArrayList<Stored>(files.size)
         val steps = if (hooks.isEmpty()) 1 else 2
         runCached(files, cache?.let { ResultCache(it, question, Stored.serializer()) }, ::examine) { _, stored ->
@@ -143,7 +143,7 @@ public class Report(
 
     private fun skippedIn(logs: List<Stored>, readable: Int): List<SkippedRule> {
         val asked = logs.flatMap { it.asked }.groupBy { it.rule }
-        return rules.rules.filter { !it.isComparison }.mapNotNull { rule ->
+        return rules.rules.mapNotNull { rule ->
             asked[rule.name].let { if (it == null) unasked(rule, readable) else skipped(rule, it) }
         }
     }

@@ -7,7 +7,7 @@ import badlog.recording.Severity
  *
  * @property name what it is called; no two rules of a set have the same.
  * @property severity how bad it is.
- * @property condition the expression under `when`, its limits filled in; empty where it compares logs.
+ * @property condition the expression under `when`, its limits filled in.
  * @property only the types of match that it is for; empty for all.
  * @property group what it is about, such as `power`; empty for none, and in rules that were read from JSON.
  * @property reason why it is looked for, as a sentence; empty where nobody says, and in rules that were read from JSON.
@@ -27,11 +27,7 @@ public class Rule internal constructor(
     internal val show: List<String> = emptyList(),
     internal val unless: List<String> = emptyList(),
     internal val isForEachText: Boolean = false,
-    internal val compares: Comparison? = null,
 ) {
-    /** Whether it compares the figures of a log with those of others, so that it has no [condition] and is not asked of a log alone. */
-    public val isComparison: Boolean get() = compares != null
-
     /** Whether it is badlog's own, in which nobody need look for a mistake. */
     public val isBuiltIn: Boolean get() = place == null
 

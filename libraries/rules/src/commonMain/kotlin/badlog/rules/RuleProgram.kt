@@ -99,7 +99,7 @@ public class RuleProgram(private val rules: RuleSet, private val shape: LogShape
     private val vocabularies = HashMap<List<Signal>, Vocabulary>()
 
     /** In the order of the rules. */
-    private val steps: List<Step> = rules.rules.filter { it.compares == null }.map(::stepOf)
+    private val steps: List<Step> = rules.rules.map(::stepOf)
 
     /** The names of the topics whose samples the rules look at, beside those of the time and of when the robot was enabled. */
     public val topics: Set<String> = steps.flatMap { it.questions }.flatMapTo(LinkedHashSet(), ::topicsOf)

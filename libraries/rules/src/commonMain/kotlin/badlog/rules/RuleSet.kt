@@ -9,15 +9,17 @@ import badlog.rules.signal.SignalVocabulary
  * @property rules in the order of the file; no two have the same name.
  * @property signals what topics are called that rules name by their meaning.
  * @property causes which findings lead to which.
+ * @property comparisons what compares a log with a team's others, which no page does.
  */
 public class RuleSet internal constructor(
     internal val aliases: List<Alias>,
     public val rules: List<Rule>,
     public val signals: SignalVocabulary,
     public val causes: CauseGraph,
+    public val comparisons: List<Comparison> = emptyList(),
 ) {
     /** These rules where topics are called as [signals] has them. */
-    public fun with(signals: SignalVocabulary): RuleSet = RuleSet(aliases, rules, signals, causes)
+    public fun with(signals: SignalVocabulary): RuleSet = RuleSet(aliases, rules, signals, causes, comparisons)
 
     public companion object {
         /** No rules. */

@@ -16,7 +16,10 @@ import badlog.rules.signal.patterns
 import badlog.rules.signal.patternsJson
 import badlog.rules.signal.toJson
 
-/** These rules as a line of JSON, with all that decides what they find: every page carries it, so reasons stay in the guide. */
+/**
+ * These rules as a line of JSON, with all that decides what they find in a log: every page carries it, so reasons stay in the guide, and
+ * what compares logs stays out.
+ */
 public fun RuleSet.toJson(): String = jsonObject(
     "aliases" to jsonList(aliases, ::aliasJson),
     "rules" to jsonArray(rules, ::ruleJson),
@@ -56,7 +59,6 @@ private fun ruleJson(rule: Rule): String = jsonObject(
     "show" to textsJson(rule.show),
     "unless" to textsJson(rule.unless),
     "eachText" to "true".takeIf { rule.isForEachText },
-    "compare" to rule.compares?.let(::comparisonJson),
     "place" to rule.place?.let { placeJson(it, rule.condition) },
 )
 
@@ -68,7 +70,7 @@ private fun ruleOf(value: JsonValue): Rule {
         name = json.string("name"),
         severity = Severity.entries.find { it.name.lowercase() == severity } ?: throw UnreadableJsonException(),
         condition = condition,
-        text = textOf(json.string("text"), if (json.find("compare") == null) RuleText.PLACES else RuleText.PLACES_COMPARED),
+        text = textOf(json.string("text")),
         only = json.strings("only"),
         each = json.find("each")?.let(::choiceOf),
         place = json.find("place")?.let { placeOf(it, condition) },
@@ -76,25 +78,13 @@ private fun ruleOf(value: JsonValue): Rule {
         show = json.strings("show"),
         unless = json.strings("unless"),
         isForEachText = json.isTrue("eachText"),
-        compares = json.find("compare")?.let(::comparisonOf),
     )
 }
 
-private fun textOf(source: String, places: List<String>): RuleText = try {
-    RuleText.parse(source, places)
+private fun textOf(source: String): RuleText = try {
+    RuleText.parse(source)
 } catch (_: RuleText.Mistake) {
     throw UnreadableJsonException()
-}
-
-private fun comparisonJson(comparison: Comparison): String = jsonObject(
-    "signals" to textsJson(comparison.signals),
-    "limits" to comparison.run { "[$deviations,$percent,$findings,$others]" },
-)
-
-private fun comparisonOf(value: JsonValue): Comparison {
-    val json = JsonFields(value.members)
-    val (deviations, percent, findings, others) = json.list("limits") { it.json.toDoubleOrNull() ?: throw UnreadableJsonException() }
-    return Comparison(json.strings("signals"), deviations, percent, findings.toInt(), others.toInt())
 }
 
 private fun choiceJson(choice: TopicChoice): String = when (choice) {

@@ -13,9 +13,6 @@ internal class RuleText private constructor(val source: String, private val part
     companion object {
         val PLACES = listOf("value", "time", "match", "file", "topic", "other", "device", "count", "duration")
 
-        /** Those of a rule that compares logs. */
-        val PLACES_COMPARED = listOf("topic", "when", "value", "difference", "usual", "others")
-
         /** Reads [text], which may have [places]; throws a [Mistake]. */
         fun parse(text: String, places: List<String> = PLACES): RuleText {
             val parts = ArrayList<Part>()

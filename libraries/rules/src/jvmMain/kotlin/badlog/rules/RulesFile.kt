@@ -38,7 +38,10 @@ public class RulesFile internal constructor(public val rules: RuleSet, public va
 public val RuleSet.Companion.BUILT_IN: RuleSet get() = BUILT_IN_RULES
 
 // Reading TOML takes longer than exporting a small page, so that these are also there as JSON.
-private val BUILT_IN_RULES by lazy { checkNotNull(RuleSet.fromJson(resource("badlog-rules.json"))) }
+private val BUILT_IN_RULES by lazy {
+    val rules = checkNotNull(RuleSet.fromJson(resource("badlog-rules.json")))
+    rules.run { RuleSet(aliases, this.rules, signals, causes, comparisonsOf(resource("badlog-comparisons.json"))) }
+}
 
 internal fun resource(name: String): String =
     checkNotNull(RulesFile::class.java.getResourceAsStream("/badlog/rules/$name")).use { it.readBytes().decodeToString() }

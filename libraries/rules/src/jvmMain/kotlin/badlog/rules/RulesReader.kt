@@ -20,40 +20,51 @@ internal class RulesReader(private val source: String, private val signals: Sign
     private val toml = TomlText(source)
 
     fun read(): RulesFile {
-        val root = toml.root(setOf("extends", "off", "limits", "aliases", "rule", "hook", "cause", "leads_to"))
-        val own = rules(root, emptyMap())
+        val root = toml.root(setOf("extends", "off", "limits", "aliases", "rule", "comparison", "hook", "cause", "leads_to"))
+        val own = read(root, emptyMap())
         val inherited = inherited(root)
         // Causes and effects speak of rules by their names, whoever wrote these.
         val causes = causeGraphOf(toml, root).let { if (isBuiltIn) it else RuleSet.BUILT_IN.causes.after(it) }
-        val taken = own.mapTo(HashSet()) { it.name }
-        return RulesFile(RuleSet(aliases(root), inherited.filter { it.name !in taken } + own, signals, causes), hooks(root), source)
+        val taken = own.names
+        val rules = inherited.rules.filter { it.name !in taken } + own.rules
+        val comparisons = inherited.comparisons.filter { it.name !in taken } + own.comparisons
+        return RulesFile(RuleSet(aliases(root), rules, signals, causes, comparisons), hooks(root), source)
+    }
+
+    /** What a file looks for. */
+    private class Parts(val rules: List<Rule>, val comparisons: List<Comparison>) {
+        val names get() = rules.mapTo(HashSet()) { it.name } + comparisons.map { it.name }
+        val groups get() = rules.mapTo(HashSet()) { it.group } + comparisons.map { it.group }
     }
 
     /** The built-in rules where the file goes on from them, with its limits and without those that it switches off. */
-    private fun inherited(root: TomlTable): List<Rule> {
+    private fun inherited(root: TomlTable): Parts {
         val extends = toml.string(root, "extends")
         if (extends != null &&
             extends != DEFAULT
         ) {
             toml.fail(toml.placeOf(root, "extends"), "A file of rules extends “$DEFAULT”, not “$extends”.")
         }
-        if (listOf("extends", "off", "limits").none { root.contains(listOf(it)) }) return emptyList()
+        if (listOf("extends", "off", "limits").none { root.contains(listOf(it)) }) return Parts(emptyList(), emptyList())
         val off = toml.optionalStrings(root, "off").toSet()
         val limits = limits(root)
-        val rules = RulesReader(resource(RulesFile.NAME), signals, isBuiltIn = true).rules(limits)
-        val groups = rules.mapTo(HashSet()) { it.group }
-        val names = rules.mapTo(HashSet()) { it.name }
+        val parts = RulesReader(resource(RulesFile.NAME), signals, isBuiltIn = true).readWith(limits)
+        val (names, groups) = parts.names to parts.groups
         off.find { it !in names && it !in groups }
             ?.let { toml.fail(toml.placeOf(root, "off"), "There is no built-in rule or group “$it”; docs/rules.md lists them.") }
         limits.keys.find { it !in names }?.let { name ->
             val table = root.get(listOf("limits")) as TomlTable
             toml.fail(toml.placeOf(table, name, isKey = true), "There is no built-in rule “$name”; docs/rules.md lists them.")
         }
-        return rules.filter { it.name !in off && it.group !in off }
+        return Parts(
+            parts.rules.filter { it.name !in off && it.group !in off },
+            parts.comparisons.filter { it.name !in off && it.group !in off },
+        )
     }
 
-    /** The rules of the file with other [limits], by the rules' names. */
-    fun rules(limits: Map<String, Map<String, Double>>): List<Rule> = rules(toml.root(setOf("rule", "cause", "leads_to")), limits)
+    /** What the file looks for with other [limits], by the rules' names. */
+    private fun readWith(limits: Map<String, Map<String, Double>>): Parts =
+        read(toml.root(setOf("rule", "comparison", "cause", "leads_to")), limits)
 
     private fun limits(root: TomlTable): Map<String, Map<String, Double>> {
         if (!root.contains(listOf("limits"))) return emptyMap()
@@ -98,13 +109,17 @@ internal class RulesReader(private val source: String, private val signals: Sign
         return alone is Expression && alone.topics == listOf(name)
     }
 
-    private fun rules(root: TomlTable, limits: Map<String, Map<String, Double>>): List<Rule> {
+    private fun read(root: TomlTable, limits: Map<String, Map<String, Double>>): Parts {
         val names = HashSet<String>()
-        return toml.tables(root, "rule").map { (table, place) ->
-            val rule = rule(table, place, limits)
-            if (!names.add(rule.name)) toml.fail(toml.placeOf(table, "name"), "There are two rules named “${rule.name}”.")
-            rule
+        fun <T> all(key: String, read: (TomlTable, RulePlace) -> T) = toml.tables(root, key).map { (table, place) ->
+            val name = toml.string(table, "name")
+            if (name != null && !names.add(name)) toml.fail(toml.placeOf(table, "name"), "There are two rules named “$name”.")
+            read(table, place)
         }
+        return Parts(
+            all("rule") { table, place -> rule(table, place, limits) },
+            all("comparison") { table, place -> comparison(table, place, limits) },
+        )
     }
 
     private fun hooks(root: TomlTable): List<HookCommand> = toml.tables(root, "hook").map { (table, place) ->
@@ -129,50 +144,62 @@ internal class RulesReader(private val source: String, private val signals: Sign
 
     private fun rule(table: TomlTable, place: RulePlace, others: Map<String, Map<String, Double>>): Rule {
         toml.requireKnown(table, KEYS, "a rule")
-        val isComparison = table.contains(listOf("compare"))
-        toml.requireKeys(table, place, listOf("name", "severity", if (isComparison) "limits" else "when", "text"), "rule")
+        toml.requireKeys(table, place, listOf("name", "severity", "when", "text"), "rule")
         val name = toml.string(table, "name").orEmpty()
-        val severity = toml.string(table, "severity").orEmpty()
-        val limits = Limits(table, others[name].orEmpty())
+        val limits = Limits(table, others[name].orEmpty(), RuleText.PLACES)
         return Rule(
             name = name,
-            severity = Severity.entries.find { it.name.lowercase() == severity }
-                ?: toml.fail(toml.placeOf(table, "severity"), "A severity is “error”, “warning” or “note”, not “$severity”."),
+            severity = severity(table),
             condition = limits.filled(toml.string(table, "when").orEmpty()),
-            text = text(table, limits, if (isComparison) RuleText.PLACES_COMPARED else RuleText.PLACES),
+            text = text(table, limits, RuleText.PLACES),
             only = toml.optionalStrings(table, "only"),
             each = each(table),
-            place = if (isBuiltIn) null else toml.placeOf(table, if (isComparison) "compare" else "when"),
+            place = if (isBuiltIn) null else toml.placeOf(table, "when"),
             group = toml.string(table, "group").orEmpty(),
             reason = toml.string(table, "why").orEmpty(),
             next = toml.string(table, "next").orEmpty(),
             show = toml.optionalStrings(table, "show"),
             unless = toml.optionalStrings(table, "unless"),
             isForEachText = toml.isTrue(table, "each_text"),
-            compares = if (isComparison) comparison(table, limits) else null,
         )
     }
 
-    private fun comparison(table: TomlTable, limits: Limits): Comparison {
-        listOf("when", "each", "except", "unit", "show", "unless", "each_text", "only").find { table.contains(listOf(it)) }
-            ?.let { toml.fail(toml.placeOf(table, it, isKey = true), "A rule that compares logs has no “$it”.") }
-        val compared = toml.strings(table, "compare")
-        compared.find { ComparedSignal.of(it) == null }?.let {
+    private fun severity(table: TomlTable): Severity {
+        val severity = toml.string(table, "severity").orEmpty()
+        return Severity.entries.find { it.name.lowercase() == severity }
+            ?: toml.fail(toml.placeOf(table, "severity"), "A severity is “error”, “warning” or “note”, not “$severity”.")
+    }
+
+    private fun comparison(table: TomlTable, place: RulePlace, others: Map<String, Map<String, Double>>): Comparison {
+        toml.requireKnown(table, COMPARISON_KEYS, "a comparison")
+        toml.requireKeys(table, place, listOf("name", "severity", "of", "limits", "text"), "comparison")
+        val signals = toml.strings(table, "of")
+        signals.find { ComparedSignal.of(it) == null }?.let { signal ->
             val known = ComparedSignal.ALL.joinToString { it.signal }
-            toml.fail(toml.placeOf(table, "compare"), "There are no figures of “$it” to compare; there are those of: $known.")
+            toml.fail(toml.placeOf(table, "of"), "There are no figures of “$signal” to compare; there are those of: $known.")
         }
-        val (deviations, percent, findings, others) = Comparison.LIMITS.map { name ->
-            limits.numbers[name]?.takeIf { it >= 0 }
-                ?: toml.fail(
-                    toml.placeOf(table, "limits"),
-                    "A rule that compares logs has these limits: ${Comparison.LIMITS.joinToString()}.",
-                )
+        val name = toml.string(table, "name").orEmpty()
+        val limits = Limits(table, others[name].orEmpty(), Comparison.PLACES - Comparison.LIMITS.toSet())
+        val (deviations, percent, findings, fewest) = Comparison.LIMITS.map { limit ->
+            limits.numbers[limit]?.takeIf { it >= 0 }
+                ?: toml.fail(toml.placeOf(table, "limits"), "A comparison has these limits: ${Comparison.LIMITS.joinToString()}.")
         }
-        return Comparison(compared, deviations, percent, findings.toInt(), maxOf(others.toInt(), Comparison.FEWEST_OTHERS))
+        return Comparison(
+            name = name,
+            severity = severity(table),
+            group = toml.string(table, "group").orEmpty(),
+            next = toml.string(table, "next").orEmpty(),
+            text = text(table, null, Comparison.PLACES),
+            signals = signals,
+            deviations = deviations,
+            percent = percent,
+            findings = findings.toInt(),
+            others = maxOf(fewest.toInt(), Comparison.FEWEST_OTHERS),
+        )
     }
 
     /** The numbers of a rule in [table] that its `when` and `text` have in braces, or those of [others] instead. */
-    private inner class Limits(table: TomlTable, others: Map<String, Double>) {
+    private inner class Limits(table: TomlTable, others: Map<String, Double>, places: List<String>) {
         val numbers: Map<String, Double>
 
         init {
@@ -183,7 +210,7 @@ internal class RulesReader(private val source: String, private val signals: Sign
                 limitsOf(value)
                     ?: toml.fail(toml.placeOf(table, "limits"), "“limits” are numbers by their names, as in limits = { volts = 7 }.")
             }
-            val taken = own.keys.find { it in RuleText.PLACES && !table.contains(listOf("compare")) }
+            val taken = own.keys.find { it in places }
             if (taken != null) toml.fail(toml.placeOf(table, "limits"), "“$taken” cannot be a limit, for it is a place in texts.")
             val unknown = others.keys.find { it !in own }
             if (unknown != null) {
@@ -220,10 +247,9 @@ internal class RulesReader(private val source: String, private val signals: Sign
         return TopicsOfSignal(names[0], names.drop(1), toml.isTrue(value, "linked"))
     }
 
-    private fun text(table: TomlTable, limits: Limits, places: List<String>): RuleText = try {
-        // {others} is a place there, with the word for what they are.
+    private fun text(table: TomlTable, limits: Limits?, places: List<String>): RuleText = try {
         val text = toml.string(table, "text").orEmpty()
-        RuleText.parse(if (places === RuleText.PLACES) limits.filled(text) else text, places)
+        RuleText.parse(limits?.filled(text) ?: text, places)
     } catch (mistake: RuleText.Mistake) {
         val place = toml.placeOf(table, "text")
         throw RulesException(place.lineNumber, place.pointed(mistake.message, mistake.from, mistake.until))
@@ -234,7 +260,8 @@ internal class RulesReader(private val source: String, private val signals: Sign
         const val DEFAULT = "default"
         val KEYS = setOf(
             "name", "severity", "when", "text", "only", "each", "except", "unit", "group", "why", "next", "limits", "show", "unless",
-            "each_text", "compare",
+            "each_text",
         )
+        val COMPARISON_KEYS = setOf("name", "severity", "of", "text", "group", "why", "next", "limits")
     }
 }

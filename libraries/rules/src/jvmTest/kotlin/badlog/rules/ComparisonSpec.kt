@@ -95,20 +95,10 @@ class ComparisonSpec : FunSpec({
             "deviations, percent, findings, others"
     }
 
-    test("a rule that compares what has no figures is a mistake") {
+    test("a comparison of what has no figures is a mistake") {
         val limits = "limits = { deviations = 5, percent = 25, findings = 3, others = 5 }"
-        val rule = "[[rule]]\nname = \"A\"\nseverity = \"note\"\ncompare = [\"setpoint\"]\n$limits\ntext = \"t\"\n"
+        val rule = "[[comparison]]\nname = \"A\"\nseverity = \"note\"\nof = [\"setpoint\"]\n$limits\ntext = \"t\"\n"
         shouldThrow<RulesException> { RulesFile.parse(rule) }.message shouldContain
             "There are no figures of “setpoint” to compare; there are those of: battery"
-    }
-
-    test("a rule that compares finds nothing in a log alone, and is not skipped there") {
-        val result = RuleSet.BUILT_IN.over(TestMatch().view(), "test.bag")
-        result.skipped.none { it.rule == "Unlike other matches" } shouldBe true
-    }
-
-    test("what is compared comes back from JSON as it was") {
-        val read = checkNotNull(RuleSet.fromJson(RuleSet.BUILT_IN.toJson()))
-        texts(logs(12) + odd, read).last().size shouldBe 1
     }
 })

@@ -18,8 +18,10 @@ private fun checkGuide(file: String, part: String, text: String) {
 
 class RulesGuideSpec : FunSpec({
     test("the guide has the built-in rules, each with its limits") {
-        val source = checkNotNull(Toml.parse(resource(RulesFile.NAME)).getArray("rule"))
-        val tables = (0 until source.size()).map { source.get(it) as TomlTable }
+        val tables = listOf("rule", "comparison").flatMap { key ->
+            val source = checkNotNull(Toml.parse(resource(RulesFile.NAME)).getArray(key))
+            (0 until source.size()).map { source.get(it) as TomlTable }
+        }
         val text = tables.groupBy { it.getString("group").orEmpty() }.entries.joinToString("\n\n") { (group, rules) ->
             val rows = rules.joinToString("\n") { rule ->
                 val limits = rule.getTable("limits")?.run { keySet().map { "*$it* ${get(listOf(it))}" } }.orEmpty()

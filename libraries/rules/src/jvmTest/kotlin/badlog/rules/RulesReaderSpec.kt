@@ -27,10 +27,14 @@ class RulesReaderSpec : FunSpec({
     }
 
     test("the built-in rules as JSON are those of their file; BADLOG_WRITE_GUIDE writes them anew") {
-        val json = builtInFromToml().toJson()
-        val file = File("src/jvmMain/resources/badlog/rules/badlog-rules.json")
-        if (System.getenv("BADLOG_WRITE_GUIDE") != null) file.writeText("$json\n")
-        RuleSet.BUILT_IN.toJson() shouldBe json
+        val folder = File("src/jvmMain/resources/badlog/rules")
+        val made = builtInFromToml()
+        if (System.getenv("BADLOG_WRITE_GUIDE") != null) {
+            File(folder, "badlog-rules.json").writeText("${made.toJson()}\n")
+            File(folder, "badlog-comparisons.json").writeText("${comparisonsJson(made.comparisons)}\n")
+        }
+        RuleSet.BUILT_IN.toJson() shouldBe made.toJson()
+        comparisonsJson(RuleSet.BUILT_IN.comparisons) shouldBe comparisonsJson(made.comparisons)
     }
 
     test("no rules are fine") {

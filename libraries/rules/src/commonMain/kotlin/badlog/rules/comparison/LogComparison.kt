@@ -2,7 +2,6 @@ package badlog.rules.comparison
 
 import badlog.rules.Comparison
 import badlog.rules.Finding
-import badlog.rules.Rule
 import badlog.rules.RuleSet
 import badlog.rules.figure.Baseline
 import badlog.rules.figure.ComparedSignal
@@ -33,19 +32,18 @@ public class LogDifferences internal constructor(
 }
 
 /**
- * Compares each of [logs], which are in the order of a team's matches, with those of its kind beside it, by those of these rules that
- * compare.
+ * Compares each of [logs], which are in the order of a team's matches, with those of its kind beside it, by the comparisons of these
+ * rules.
  *
  * @return a result for each log.
  */
 public fun RuleSet.compared(logs: List<LogFigures>): List<LogDifferences> {
-    val rules = rules.mapNotNull { rule -> rule.compares?.let { rule to it } }
     val found = arrayOfNulls<LogDifferences>(logs.size)
-    if (rules.isNotEmpty()) {
+    if (comparisons.isNotEmpty()) {
         for (kind in MatchKind.entries) {
             val alike = logs.indices.filter { logs[it].kind == kind && logs[it].keys.isNotEmpty() }
-            if (alike.size <= rules.minOf { (_, comparison) -> comparison.others }) continue
-            val comparison = LogComparison(rules, alike.map { logs[it] })
+            if (alike.size <= comparisons.minOf { it.others }) continue
+            val comparison = LogComparison(comparisons, alike.map { logs[it] })
             for ((place, log) in alike.withIndex()) found[log] = comparison.differencesOf(place)
         }
     }
@@ -53,7 +51,7 @@ public fun RuleSet.compared(logs: List<LogFigures>): List<LogDifferences> {
 }
 
 /** Compares [logs], which are of one kind, by [rules]. */
-private class LogComparison(private val rules: List<Pair<Rule, Comparison>>, private val logs: List<LogFigures>) {
+private class LogComparison(private val rules: List<Comparison>, private val logs: List<LogFigures>) {
     /** The places of the logs that have a figure, in their order, and their values. */
     private class Column {
         val logs = ArrayList<Int>()
@@ -75,14 +73,7 @@ private class LogComparison(private val rules: List<Pair<Rule, Comparison>>, pri
         }
     }
 
-    private class Difference(
-        val rule: Rule,
-        val comparison: Comparison,
-        val key: FigureKey,
-        val value: Double,
-        val usual: Baseline,
-        val strength: Double,
-    )
+    private class Difference(val rule: Comparison, val key: FigureKey, val value: Double, val usual: Baseline, val strength: Double)
 
     fun differencesOf(place: Int): LogDifferences {
         val log = logs[place]
@@ -90,24 +81,17 @@ private class LogComparison(private val rules: List<Pair<Rule, Comparison>>, pri
         val found = ArrayList<Difference>()
         for (i in log.keys.indices) {
             val key = log.keys[i]
-            val (rule, comparison) = rules.find { (_, comparison) -> key.signal in comparison.signals } ?: continue
+            val rule = rules.find { key.signal in it.signals } ?: continue
             val others = othersOf(columns[i], place)
-            if (others.size >= comparison.others) found += differenceOf(log, i, others, rule, comparison) ?: continue
+            if (others.size >= rule.others) found += differenceOf(log, i, others, rule) ?: continue
         }
         if (found.isEmpty()) return LogDifferences.NONE
         // Of one topic, that which differs most says it.
         val differences = found.sortedByDescending { it.strength }.distinctBy { it.key.topic to it.rule }
-        val strong = rules.flatMap { (rule, comparison) ->
-            differences.filter { it.rule === rule && it.strength >= 1 }.take(comparison.findings)
-        }
+        val strong = rules.flatMap { rule -> differences.filter { it.rule === rule && it.strength >= 1 }.take(rule.findings) }
         val findings = strong.sortedByDescending { it.strength }.associateWith { findingOf(it, log) }
-        return LogDifferences(
-            findings.values.toList(),
-            findings.keys.map {
-                it.key
-            },
-            differences.map { findings[it] ?: findingOf(it, log) },
-        )
+        val all = differences.map { findings[it] ?: findingOf(it, log) }
+        return LogDifferences(findings.values.toList(), findings.keys.map { it.key }, all)
     }
 
     private fun columnsOf(log: LogFigures) = columnsOf.getOrPut(log.keys) { log.keys.map { columns.getOrPut(it) { Column() } } }
@@ -123,7 +107,7 @@ private class LogComparison(private val rules: List<Pair<Rule, Comparison>>, pri
         return others
     }
 
-    private fun differenceOf(log: LogFigures, figure: Int, others: DoubleArray, rule: Rule, comparison: Comparison): Difference? {
+    private fun differenceOf(log: LogFigures, figure: Int, others: DoubleArray, rule: Comparison): Difference? {
         val key = log.keys[figure]
         val value = log.values[figure]
         val signal = ComparedSignal.of(key.signal) ?: return null
@@ -137,12 +121,12 @@ private class LogComparison(private val rules: List<Pair<Rule, Comparison>>, pri
         if (signal.isOfMotor && abs(usual.median) < LEAST_AMPS) return null
         var away = abs(value - usual.median)
         if (key.measure == Measure.RESISTANCE) away -= log.uncertainty
-        val least = if (signal.isRatio) maxOf(signal.least, comparison.percent / PERCENT * abs(usual.median)) else signal.least
+        val least = if (signal.isRatio) maxOf(signal.least, rule.percent / PERCENT * abs(usual.median)) else signal.least
         // Of a few logs nobody knows well how far they usually are from each other.
         val few = 1 + FEW / usual.count
         val scale = maxOf(usual.distance, if (signal.isRatio) LEAST_SHARE * abs(usual.median) else LEAST_PART * signal.least)
-        val strength = minOf(away / (comparison.deviations * few * scale), away / (BEYOND_SECOND * usual.second))
-        return if (strength >= LEAST_STRENGTH && away >= least) Difference(rule, comparison, key, value, usual, strength) else null
+        val strength = minOf(away / (rule.deviations * few * scale), away / (BEYOND_SECOND * usual.second))
+        return if (strength >= LEAST_STRENGTH && away >= least) Difference(rule, key, value, usual, strength) else null
     }
 
     private fun findingOf(difference: Difference, log: LogFigures): Finding {
@@ -159,7 +143,9 @@ private class LogComparison(private val rules: List<Pair<Rule, Comparison>>, pri
         )
         val evidence = log.evidenceOf(key)
         val rule = difference.rule
-        return Finding(rule.name, rule.severity, evidence.firstOrNull(), text, Double.NaN, emptyList(), 1, "", evidence = evidence, next = rule.next)
+        return Finding(
+            rule.name, rule.severity, evidence.firstOrNull(), text, Double.NaN, emptyList(), 1, "", evidence = evidence, next = rule.next,
+        )
     }
 
     private fun differenceText(difference: Difference): String {
