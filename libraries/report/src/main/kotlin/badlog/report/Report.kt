@@ -18,7 +18,7 @@ import badlog.rules.figure.FigureText
 import badlog.rules.figure.LogFigures
 import badlog.rules.figure.toText
 import badlog.rules.incident.incidentsIn
-import badlog.rules.matchType
+import badlog.rules.signal.matchOf
 import badlog.rules.toJson
 import badlog.rules.worstFirst
 import kotlinx.serialization.Serializable
@@ -107,7 +107,7 @@ public class Report(
             if (file in unreadable) {
                 emptyList()
             } else {
-                LogContent.examined(file, virtualTopics, xTopic, cores = cores) { content ->
+                LogContent.examined(file, virtualTopics, rules.signals, xTopic, cores = cores) { content ->
                     if (content !is LogContent.Log) return@examined emptyList()
                     hooks.map { hook -> HookOutcome.of(hook, content.recording).let { it to it.findings(content.view.xAxis.unit) } }
                 }
@@ -169,7 +169,7 @@ public class Report(
                 unreadable = null,
                 isSalvaged = content.recording.isSalvaged,
                 undefined = content.undefined,
-                matchType = matchType(content.recording.values),
+                matchType = rules.signals.matchOf(content.recording).type,
                 figureNames = figures.names,
                 figureValues = figures.values,
             )

@@ -23,10 +23,11 @@ import badlog.rules.figure.percentileOf
 import badlog.rules.figure.resistanceOf
 import badlog.rules.figure.timeWithin
 import badlog.rules.figure.united
-import badlog.rules.matchType
 import badlog.rules.signal.SignalTopic
 import badlog.rules.signal.SignalTopics
 import badlog.rules.signal.SignalVocabulary
+import badlog.rules.signal.matchOf
+import badlog.rules.withSignals
 import kotlin.math.abs
 import kotlin.math.floor
 import kotlin.math.log10
@@ -40,10 +41,10 @@ import kotlin.math.round
 public fun figuresOf(view: LogView, vocabulary: SignalVocabulary): LogFigures {
     val shape = LogShape.of(view)
     if (!shape.vocabulary.hasTime) return LogFigures.NONE
-    return FigureSearch(view, SignalTopics(vocabulary, shape.vocabulary, shape.timeTopic)).figures()
+    return FigureSearch(view.withSignals(vocabulary), shape.topicsOf(vocabulary), vocabulary.matchOf(view.recording).type).figures()
 }
 
-private class FigureSearch(private val view: LogView, private val topics: SignalTopics) {
+private class FigureSearch(private val view: LogView, private val topics: SignalTopics, private val matchType: String?) {
     private val samples = NamedSamples(LogViewSignals(view), view)
     private val second = 1 / (Units.secondsIn(view.xAxis.unit) ?: 1.0)
     private val end = view.xAxis.range?.endInclusive ?: 0.0
@@ -158,16 +159,10 @@ private class FigureSearch(private val view: LogView, private val topics: Signal
         return resistanceOf(inSeconds(battery.second), inSeconds(current.second), end / second)
     }
 
-    private fun kind(): MatchKind {
-        val type = matchType(view.recording.values)?.lowercase()
-        val number = topics.of("match type").firstOrNull()
-            ?.let { samples.of(NamedSignal.of(it.signal, listOf(it))).y.lastOrNull { type -> type > 0 } }
-        return when {
-            type != null && MATCH_TYPES.any { it in type } -> MatchKind.MATCH
-            type == null && number != null && number >= 2 -> MatchKind.MATCH
-            type == null && number == null -> MatchKind.UNKNOWN
-            else -> MatchKind.PRACTICE
-        }
+    private fun kind(): MatchKind = when {
+        matchType == null -> MatchKind.UNKNOWN
+        MATCH_TYPES.any { matchType.contains(it, ignoreCase = true) } -> MatchKind.MATCH
+        else -> MatchKind.PRACTICE
     }
 
     private companion object {
