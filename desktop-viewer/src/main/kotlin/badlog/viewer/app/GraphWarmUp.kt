@@ -5,7 +5,6 @@ import androidx.compose.ui.unit.Density
 import badlog.analysis.LogView
 import badlog.bag.BagParser
 import badlog.bag.RowBatchParser
-import badlog.plot.board.defaultBoard
 import badlog.plot.range.Viewport
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.settings.UserFolders
@@ -38,7 +37,7 @@ internal suspend fun warmUpGraphs(folders: UserFolders): Unit = coroutineScope {
     }
     val viewer = Viewer(this, folders)
     viewer.current.replace(recording)
-    viewer.board.replace(defaultBoard(recording.view))
+    viewer.board.replace(recording.standardGraphs)
     viewer.view.show(recording.span)
     val scene = ImageComposeScene(WIDTH, HEIGHT, Density(1f), coroutineContext) {
         ViewerScreen(viewer)

@@ -69,7 +69,7 @@ internal class LogFindings(
         if (place.isFinite()) view.goTo(place, finding.places.find { it.from == place } ?: Span(place, place))
         val open = current.recording ?: return
         val incident = state.list?.incidents?.find { finding in it }
-        board.showEvidence(evidenceBoard(open.view, finding.evidence + incident?.evidence.orEmpty()))
+        board.showEvidence(evidenceBoard(open.view, finding.evidence + incident?.evidence.orEmpty(), open.vocabulary))
     }
 
     /** Goes to the place of the selected finding that is [steps] further on. */

@@ -12,7 +12,6 @@ import androidx.compose.ui.input.pointer.PointerEventPass
 import androidx.compose.ui.input.pointer.PointerEventType
 import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.platform.LocalFocusManager
-import badlog.plot.board.defaultBoard
 import badlog.viewer.graph.mark.FindingStrip
 import badlog.viewer.graph.scene.GraphScene
 import badlog.viewer.playback.PlayerFrames
@@ -41,7 +40,7 @@ internal fun GraphPane(scene: GraphScene, modifier: Modifier = Modifier, isOpeni
         ) {
             when {
                 open.signals.isEmpty() -> NothingRecorded(open, Modifier.fillMaxSize())
-                scene.board.state.graphs.isEmpty() -> NoGraphs({ scene.board.replace(defaultBoard(open.logged)) }, Modifier.fillMaxSize())
+                scene.board.state.graphs.isEmpty() -> NoGraphs({ scene.board.replace(open.standardGraphs) }, Modifier.fillMaxSize())
                 else -> GraphColumn(scene)
             }
         }

@@ -3,7 +3,6 @@ package badlog.viewer.layout
 import androidx.compose.runtime.snapshotFlow
 import badlog.analysis.Span
 import badlog.plot.board.Board
-import badlog.plot.board.defaultBoard
 import badlog.plot.formula.joined
 import badlog.viewer.board.GraphBoard
 import badlog.viewer.compare.ComparedRecordings
@@ -55,7 +54,7 @@ internal class LayoutStore(
     val layout: Layout
         get() {
             val open = current.recording
-            val isDefault = open == null || board.kept.showsSame(defaultBoard(open.logged))
+            val isDefault = open == null || board.kept.showsSame(open.standardGraphs)
             return Layout(
                 version = Layout.VERSION,
                 graphs = if (isDefault) null else board.kept.renumbered(),
@@ -70,7 +69,7 @@ internal class LayoutStore(
 
     /** The graphs to show of [recording], which was just opened: as they were arranged over this folder, else the default ones. */
     fun graphsOf(recording: OpenRecording): Board {
-        val fitted = fittedTo(recording) ?: return defaultBoard(recording.logged)
+        val fitted = fittedTo(recording) ?: return recording.standardGraphs
         fitted.sentence?.let(notices::say)
         return fitted.graphs
     }
@@ -90,7 +89,7 @@ internal class LayoutStore(
     /** Shows the graphs that the attributes of the open recording's topics ask for, and all of x. */
     fun showDefaultGraphs() {
         val open = current.recording ?: return
-        board.replace(defaultBoard(open.logged))
+        board.replace(open.standardGraphs)
         view.change { reset() }
     }
 
@@ -151,7 +150,7 @@ internal class LayoutStore(
         }
         val shown = layout
         // A recording that lacks a signal must not make all others forget it.
-        val isAsSaved = board.kept.showsSame(fittedTo(open)?.graphs ?: defaultBoard(open.logged))
+        val isAsSaved = board.kept.showsSame(fittedTo(open)?.graphs ?: open.standardGraphs)
         val layout = if (isAsSaved) shown.copy(graphs = saved?.graphs) else shown
         return if (layout == saved) null else place to layout
     }
@@ -163,7 +162,7 @@ internal class LayoutStore(
             restoredChecks = compared.state.checked
         }
         val open = current.recording?.takeIf(::isInFolder) ?: return
-        if (board.kept.showsSame(defaultBoard(open.logged))) board.replace(graphsOf(open))
+        if (board.kept.showsSame(open.standardGraphs)) board.replace(graphsOf(open))
     }
 
     /** Lays over the open recording what [layout] names, as it was aligned; files that are gone are left out. */
@@ -179,7 +178,7 @@ internal class LayoutStore(
 
     private fun applyGraphs(layout: Layout) {
         val open = current.recording ?: return
-        val graphs = layout.graphs ?: return board.replace(defaultBoard(open.logged))
+        val graphs = layout.graphs ?: return board.replace(open.standardGraphs)
         val fitted = fitted(graphs, open)
         board.replace(fitted.graphs)
         fitted.sentence?.let(notices::say)

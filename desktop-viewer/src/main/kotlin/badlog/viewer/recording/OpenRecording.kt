@@ -8,6 +8,8 @@ import badlog.analysis.enabledSpans
 import badlog.file.readRecording
 import badlog.formats.LOG_FORMATS
 import badlog.plot.axis.overItsTime
+import badlog.plot.board.Board
+import badlog.plot.board.standardBoard
 import badlog.plot.cursor.CursorSteps
 import badlog.plot.formula.Formula
 import badlog.plot.formula.formulasOf
@@ -64,6 +66,9 @@ internal class OpenRecording(
 
     /** What can be drawn of the topics that are the signal [name]. */
     fun of(name: String): List<Signal> = signalTopics.of(name).mapNotNull { signal(it.topic) }
+
+    /** The graphs that it begins with. */
+    val standardGraphs: Board by lazy { standardBoard(logged, vocabulary) }
 
     /** The events of all topics of texts. */
     val eventLogs: List<EventLog> = view.folders.flatMap { it.eventLogs }

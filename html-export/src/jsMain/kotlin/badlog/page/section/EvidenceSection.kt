@@ -84,7 +84,7 @@ internal class EvidenceSection(
         next.isHidden = advice.isEmpty()
         next.showText("Next: $advice")
         element.isHidden = false
-        draw(evidenceBoard(scene.view, finding.evidence + incident?.evidence.orEmpty()))
+        draw(evidenceBoard(scene.view, finding.evidence + incident?.evidence.orEmpty(), signals))
         element.bringIntoSight()
     }
 

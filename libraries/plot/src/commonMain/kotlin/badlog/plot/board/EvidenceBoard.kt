@@ -3,19 +3,36 @@ package badlog.plot.board
 import badlog.analysis.GraphSeries
 import badlog.analysis.LogView
 import badlog.analysis.Units
+import badlog.expression.signalOf
+import badlog.expression.signals.Vocabulary
 import badlog.recording.PathName
 import badlog.recording.TopicKind
+import badlog.rules.signal.SignalTopics
+import badlog.rules.signal.SignalVocabulary
 
 /**
  * The graphs that show together what the topics called [evidence] were, low enough for one screen: numbers of one unit share a graph,
  * then the states share one. Names that [view] lacks, topics without samples and texts, which are marks in every graph, are left out.
+ *
+ * @param vocabulary tells the units of topics without one: volts and amperes in one graph would hide each other.
  */
-public fun evidenceBoard(view: LogView, evidence: List<String>): Board {
+public fun evidenceBoard(view: LogView, evidence: List<String>, vocabulary: SignalVocabulary = SignalVocabulary.NONE): Board {
     val topics = view.recording.topics.associateBy { it.name }
     val lines = evidence.distinct().mapNotNull(topics::get)
         .filter { it.kind != TopicKind.EMPTY && it.kind != TopicKind.EVENT && "log" !in it.attributes }.map(view::seriesOf)
+    val meant = SignalTopics(
+        vocabulary,
+        Vocabulary(
+            lines.map {
+                signalOf(it.topic)
+            },
+        ),
+        timeTopic = null,
+    ).all.associate { it.topic to it.unit }
     val (states, numbers) = lines.partition { it.states != null }
-    val groups = numbers.groupBy { if (Units.isNone(it.unit)) "" else it.unit }.values.map { it.take(MAX_LINES) }
+    val groups = numbers.groupBy {
+        if (Units.isNone(it.unit)) meant[it.topic.name].orEmpty() else it.unit
+    }.values.map { it.take(MAX_LINES) }
     val lanes = listOf(states.take(MAX_LANES)).filter { it.isNotEmpty() }
     val shown = groups.take(MAX_GRAPHS - lanes.size) + lanes
     return Board(shown.mapIndexed { i, group -> BoardGraph(i + 1, titleOf(group), group.map { it.topic.name }, height = HEIGHT) })
