@@ -46,6 +46,11 @@ private val FAULTS: Map<String, TestMatch.() -> Unit> = mapOf(
     "Setpoint missed" to { from(24.0, "Elevator/Height") { "0.8" } },
     "Encoders disagree" to { from(20.0, "Drive/Right/PositionRad") { "10" } },
     "Pose jumped" to { from(20.0, "Odometry/Robot/translation/x") { (6 + TestMatch.wave(it / 10)).toString() } },
+    "Gyro drifts" to {
+        flag("/DriverStation/Enabled") { it in 15.0..38.0 }
+        number("Gyro/Angle") { if (it < 15) 10 + 0.4 * it else 16 + 20 * TestMatch.wave(it - 15) }
+    },
+    "Camera silent" to { from(20.0, "limelight/hb") { "1000" } },
     "Loop blocked" to { from(20.0, LOOP) { if (it < 20.05) "240" else "9" } },
     "Vision blocked the loop" to {
         from(20.0, LOOP) { if (it < 20.05) "240" else "9" }

@@ -42,6 +42,18 @@ class IncidentSpec : FunSpec({
         incident.others.map { it.rule } shouldBe listOf("Main breaker")
     }
 
+    test("what a cause was found by is not said again as what followed") {
+        val loop = Finding("Loop blocked", Severity.ERROR, "Loop Time", "The loop took 396 ms.", 20.0, listOf(Span(20.0, 20.2)), 1, "s")
+        val vision = Finding(
+            "Vision blocked the loop", Severity.WARNING, "Vision/Latency", "Late.", 20.0, listOf(Span(20.0, 20.2)), 1, "s",
+            evidence = listOf("Loop Time", "Vision/Latency"),
+        )
+        val incident = incidents(loop, vision).single()
+        incident.sentences.map { it.finding.rule } shouldBe listOf("Vision blocked the loop")
+        incident.effects.map { it.rule } shouldBe listOf("Loop blocked")
+        incident.severity shouldBe Severity.ERROR
+    }
+
     test("what comes much later, or before, is not an effect") {
         incidents(left, right, found("Browned out", 26.0), found("Low battery", 10.0)).single().effects.shouldBeEmpty()
     }

@@ -50,6 +50,8 @@ internal class TestMatch(private val seconds: Int = 40) {
         number("DS:joystick0/axes[0]") { if (it in ENABLED) wave(it) else 0.01 }
         flag("DS:joystick0/buttons[0]") { it in ENABLED && wave(it) > 0.9 }
         number("Vision/Latency") { 30 + 5 * wave(it) }
+        number("limelight/hb") { (it * 30).toInt().toDouble() }
+        number("Gyro/Angle") { 90 + 0.001 * TestMatch.wave(it * 40) + if (it in ENABLED) 60 * wave(it / 2 - 2) else 0.0 }
         number("Pneumatics/Pressure") { 110 + 5 * wave(it / 5) }
         flag("Pneumatics/Compressor On") { it.toInt() % 10 == 0 }
         number("System/Free Memory MB") { 60.0 }

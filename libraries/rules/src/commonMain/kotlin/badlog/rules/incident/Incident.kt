@@ -36,7 +36,7 @@ public class Incident internal constructor(
     public val sentences: List<Sentence>
         get() {
             val told = effects.filter {
-                it.severity != Severity.NOTE
+                it.severity != Severity.NOTE && !isSaidByCause(it)
             }.sortedByDescending { it.severity }.distinctBy { it.rule }.take(MAX_TOLD)
             return listOf(Sentence("Likely cause: ${name.replaceFirstChar { it.lowercase() }}. ${causes[0].text}", causes[0])) +
                 told.sortedBy { it.time }.map { Sentence(after(it) + it.text, it) } +
@@ -51,6 +51,10 @@ public class Incident internal constructor(
 
     /** Whether [finding] is a part of it. */
     public operator fun contains(finding: Finding): Boolean = finding in causes || finding in effects
+
+    /** Whether it is what a cause was found by, at the same moment: that the loop stood still need not be said twice. */
+    private fun isSaidByCause(effect: Finding) =
+        effect.topic != null && causes.any { it.time == effect.time && effect.topic in it.evidence }
 
     private fun after(effect: Finding): String {
         val later = effect.time - causes[0].time
