@@ -17,7 +17,7 @@ import kotlin.math.abs
 
 class FaultyMatchSpec : FunSpec({
     fun viewOf(fault: Fault?): LogView {
-        val bag = FaultyMatch(5, fault, isFaint = false).bag()
+        val bag = FaultyMatch(5, fault).bag()
         return LogView.of(BagParser().apply { accept(bag) }.finish())
     }
 
@@ -38,7 +38,7 @@ class FaultyMatchSpec : FunSpec({
 
     test("a healthy match has no brownout, no error and no loop beyond 40 ms") {
         for (seed in 1..10) {
-            val view = LogView.of(BagParser().apply { accept(FaultyMatch(seed, null, false).bag()) }.finish())
+            val view = LogView.of(BagParser().apply { accept(FaultyMatch(seed, null).bag()) }.finish())
             view.problems.filter { it.severity != Severity.NOTE }.shouldBeEmpty()
             view.all("System/Browned Out").max() shouldBe 0.0
             view.all("System/Battery Voltage").min() shouldBeGreaterThan 7.5
@@ -98,7 +98,7 @@ class FaultyMatchSpec : FunSpec({
 
     test("a program that crashed has a log up to then, or one from its restart on") {
         val logs = (1..6).map { seed ->
-            LogView.of(BagParser().apply { accept(FaultyMatch(seed, Fault.RESTART, false).bag()) }.finish())
+            LogView.of(BagParser().apply { accept(FaultyMatch(seed, Fault.RESTART).bag()) }.finish())
         }
         logs.map { view -> view.all("System/Enabled").first() == 1.0 }.toSet() shouldBe setOf(true, false)
         logs.all { view -> view.all("System/Enabled").let { it.first() == 1.0 || it.last() == 1.0 } } shouldBe true

@@ -21,6 +21,7 @@ private val CAUSES = mapOf(
     Fault.LOOSE_LEAD to "Battery lead, connector or main breaker made bad contact",
     Fault.TIRED_BATTERY to "The battery was tired",
     Fault.SEIZED_MOTOR to "A motor was blocked",
+    Fault.SEIZED_DRIVE to "A gearbox of the drivetrain was stuck",
     Fault.UNPLUGGED_MOTOR to "One of two motors that turn together gave nothing",
     Fault.PULLED_ENCODER to "An encoder no longer said how far its motor turned",
     Fault.CAN_CUT to "The CAN bus was interrupted",
@@ -33,18 +34,16 @@ private val CAUSES = mapOf(
 private class Diagnosis(val match: FaultyMatch, val cause: String?) {
     val named: Fault? = CAUSES.entries.find { it.value == cause }?.key
     val isOther = cause != null && named == null
-    val isRight = !isOther && named == match.fault
+    val isRight = !isOther && (named == match.fault || (named != null && named == match.second))
 }
 
 /** The first incidents of the matches of [seeds], which no rule was fitted to. */
-private fun diagnoses(seeds: IntRange): List<Diagnosis> {
-    val rules = RuleSet.BUILT_IN.with(RuleSet.BUILT_IN.signals.with(SignalsFile.parse(FaultyMatch.SIGNALS)))
-    return seeds.toList().parallelStream().map { seed ->
-        val match = FaultyMatch.of(seed)
-        val view = LogView.of(BagParser().apply { accept(match.bag()) }.finish())
-        Diagnosis(match, rules.incidentsIn(rules.over(view, "$seed.bag").findings).firstOrNull()?.name)
-    }.toList()
-}
+private fun diagnoses(seeds: IntRange): List<Diagnosis> = seeds.toList().parallelStream().map { seed ->
+    val match = FaultyMatch.of(seed)
+    val rules = RuleSet.BUILT_IN.with(RuleSet.BUILT_IN.signals.with(SignalsFile.parse(match.signals)))
+    val view = LogView.of(BagParser().apply { accept(match.bag()) }.finish())
+    Diagnosis(match, rules.incidentsIn(rules.over(view, "$seed.bag").findings).firstOrNull()?.name)
+}.toList()
 
 private fun table(diagnoses: List<Diagnosis>): String {
     val columns = Fault.entries.map { it.title } + "other" + "none"
@@ -59,7 +58,8 @@ private fun table(diagnoses: List<Diagnosis>): String {
 }
 
 class IncidentTableSpec : FunSpec({
-    val (faint, clear) = diagnoses(101..300).partition { it.match.isFaint }
+    val (faint, others) = diagnoses(101..300).partition { it.match.isFaint }
+    val (double, clear) = others.partition { it.match.second != null }
 
     test("the first incident names the planted fault in nine of ten matches, and a healthy match has none") {
         for (fault in Fault.entries) {
@@ -69,10 +69,15 @@ class IncidentTableSpec : FunSpec({
         (clear + faint).filter { it.match.fault == null }.mapNotNull { it.cause } shouldBe emptyList()
     }
 
+    test("of two faults in one match, the first incident names one in eight of ten") {
+        10 * double.count { it.isRight } shouldBeGreaterThanOrEqual 8 * double.size
+    }
+
     test("the guide has the table of what was planted and what was named; BADLOG_WRITE_GUIDE writes it anew") {
         val guide = File("../docs/rules.md")
         val written = guide.readText()
-        val made = written.substringBefore(BEGIN) + BEGIN + "\n" + table(clear) + "\n\nWhere a fault was so faint, or came so late, that a " +
+        val made = written.substringBefore(BEGIN) + BEGIN + "\n" + table(clear) + "\n\nOf ${double.size} matches with two of these faults, the first incident " +
+            "names one of them in ${double.count { it.isRight }}.\n\nWhere a fault was so faint, or came so late, that a " +
             "log may not show it:\n\n" + table(faint) + "\n" + END + written.substringAfter(END)
         if (System.getenv("BADLOG_WRITE_GUIDE") != null) guide.writeText(made)
         made shouldBe written

@@ -41,7 +41,16 @@ private val FAULTS: Map<String, TestMatch.() -> Unit> = mapOf(
     "Linked motor off" to { from(20.0, "Drive/Right/SupplyCurrentAmps") { "0" } },
     "Linked motors unequal" to { number("Drive/Right/SupplyCurrentAmps") { TestMatch.load(it) / 12 } },
     "Linked speeds differ" to { from(20.0, "Drive/Right/VelocityRadPerSec") { (30 * TestMatch.output(it)).toString() } },
-    "Encoder stopped" to { from(20.0, "Drive/Left/PositionRad") { "10" } },
+    "Encoder stopped" to {
+        from(20.0, "Drive/Left/PositionRad") { "10" }
+        from(20.0, "Drive/Left/DutyCycle") { "0.5" }
+        from(20.0, "Drive/Left/SupplyCurrentAmps") { "8" }
+    },
+    "Motor stuck" to {
+        from(20.0, "Drive/Left/VelocityRadPerSec") { "0" }
+        from(20.0, "Drive/Left/DutyCycle") { "0.5" }
+        from(20.0, "Drive/Left/SupplyCurrentAmps") { "25" }
+    },
     "Values frozen" to { from(20.0, "Drive/Left/PositionRad") { if (it < 20.5) "10" else TestMatch.position(it).toString() } },
     "Setpoint missed" to { from(24.0, "Elevator/Height") { "0.8" } },
     "Encoders disagree" to { from(20.0, "Drive/Right/PositionRad") { "10" } },

@@ -6,8 +6,16 @@ import badlog.bag.BagValue
 import badlog.bag.RowWriter
 import badlog.recording.Value
 
-/** A bag in memory, with topics that are created as robot code creates them: a name, a unit, attributes, a supplier. */
-class BagLog(private val numberText: NumberText, values: List<Pair<String, String>>) {
+/**
+ * A bag in memory, with topics that are created as robot code creates them: a name, a unit, attributes, a supplier.
+ *
+ * @param measured what a topic of this name and unit is logged from, instead of its supplier.
+ */
+class BagLog(
+    private val numberText: NumberText,
+    values: List<Pair<String, String>>,
+    private val measured: (name: String, unit: String, supplier: () -> Double?) -> () -> Double? = { _, _, supplier -> supplier },
+) {
     private class Column(val topic: BagTopic, val writeCell: () -> Unit)
 
     private val values = values.map { (name, text) -> BagValue(Value(name, text)) }
@@ -16,8 +24,9 @@ class BagLog(private val numberText: NumberText, values: List<Pair<String, Strin
 
     /** Creates a topic of numbers; a null is an empty cell. */
     fun number(name: String, unit: String, decimals: Int, vararg attributes: String, supplier: () -> Double?) {
+        val sensor = measured(name, unit, supplier)
         columns += Column(BagTopic(name, unit, attributes.toList())) {
-            val value = supplier()
+            val value = sensor()
             when {
                 value == null -> writer.empty()
                 numberText == NumberText.FIVE_DIGITS -> writer.number(value)

@@ -5,6 +5,7 @@ import badlog.samples.match.Task
 import badlog.samples.robot.Battery
 import badlog.samples.robot.Mishap
 import badlog.samples.robot.Noise
+import badlog.samples.robot.SeizedGearbox
 import badlog.samples.robot.Side
 import badlog.samples.robot.Superstructure
 
@@ -47,10 +48,17 @@ enum class Fault(val title: String) {
             plan.mishaps += Mishap.SeizedElevator(if (isFaint) plan.lastRaise + 1.4 else noise.timeIn(20.0, 118.0))
         }
     },
+    SEIZED_DRIVE("seized drive gearbox") {
+        override fun plant(plan: MatchPlan, noise: Noise, isFaint: Boolean) {
+            val at = if (isFaint) noise.timeIn(152.0, 153.5) else noise.timeIn(20.0, 115.0)
+            plan.mishaps += Mishap.SeizedDrive(at, SeizedGearbox(noise.side(), plan.chassis.motorsPerGearbox))
+        }
+    },
     UNPLUGGED_MOTOR("one of two linked motors unplugged") {
         override fun plant(plan: MatchPlan, noise: Noise, isFaint: Boolean) {
-            val at = if (isFaint) noise.timeIn(148.0, 151.0) else noise.timeIn(0.0, 110.0)
-            plan.mishaps += Mishap.UnpluggedMotor(at, noise.side())
+            val at = if (isFaint) noise.timeIn(150.0, 152.0) else noise.timeIn(0.0, 110.0)
+            val side = noise.side()
+            plan.mishaps += if (plan.chassis == Chassis.TANK) Mishap.UnpluggedMotor(at, side) else Mishap.UnpluggedElevatorMotor(at)
         }
     },
     PULLED_ENCODER("encoder cable pulled") {
@@ -103,7 +111,7 @@ enum class Fault(val title: String) {
 }
 
 /** What is to be in a simulated match, before it begins. */
-internal class MatchPlan(var battery: Battery, val orders: MutableList<Order>, val mishaps: MutableList<Mishap>) {
+internal class MatchPlan(val chassis: Chassis, var battery: Battery, val orders: MutableList<Order>, val mishaps: MutableList<Mishap>) {
     var crash: Mishap.ProgramCrash? = null
 
     /** Whether the log is the one that the program wrote before its crash, and not the one after it. */

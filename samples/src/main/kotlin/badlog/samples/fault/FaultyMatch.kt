@@ -5,7 +5,6 @@ import badlog.samples.Run
 import badlog.samples.TWO_PIECE_AUTONOMOUS
 import badlog.samples.bag.BagLog
 import badlog.samples.bag.NumberText
-import badlog.samples.createDrivetrainTopics
 import badlog.samples.createElevatorTopics
 import badlog.samples.createFieldTopics
 import badlog.samples.createManipulatorTopics
@@ -28,15 +27,29 @@ import badlog.samples.robot.Robot
  * with other robots, and what goes wrong.
  *
  * @property fault what goes wrong; null for nothing.
- * @property isFaint whether it goes wrong so little, or so late, that the log may not tell.
+ * @property isFaint whether it goes wrong so little, or so late, that the log may not show it.
+ * @property second what goes wrong besides; null for nothing.
+ * @param isSwerve whether it drives on four modules; else on two gearboxes.
  */
-class FaultyMatch(private val seed: Int, val fault: Fault?, val isFaint: Boolean) {
+class FaultyMatch(
+    private val seed: Int,
+    val fault: Fault?,
+    val isFaint: Boolean = false,
+    val second: Fault? = null,
+    isSwerve: Boolean = false,
+) {
+    private val chassis = if (isSwerve) Chassis.SWERVE else Chassis.TANK
+
+    /** Which of the robot's motors turn together, as a team says it in its `badlog-signals.toml`. */
+    val signals: String get() = chassis.signals
+
     /** The match's bag, with a row for every other loop of the robot. */
     fun bag(): ByteArray {
         val noise = Noise(seed * SPREAD)
         val plan = healthyPlan(noise)
         val style = DrivingStyle(fastest = 0.72 + 0.22 * noise.unit(), ramp = 1.7 + 1.3 * noise.unit())
         fault?.plant(plan, noise, isFaint)
+        second?.plant(plan, Noise(seed * SPREAD + 2), isFaint = false)
         plan.crash?.let { plan.mishaps += it }
         val mishaps = Mishaps(plan.mishaps)
         val robot = Robot(
@@ -47,21 +60,23 @@ class FaultyMatch(private val seed: Int, val fault: Fault?, val isFaint: Boolean
             mishaps = mishaps,
         )
         val run = Run(seed.toLong(), robot, Schedule.match(secondsAfter = 2.0), plan.orders, mishaps, style)
-        return logOf(run, Radio(mishaps, Noise(seed * SPREAD + 1)), plan)
+        return logOf(run, mishaps, plan)
     }
 
-    private fun logOf(run: Run, radio: Radio, plan: MatchPlan): ByteArray {
+    private fun logOf(run: Run, mishaps: Mishaps, plan: MatchPlan): ByteArray {
+        val radio = Radio(mishaps, Noise(seed * SPREAD + 1))
+        val instruments = Instruments(Noise(seed * SPREAD + 3))
         val crash = plan.crash
         val begins = if (crash != null && !plan.hasLogBefore) crash.at + crash.seconds else 0.0
         val ends = if (crash != null && plan.hasLogBefore) crash.at else Double.MAX_VALUE
         val values = matchValues("2024-03-16T12:00:00", "$seed", "Blue", "2", "B5, 2023") + ROBOT_VALUES
-        val log = BagLog(NumberText.SENSOR_DECIMALS, values)
+        val log = BagLog(NumberText.SENSOR_DECIMALS, values, instruments::measuring)
         var slowest = 0.0
         log.number("Time", "s", 6, "hide", "delta", "xaxis") { run.time - begins }
         log.number("Match Time", "s", 0) { run.matchSecondsLeft.toDouble() }
         log.createSystemTopics(run.robot, run::nextEvent) { slowest }
         log.createPowerTopics(run.robot, withChannels = true)
-        log.createDrivetrainTopics(run.robot)
+        val measureChassis = chassis.createTopics(log, run.robot, mishaps, Noise(seed * SPREAD + 4))
         log.createElevatorTopics(run.robot)
         log.createManipulatorTopics(run.robot)
         log.createFieldTopics(run.robot)
@@ -70,8 +85,10 @@ class FaultyMatch(private val seed: Int, val fault: Fault?, val isFaint: Boolean
         var loops = 0
         run.loop {
             radio.pass(run.time)
+            measureChassis(run.time)
             slowest = maxOf(slowest, run.robot.roboRio.loopMillis)
             if (run.time >= begins && run.time <= ends && loops++ % LOOPS_PER_ROW == 0) {
+                instruments.nextRow(mishaps.canIsCut(run.time))
                 log.log()
                 slowest = 0.0
             }
@@ -93,7 +110,7 @@ class FaultyMatch(private val seed: Int, val fault: Fault?, val isFaint: Boolean
             orders += cycle(at, load)
             at += 17.0 + 0.8 * noise.unit()
         }
-        val plan = MatchPlan(battery, orders, ArrayList())
+        val plan = MatchPlan(chassis, battery, orders, ArrayList())
         // Short contacts with others, and a loop that is late now and then, are part of any match.
         repeat(noise.upTo(3)) { plan.insert(noise.timeIn(25.0, 130.0), Task.Push, 0.15 + 0.25 * noise.unit()) }
         repeat(noise.upTo(3)) { plan.mishaps += Mishap.Stall(noise.timeIn(4.0, 150.0), 0.004 + 0.02 * noise.unit(), "") }
@@ -106,14 +123,14 @@ class FaultyMatch(private val seed: Int, val fault: Fault?, val isFaint: Boolean
         // Between seeds, so that neighbours do not share their random numbers.
         private const val SPREAD = 7919L
 
-        /** The match of [seed]: each fault in turn, and none; one of five is faint. */
+        /** The match of [seed]: each fault in turn, and none, with either chassis; one of five is faint, and one has two faults. */
         fun of(seed: Int): FaultyMatch {
             val faults = Fault.entries + null
-            return FaultyMatch(seed, faults[seed % faults.size], isFaint = seed / faults.size % 5 == 0)
+            val fault = faults[seed % faults.size]
+            val turn = seed / faults.size
+            val others = Fault.entries - listOfNotNull(fault).toSet()
+            val second = others[Noise(seed * SPREAD + 5).upTo(others.size)].takeIf { fault != null && turn % 5 == 3 }
+            return FaultyMatch(seed, fault, isFaint = turn % 5 == 0, second, isSwerve = turn % 2 == 1)
         }
-
-        /** Which of the robot's motors turn together, as a team says it in its `badlog-signals.toml`. */
-        const val SIGNALS = "[[linked]]\nmotors = [\"Drivetrain/Left\", \"Drivetrain/Left Follower\"]\n\n" +
-            "[[linked]]\nmotors = [\"Drivetrain/Right\", \"Drivetrain/Right Follower\"]\n"
     }
 }

@@ -24,12 +24,8 @@ internal class Radio(private val mishaps: Mishaps, private val noise: Noise) {
     }
 }
 
-/** What the bundled samples do not log: motors one by one, errors on the bus, and the radio. */
+/** What the bundled samples do not log: errors on the bus, and the radio. */
 internal fun BagLog.createFaultTopics(robot: Robot, radio: Radio) {
-    for ((side, channels) in listOf("Left" to (0 to 1), "Right" to (14 to 15))) {
-        number("Drivetrain/$side Current", "A", 3) { robot.power.measuredAmps(channels.first) }
-        number("Drivetrain/$side Follower Current", "A", 3) { robot.power.measuredAmps(channels.second) }
-    }
     number("System/CAN Receive Errors", "", 0) { robot.roboRio.canErrors.toDouble() }
     flag("System/DS Connected") { radio.isLinked }
     number("System/Trip Time", "ms", 1) { radio.tripMillis }

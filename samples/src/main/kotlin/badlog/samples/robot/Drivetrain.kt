@@ -14,6 +14,9 @@ class Drivetrain(var x: Double, var y: Double, var heading: Double) {
     /** The sides on which one of two motors has no power. */
     var unplugged: List<Side> = emptyList()
 
+    /** Whose gearbox is stuck; null for none. */
+    var seized: SeizedGearbox? = null
+
     /** How hard something in the way holds the robot back, in N·s/m: a robot that pushes against it, a wall. */
     var obstacle = 0.0
 
@@ -39,7 +42,8 @@ class Drivetrain(var x: Double, var y: Double, var heading: Double) {
 
     private fun load(side: Side, loads: List<Load>, volts: Double, velocity: Double) {
         for ((motor, load) in loads.withIndex()) {
-            if (motor < motorsOf(side)) Motor.load(load, outputOf(side), volts, velocity * gearing) else load.draw(0.0)
+            val turned = if (motor < stuckMotors(side)) 0.0 else velocity
+            if (motor < motorsOf(side)) Motor.load(load, outputOf(side), volts, turned * gearing) else load.draw(0.0)
         }
     }
 
@@ -54,9 +58,18 @@ class Drivetrain(var x: Double, var y: Double, var heading: Double) {
         heading += turnRate * seconds
         x += speed * cosine(heading) * seconds
         y += speed * sine(heading) * seconds
-        leftPosition += leftVelocity * seconds
-        rightPosition += rightVelocity * seconds
+        leftPosition += shaftVelocity(Side.LEFT) * seconds
+        rightPosition += shaftVelocity(Side.RIGHT) * seconds
     }
+
+    /** How fast the gearbox of a side turns, which a stuck one does not though the robot moves. */
+    fun shaftVelocity(side: Side): Double = when {
+        stuckMotors(side) == MOTORS_PER_SIDE -> 0.0
+        side == Side.LEFT -> leftVelocity
+        else -> rightVelocity
+    }
+
+    private fun stuckMotors(side: Side) = seized?.takeIf { it.side == side }?.motors ?: 0
 
     /** A hit from the side: the robot spins and loses speed before anyone can react. */
     fun hit() {
@@ -72,8 +85,12 @@ class Drivetrain(var x: Double, var y: Double, var heading: Double) {
 
     private fun motorsOf(side: Side) = if (side in unplugged) MOTORS_PER_SIDE - 1 else MOTORS_PER_SIDE
 
-    private fun push(side: Side, volts: Double, velocity: Double): Double =
-        (motorsOf(side) * Motor.torque(outputOf(side), volts, velocity * gearing) * gearing).coerceIn(-GRIP, GRIP)
+    private fun push(side: Side, volts: Double, velocity: Double): Double {
+        val stuck = stuckMotors(side)
+        val push = ((motorsOf(side) - stuck) * Motor.torque(outputOf(side), volts, velocity * gearing) * gearing).coerceIn(-GRIP, GRIP)
+        // Wheels that do not turn are dragged over the carpet.
+        return if (stuck == 0) push else push - stuck * DRAG * velocity / (abs(velocity) + 0.05)
+    }
 
     companion object {
         const val WHEEL_DIAMETER = 0.1524
@@ -86,8 +103,14 @@ class Drivetrain(var x: Double, var y: Double, var heading: Double) {
 
         // What the wheels of one side can push before they slip.
         private const val GRIP = 330.0
+
+        // What one of its wheels holds back that does not turn.
+        private const val DRAG = 70.0
     }
 }
+
+/** A gearbox that is stuck: that of so many [motors] of [side]. */
+class SeizedGearbox(val side: Side, val motors: Int)
 
 /** A side of the drivetrain. */
 enum class Side { LEFT, RIGHT }

@@ -12,6 +12,10 @@ class Elevator(private val gain: Double = GAIN) {
     var output = 0.0
         private set
 
+    /** Whether one of its motors has no power. */
+    var isHalf = false
+    private val motors get() = if (isHalf) 1 else MOTORS
+
     /** Whether its gears are stuck. */
     var isSeized = false
 
@@ -33,18 +37,20 @@ class Elevator(private val gain: Double = GAIN) {
     }
 
     fun load(loads: List<Load>, volts: Double) {
-        for (load in loads) Motor.load(load, drive, volts, velocity * GEARING)
+        for ((motor, load) in loads.withIndex()) {
+            if (motor < motors) Motor.load(load, drive, volts, velocity * GEARING) else load.draw(0.0)
+        }
     }
 
     /** What its motor controllers measure; they do not see what flows while they only brake. */
-    fun windingAmps(volts: Double): Double = if (output == 0.0) 0.0 else abs(MOTORS * Motor.windingAmps(output, volts, velocity * GEARING))
+    fun windingAmps(volts: Double): Double = if (output == 0.0) 0.0 else abs(motors * Motor.windingAmps(output, volts, velocity * GEARING))
 
     fun move(volts: Double, seconds: Double) {
         if (isSeized) {
             velocity = 0.0
             return
         }
-        val lift = MOTORS * Motor.torque(drive, volts, velocity * GEARING) * GEARING
+        val lift = motors * Motor.torque(drive, volts, velocity * GEARING) * GEARING
         val friction = 14 * velocity / (abs(velocity) + 0.02)
         velocity += (lift - friction - WEIGHT) / MOVED_MASS * seconds
         position += velocity * seconds

@@ -22,6 +22,11 @@ class Mishaps(private val all: List<Mishap> = emptyList()) {
     /** The sides of the drivetrain on which one of two motors is unplugged. */
     fun unpluggedSides(time: Double): List<Side> = all.filter { time >= it.at }.mapNotNull { (it as? Mishap.UnpluggedMotor)?.side }
 
+    fun seizedGearbox(time: Double): SeizedGearbox? =
+        all.firstNotNullOfOrNull { stuck -> (stuck as? Mishap.SeizedDrive)?.takeIf { time >= it.at }?.gearbox }
+
+    fun elevatorIsHalf(time: Double): Boolean = all.any { it is Mishap.UnpluggedElevatorMotor && time >= it.at }
+
     /** The sides of the drivetrain whose encoder cable is pulled. */
     fun blindSides(time: Double): List<Side> = all.filter { time >= it.at }.mapNotNull { (it as? Mishap.PulledEncoder)?.side }
 
@@ -55,6 +60,10 @@ sealed class Mishap(val at: Double, val saidAt: Double, val report: String) {
     class RadioReboot(at: Double, val seconds: Double) : Mishap(at, at, "")
 
     class SeizedElevator(at: Double) : Mishap(at, at, "")
+
+    class SeizedDrive(at: Double, val gearbox: SeizedGearbox) : Mishap(at, at, "")
+
+    class UnpluggedElevatorMotor(at: Double) : Mishap(at, at, "")
 
     class UnpluggedMotor(at: Double, val side: Side) : Mishap(at, at, "")
 

@@ -38,7 +38,9 @@ class Robot(seed: Long, val battery: Battery, val drivetrain: Drivetrain, pressu
         battery.contactOhms = mishaps.contactOhms(time)
         drivetrain.isDriven = !canIsCut
         drivetrain.unplugged = mishaps.unpluggedSides(time)
+        drivetrain.seized = mishaps.seizedGearbox(time)
         elevator.isDriven = !canIsCut
+        elevator.isHalf = mishaps.elevatorIsHalf(time)
         elevator.isSeized = mishaps.elevatorIsSeized(time)
         mishaps.blindSides(time).forEach(sensors::loseEncoder)
         drive(sticks)

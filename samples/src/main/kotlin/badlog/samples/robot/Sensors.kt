@@ -28,11 +28,11 @@ class Sensors(private val robot: Robot, private val noise: Noise) {
         val drivetrain = robot.drivetrain
         if (Side.LEFT !in lost) {
             leftPosition = drivetrain.leftPosition
-            leftVelocity = filtered(leftVelocity, drivetrain.leftVelocity, seconds)
+            leftVelocity = filtered(leftVelocity, drivetrain.shaftVelocity(Side.LEFT), seconds)
         }
         if (Side.RIGHT !in lost) {
             rightPosition = drivetrain.rightPosition
-            rightVelocity = filtered(rightVelocity, drivetrain.rightVelocity, seconds)
+            rightVelocity = filtered(rightVelocity, drivetrain.shaftVelocity(Side.RIGHT), seconds)
         }
         // Without status frames the robot goes on with the last ones it had.
         if (isElevatorSilent) return
