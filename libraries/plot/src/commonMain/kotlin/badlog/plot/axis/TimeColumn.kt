@@ -23,5 +23,5 @@ private fun rises(topic: Topic): Boolean {
 
 private const val X_AXIS = "xaxis"
 
-// With its unit or without: Time, Timestamp, time_s, Time (s).
-private val TIME = Regex("(time|timestamp)([ _]?[(\\[]?(s|sec|seconds|ms)[)\\]]?)?", RegexOption.IGNORE_CASE)
+// With its unit or without: Time, Timestamp, time_s, Time (s). On Node only an anchor makes a pattern look for a longer match.
+private val TIME = Regex("^(time|timestamp)([ _]?[(\\[]?(s|sec|seconds|ms)[)\\]]?)?$", RegexOption.IGNORE_CASE)
