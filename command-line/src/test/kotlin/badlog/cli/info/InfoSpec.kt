@@ -36,6 +36,13 @@ import kotlin.io.path.listDirectoryEntries
 class InfoSpec : FunSpec({
     fun topic(json: JsonObject, name: String) = json.getValue("topics").jsonArray.first { it.jsonObject["name"]?.jsonPrimitive?.content == name }.jsonObject
 
+    fun shown(width: Int, vararg arguments: String): String {
+        val out = ByteArrayOutputStream()
+        val console = Console(PrintStream(out, true, "UTF-8"), PrintStream(ByteArrayOutputStream()), false, width = width)
+        Badlog(console).run(listOf("info") + arguments)
+        return out.toString(Charsets.UTF_8)
+    }
+
     test("every sample fits a terminal, in every form") {
         for (options in listOf(listOf(), listOf("--topics"), listOf("--attributes", "--values", "--problems"))) {
             for (log in listOf("practice.bag", "qualification-42.bag", "qualification-57.bag.gz", "elevator-bench.csv", "")) {
@@ -50,15 +57,22 @@ class InfoSpec : FunSpec({
         inFolder { folder ->
             val name = "Drive/Front Left/Steering Motor/Supply Current Measured"
             val log = folder.with("a.bag", BAG.replace("Speed", name))
-            fun shown(width: Int): String {
-                val out = ByteArrayOutputStream()
-                val console = Console(PrintStream(out, true, "UTF-8"), PrintStream(ByteArrayOutputStream()), false, width = width)
-                Badlog(console).run(listOf("info", log.toString()))
-                return out.toString(Charsets.UTF_8)
-            }
+            fun shown(width: Int) = shown(width, log.toString())
             shown(80) shouldNotContain name
             shown(140) shouldContain name
             shown(140).lines().filter { it.length > 140 }.shouldBeEmpty()
+            shown(Console.UNLIMITED) shouldContain name
+        }
+    }
+
+    test("signals fit a terminal, and another program gets all of their names") {
+        inFolder { folder ->
+            val name = "A Robot With Many Parts/Its Power Distribution/As It Was Measured/Battery Voltage"
+            val log = folder.with("a.bag", BAG.replace("Speed", name).replace("m/s", "V"))
+            fun shown(width: Int) = shown(width, "--signals", log.toString())
+            shown(80) shouldContain "battery"
+            shown(80) shouldNotContain name
+            shown(80).lines().filter { it.length > 80 }.shouldBeEmpty()
             shown(Console.UNLIMITED) shouldContain name
         }
     }
