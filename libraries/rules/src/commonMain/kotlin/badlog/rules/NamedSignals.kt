@@ -12,6 +12,9 @@ import badlog.rules.signal.FRACTION
 import badlog.rules.signal.SignalTopic
 import kotlin.math.abs
 
+/** What `time` is where no topic is the x axis, but topics have times of their own: every time at which there is a sample. */
+internal val CLOCK = Signal(RuleProgram.TIME, SignalKind.NUMBER, "s")
+
 /**
  * The numbers of [signal] times [scale]; where that is null, so that all is [whole], whether they are percent or fractions. With a
  * [reading], whether they say that something is so.
@@ -63,7 +66,7 @@ internal class NamedSamples(private val log: Signals, private val view: LogView)
     fun boundsOf(series: Series): SampleBounds = bounds.getOrPut(series.y) { SampleBounds(series.y) }
 
     private fun scaled(source: ScaledSignal): Series {
-        if (source.signal === CLOCK) return clockOf(view.xAxis)
+        if (source.signal === CLOCK) return log.axis
         if (source.signal === ACTIVITY) return activeIn(view, log.enabled.orEmpty())
         val series = log.series(source.signal.name)
         if (source.reading != null) return flagged(series, source.reading, source.signal)

@@ -3,30 +3,12 @@ package badlog.rules
 import badlog.analysis.EnabledSpan
 import badlog.analysis.LogView
 import badlog.analysis.Series
-import badlog.analysis.XAxis
 import badlog.analysis.enabledTopics
 import badlog.expression.signals.Signal
 import badlog.expression.signals.SignalKind
 
-/** What `time` is where no topic is the x axis, but topics have times of their own: every time at which there is a sample. */
-internal val CLOCK = Signal(RuleProgram.TIME, SignalKind.NUMBER, "s")
-
 /** What `active` is: whether the robot is enabled, and always true where the log does not tell. */
 internal val ACTIVITY = Signal(RuleProgram.ACTIVE, SignalKind.CONDITION)
-
-/** The samples of [CLOCK]. */
-internal fun clockOf(xAxis: XAxis): Series {
-    val times = DoubleArray(xAxis.clocks.sumOf { it.size })
-    var size = 0
-    for (clock in xAxis.clocks) {
-        clock.copyInto(times, size)
-        size += clock.size
-    }
-    times.sort()
-    var kept = 0
-    for (time in times) if (kept == 0 || time > times[kept - 1]) times[kept++] = time
-    return times.copyOf(kept).let { Series(it, it) }
-}
 
 /** The samples of [ACTIVITY] in [view], where the robot was [enabled]. */
 internal fun activeIn(view: LogView, enabled: List<EnabledSpan>): Series {
