@@ -5,8 +5,10 @@ import badlog.page.view.Scene
 import badlog.plot.color.Shade
 import badlog.plot.timeline.FindingGlyph
 import badlog.plot.timeline.FindingMarks
+import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D
+import org.w3c.dom.HTMLCanvasElement
 import kotlin.math.PI
 
 /**
@@ -15,34 +17,50 @@ import kotlin.math.PI
  */
 internal fun drawFindingMarks(context: CanvasRenderingContext2D, frame: PlotFrame, scene: Scene, span: Span = scene.range.now) {
     if (scene.findings.places.isEmpty()) return
-    val ratio = window.devicePixelRatio
-    marks.place(scene.findings, span, frame.width, ratio)
-    context.save()
-    context.beginPath()
-    context.rect(frame.left, frame.top, frame.width, frame.height)
-    context.clip()
-    for (i in 0 until marks.runCount) {
-        val severity = marks.runSeverity(i) ?: continue
-        val left = frame.left + marks.runFrom(i)
-        val width = marks.runTo(i) - marks.runFrom(i)
-        context.fillStyle = scene.palette.severity(severity)
-        context.globalAlpha = BAND_OPACITY
-        context.fillRect(left, frame.top, width, frame.height)
-        context.globalAlpha = 1.0
-        context.fillRect(left, frame.bottom - FOOT * ratio, width, FOOT * ratio)
+    context.drawImage(picture.of(scene, span, frame.width, frame.height), frame.left, frame.top)
+}
+
+/** The picture of all marks, kept until another is asked for: most graphs of a screen have the same, and some have thousands of marks. */
+private class MarksPicture {
+    private val canvas = document.createElement("canvas").unsafeCast<HTMLCanvasElement>()
+    private val context = canvas.getContext("2d").unsafeCast<CanvasRenderingContext2D>()
+    private val marks = FindingMarks()
+    private var shown = emptyList<Any>()
+
+    fun of(scene: Scene, span: Span, width: Double, height: Double): HTMLCanvasElement {
+        val ratio = window.devicePixelRatio
+        val wanted = listOf(scene.findings, span, width, height, ratio, scene.palette[Shade.SURFACE])
+        if (wanted == shown) return canvas
+        shown = wanted
+        canvas.width = width.toInt()
+        canvas.height = height.toInt()
+        marks.place(scene.findings, span, width, ratio)
+        draw(PlotFrame(0.0, 0.0, width, height, span.from, span.to, 0.0, 1.0), scene, ratio)
+        return canvas
     }
-    for (i in 0 until marks.size) {
-        val color = scene.palette.severity(marks.severityOf(i))
-        val pixel = frame.left + marks.pixelOf(i)
-        context.strokeStyle = color
-        context.lineWidth = ratio
-        if (marks.hasLine(i)) drawLine(context, pixel, frame, ratio)
-        val glyph = FindingGlyph.of(marks.severityOf(i))
-        context.fillStyle = if (glyph.isHollow) scene.palette[Shade.SURFACE] else color
-        if (glyph.isHollow) context.lineWidth = RING * ratio
-        drawGlyph(context, glyph, pixel, frame.bottom - (FindingGlyph.SIZE + 1) * ratio, FindingGlyph.SIZE * ratio)
+
+    private fun draw(frame: PlotFrame, scene: Scene, ratio: Double) {
+        for (i in 0 until marks.runCount) {
+            val severity = marks.runSeverity(i) ?: continue
+            val width = marks.runTo(i) - marks.runFrom(i)
+            context.fillStyle = scene.palette.severity(severity)
+            context.globalAlpha = BAND_OPACITY
+            context.fillRect(marks.runFrom(i), 0.0, width, frame.height)
+            context.globalAlpha = 1.0
+            context.fillRect(marks.runFrom(i), frame.bottom - FOOT * ratio, width, FOOT * ratio)
+        }
+        for (i in 0 until marks.size) {
+            val color = scene.palette.severity(marks.severityOf(i))
+            val pixel = marks.pixelOf(i)
+            context.strokeStyle = color
+            context.lineWidth = ratio
+            if (marks.hasLine(i)) drawLine(context, pixel, frame, ratio)
+            val glyph = FindingGlyph.of(marks.severityOf(i))
+            context.fillStyle = if (glyph.isHollow) scene.palette[Shade.SURFACE] else color
+            if (glyph.isHollow) context.lineWidth = RING * ratio
+            drawGlyph(context, glyph, pixel, frame.bottom - (FindingGlyph.SIZE + 1) * ratio, FindingGlyph.SIZE * ratio)
+        }
     }
-    context.restore()
 }
 
 private fun drawLine(context: CanvasRenderingContext2D, pixel: Double, frame: PlotFrame, ratio: Double) {
@@ -69,8 +87,8 @@ private fun drawGlyph(context: CanvasRenderingContext2D, glyph: FindingGlyph, x:
     context.stroke()
 }
 
-/** One for all plots, which are drawn one after another. */
-private val marks = FindingMarks()
+/** One for all plots, which are drawn one after another. Made when the first is drawn: workers have no canvas. */
+private val picture by lazy { MarksPicture() }
 
 private const val FOOT = 3.0
 private const val DASH = 3.0

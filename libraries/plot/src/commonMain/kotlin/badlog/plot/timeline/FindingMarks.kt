@@ -36,7 +36,7 @@ public enum class FindingGlyph(public val outline: DoubleArray, public val isHol
 
 /**
  * The marks of findings on a time axis, in the order in which they are to be drawn, the worst last: glyphs where places begin, one for
- * all of a severity that share a pixel, some with a line; and runs of pixels over which something was found. The arrays are kept from
+ * all of a severity that would hide each other, some with a line; and runs of pixels over which something was found. The arrays are kept from
  * one drawing to the next.
  */
 public class FindingMarks {
@@ -84,9 +84,10 @@ public class FindingMarks {
             var last = Double.NEGATIVE_INFINITY
             var lastLine = Double.NEGATIVE_INFINITY
             for (place in findings.places) {
-                if (place.severity != severity || place.span.from !in span) continue
+                if (place.span.from > span.to) break
+                if (place.severity != severity || place.span.from < span.from) continue
                 val pixel = floor((place.span.from - span.from) / span.width * columns) * onePixel
-                if (pixel == last) continue
+                if (pixel - last < CROWDED * onePixel) continue
                 last = pixel
                 val hasLine = pixel - lastLine >= APART * onePixel
                 if (hasLine) lastLine = pixel
@@ -125,6 +126,9 @@ public class FindingMarks {
         floor((x - span.from) / span.width * columns).coerceIn(0.0, columns - 1.0).toInt()
 
     private companion object {
+        /** Two glyphs that are nearer to each other, in pixels as they look, are one: a thousand of them cost a frame and tell no more. */
+        const val CROWDED = 4
+
         /** So many pixels, as they look, are between two lines. */
         const val APART = 9
         const val FIRST_MARKS = 16

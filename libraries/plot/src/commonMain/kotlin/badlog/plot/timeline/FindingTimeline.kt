@@ -18,6 +18,11 @@ public class FindingTimeline<F>(all: List<F>, private val severityOf: (F) -> Sev
     public val places: List<FindingPlace<F>> =
         all.flatMap { finding -> placesOf(finding).map { FindingPlace(finding, severityOf(finding), it) } }.sortedBy { it.span.from }
 
+    // Up to each place the last end of it and those before: a log may have ten thousand places, and be asked for them in each frame.
+    private val lastEnds = DoubleArray(places.size).also { ends ->
+        for (i in ends.indices) ends[i] = if (i == 0) places[0].span.to else maxOf(ends[i - 1], places[i].span.to)
+    }
+
     /** The worst first, and of one severity in the order of x; those about the whole log come before those with a place. */
     public val worstFirst: List<F> = all.map { it to (placesOf(it).firstOrNull()?.from ?: Double.NEGATIVE_INFINITY) }
         .sortedWith(compareBy({ -severityOf(it.first).ordinal }, { it.second })).map { it.first }
@@ -25,12 +30,28 @@ public class FindingTimeline<F>(all: List<F>, private val severityOf: (F) -> Sev
     /** The places of [finding], in the order of x. */
     public fun placesOf(finding: F): List<FindingPlace<F>> = places.filter { it.finding == finding }
 
+    /** The index of the first place that begins after [x]. */
+    private fun firstAfter(x: Double): Int {
+        var low = 0
+        var high = places.size
+        while (low < high) {
+            val middle = (low + high) / 2
+            if (places[middle].span.from <= x) low = middle + 1 else high = middle
+        }
+        return low
+    }
+
     /** How many are of [severity]. */
     public fun count(severity: Severity): Int = worstFirst.count { severityOf(it) == severity }
 
     /** Those with a place that is no further than [distance] from [x], or lasts over it, the worst first. */
     public fun at(x: Double, distance: Double): List<F> {
-        val found = places.filter { x >= it.span.from - distance && x <= it.span.to + distance }.mapTo(HashSet()) { it.finding }
+        val found = HashSet<F>()
+        var index = firstAfter(x + distance) - 1
+        while (index >= 0 && lastEnds[index] >= x - distance) {
+            val place = places[index--]
+            if (place.span.to >= x - distance) found += place.finding
+        }
         return if (found.isEmpty()) emptyList() else worstFirst.filter { it in found }
     }
 

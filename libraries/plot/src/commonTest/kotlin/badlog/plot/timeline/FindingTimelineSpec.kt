@@ -72,14 +72,20 @@ class FindingTimelineSpec : FunSpec({
         marks.runCount + marks.size shouldBe 0
     }
 
-    test("each place that begins in sight has the glyph of its severity, the worst drawn last, and lines keep their distance") {
+    /** What is left of [pixels], which ascend, when none stands where it would hide the one before. */
+    fun apart(pixels: List<Double>, distance: Double) =
+        pixels.fold(emptyList<Double>()) { kept, pixel -> if (kept.isEmpty() || pixel - kept.last() >= distance) kept + pixel else kept }
+
+    test("places that begin in sight have the glyph of their severity, the worst drawn last; glyphs and lines keep their distance") {
         val marks = FindingMarks()
         checkAll(Arb.list(found, 0..40), Arb.int(1..200), Arb.int(1..3)) { list, columns, onePixel ->
             marks.place(timelineOf(list), all, columns * onePixel.toDouble(), onePixel.toDouble())
-            val expected = list.filter { it.spans[0].from in all }
-                .map { it.severity to kotlin.math.floor(it.spans[0].from / 100 * columns) * onePixel }.distinct()
-            List(marks.size) { marks.severityOf(it) to marks.pixelOf(it) } shouldContainExactly
-                expected.sortedWith(compareBy({ it.first }, { it.second }))
+            for (severity in Severity.entries) {
+                val pixels = list.filter { it.severity == severity && it.spans[0].from in all }
+                    .map { kotlin.math.floor(it.spans[0].from / 100 * columns) * onePixel }.sorted()
+                (0 until marks.size).filter { marks.severityOf(it) == severity }.map { marks.pixelOf(it) } shouldBe apart(pixels, 4.0 * onePixel)
+            }
+            List(marks.size) { marks.severityOf(it) }.zipWithNext().all { (one, next) -> one <= next } shouldBe true
             for (severity in Severity.entries) {
                 val lines = (0 until marks.size).filter { marks.severityOf(it) == severity && marks.hasLine(it) }.map { marks.pixelOf(it) }
                 lines.zipWithNext().all { (one, other) -> other - one >= 9 * onePixel } shouldBe true
