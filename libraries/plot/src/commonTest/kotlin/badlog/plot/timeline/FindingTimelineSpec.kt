@@ -73,8 +73,7 @@ class FindingTimelineSpec : FunSpec({
     }
 
     /** What is left of [pixels], which ascend, when none stands where it would hide the one before. */
-    fun apart(pixels: List<Double>, distance: Double) =
-        pixels.fold(emptyList<Double>()) { kept, pixel -> if (kept.isEmpty() || pixel - kept.last() >= distance) kept + pixel else kept }
+    fun apart(pixels: List<Double>, distance: Double) = pixels.fold(emptyList<Double>()) { kept, pixel -> if (kept.isEmpty() || pixel - kept.last() >= distance) kept + pixel else kept }
 
     test("places that begin in sight have the glyph of their severity, the worst drawn last; glyphs and lines keep their distance") {
         val marks = FindingMarks()
