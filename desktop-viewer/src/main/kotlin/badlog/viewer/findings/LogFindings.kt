@@ -6,7 +6,9 @@ import badlog.analysis.Span
 import badlog.plot.board.evidenceBoard
 import badlog.rules.Finding
 import badlog.rules.FolderRules
+import badlog.rules.incident.evidenceOf
 import badlog.rules.incident.incidentsIn
+import badlog.rules.incident.nextOf
 import badlog.rules.over
 import badlog.viewer.board.GraphBoard
 import badlog.viewer.part.Part
@@ -68,16 +70,18 @@ internal class LogFindings(
         change { copy(selected = finding) }
         if (place.isFinite()) view.goTo(place, finding.places.find { it.from == place } ?: Span(place, place))
         val open = current.recording ?: return
-        val incident = state.list?.incidents?.find { finding in it }
-        board.showEvidence(evidenceBoard(open.view, finding.evidence + incident?.evidence.orEmpty(), open.vocabulary))
+        board.showEvidence(evidenceBoard(open.view, incidentOf(finding).evidenceOf(finding), open.vocabulary))
     }
+
+    /** What to look at next for [finding]; may be empty. */
+    fun nextOf(finding: Finding): String = incidentOf(finding).nextOf(finding)
+
+    private fun incidentOf(finding: Finding) = state.list?.incidents?.find { finding in it }
 
     /** Goes to the place of the selected finding that is [steps] further on. */
     fun stepWithin(steps: Int) {
         val finding = state.selected ?: return
-        val places = finding.places
-        val now = places.indexOfFirst { it.from == view.cursor }
-        places.getOrNull((maxOf(now, 0) + steps).coerceIn(places.indices))?.let { goTo(finding, it.from) }
+        state.list?.timeline?.within(finding, view.cursor ?: Double.NaN, steps)?.let { goTo(finding, it.span.from) }
     }
 
     /** Goes to the place of a finding that is [steps] further on than the one of before, or else than the cursor. */

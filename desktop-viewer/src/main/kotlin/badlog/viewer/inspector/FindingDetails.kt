@@ -50,12 +50,13 @@ internal fun FindingDetails(
         }
         Text(finding.textAt(places[shown]), fontSize = 12.sp, maxLines = 6, overflow = TextOverflow.Ellipsis)
     }
-    if (finding.next.isNotEmpty()) Text("Next: ${finding.next}", color = palette.muted, fontSize = 12.sp)
+    val next = findings.nextOf(finding)
+    if (next.isNotEmpty()) Text("Next: $next", color = palette.muted, fontSize = 12.sp)
     val offers = remember(open, board.state) { evidenceOffers(open.view, open.vocabulary, board.evidence) }
     FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(2.dp)) {
         for (offer in offers) {
             ToolButton("Show ${offer.label.lowercase()} beside this finding", Icons.Add, text = offer.label) {
-                board.showEvidence(board.evidence.with(offer, open.view))
+                board.showEvidence(board.evidence.with(offer, open.view, open.vocabulary))
             }
         }
     }

@@ -21,6 +21,8 @@ import badlog.plot.text.countText
 import badlog.plot.timeline.FindingPlace
 import badlog.rules.Finding
 import badlog.rules.incident.Incident
+import badlog.rules.incident.evidenceOf
+import badlog.rules.incident.nextOf
 import badlog.rules.signal.SignalVocabulary
 import org.w3c.dom.HTMLElement
 
@@ -80,11 +82,11 @@ internal class EvidenceSection(
         steps.isHidden = places.size < 2
         number.showText("${countText(places.indexOfFirst { it.span == place.span } + 1)} of ${countText(finding.spanCount)}")
         text.showText(finding.textAt(place.span))
-        val advice = incident?.next.orEmpty().ifEmpty { finding.next }
+        val advice = incident.nextOf(finding)
         next.isHidden = advice.isEmpty()
         next.showText("Next: $advice")
         element.isHidden = false
-        draw(evidenceBoard(scene.view, finding.evidence + incident?.evidence.orEmpty(), signals))
+        draw(evidenceBoard(scene.view, incident.evidenceOf(finding), signals))
         element.bringIntoSight()
     }
 
@@ -111,7 +113,9 @@ internal class EvidenceSection(
         }
         offers.textContent = ""
         for (offer in evidenceOffers(scene.view, signals, board)) {
-            offers.addButton("text-button", "+ ${offer.label}", offer.topics.joinToString()) { draw(board.with(offer, scene.view)) }
+            offers.addButton("text-button", "+ ${offer.label}", offer.topics.joinToString()) {
+                draw(board.with(offer, scene.view, signals))
+            }
         }
     }
 }

@@ -116,8 +116,7 @@ internal class FindingList(private val scene: Scene, private val onVisit: (Findi
     /** Goes to the place of the same finding that is [steps] further on, or back where that is negative. */
     fun stepWithin(steps: Int) {
         val visited = scene.visited ?: return
-        val places = scene.findings.placesOf(visited.finding)
-        visit(places[(places.indexOfFirst { it.span == visited.span } + steps).coerceIn(places.indices)])
+        scene.findings.within(visited.finding, visited.span.from, steps)?.let { visit(it) }
     }
 
     /** Goes to the worst finding that begins at [x], if there is one. */

@@ -3,7 +3,9 @@ package badlog.rules
 import badlog.analysis.Span
 import badlog.recording.Severity
 import badlog.rules.incident.Incident
+import badlog.rules.incident.evidenceOf
 import badlog.rules.incident.incidentsIn
+import badlog.rules.incident.nextOf
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
@@ -112,6 +114,18 @@ class IncidentSpec : FunSpec({
         incident.effects.map { it.rule } shouldBe listOf("Browned out")
         rules.incidentsIn(listOf(found("Motor stalled", 5.0, topic = "Arm/Output"))).shouldBeEmpty()
         checkNotNull(RuleSet.fromJson(rules.toJson())).toJson() shouldBe rules.toJson()
+    }
+
+    test("a finding shows what its incident does, and alone what it does itself") {
+        val own = "[[cause]]\nname = \"$BLOCKED\"\nshown_by = [\"Jam\"]\nnext = \"Look.\"\n\n[leads_to]\nJam = [\"Browned out\"]\n"
+        val jam = found("Jam", 5.0)
+        val brownout = found("Browned out", 6.0)
+        val incident: Incident? = RulesFile.parse(own).rules.incidentsIn(listOf(jam, brownout)).single()
+        val none: Incident? = null
+        incident.nextOf(brownout) shouldBe "Look."
+        none.nextOf(brownout) shouldBe brownout.next
+        incident.evidenceOf(brownout).toSet() shouldBe (jam.evidence + brownout.evidence).toSet()
+        none.evidenceOf(brownout) shouldBe brownout.evidence
     }
 
     test("a mistake in a cause is reported with its line") {

@@ -16,23 +16,15 @@ import badlog.rules.signal.SignalVocabulary
  *
  * @param vocabulary tells the units of topics without one: volts and amperes in one graph would hide each other.
  */
-public fun evidenceBoard(view: LogView, evidence: List<String>, vocabulary: SignalVocabulary = SignalVocabulary.NONE): Board {
+public fun evidenceBoard(view: LogView, evidence: List<String>, vocabulary: SignalVocabulary): Board {
     val topics = view.recording.topics.associateBy { it.name }
     val lines = evidence.distinct().mapNotNull(topics::get)
         .filter { it.kind != TopicKind.EMPTY && it.kind != TopicKind.EVENT && "log" !in it.attributes }.map(view::seriesOf)
-    val meant = SignalTopics(
-        vocabulary,
-        Vocabulary(
-            lines.map {
-                signalOf(it.topic)
-            },
-        ),
-        timeTopic = null,
-    ).all.associate { it.topic to it.unit }
+    val names = Vocabulary(lines.map { signalOf(it.topic) })
+    val meant = SignalTopics(vocabulary, names, timeTopic = null).all.associate { it.topic to it.unit }
+    fun unitOf(line: GraphSeries) = if (Units.isNone(line.unit)) meant[line.topic.name].orEmpty() else line.unit
     val (states, numbers) = lines.partition { it.states != null }
-    val groups = numbers.groupBy {
-        if (Units.isNone(it.unit)) meant[it.topic.name].orEmpty() else it.unit
-    }.values.map { it.take(MAX_LINES) }
+    val groups = numbers.groupBy(::unitOf).values.map { it.take(MAX_LINES) }
     val lanes = listOf(states.take(MAX_LANES)).filter { it.isNotEmpty() }
     val shown = groups.take(MAX_GRAPHS - lanes.size) + lanes
     return Board(shown.mapIndexed { i, group -> BoardGraph(i + 1, titleOf(group), group.map { it.topic.name }, height = HEIGHT) })

@@ -22,10 +22,11 @@ public fun evidenceOffers(view: LogView, vocabulary: SignalVocabulary, board: Bo
     }
 }
 
-/** This board with graphs of [offer] below its own. */
-public fun Board.with(offer: EvidenceOffer, view: LogView): Board = evidenceBoard(view, offer.topics).graphs.fold(this) { board, graph ->
-    Board(board.graphs + graph.copy(id = (board.graphs.maxOfOrNull { it.id } ?: 0) + 1))
-}
+/** This board with graphs of [offer] below its own; [vocabulary] tells the units of topics without one. */
+public fun Board.with(offer: EvidenceOffer, view: LogView, vocabulary: SignalVocabulary): Board =
+    evidenceBoard(view, offer.topics, vocabulary).graphs.fold(this) { board, graph ->
+        Board(board.graphs + graph.copy(id = (board.graphs.maxOfOrNull { it.id } ?: 0) + 1))
+    }
 
 private val OFFERED = listOf(
     "Voltage" to listOf("battery"),

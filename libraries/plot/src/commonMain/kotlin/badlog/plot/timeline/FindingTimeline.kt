@@ -41,6 +41,15 @@ public class FindingTimeline<F>(all: List<F>, private val severityOf: (F) -> Sev
         return low
     }
 
+    /**
+     * The place of [finding] that is [steps] further on than the one which begins at [x], or else than its first; beyond the ends its
+     * last or its first. Null where it has no place.
+     */
+    public fun within(finding: F, x: Double, steps: Int): FindingPlace<F>? {
+        val own = placesOf(finding)
+        return own.getOrNull((maxOf(0, own.indexOfFirst { it.span.from == x }) + steps).coerceIn(0, maxOf(0, own.size - 1)))
+    }
+
     /** How many are of [severity]. */
     public fun count(severity: Severity): Int = worstFirst.count { severityOf(it) == severity }
 

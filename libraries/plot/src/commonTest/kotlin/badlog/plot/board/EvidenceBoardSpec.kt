@@ -2,13 +2,16 @@ package badlog.plot.board
 
 import badlog.analysis.LogView
 import badlog.plot.bagView
+import badlog.rules.signal.SignalVocabulary
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldEndWith
 
 class EvidenceBoardSpec : FunSpec({
-    fun linesOf(view: LogView, vararg names: String) = evidenceBoard(view, names.toList()).graphs.map { it.lines }
+    fun boardOf(view: LogView, names: List<String>) = evidenceBoard(view, names, SignalVocabulary.NONE)
+
+    fun linesOf(view: LogView, vararg names: String) = boardOf(view, names.toList()).graphs.map { it.lines }
 
     val view = bagView(
         listOf("Time|xaxis", "A/Voltage", "B/Voltage", "Mode", "On", "Said|log", "Empty"),
@@ -21,13 +24,13 @@ class EvidenceBoardSpec : FunSpec({
 
     test("texts, what has no sample, what is named twice and what is not in the log are left out") {
         linesOf(view, "Said", "Empty", "A/Voltage", "Nothing", "A/Voltage") shouldBe listOf(listOf("A/Voltage"))
-        evidenceBoard(view, listOf("Said")).graphs shouldBe emptyList()
+        boardOf(view, listOf("Said")).graphs shouldBe emptyList()
     }
 
     test("however much shows it, it fits a screen") {
         val names = (1..40).map { "Motors/Left $it" }
         val many = bagView(names, listOf(names.joinToString(",") { "1" }))
-        evidenceBoard(many, names).graphs.single().run {
+        boardOf(many, names).graphs.single().run {
             lines.size shouldBeLessThan 10
             checkNotNull(height) shouldBeLessThan 150
             title shouldBe "Motors: Left 1, Left 2…"
@@ -35,7 +38,7 @@ class EvidenceBoardSpec : FunSpec({
     }
 
     test("what shows several things is named by them, wherever they are") {
-        evidenceBoard(view, listOf("A/Voltage")).graphs.single().title shouldBe "A/Voltage"
-        evidenceBoard(view, listOf("A/Voltage", "B/Voltage")).graphs.single().title shouldEndWith "Voltage, Voltage"
+        boardOf(view, listOf("A/Voltage")).graphs.single().title shouldBe "A/Voltage"
+        boardOf(view, listOf("A/Voltage", "B/Voltage")).graphs.single().title shouldEndWith "Voltage, Voltage"
     }
 })

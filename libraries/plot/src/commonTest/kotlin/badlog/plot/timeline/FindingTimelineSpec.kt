@@ -49,6 +49,25 @@ class FindingTimelineSpec : FunSpec({
         timelineOf(listOf(whole)).beside(null, 1.0, 1) shouldBe null
     }
 
+    test("within a finding steps go from the place at the cursor, else from its first, and stay at the ends") {
+        fun step(steps: Int, x: Double) = timeline.within(early, x, steps)?.span?.from
+        step(1, 21.0) shouldBe 60.0
+        step(1, 60.0) shouldBe 60.0
+        step(-1, 60.0) shouldBe 21.0
+        step(-1, 21.0) shouldBe 21.0
+        step(1, Double.NaN) shouldBe 60.0
+        timeline.within(whole, 1.0, 1) shouldBe null
+    }
+
+    test("what is near a place is found, however many places lie before it") {
+        checkAll(Arb.list(found, 0..40), Arb.int(-10..110), Arb.int(0..5)) { list, x, distance ->
+            val near = timelineOf(list).at(x.toDouble(), distance.toDouble())
+            val expected = list.filter { x >= it.spans[0].from - distance && x <= it.spans[0].to + distance }
+            near.toSet() shouldBe expected.toSet()
+        }
+        timeline.at(Double.NaN, 1.0) shouldBe emptyList()
+    }
+
     test("the mark nearest to the pointer is found, else the worst that lasts there") {
         timeline.pointedAt(51.5, 1.0, all)?.name shouldBe "Middle"
         timeline.pointedAt(25.0, 0.1, all)?.name shouldBe "Early"

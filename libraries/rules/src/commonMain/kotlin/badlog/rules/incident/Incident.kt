@@ -78,3 +78,9 @@ public class Incident internal constructor(
         const val MIN_LATER = 0.1
     }
 }
+
+/** The full names of the topics that show [finding], then of those that show this incident, where it is a part of one. */
+public fun Incident?.evidenceOf(finding: Finding): List<String> = (finding.evidence + this?.evidence.orEmpty()).distinct()
+
+/** What to look at next for [finding]: what this incident calls for, where it is a part of one, or else the finding alone; may be empty. */
+public fun Incident?.nextOf(finding: Finding): String = this?.next.orEmpty().ifEmpty { finding.next }
