@@ -42,7 +42,10 @@ internal fun HTMLElement.addIconButton(className: String, icon: Icon, hint: Stri
 internal var HTMLElement.isHidden: Boolean
     get() = hasAttribute("hidden")
     set(value) {
-        if (value) setAttribute("hidden", "") else removeAttribute("hidden")
+        // The browser styles again after each write, even of what was there.
+        if (value != isHidden) {
+            if (value) setAttribute("hidden", "") else removeAttribute("hidden")
+        }
     }
 
 /** Whether a button cannot be pressed now. */

@@ -16,12 +16,12 @@ internal class CursorOverlay(
     private val graph: Graph,
     private val scene: Scene,
     private val content: PlotContent,
-    private val over: HTMLElement,
+    private val plot: Plot,
 ) {
-    private val line = over.add("div", "cursor-line")
-    private val eventLabel = over.add("div", "event-label")
-    private val findingLabel = over.add("div", "finding-label")
-    private val dots = graph.series.indices.map { over.add("div", "cursor-dot line-${it % LINE_COLORS}") }
+    private val line = plot.over.add("div", "cursor-line")
+    private val eventLabel = plot.over.add("div", "event-label")
+    private val findingLabel = plot.over.add("div", "finding-label")
+    private val dots = graph.series.indices.map { plot.over.add("div", "cursor-dot line-${it % LINE_COLORS}") }
 
     init {
         update()
@@ -33,37 +33,37 @@ internal class CursorOverlay(
         val x = scene.cursor.x
         val isSeen = scene.cursor.isPlaced && x >= now.from && x <= now.to
         line.isHidden = !isSeen
-        eventLabel.isHidden = true
-        findingLabel.isHidden = true
+        val event = if (isSeen) scene.eventAt(x) else null
+        val findings = if (isSeen) scene.findingsAt(x) else emptyList()
+        eventLabel.isHidden = event == null
+        findingLabel.isHidden = findings.isEmpty()
         if (!isSeen) {
             for (dot in dots) dot.isHidden = true
             return
         }
-        val width = over.clientWidth
+        val width = plot.frameWidth
         val pixel = (x - now.from) / now.width * width
         line.style.transform = "translateX(${pixel}px)"
         dots.forEachIndexed { index, dot -> place(dot, index, x, width) }
-        scene.eventAt(x)?.let { show(eventLabel, it.text, pixel, width) }
-        val findings = scene.findingsAt(x)
+        if (event != null) show(eventLabel, event.text, pixel, width)
         if (findings.isEmpty()) return
         findingLabel.className = "finding-label is-${findings[0].word}"
         show(findingLabel, findingText(findings, x), pixel, width)
     }
 
-    private fun show(label: HTMLElement, text: String, pixel: Double, width: Int) {
-        label.isHidden = false
+    private fun show(label: HTMLElement, text: String, pixel: Double, width: Double) {
         label.showText(text)
         label.classList.toggle("at-left", pixel > width / 2)
         label.style.transform =
             if (pixel > width / 2) "translateX(calc(${pixel - GAP}px - 100%))" else "translateX(${pixel + GAP}px)"
     }
 
-    private fun place(dot: HTMLElement, index: Int, x: Double, width: Int) {
+    private fun place(dot: HTMLElement, index: Int, x: Double, width: Double) {
         val now = scene.range.now
         val share = content.heightAt(index, x)
         val sampleX = (graph.series[index].dotAt(x) - now.from) / now.width
         dot.isHidden = !(share in 0.0..1.0 && sampleX in 0.0..1.0)
-        if (!dot.isHidden) dot.style.transform = "translate(${sampleX * width}px, ${share * over.clientHeight}px)"
+        if (!dot.isHidden) dot.style.transform = "translate(${sampleX * width}px, ${share * plot.frameHeight}px)"
     }
 
     private companion object {

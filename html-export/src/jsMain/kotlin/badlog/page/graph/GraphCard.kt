@@ -87,7 +87,7 @@ internal class GraphCard(val graph: Graph, private val scene: Scene, origin: Str
         host.add("div", "x-title", scene.xAxis.title).title = scene.xAxis.title
         val zoomY = { from: Double, to: Double -> showY(content) { choose(from, to) } }
         PlotGestures(drawn.over, scene, if (content.hasYAxis) zoomY else null) { if (chosenY != null) resetY() }
-        overlay = CursorOverlay(graph, scene, content, drawn.over)
+        overlay = CursorOverlay(graph, scene, content, drawn)
         plot = drawn
         shown = content
         isStale = false

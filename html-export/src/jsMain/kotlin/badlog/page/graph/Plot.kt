@@ -28,6 +28,12 @@ internal class Plot(
     /** The element over the frame, which takes the pointer. */
     val over: HTMLElement get() = uPlot.over
 
+    /** How wide the frame is, in pixels as they look. The browser would lay the whole page out to say it. */
+    val frameWidth: Double get() = uPlot.bbox.width / window.devicePixelRatio
+
+    /** How high it is. */
+    val frameHeight: Double get() = uPlot.bbox.height / window.devicePixelRatio
+
     /** The picture. */
     val canvas: HTMLCanvasElement get() = uPlot.ctx.canvas
 
