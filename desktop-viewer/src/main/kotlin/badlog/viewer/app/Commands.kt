@@ -25,7 +25,7 @@ import badlog.viewer.view.AxisView
 
 /** What the keyboard does as on an exported page. */
 internal fun actionCommands(current: CurrentRecording, view: AxisView, formulas: FormulaStore, findings: LogFindings): List<Command> =
-    Action.entries.map { action ->
+    Action.entries.filter { it !in OF_BOARD }.map { action ->
         Command(action) {
             when (action) {
                 Action.NEW_FORMULA -> formulas.write()
@@ -50,8 +50,11 @@ private fun move(action: Action, current: CurrentRecording, view: AxisView) = wh
     Action.SHOW_ENABLED -> view.change { showingEnabled(current.recording?.enabled.orEmpty()) }
     Action.PAN_LEFT -> view.change { panned(-Action.PAN_SHARE) }
     Action.PAN_RIGHT -> view.change { panned(Action.PAN_SHARE) }
-    Action.NEW_FORMULA, Action.NEXT_FINDING, Action.PREVIOUS_FINDING -> Unit
+    else -> Unit
 }
+
+/** What the window does not do by keys yet. */
+private val OF_BOARD = setOf(Action.PIN, Action.MOVE_UP, Action.MOVE_DOWN, Action.NEXT_HEIGHT, Action.UNDO, Action.REDO)
 
 /** What the keyboard does with the window's parts. */
 internal fun windowCommands(panels: WindowPanels, formulas: FormulaStore, view: AxisView): List<Command> = listOf(

@@ -1,6 +1,7 @@
 package badlog.viewer.layout
 
 import badlog.plot.board.Board
+import badlog.plot.board.BoardLayout
 import badlog.plot.board.boardOfJson
 import badlog.plot.board.toJson
 import kotlinx.serialization.KSerializer
@@ -27,7 +28,7 @@ import kotlinx.serialization.json.jsonObject
  */
 @Serializable
 internal data class Layout(
-    @SerialName("badlog-layout") val version: Int,
+    @SerialName(BoardLayout.VERSION_KEY) val version: Int,
     @Serializable(BoardSerializer::class) val graphs: Board? = null,
     val recording: String? = null,
     val visible: LayoutSpan? = null,
@@ -38,10 +39,10 @@ internal data class Layout(
 ) {
     companion object {
         /** The format that this program writes. */
-        const val VERSION = 1
+        const val VERSION = BoardLayout.VERSION
 
         /** How the names of layout files end. */
-        const val ENDING = ".badlog-layout.json"
+        const val ENDING = BoardLayout.ENDING
     }
 }
 

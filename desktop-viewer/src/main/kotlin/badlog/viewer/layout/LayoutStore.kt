@@ -3,6 +3,7 @@ package badlog.viewer.layout
 import androidx.compose.runtime.snapshotFlow
 import badlog.analysis.Span
 import badlog.plot.board.Board
+import badlog.plot.board.FittedBoard
 import badlog.plot.formula.joined
 import badlog.viewer.board.GraphBoard
 import badlog.viewer.compare.ComparedRecordings
@@ -71,7 +72,7 @@ internal class LayoutStore(
     fun graphsOf(recording: OpenRecording): Board {
         val fitted = fittedTo(recording) ?: return recording.standardGraphs
         fitted.sentence?.let(notices::say)
-        return fitted.graphs
+        return fitted.board
     }
 
     /**
@@ -150,7 +151,7 @@ internal class LayoutStore(
         }
         val shown = layout
         // A recording that lacks a signal must not make all others forget it.
-        val isAsSaved = board.kept.showsSame(fittedTo(open)?.graphs ?: open.standardGraphs)
+        val isAsSaved = board.kept.showsSame(fittedTo(open)?.board ?: open.standardGraphs)
         val layout = if (isAsSaved) shown.copy(graphs = saved?.graphs) else shown
         return if (layout == saved) null else place to layout
     }
@@ -180,7 +181,7 @@ internal class LayoutStore(
         val open = current.recording ?: return
         val graphs = layout.graphs ?: return board.replace(open.standardGraphs)
         val fitted = fitted(graphs, open)
-        board.replace(fitted.graphs)
+        board.replace(fitted.board)
         fitted.sentence?.let(notices::say)
     }
 
@@ -204,8 +205,8 @@ internal class LayoutStore(
         return true
     }
 
-    private fun fittedTo(recording: OpenRecording): FittedGraphs? =
-        saved?.graphs?.takeIf { isInFolder(recording) }?.let { fitted(it, recording) }?.takeIf { it.graphs.graphs.isNotEmpty() }
+    private fun fittedTo(recording: OpenRecording): FittedBoard? =
+        saved?.graphs?.takeIf { isInFolder(recording) }?.let { fitted(it, recording) }?.takeIf { it.board.graphs.isNotEmpty() }
 
     private fun isInFolder(recording: OpenRecording) = folder?.let { recording.file.startsWith(it.toAbsolutePath().normalize()) } ?: false
 

@@ -17,6 +17,7 @@ import badlog.rules.RuleSet
  * @property hooks what programs that looked at the recording returned, one for each program.
  * @property differences what was different from the team's other logs, the most different first, of which incidents say what has to
  *   do with them.
+ * @property layout what a layout file says, with whose graphs the page begins; null for none. The page says what is wrong with it.
  */
 public class PageAdditions(
     public val virtualTopics: List<String> = emptyList(),
@@ -25,11 +26,12 @@ public class PageAdditions(
     public val findings: List<Finding> = emptyList(),
     public val hooks: List<HookPart> = emptyList(),
     public val differences: List<Finding> = emptyList(),
+    public val layout: String? = null,
 ) {
     /** Whether there is nothing, so that a page is as small as one without. */
     public val isEmpty: Boolean
         get() = virtualTopics.isEmpty() && rules.rules.isEmpty() && rules.signals.isEmpty && rulesProblem == null && findings.isEmpty() &&
-            hooks.isEmpty()
+            hooks.isEmpty() && layout == null
 
     /** Reads what [toJson] wrote. */
     public companion object

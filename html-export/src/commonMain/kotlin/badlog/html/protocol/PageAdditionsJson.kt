@@ -21,6 +21,7 @@ public fun PageAdditions.toJson(): String = inScript(
         "findings" to array(findings, ::findingJson),
         "hooks" to array(hooks, ::hookJson),
         "differences" to differences.takeIf { it.isNotEmpty() }?.let { array(it, ::findingJson) },
+        "layout" to layout?.let(::quotedJson),
     ),
 )
 
@@ -34,6 +35,7 @@ public fun PageAdditions.Companion.fromJson(text: String): PageAdditions? = unle
         findings = json.list("findings", ::findingOf),
         hooks = json.list("hooks", ::hookOf),
         differences = if (json.find("differences") == null) emptyList() else json.list("differences", ::findingOf),
+        layout = json.find("layout")?.string,
     )
 }
 

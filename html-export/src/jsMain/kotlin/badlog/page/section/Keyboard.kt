@@ -49,6 +49,7 @@ internal class Keyboard(
         Action.NEW_FORMULA -> formulas.open()
         Action.NEXT_FINDING -> findings.step(1)
         Action.PREVIOUS_FINDING -> findings.step(-1)
+        else -> Unit
     }
 
     private fun step(count: Int) {

@@ -29,29 +29,31 @@ public class YLimits {
             to = it.to
             return
         }
-        if (least.isNaN()) {
-            from = 0.0
-            to = 1.0
-            return
-        }
-        val low = (if (includesZero) minOf(least, 0.0) else least).coerceAtLeast(-MAX_MAGNITUDE)
-        val high = (if (includesZero) maxOf(most, 0.0) else most).coerceAtMost(MAX_MAGNITUDE)
-        val isFlat = high - low <= abs(high) * FLAT
-        val margin = if (isFlat) maxOf(abs(high) * 0.1, if (high == 0.0) 1.0 else 0.0) else (high - low) * MARGIN
-        // A line of nothing but 0 would lie on the frame's edge.
-        if (low == 0.0 && high == 0.0) {
-            from = -margin
-            to = margin
-            return
-        }
-        // What never goes below 0 gets no room there: it would look as if it could.
-        from = if (low >= 0.0 && low - margin < 0.0) 0.0 else low - margin
-        to = if (high <= 0.0 && high + margin > 0.0 && low < 0.0) 0.0 else high + margin
-    }
-
-    private companion object {
-        const val MARGIN = 0.07
-        const val FLAT = 1e-12
-        const val MAX_MAGNITUDE = 7e307
+        val fitted = limitsFor(least, most, includesZero)
+        from = fitted.from
+        to = fitted.to
     }
 }
+
+/**
+ * The limits of y that make room for [least] to [most], both NaN when there is nothing to see, and for 0 when it [includesZero]: what is
+ * seen fills them.
+ */
+public fun limitsFor(least: Double, most: Double, includesZero: Boolean): Span {
+    if (least.isNaN()) return Span(0.0, 1.0)
+    val low = (if (includesZero) minOf(least, 0.0) else least).coerceIn(-MAX_MAGNITUDE, MAX_MAGNITUDE)
+    val high = (if (includesZero) maxOf(most, 0.0) else most).coerceIn(-MAX_MAGNITUDE, MAX_MAGNITUDE)
+    val isFlat = high - low <= abs(high) * FLAT
+    val margin = if (isFlat) maxOf(abs(high) * 0.1, if (high == 0.0) 1.0 else 0.0) else (high - low) * MARGIN
+    // A line of nothing but 0 would lie on the frame's edge.
+    if (low == 0.0 && high == 0.0) return Span(-margin, margin)
+    // What never goes below 0 gets no room there: it would look as if it could.
+    return Span(
+        from = if (low >= 0.0 && low - margin < 0.0) 0.0 else low - margin,
+        to = if (high <= 0.0 && high + margin > 0.0 && low < 0.0) 0.0 else high + margin,
+    )
+}
+
+private const val MARGIN = 0.07
+private const val FLAT = 1e-12
+private const val MAX_MAGNITUDE = 7e307

@@ -13,10 +13,18 @@ public data class Board(public val graphs: List<BoardGraph> = emptyList()) {
     /** Adds a graph of the signals [names] at the end, or before the graph [before]. */
     public fun withGraph(names: List<String>, before: Int? = null): Board {
         if (names.isEmpty()) return this
-        val graph = BoardGraph(nextId, names.first(), names.distinct())
-        val place = graphs.indexOfFirst { it.id == before }.let { if (it < 0) graphs.size else it }
-        return copy(graphs = graphs.take(place) + graph + graphs.drop(place))
+        return withGraphs(listOf(BoardGraph(0, names.first(), names.distinct())), before)
     }
+
+    /** Adds [added], with ids of their own, at the end, or before the graph [before]. */
+    public fun withGraphs(added: List<BoardGraph>, before: Int? = null): Board {
+        val place = graphs.indexOfFirst { it.id == before }.let { if (it < 0) graphs.size else it }
+        val first = nextId
+        return copy(graphs = graphs.take(place) + added.mapIndexed { i, graph -> graph.copy(id = first + i) } + graphs.drop(place))
+    }
+
+    /** Shows [graph] in the place of the one with its id. */
+    public fun with(graph: BoardGraph): Board = change(graph.id) { graph }
 
     /** Adds the signal [name] to graph [id], where it is not there yet. */
     public fun withLine(id: Int, name: String): Board = change(id) { if (name in it.lines) it else it.copy(lines = it.lines + name) }
@@ -33,9 +41,16 @@ public data class Board(public val graphs: List<BoardGraph> = emptyList()) {
         return if (own.isEmpty()) withGraph(listOf(name)) else own.fold(this) { board, graph -> board.without(graph.id) }
     }
 
+    /** Whether it has a graph of the same lines as [graph]. */
+    public fun has(graph: BoardGraph): Boolean = graphs.any { it.lines == graph.lines }
+
+    /** Adds [graph] at the end, or takes those of the same lines away that are there. */
+    public fun withToggled(graph: BoardGraph): Board =
+        if (has(graph)) copy(graphs = graphs.filterNot { it.lines == graph.lines }) else withGraphs(listOf(graph))
+
     /** Takes the signal [name] out of graph [id], which goes with its last line. */
     public fun withoutLine(id: Int, name: String): Board {
-        val changed = change(id) { it.copy(lines = it.lines - name) }
+        val changed = change(id) { it.copy(lines = it.lines - name, hidden = it.hidden - name) }
         return changed.copy(graphs = changed.graphs.filter { it.lines.isNotEmpty() })
     }
 
@@ -46,8 +61,8 @@ public data class Board(public val graphs: List<BoardGraph> = emptyList()) {
     /** Draws the signal [name] where [before] was drawn. */
     public fun renamed(before: String, name: String): Board = copy(
         graphs = graphs.map { graph ->
-            val lines = graph.lines.map { if (it == before) name else it }.distinct()
-            graph.copy(title = if (graph.title == before) name else graph.title, lines = lines)
+            fun nameNow(line: String) = if (line == before) name else line
+            graph.copy(title = nameNow(graph.title), lines = graph.lines.map(::nameNow).distinct(), hidden = graph.hidden.mapTo(HashSet(), ::nameNow))
         },
     )
 
@@ -62,11 +77,22 @@ public data class Board(public val graphs: List<BoardGraph> = emptyList()) {
         return copy(graphs = graphs.toMutableList().apply { add(to, removeAt(from)) })
     }
 
+    /** Moves graph [id] before the graph [other], or to the end for null. */
+    public fun movedBefore(id: Int, other: Int?): Board {
+        val graph = graphs.find { it.id == id }
+        if (graph == null || id == other) return this
+        val others = without(id).graphs
+        val place = others.indexOfFirst { it.id == other }.let { if (it < 0) others.size else it }
+        return copy(graphs = others.take(place) + graph + others.drop(place))
+    }
+
     /** Draws the lines of graph [other] in graph [id], too, and takes [other] away. */
     public fun joined(id: Int, other: Int): Board {
         val added = graphs.find { it.id == other }
         if (added == null || id == other || graphs.none { it.id == id }) return this
-        return without(other).change(id) { it.copy(lines = (it.lines + added.lines).distinct()) }
+        return without(other).change(id) {
+            it.copy(lines = (it.lines + added.lines).distinct(), hidden = it.hidden + (added.hidden - it.lines.toSet()))
+        }
     }
 
     /** Gives each line of graph [id] a graph of its own, in its place; the first one keeps what was chosen for it but y. */
@@ -76,14 +102,24 @@ public data class Board(public val graphs: List<BoardGraph> = emptyList()) {
             graphs = graphs.flatMap { graph ->
                 if (graph.id != id || graph.lines.size < 2) return@flatMap listOf(graph)
                 graph.lines.mapIndexed { i, line ->
-                    graph.copy(id = if (i == 0) id else first + i, title = line, lines = listOf(line), yRange = null)
+                    graph.copy(id = if (i == 0) id else first + i, title = line, lines = listOf(line), yRange = null, rightYRange = null, hidden = emptySet())
                 }
             },
         )
     }
 
-    /** Shows only [range] of y in graph [id]; all of it for null. */
-    public fun withYRange(id: Int, range: Span?): Board = change(id) { it.copy(yRange = range) }
+    /** Shows only [range] of y in graph [id], and [right] of the axis at its right; all of it for null. What is fixed is not shared. */
+    public fun withYRange(id: Int, range: Span?, right: Span? = null): Board =
+        change(id) { it.copy(yRange = range, rightYRange = right, sharesY = it.sharesY && range == null && right == null) }
+
+    /** Shows as much of y in graph [id] as all graphs that share it need for lines of the same unit, or no longer. */
+    public fun withSharedY(id: Int, shares: Boolean): Board = change(id) {
+        if (shares) it.copy(sharesY = true, yRange = null, rightYRange = null) else it.copy(sharesY = false)
+    }
+
+    /** Hides the line [name] of graph [id], or shows it again; the graph keeps it. */
+    public fun withLineHidden(id: Int, name: String, isHidden: Boolean): Board =
+        change(id) { if (name in it.lines) it.copy(hidden = if (isHidden) it.hidden + name else it.hidden - name) else it }
 
     /** Gives graph [id] a height of its own, see [BoardGraph.height]; that of the others for null. */
     public fun resized(id: Int, height: Int?): Board = change(id) { it.copy(height = height?.coerceIn(BoardGraph.HEIGHTS)) }
@@ -112,8 +148,12 @@ public data class Board(public val graphs: List<BoardGraph> = emptyList()) {
  * @property lines the names of the signals it draws, each once; one that a recording lacks is left out there.
  * @property isFilled whether the area below the lines is filled.
  * @property includesZero whether y must include 0.
- * @property yRange the part of y that a person selected, finite and wider than 0, or null for as much as the visible samples need.
- * @property height how high it is in pixels as they look, one of [HEIGHTS]; null for as high as graphs are without a height.
+ * @property yRange the part of y that a person selected, finite and wider than 0, or null for as much as the visible samples need; of the
+ *   axis at the left, where there are two.
+ * @property height how high it is in pixels as they look, one of [HEIGHTS]; null for as high as graphs are without a height. See [GraphHeight].
+ * @property rightYRange the same as [yRange] of the axis at the right.
+ * @property sharesY whether all graphs that share it show the same part of y of a unit; what is fixed by a range is not shared.
+ * @property hidden those of [lines] that are not drawn now.
  */
 public data class BoardGraph(
     public val id: Int,
@@ -123,6 +163,9 @@ public data class BoardGraph(
     public val includesZero: Boolean = false,
     public val yRange: Span? = null,
     public val height: Int? = null,
+    public val rightYRange: Span? = null,
+    public val sharesY: Boolean = false,
+    public val hidden: Set<String> = emptySet(),
 ) {
     public companion object {
         /** How high a graph of numbers can be. */

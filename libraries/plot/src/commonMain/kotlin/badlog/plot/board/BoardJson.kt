@@ -7,7 +7,8 @@ import badlog.json.quotedJson
 
 /**
  * A board as an object of JSON with the key `graphs`, which layout files have too. Each graph has a `title`, the names of its
- * `lines`, and where that was chosen `filled`, `zero`, `y` with `from` and `to`, and `height`.
+ * `lines`, and where that was chosen `filled`, `zero`, `y` and `right` with `from` and `to`, `shared`, `height`, and the names of `hidden`
+ * lines. An older badlog passes over what it does not know.
  */
 public fun Board.toJson(): String = graphs.joinToString(",", "{\"graphs\":[", "]}") { graph ->
     buildString {
@@ -15,10 +16,20 @@ public fun Board.toJson(): String = graphs.joinToString(",", "{\"graphs\":[", "]
         append(",\"lines\":").append(graph.lines.joinToString(",", "[", "]", transform = ::quotedJson))
         if (graph.isFilled) append(",\"filled\":true")
         if (graph.includesZero) append(",\"zero\":true")
-        graph.yRange?.takeIf(::isWritable)?.let { append(",\"y\":{\"from\":").append(it.from).append(",\"to\":").append(it.to).append('}') }
+        appendSpan("y", graph.yRange)
+        appendSpan("right", graph.rightYRange)
+        if (graph.sharesY) append(",\"shared\":true")
         graph.height?.let { append(",\"height\":").append(it) }
+        val hidden = graph.lines.filter { it in graph.hidden }
+        if (hidden.isNotEmpty()) hidden.joinTo(this, ",", ",\"hidden\":[", "]", transform = ::quotedJson)
         append('}')
     }
+}
+
+/** Appends [span] as a member [key] of the object that is being written, where there is one that JSON can have. */
+internal fun StringBuilder.appendSpan(key: String, span: Span?) {
+    if (span == null || !isWritable(span)) return
+    append(",\"").append(key).append("\":{\"from\":").append(span.from).append(",\"to\":").append(span.to).append('}')
 }
 
 /**
@@ -35,14 +46,18 @@ public fun boardOfJson(text: String): Board {
 private fun graphOf(id: Int, graph: JsonValue): BoardGraph {
     if (graph.members == null) throw BoardException(damage("graph $id is not an object"))
     val lines = graph["lines"]?.items ?: throw BoardException(damage("graph $id has no list of “lines”"))
+    val names = lines.map { it.text ?: throw BoardException(damage("a line of graph $id is not a name")) }.distinct()
     return BoardGraph(
         id = id,
         title = graph["title"]?.text ?: throw BoardException(damage("graph $id has no “title”")),
-        lines = lines.map { it.text ?: throw BoardException(damage("a line of graph $id is not a name")) }.distinct(),
+        lines = names,
         isFilled = graph.isSet("filled", id),
         includesZero = graph.isSet("zero", id),
-        yRange = graph["y"]?.let { y -> Span(y.number("from", id), y.number("to", id)).takeIf(::isWritable) },
+        yRange = graph.span("y", id),
+        rightYRange = graph.span("right", id),
+        sharesY = graph.isSet("shared", id),
         height = graph["height"]?.let { graph.number("height", id).coerceIn(HEIGHTS).toInt() },
+        hidden = graph["hidden"]?.items.orEmpty().mapNotNullTo(HashSet()) { item -> item.text?.takeIf { it in names } },
     )
 }
 
@@ -61,6 +76,9 @@ private fun JsonValue.number(key: String, graph: Int): Double {
     return value?.json?.takeIf { it[0] == '-' || it[0] in '0'..'9' }?.toDoubleOrNull()
         ?: throw BoardException(damage("“$key” of graph $graph is not a number"))
 }
+
+private fun JsonValue.span(key: String, graph: Int): Span? =
+    get(key)?.let { Span(it.number("from", graph), it.number("to", graph)).takeIf(::isWritable) }
 
 private fun damage(what: String) = "The graphs are damaged: $what; select a file that badlog has saved."
 

@@ -17,15 +17,10 @@ public fun defaultBoard(view: LogView): Board {
             graph.series.any { it.isDerived || it.topic !== view.xAxis.topic } && (!hasChanges || changes(graph))
         }
         runsOf(graphsOfFolder).map { graphs ->
-            val first = graphs.first()
-            val isJoint = graphs.size > 1
-            BoardGraph(
-                id = ++id,
-                title = if (isJoint) listOf(folder.name, "States").filter { it.isNotEmpty() }.joinToString("/") else nameOf(first),
-                lines = graphs.flatMap(::linesOf).distinct(),
-                isFilled = first.isFilled,
-                includesZero = first.includesZero,
-            )
+            val first = graphs.first().asBoardGraph().copy(id = ++id)
+            if (graphs.size == 1) return@map first
+            val title = listOf(folder.name, "States").filter { it.isNotEmpty() }.joinToString("/")
+            first.copy(title = title, lines = graphs.flatMap { it.asBoardGraph().lines }.distinct())
         }
     }
     return Board(specs)
@@ -43,11 +38,6 @@ private fun runsOf(graphs: List<Graph>): List<List<Graph>> {
 }
 
 private fun changes(graph: Graph) = graph.series.any { it.topic.times == null || everChanges(it.topic) }
-
-private fun nameOf(graph: Graph) =
-    if (graph.isVirtual) listOf(graph.folder, graph.title).filter { it.isNotEmpty() }.joinToString("/") else graph.name
-
-private fun linesOf(graph: Graph) = graph.series.map { line -> if (line.isDerived) graph.name else line.topic.name }
 
 /** Whether [topic] has two values that differ. */
 public fun everChanges(topic: Topic): Boolean {

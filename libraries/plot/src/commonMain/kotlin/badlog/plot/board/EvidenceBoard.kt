@@ -6,7 +6,6 @@ import badlog.analysis.Units
 import badlog.expression.signalOf
 import badlog.expression.signals.Vocabulary
 import badlog.recording.PathName
-import badlog.recording.TopicKind
 import badlog.rules.signal.SignalTopics
 import badlog.rules.signal.SignalVocabulary
 
@@ -19,7 +18,7 @@ import badlog.rules.signal.SignalVocabulary
 public fun evidenceBoard(view: LogView, evidence: List<String>, vocabulary: SignalVocabulary): Board {
     val topics = view.recording.topics.associateBy { it.name }
     val lines = evidence.distinct().mapNotNull(topics::get)
-        .filter { it.kind != TopicKind.EMPTY && it.kind != TopicKind.EVENT && "log" !in it.attributes }.map(view::seriesOf)
+        .filter(::isDrawable).map(view::seriesOf)
     val names = Vocabulary(lines.map { signalOf(it.topic) })
     val meant = SignalTopics(vocabulary, names, timeTopic = null).all.associate { it.topic to it.unit }
     fun unitOf(line: GraphSeries) = if (Units.isNone(line.unit)) meant[line.topic.name].orEmpty() else line.unit
@@ -27,7 +26,7 @@ public fun evidenceBoard(view: LogView, evidence: List<String>, vocabulary: Sign
     val groups = numbers.groupBy(::unitOf).values.map { it.take(MAX_LINES) }
     val lanes = listOf(states.take(MAX_LANES)).filter { it.isNotEmpty() }
     val shown = groups.take(MAX_GRAPHS - lanes.size) + lanes
-    return Board(shown.mapIndexed { i, group -> BoardGraph(i + 1, titleOf(group), group.map { it.topic.name }, height = HEIGHT) })
+    return Board(shown.mapIndexed { i, group -> BoardGraph(i + 1, titleOf(group), group.map { it.topic.name }, height = GraphHeight.SMALL.pixels) })
 }
 
 /** The name of a line alone, the folder of several, or the names of the first ones. */
@@ -40,7 +39,6 @@ private fun titleOf(lines: List<GraphSeries>): String {
     return if (folder.isEmpty()) title else "$folder: $title"
 }
 
-private const val HEIGHT = 110
 private const val MAX_GRAPHS = 4
 private const val MAX_LINES = 4
 private const val MAX_LANES = 6

@@ -24,9 +24,7 @@ public fun evidenceOffers(view: LogView, vocabulary: SignalVocabulary, board: Bo
 
 /** This board with graphs of [offer] below its own; [vocabulary] tells the units of topics without one. */
 public fun Board.with(offer: EvidenceOffer, view: LogView, vocabulary: SignalVocabulary): Board =
-    evidenceBoard(view, offer.topics, vocabulary).graphs.fold(this) { board, graph ->
-        Board(board.graphs + graph.copy(id = (board.graphs.maxOfOrNull { it.id } ?: 0) + 1))
-    }
+    withGraphs(evidenceBoard(view, offer.topics, vocabulary).graphs)
 
 private val OFFERED = listOf(
     "Voltage" to listOf("battery"),

@@ -5,13 +5,16 @@ import badlog.rules.LogShape
 import badlog.rules.signal.SignalTopics
 import badlog.rules.signal.SignalVocabulary
 
+/** The graphs that a log begins with: [defaultBoard], where that is one that a person can look through, else [boardOfLarge]. */
+public fun standardBoard(view: LogView, vocabulary: SignalVocabulary): Board = boardOfLarge(view, vocabulary) ?: defaultBoard(view)
+
 /**
- * The graphs that a log begins with: [defaultBoard], where that is one that a person can look through. Of a larger log, first those of the
- * signals of [vocabulary] that change: battery and current, modes, loop time, loads, outputs; then the first ones of the others.
+ * The graphs that a log begins with whose [defaultBoard] nobody can look through, null for another one: first those of the signals of
+ * [vocabulary] that change: battery and current, modes, loop time, loads, outputs; then the first ones of the others.
  */
-public fun standardBoard(view: LogView, vocabulary: SignalVocabulary): Board {
+public fun boardOfLarge(view: LogView, vocabulary: SignalVocabulary): Board? {
     val all = defaultBoard(view).graphs
-    if (all.size <= MANY) return Board(all)
+    if (all.size <= MANY) return null
     val topics = LogShape.of(view).topicsOf(vocabulary)
     val changing = view.recording.topics.filter(::everChanges).mapTo(HashSet()) { it.name }
     val first = STANDARD.flatMap { signals ->

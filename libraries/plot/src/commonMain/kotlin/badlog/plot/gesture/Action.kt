@@ -44,6 +44,24 @@ public enum class Action(public val group: String, public val meaning: String, p
     /** Later x is shown. */
     PAN_RIGHT("Graphs", "Move to the right", KeyStroke("]")),
 
+    /** The graph goes on the board, or off it. */
+    PIN("Board", "Put the graph on the board, or take it off", KeyStroke("P")),
+
+    /** The graph changes places with the one above it. */
+    MOVE_UP("Board", "Move the graph up", KeyStroke("↑", alt = true)),
+
+    /** The graph changes places with the one below it. */
+    MOVE_DOWN("Board", "Move the graph down", KeyStroke("↓", alt = true)),
+
+    /** The graph becomes as high as the next of three heights. */
+    NEXT_HEIGHT("Board", "Next height of the graph", KeyStroke("H")),
+
+    /** The board becomes what it was before. */
+    UNDO("Board", "Undo", KeyStroke("Z", ctrl = true)),
+
+    /** What [UNDO] led away from is shown. */
+    REDO("Board", "Redo", KeyStroke("Z", shift = true, ctrl = true), KeyStroke("Y", ctrl = true)),
+
     /** A person may write a formula. */
     NEW_FORMULA("Formulas", "New formula", KeyStroke("F")),
 
@@ -67,9 +85,9 @@ public enum class Action(public val group: String, public val meaning: String, p
         /** Which part of what is seen [PAN_LEFT] and [PAN_RIGHT] move by. */
         public const val PAN_SHARE: Double = 0.25
 
-        /** What [key], which is written as in [keys], does without Ctrl; null for nothing. */
-        public fun of(key: String, shift: Boolean): Action? = entries.firstOrNull { action ->
-            action.keys.any { it.key == key && (it.shift == shift || it.isSign) }
+        /** What [key], which is written as in [keys], does while these are held, [ctrl] being the command key on a Mac; null for nothing. */
+        public fun of(key: String, shift: Boolean, ctrl: Boolean = false, alt: Boolean = false): Action? = entries.firstOrNull { action ->
+            action.keys.any { it.key == key && it.ctrl == ctrl && it.alt == alt && (it.shift == shift || it.isSign) }
         }
     }
 }
@@ -79,12 +97,18 @@ public enum class Action(public val group: String, public val meaning: String, p
  *
  * @property key what stands on it.
  */
-public data class KeyStroke(public val key: String, public val shift: Boolean = false) {
+public data class KeyStroke(
+    public val key: String,
+    public val shift: Boolean = false,
+    public val ctrl: Boolean = false,
+    public val alt: Boolean = false,
+) {
     /** Whether it is a sign, for which some keyboards need Shift and others do not. */
     public val isSign: Boolean get() = key.length == 1 && key[0] < 'A'
 
-    /** As the help sheet writes it: `Shift+N`. */
-    public val text: String get() = if (shift) "Shift+$key" else key
+    /** As the help sheet writes it: `Ctrl+Shift+Z`. */
+    public val text: String
+        get() = listOfNotNull("Ctrl".takeIf { ctrl }, "Alt".takeIf { alt }, "Shift".takeIf { shift }, key).joinToString("+")
 }
 
 /**

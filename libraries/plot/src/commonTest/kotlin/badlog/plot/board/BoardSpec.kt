@@ -31,14 +31,18 @@ class BoardSpec : FunSpec({
     // Adding zero makes 0 of -0, whose sign JavaScript does not write.
     val range = arbitrary { Span(Arb.numericDouble(-1e9, 1e9).bind() + 0.0, 2e9) }
     val graph = arbitrary {
+        val lines = Arb.list(name, 0..5).bind().distinct()
         BoardGraph(
             id = 0,
             title = name.bind(),
-            lines = Arb.list(name, 0..5).bind().distinct(),
+            lines = lines,
             isFilled = Arb.boolean().bind(),
             includesZero = Arb.boolean().bind(),
             yRange = Arb.choice(range, Arb.constant(Span(-1e-300, 1e300))).orNull().bind(),
             height = Arb.int(BoardGraph.HEIGHTS).orNull().bind(),
+            rightYRange = range.orNull().bind(),
+            sharesY = Arb.boolean().bind(),
+            hidden = lines.filterTo(HashSet()) { Arb.boolean().bind() },
         )
     }
     val board = arbitrary { Board(Arb.list(graph, 0..6).bind().mapIndexed { i, it -> it.copy(id = i + 1) }) }
@@ -121,12 +125,13 @@ class BoardSpec : FunSpec({
                     4 -> now.joined(id, i % 3 + 1)
                     5 -> now.separated(id)
                     6 -> now.moved(id, i - 15)
-                    7 -> now.renamed(names[i], names[29 - i])
-                    8 -> now.withoutSignal(names[i])
+                    7 -> now.renamed(names[i], names[29 - i]).withLineHidden(id, names[29 - i], i % 2 == 0)
+                    8 -> now.withoutSignal(names[i]).movedBefore(id, i % 4)
                     else -> now.without(id).resized(id + 1, i * 100)
                 }
                 now.graphs.map { it.id }.shouldBeUnique()
                 for (graph in now.graphs) (graph.lines.isNotEmpty() && graph.lines.distinct() == graph.lines) shouldBe true
+                for (graph in now.graphs) (graph.hidden - graph.lines.toSet()) shouldBe emptySet()
             }
         }
     }
@@ -141,6 +146,35 @@ class BoardSpec : FunSpec({
         two.resized(1, 5).graphs[0].height shouldBe 60
         two.showsSame(two.moved(2, -1).moved(2, 1)) shouldBe true
         two.showsSame(two.moved(2, -1)) shouldBe false
+    }
+
+    test("a graph is dragged before another one, or to the end") {
+        val three = Board().withGraph(listOf("A")).withGraph(listOf("B")).withGraph(listOf("C"))
+        three.movedBefore(3, 1).lines().map { it.single() } shouldBe listOf("C", "A", "B")
+        three.movedBefore(1, 3).lines().map { it.single() } shouldBe listOf("B", "A", "C")
+        three.movedBefore(1, null).lines().map { it.single() } shouldBe listOf("B", "C", "A")
+        three.movedBefore(2, 2) shouldBe three
+        three.movedBefore(9, 1) shouldBe three
+    }
+
+    test("limits of y are fixed or shared, never both") {
+        val board = Board().withGraph(listOf("A"))
+        board.withSharedY(1, true).withYRange(1, Span(0.0, 1.0)).graphs[0].sharesY shouldBe false
+        board.withYRange(1, Span(0.0, 1.0), Span(0.0, 2.0)).withSharedY(1, true).graphs[0].run { listOf(yRange, rightYRange) } shouldBe listOf(null, null)
+        board.withSharedY(1, true).withYRange(1, null).graphs[0].sharesY shouldBe true
+    }
+
+    test("three heights have names, and any number of pixels is one of them") {
+        GraphHeight.of(null) shouldBe GraphHeight.MEDIUM
+        GraphHeight.entries.map { GraphHeight.of(it.pixels) } shouldBe GraphHeight.entries
+        GraphHeight.of(120) shouldBe GraphHeight.SMALL
+        GraphHeight.of(600) shouldBe GraphHeight.LARGE
+        for (height in GraphHeight.entries) (height.pixels in BoardGraph.HEIGHTS) shouldBe true
+    }
+
+    test("a board written by a newer badlog is read but for what is not known") {
+        boardOfJson("""{"graphs":[{"title":"A","lines":["A","B"],"hidden":["B","C",3],"glow":{"color":1}}]}""").graphs shouldBe
+            listOf(BoardGraph(1, "A", listOf("A", "B"), hidden = setOf("B")))
     }
 
     test("what draws a signal goes with it, and takes its new name") {

@@ -24,7 +24,7 @@ class GestureSpec : FunSpec({
         Action.of("+", shift = true) shouldBe Action.ZOOM_IN
         Action.of("+", shift = false) shouldBe Action.ZOOM_IN
         Action.of("E", shift = true).shouldBeNull()
-        Action.of("P", shift = false).shouldBeNull()
+        Action.of("Q", shift = false).shouldBeNull()
     }
 
     test("the help has every key, with Shift where it is needed") {
@@ -61,6 +61,15 @@ class GestureSpec : FunSpec({
         seen.back().visible shouldBe whole.visible
         seen = wheel.turned(seen, 0.0, -40.0, ctrl = true, shift = false, 50.0, 800.0, 5000.0).shouldNotBeNull()
         seen.back().isZoomed shouldBe true
+    }
+
+    test("a key means something else with Ctrl or Alt") {
+        Action.of("Z", shift = false, ctrl = true) shouldBe Action.UNDO
+        Action.of("Z", shift = true, ctrl = true) shouldBe Action.REDO
+        Action.of("Z", shift = false) shouldBe null
+        Action.of("↑", shift = false, alt = true) shouldBe Action.MOVE_UP
+        Action.of("N", shift = false, ctrl = true) shouldBe null
+        Action.REDO.help.how shouldBe "Ctrl+Shift+Z  Ctrl+Y"
     }
 
     test("two quick clicks at one place are a double click, and the third is a new one") {

@@ -1,0 +1,84 @@
+package badlog.plot.address
+
+import badlog.analysis.Span
+import badlog.plot.board.Board
+import badlog.plot.board.BoardException
+import badlog.plot.board.boardOfText
+import badlog.plot.board.spanOfText
+import badlog.plot.board.spanText
+import badlog.plot.board.toText
+import badlog.plot.text.addressText
+import badlog.plot.text.nameOfAddress
+
+/**
+ * What the end of a page's address asks for: `#t=93.7&x=90:100&board=Voltage;Mode&f=Power+~003d+Voltage*Current`.
+ *
+ * @property moment where the cursor is to go, in the unit of the x axis; null for nowhere.
+ * @property visible the part of x to show; null for what suits the moment.
+ * @property board the graphs to show together, by the names of their lines; null for those that there are.
+ * @property formulas the definitions of topics that are calculated from others, in addition to those of the page.
+ * @property problems what of it is damaged, and is passed over: a sentence each.
+ */
+public class PageAddress(
+    public val moment: Double? = null,
+    public val visible: Span? = null,
+    public val board: Board? = null,
+    public val formulas: List<String> = emptyList(),
+    public val problems: List<String> = emptyList(),
+) {
+    /** Whether it asks for nothing. */
+    public val isEmpty: Boolean get() = moment == null && visible == null && board == null && formulas.isEmpty()
+
+    /** The end of the address, from the `#` on; empty where it asks for nothing. */
+    public fun toText(): String {
+        val parts = listOfNotNull(
+            moment?.takeIf { it.isFinite() }?.let { "t=$it".replace("+", "") },
+            visible?.takeIf { it.from < it.to && it.from.isFinite() && it.to.isFinite() }?.let { "x=" + spanText(it) },
+            board?.let { "board=" + it.toText() },
+            formulas.takeIf { it.isNotEmpty() }?.joinToString(";", "f=", transform = ::addressText),
+        )
+        return if (parts.isEmpty()) "" else parts.joinToString("&", "#")
+    }
+}
+
+/**
+ * What [text] asks for, the end of an address from the `#` on. Of what is not known, as a place on the page or what a newer badlog has
+ * written, nothing is said.
+ */
+public fun pageAddressOf(text: String): PageAddress {
+    val problems = ArrayList<String>()
+    // Programs that pass links on may write characters in their own way; of those that stand here, none needs it.
+    val parts = withoutPercents(text.removePrefix("#")).split('&').filter { '=' in it }
+        .associate { it.substringBefore('=') to it.substringAfter('=') }
+
+    fun <T : Any> read(key: String, what: String, read: (String) -> T?): T? {
+        val part = parts[key] ?: return null
+        val value = read(part)
+        if (value == null) problems += "This link’s $what is damaged; copy the link again."
+        return value
+    }
+    return PageAddress(
+        moment = read("t", "time") { it.toDoubleOrNull()?.takeIf(Double::isFinite) },
+        visible = read("x", "range", ::spanOfText),
+        board = read("board", "board", ::boardOrNull),
+        formulas = read("f", "formula", ::formulasOrNull).orEmpty(),
+        problems = problems,
+    )
+}
+
+private fun boardOrNull(text: String): Board? = try {
+    boardOfText(text)
+} catch (_: BoardException) {
+    null
+}
+
+private fun formulasOrNull(text: String): List<String>? {
+    val read = text.split(';').filter { it.isNotEmpty() }.map(::nameOfAddress)
+    return if (null in read) null else read.filterNotNull().distinct()
+}
+
+private fun withoutPercents(text: String): String = PERCENT.replace(text) { it.groupValues[1].toInt(HEXADECIMAL).toChar().toString() }
+
+// Only what has one byte: other characters are never written here.
+private val PERCENT = Regex("%([0-7][0-9A-Fa-f])")
+private const val HEXADECIMAL = 16

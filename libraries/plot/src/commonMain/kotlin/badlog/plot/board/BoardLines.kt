@@ -1,0 +1,42 @@
+package badlog.plot.board
+
+import badlog.analysis.Graph
+import badlog.analysis.GraphSeries
+import badlog.analysis.LogView
+import badlog.recording.Topic
+import badlog.recording.TopicKind
+
+/**
+ * Finds the lines of a board by the names that it has for them: those of topics, and of the graphs that are derived from topics.
+ *
+ * @param others graphs of other lines that may be drawn, as those that a program has calculated.
+ */
+public class BoardLines(private val view: LogView, others: List<Graph> = emptyList()) {
+    private val topics = view.recording.topics.associateBy { it.name }
+    private val derived = (view.folders.flatMap { it.graphs } + others)
+        .flatMap { graph -> graph.lineNames.zip(graph.series) }
+        .filter { (name, _) -> name !in topics }
+        .toMap()
+    private val found = HashMap<String, GraphSeries?>()
+
+    /** The names of all lines that show something, the topics first. */
+    public val names: List<String> get() = topics.values.filter(::isDrawable).map { it.name } + derived.keys
+
+    /** The line called [name]; null where there is none. */
+    public operator fun get(name: String): GraphSeries? = found.getOrPut(name) { topics[name]?.let(view::seriesOf) ?: derived[name] }
+}
+
+/** Whether [topic] is a line: texts are marks in every graph, and what is empty is nothing. */
+internal fun isDrawable(topic: Topic): Boolean = topic.kind != TopicKind.EMPTY && topic.kind != TopicKind.EVENT && "log" !in topic.attributes
+
+/** What a board calls the lines of this graph, in their order. */
+public val Graph.lineNames: List<String> get() = series.map { if (it.isDerived) name else it.topic.name }
+
+/** This graph as one of a board, where it gets an id; to be found by [BoardLines] again. */
+public fun Graph.asBoardGraph(): BoardGraph = BoardGraph(
+    id = 0,
+    title = if (isVirtual) listOf(folder, title).filter { it.isNotEmpty() }.joinToString("/") else name,
+    lines = lineNames.distinct(),
+    isFilled = isFilled,
+    includesZero = includesZero,
+)
