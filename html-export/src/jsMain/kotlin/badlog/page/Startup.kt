@@ -2,6 +2,7 @@ package badlog.page
 
 import badlog.analysis.LogView
 import badlog.page.embedded.About
+import badlog.page.embedded.GivenLayout
 import badlog.page.embedded.findAdditions
 import badlog.page.formula.Formulas
 import badlog.page.reading.PartsReading
@@ -12,6 +13,7 @@ import badlog.page.section.LogPage
 import badlog.page.section.ThemeSwitch
 import badlog.page.section.failureScreen
 import badlog.page.section.setPageState
+import badlog.plot.formula.joined
 import badlog.recording.ProblemKind
 import badlog.recording.Recording
 import badlog.rules.RuleSet
@@ -93,8 +95,10 @@ internal class Startup {
         }
         val additions = findAdditions()
         val signals = (additions?.rules ?: RuleSet.NONE).signals
-        val formulas = Formulas(LogView.of(read).withSignals(signals), signals, additions?.virtualTopics.orEmpty(), about.fileKey)
-        val shown = LogPage(formulas, about, additions, downloads, theme)
+        val layout = GivenLayout.of(additions?.layout)
+        val given = joined(layout.formulas, additions?.virtualTopics.orEmpty())
+        val formulas = Formulas(LogView.of(read).withSignals(signals), signals, given, about.fileKey)
+        val shown = LogPage(formulas, about, additions, layout, downloads, theme)
         page = shown
         show(shown.element)
         shown.start()

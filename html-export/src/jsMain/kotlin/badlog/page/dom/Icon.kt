@@ -22,6 +22,13 @@ internal enum class Icon(private val path: String) {
     MINUS("M3 8h10"),
     FORMULA("M11.5 3.3c-1.9-.9-2.9.1-3.2 1.9l-1.5 6c-.4 1.7-1.3 2.3-3 1.6M5 7h5.5"),
     CLOSE("M4 4l8 8M12 4l-8 8"),
+    PIN("M6 2.5h4M6.8 2.5v4.2L4.5 9.5h7L9.2 6.7V2.5M8 9.5V14"),
+    LINK(
+        "M6.8 9.2a2.5 2.5 0 0 0 3.6 0l2.1-2.1a2.5 2.5 0 0 0-3.6-3.6l-.7.7M9.2 6.8a2.5 2.5 0 0 0-3.6 0L3.5 8.9a2.5 2.5 0 0 0 3.6 3.6l.7-.7",
+    ),
+    MORE("M3.5 8v.1M8 8v.1M12.5 8v.1"),
+    UNDO("M5.5 3.5 2.5 6.5l3 3M2.5 6.5h7a3.5 3.5 0 0 1 0 7H6"),
+    FOLDER("M2 12.5v-9h4l1.5 2H14v7z"),
     ;
 
     /** A new picture of this icon, in the color of the text around it. */

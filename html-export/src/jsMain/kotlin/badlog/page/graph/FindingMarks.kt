@@ -35,7 +35,7 @@ private class MarksPicture {
         canvas.width = width.toInt()
         canvas.height = height.toInt()
         marks.place(scene.findings, span, width, ratio)
-        draw(PlotFrame(0.0, 0.0, width, height, span.from, span.to, 0.0, 1.0), scene, ratio)
+        draw(PlotFrame(0.0, 0.0, width, height, span.from, span.to), scene, ratio)
         return canvas
     }
 

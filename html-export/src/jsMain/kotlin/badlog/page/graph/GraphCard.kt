@@ -9,7 +9,9 @@ import badlog.page.dom.addIconButton
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.view.Scene
-import badlog.plot.axis.YLimits
+import badlog.plot.board.BoardGraph
+import badlog.plot.board.asBoardGraph
+import badlog.plot.board.lineNames
 import badlog.plot.text.unitText
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
@@ -19,11 +21,24 @@ import org.w3c.dom.HTMLElement
  * before: derived ones are calculated when they are first looked at.
  *
  * @param origin what calculated it, where that was not the recording's own attributes; else empty.
- * @param height how tall a graph of numbers is; null for as tall as others.
+ * @param look how it is looked at to begin with: which lines are hidden, which part of y is shown, how high it is.
+ * @param lines what a board calls the lines of [graph], in their order.
+ * @param onLook is called with how a person wants to look at it, for whoever keeps that and calls [show]; null where nobody does.
  */
-internal class GraphCard(val graph: Graph, private val scene: Scene, origin: String = "", private val height: Int? = null) {
-    private val isShown = BooleanArray(graph.series.size) { true }
-    private val legend = Legend(graph, isShown, ::redraw)
+internal class GraphCard(
+    val graph: Graph,
+    private val scene: Scene,
+    origin: String = "",
+    look: BoardGraph = graph.asBoardGraph(),
+    private val lines: List<String> = graph.lineNames,
+    private val onLook: ((BoardGraph) -> Unit)? = null,
+) {
+    /** How it is looked at now. */
+    var look: BoardGraph = look
+        private set
+
+    private val isShown = BooleanArray(graph.series.size)
+    private val legend = Legend(graph, ::toggle)
     private val statistics = StatisticsTable(graph, scene)
     private lateinit var host: HTMLElement
     private lateinit var statisticsButton: HTMLElement
@@ -32,8 +47,12 @@ internal class GraphCard(val graph: Graph, private val scene: Scene, origin: Str
     private var resizing: ResizeObserver? = null
     private var statisticsTimer = 0
     private var shown: PlotContent? = null
-    private var chosenY: Span? = null
     private lateinit var resetButton: HTMLElement
+    private var pinButton: HTMLElement? = null
+
+    /** Where buttons stand that do something with it. */
+    lateinit var tools: HTMLElement
+        private set
 
     /** Whether what is drawn is not what should be seen. */
     private var isStale = false
@@ -46,8 +65,8 @@ internal class GraphCard(val graph: Graph, private val scene: Scene, origin: Str
             add("bdi", "unit graph-unit", unitText(graph.unit))
             if (origin.isNotEmpty()) add("span", "origin", origin).title = hintOf(graph)
             appendChild(legend.element)
-            add("div", "graph-tools") {
-                resetButton = addIconButton("reset-y", Icon.RESET, "Reset Y zoom") { resetY() }.apply { isHidden = true }
+            tools = add("div", "graph-tools") {
+                resetButton = addIconButton("reset-y", Icon.RESET, "Reset Y zoom") { resetY() }
                 if (!graph.showsStates) {
                     statisticsButton = addIconButton("statistics-toggle", Icon.SUM, "Statistics of the visible range") {
                         toggleStatistics()
@@ -55,6 +74,7 @@ internal class GraphCard(val graph: Graph, private val scene: Scene, origin: Str
                     statisticsButton.setAttribute("aria-expanded", "false")
                 }
                 addIconButton("save-image", Icon.IMAGE, "Save as an image") { saveImage() }
+                if (onLook == null) pinButton = addIconButton("pin", Icon.PIN, "Keep on the board (P)") { pin() }
             }
         }
         host = add("div", "plot") {
@@ -63,6 +83,41 @@ internal class GraphCard(val graph: Graph, private val scene: Scene, origin: Str
             setAttribute("aria-label", "Graph of ${graph.name}; arrow keys move the cursor")
         }
         appendChild(statistics.element.apply { isHidden = true })
+    }
+
+    init {
+        show(look)
+        updatePin()
+    }
+
+    /** Puts it on the board, or takes it off there. */
+    fun pin() = scene.board.change { withToggled(look) }
+
+    /** Shows whether it is on the board. */
+    fun updatePin() {
+        pinButton?.setAttribute("aria-pressed", scene.board.now.has(look).toString())
+    }
+
+    /** Looks at it as [wanted] says. */
+    fun show(wanted: BoardGraph) {
+        look = wanted
+        for (i in isShown.indices) isShown[i] = lines[i] !in wanted.hidden
+        legend.show(isShown)
+        resetButton.isHidden = wanted.yRange == null && wanted.rightYRange == null
+        redraw()
+    }
+
+    private fun change(wanted: BoardGraph) = onLook?.invoke(wanted) ?: show(wanted)
+
+    private fun toggle(line: Int) {
+        val name = lines[line]
+        change(look.copy(hidden = if (name in look.hidden) look.hidden - name else look.hidden + name))
+    }
+
+    /** Shows from now on only what is between [from] and [to], shares of what is shown now from its top. */
+    fun zoomY(from: Double, to: Double) {
+        val parts = shown?.limits.orEmpty().map { Span(it.to - to * it.width, it.to - from * it.width) }
+        if (to > from && parts.isNotEmpty()) change(look.copy(yRange = parts[0], rightYRange = parts.getOrNull(1), sharesY = false))
     }
 
     /** Gives it the keys. */
@@ -78,15 +133,13 @@ internal class GraphCard(val graph: Graph, private val scene: Scene, origin: Str
         val content = if (graph.showsStates) {
             LaneContent(graph, scene.palette, isShown, scene.range.full.to)
         } else {
-            LineContent(graph, scene.palette, isShown, scene.range.full.to, height)
+            LineContent(graph, scene, isShown) { look }
         }
-        content.limits.chosen = chosenY
         host.textContent = ""
         host.style.height = "${content.height}px"
         val drawn = Plot(scene, content, host, host.clientWidth) { overlay?.update() }
         host.add("div", "x-title", scene.xAxis.title).title = scene.xAxis.title
-        val zoomY = { from: Double, to: Double -> showY(content) { choose(from, to) } }
-        PlotGestures(drawn.over, scene, if (content.hasYAxis) zoomY else null) { if (chosenY != null) resetY() }
+        PlotGestures(drawn.over, scene, if (graph.showsStates) null else ::zoomY) { if (!resetButton.isHidden) resetY() }
         overlay = CursorOverlay(graph, scene, content, drawn)
         plot = drawn
         shown = content
@@ -109,14 +162,7 @@ internal class GraphCard(val graph: Graph, private val scene: Scene, origin: Str
         overlay = null
     }
 
-    private fun showY(content: PlotContent, change: YLimits.() -> Unit) {
-        content.limits.change()
-        chosenY = content.limits.chosen
-        resetButton.isHidden = chosenY == null
-        redraw()
-    }
-
-    private fun resetY() = shown?.let { showY(it) { chosen = null } }
+    private fun resetY() = change(look.copy(yRange = null, rightYRange = null))
 
     /** Draws the graph again with the colors of now. */
     fun repaint() {

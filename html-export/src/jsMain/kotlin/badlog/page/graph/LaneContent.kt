@@ -5,7 +5,7 @@ import badlog.analysis.PixelColumns
 import badlog.analysis.Span
 import badlog.analysis.StateRuns
 import badlog.page.view.Palette
-import badlog.plot.axis.YLimits
+import badlog.plot.axis.GraphAxis
 import badlog.plot.color.Shade
 import badlog.plot.lane.LaneBlocks
 import badlog.plot.lane.LaneLook
@@ -22,8 +22,8 @@ internal class LaneContent(private val graph: Graph, private val palette: Palett
     private var span = Span(0.0, 1.0)
 
     override val height: Int get() = LANE_HEIGHT * graph.series.size + AXIS_HEIGHT
-    override val limits: YLimits = YLimits()
-    override val hasYAxis: Boolean get() = false
+    override val axes: List<GraphAxis> get() = emptyList()
+    override val limits: List<Span> get() = emptyList()
 
     override fun lines(frameOf: (UPlot) -> PlotFrame): List<dynamic> = emptyList()
 

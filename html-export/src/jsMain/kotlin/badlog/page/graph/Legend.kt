@@ -7,6 +7,7 @@ import badlog.page.dom.addButton
 import badlog.page.dom.element
 import badlog.page.dom.showText
 import badlog.page.view.Cursor
+import badlog.plot.axis.graphAxes
 import badlog.plot.color.LINE_COLORS
 import badlog.plot.cursor.indexAt
 import badlog.plot.cursor.textOf
@@ -17,31 +18,34 @@ import org.w3c.dom.HTMLElement
 
 /**
  * The lines of a graph by name and color, each with its value at the cursor, read from the samples themselves.
- * Pressing one hides its line.
  *
- * @param isShown for each series whether its line is drawn.
+ * @param onToggle is called with the place of a line that a person wants to hide, or to see again.
  */
-internal class Legend(private val graph: Graph, private val isShown: BooleanArray, private val onToggle: () -> Unit) {
+internal class Legend(private val graph: Graph, private val onToggle: (Int) -> Unit) {
     // The title says it already where a graph has but one line.
     val element: HTMLElement = element("div", if (graph.series.size == 1) "legend is-single" else "legend")
-    private val values = graph.series.mapIndexed { index, series -> addEntry(index, series) }
+    private val values = ArrayList<HTMLElement>()
+    private val units = ArrayList<HTMLElement>()
+    private val entries = graph.series.mapIndexed { index, series -> addEntry(index, series) }
 
-    private fun addEntry(index: Int, series: GraphSeries): HTMLElement {
-        lateinit var value: HTMLElement
-        element.addButton("legend-entry", "", "${series.topic.name} – press to hide or show this line") {}.apply {
+    private fun addEntry(index: Int, series: GraphSeries): HTMLElement =
+        element.addButton("legend-entry", "", "${series.topic.name} – press to hide or show this line") { onToggle(index) }.apply {
             setAttribute("data-series", series.name)
-            setAttribute("aria-pressed", "true")
             add("span", "swatch line-${index % LINE_COLORS}")
             add("bdi", "legend-name", series.name)
-            value = add("span", "value")
-            if (series.unit != graph.unit) add("bdi", "unit", unitText(series.unit))
-            addEventListener("click", {
-                isShown[index] = !isShown[index]
-                setAttribute("aria-pressed", isShown[index].toString())
-                onToggle()
-            })
+            values += add("span", "value")
+            units += add("bdi", "unit graph-unit")
         }
-        return value
+
+    /** Says which lines are drawn, by [isShown] for each, and by which axis. */
+    fun show(isShown: BooleanArray) {
+        entries.forEachIndexed { index, entry -> entry.setAttribute("aria-pressed", isShown[index].toString()) }
+        if (graph.showsStates) return
+        val axes = graphAxes(graph.series.mapIndexed { index, series -> series.unit.takeIf { isShown[index] } })
+        for (unit in units) unit.showText("")
+        // One unit stands above all of them.
+        if (axes.size == 1 && axes[0].unit == unitText(graph.unit)) return
+        for (axis in axes) for (line in axis.lines) units[line].showText(axis.legend)
     }
 
     /** Shows the values at [cursor]. */

@@ -4,8 +4,16 @@ import badlog.analysis.Graph
 import badlog.analysis.PixelColumns
 import badlog.analysis.Span
 import badlog.page.dom.json
-import badlog.page.view.Palette
-import badlog.plot.axis.YLimits
+import badlog.page.view.Scene
+import badlog.plot.axis.AxisSide
+import badlog.plot.axis.GraphAxis
+import badlog.plot.axis.SeenOfUnit
+import badlog.plot.axis.axisLimits
+import badlog.plot.axis.graphAxes
+import badlog.plot.axis.limitsFor
+import badlog.plot.axis.seenTogether
+import badlog.plot.board.BoardGraph
+import badlog.plot.board.GraphHeight
 import badlog.plot.cursor.indexAt
 import badlog.plot.curve.Curve
 import badlog.plot.curve.Strokes
@@ -13,25 +21,27 @@ import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D
 
 /**
- * Numbers as lines over x.
+ * Numbers as lines over x, those of each unit by an axis of their own.
  *
  * @param isShown for each series whether its line is to be drawn; the legend changes it.
- * @param end until where the last value of a series holds, if its values do.
- * @param height how tall it is; null for as tall as others.
+ * @param look how the graph is looked at now.
  */
 internal class LineContent(
     private val graph: Graph,
-    private val palette: Palette,
+    private val scene: Scene,
     private val isShown: BooleanArray,
-    end: Double,
-    height: Int?,
+    private val look: () -> BoardGraph,
 ) : PlotContent {
-    private val curves = graph.series.map { Curve(it.data, if (it.holds) end else null) }
+    private val palette = scene.palette
+    private val curves = graph.series.map { Curve(it.data, if (it.holds) scene.range.full.to else null) }
     private val strokes = curves.map { Strokes() }
+    private val axisOf = IntArray(curves.size)
 
-    override val height: Int = height ?: HEIGHT
-    override val limits: YLimits = YLimits()
-    override val hasYAxis: Boolean get() = true
+    override val height: Int = look().height ?: GraphHeight.MEDIUM.pixels
+    override var axes: List<GraphAxis> = emptyList()
+        private set
+    override var limits: List<Span> = emptyList()
+        private set
 
     override fun lines(frameOf: (UPlot) -> PlotFrame): List<dynamic> = curves.mapIndexed { index, curve ->
         json(
@@ -42,8 +52,9 @@ internal class LineContent(
             "fill" to { if (graph.isFilled) palette.line(index) + AREA_OPACITY else null },
             "paths" to { plot: UPlot ->
                 val frame = frameOf(plot)
-                strokes[index].trace(curve, frame.x, frame.y)
-                strokesPath(strokes[index], frame, graph.isFilled)
+                val y = frame.scaleOf(limits[axisOf[index]])
+                strokes[index].trace(curve, frame.x, y)
+                strokesPath(strokes[index], if (graph.isFilled) frame.baselineOf(y) else null)
             },
             "points" to json(
                 "show" to { strokes[index].dotsSize > 0 },
@@ -58,16 +69,18 @@ internal class LineContent(
     }
 
     override fun prepare(span: Span, columns: PixelColumns) {
-        var least = Double.NaN
-        var most = Double.NaN
-        curves.forEachIndexed { index, curve ->
-            if (!isShown[index]) return@forEachIndexed
-            curve.draw(span.from, span.to, columns)
-            if (curve.min.isNaN()) return@forEachIndexed
-            if (!(least <= curve.min)) least = curve.min
-            if (!(most >= curve.max)) most = curve.max
-        }
-        limits.fit(least, most, graph.includesZero)
+        curves.forEachIndexed { index, curve -> if (isShown[index]) curve.draw(span.from, span.to, columns) }
+        axes = graphAxes(graph.series.mapIndexed { index, series -> series.unit.takeIf { isShown[index] } })
+        axes.forEachIndexed { i, axis -> for (line in axis.lines) axisOf[line] = i }
+        val now = look()
+        limits = axisLimits(axes, axes.map { wholeOf(it, now) }, now.yRange, now.rightYRange)
+    }
+
+    private fun wholeOf(axis: GraphAxis, now: BoardGraph): Span {
+        val own = axis.lines.map { SeenOfUnit(axis.unit, curves[it].min, curves[it].max) }
+        val shared = if (now.sharesY) scene.sharedY.seen(axis.unit) else null
+        val seen = shared ?: seenTogether(own)[axis.unit]
+        return limitsFor(seen?.least ?: Double.NaN, seen?.most ?: Double.NaN, graph.includesZero)
     }
 
     override fun style(plot: UPlot) {
@@ -79,17 +92,20 @@ internal class LineContent(
         }
     }
 
-    override fun draw(context: CanvasRenderingContext2D, frame: PlotFrame) = Unit
+    override fun draw(context: CanvasRenderingContext2D, frame: PlotFrame) {
+        val right = axes.indexOfFirst { it.side == AxisSide.RIGHT }
+        if (right >= 0) drawRightAxis(context, frame, axes[right], limits[right], palette)
+    }
 
     override fun heightAt(index: Int, x: Double): Double {
         val series = graph.series[index]
         val sample = series.indexAt(x)
         if (!isShown[index] || sample < 0) return Double.NaN
-        return (limits.to - series.data.y[sample]) / (limits.to - limits.from)
+        val shown = limits[axisOf[index]]
+        return (shown.to - series.data.y[sample]) / shown.width
     }
 
     private companion object {
-        const val HEIGHT = 190
         const val LINE_WIDTH = 1.5
         const val DOT_RADIUS = 2.5
         const val LONE_RADIUS = 1.0

@@ -71,6 +71,9 @@ internal class Plot(
     /** Gives back the canvas. */
     fun remove() = uPlot.destroy()
 
+    /** What the axis at the left shows. */
+    private val left: Span get() = content.limits.firstOrNull() ?: Span(0.0, 1.0)
+
     private fun prepare() {
         val pixels = maxOf(1, ((width - GUTTER - RIGHT) * window.devicePixelRatio).toInt())
         if (columns.count != pixels) columns = PixelColumns(pixels)
@@ -80,8 +83,7 @@ internal class Plot(
     private fun frameOf(plot: UPlot): PlotFrame {
         val now = scene.range.now
         val box = plot.bbox
-        val limits = content.limits
-        return PlotFrame(box.left, box.top, box.width, box.height, now.from, now.to, limits.from, limits.to)
+        return PlotFrame(box.left, box.top, box.width, box.height, now.from, now.to)
     }
 
     private fun draw(plot: UPlot) {
@@ -100,30 +102,32 @@ internal class Plot(
         "select" to json("show" to false),
         "scales" to json(
             "x" to json("time" to false, "range" to { arrayOf(scene.range.now.from, scene.range.now.to) }),
-            "y" to json("range" to { arrayOf(content.limits.from, content.limits.to) }),
+            "y" to json("range" to { arrayOf(left.from, left.to) }),
         ),
         "series" to (listOf<dynamic>(json()) + lines).toTypedArray(),
         "axes" to arrayOf(
             axis("x", X_AXIS_HEIGHT) { plot -> Ticks.ofX(scene.range.now, plot.bbox.width / window.devicePixelRatio) },
             axis("y", GUTTER) { plot ->
-                Ticks.ofY(Span(content.limits.from, content.limits.to), plot.bbox.height / window.devicePixelRatio)
+                Ticks.ofY(left, plot.bbox.height / window.devicePixelRatio)
             },
         ),
         "hooks" to json("draw" to arrayOf(::draw), "setSize" to arrayOf(onSize)),
     )
 
     private fun axis(scale: String, size: Int, ticksOf: (UPlot) -> Ticks): dynamic {
-        val hasTicks = scale == "x" || content.hasYAxis
+        fun hasTicks() = scale == "x" || content.axes.isNotEmpty()
         return json(
             "scale" to scale,
             "size" to size,
             "gap" to 6,
             "font" to "11px system-ui, -apple-system, \"Segoe UI\", Roboto, sans-serif",
-            "stroke" to { scene.palette[Shade.MUTED] },
-            "grid" to json("show" to hasTicks, "stroke" to { scene.palette[Shade.GRID] }, "width" to 1),
+            "stroke" to {
+                if (scale == "y" && content.axes.size > 1) axisColor(content.axes[0], scene.palette) else scene.palette[Shade.MUTED]
+            },
+            "grid" to json("show" to true, "stroke" to { scene.palette[Shade.GRID] }, "width" to 1),
             "ticks" to json("show" to false),
-            "splits" to { plot: UPlot -> if (hasTicks) ticksOf(plot).values.toTypedArray() else emptyArray() },
-            "values" to { plot: UPlot -> if (hasTicks) ticksOf(plot).texts.toTypedArray() else emptyArray() },
+            "splits" to { plot: UPlot -> if (hasTicks()) ticksOf(plot).values.toTypedArray() else emptyArray() },
+            "values" to { plot: UPlot -> if (hasTicks()) ticksOf(plot).texts.toTypedArray() else emptyArray() },
         )
     }
 

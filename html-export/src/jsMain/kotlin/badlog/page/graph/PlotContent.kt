@@ -2,7 +2,7 @@ package badlog.page.graph
 
 import badlog.analysis.PixelColumns
 import badlog.analysis.Span
-import badlog.plot.axis.YLimits
+import badlog.plot.axis.GraphAxis
 import org.w3c.dom.CanvasRenderingContext2D
 
 /** What a plot shows inside its frame: lines, or lanes of states. */
@@ -10,11 +10,11 @@ internal interface PlotContent {
     /** How tall the plot is with its axis, in CSS pixels. */
     val height: Int
 
-    /** The part of the y axis to show; settled by [prepare]. */
-    val limits: YLimits
+    /** The axes of y, the one at the left first, none where y means nothing; settled by [prepare], as [limits] are. */
+    val axes: List<GraphAxis>
 
-    /** Whether y means something, so that an axis says what. */
-    val hasYAxis: Boolean
+    /** The part of y that each of [axes] shows. */
+    val limits: List<Span>
 
     /** The lines that uPlot draws, as its options; [frameOf] gives the place on the canvas. */
     fun lines(frameOf: (UPlot) -> PlotFrame): List<dynamic>

@@ -3,22 +3,15 @@ package badlog.page.graph
 import badlog.analysis.Span
 import badlog.plot.curve.Scale
 
-/** Where x and y of a plot stand on its canvas. */
-internal class PlotFrame(
-    val left: Double,
-    val top: Double,
-    val width: Double,
-    val height: Double,
-    xFrom: Double,
-    xTo: Double,
-    yFrom: Double,
-    yTo: Double,
-) {
+/** Where a plot stands on its canvas. */
+internal class PlotFrame(val left: Double, val top: Double, val width: Double, val height: Double, xFrom: Double, xTo: Double) {
     val x: Scale = Scale.ofX(Span(xFrom, xTo), width, left)
-    val y: Scale = Scale.ofY(Span(yFrom, yTo), height, top)
     val right: Double get() = left + width
     val bottom: Double get() = top + height
 
-    /** The pixel of 0, or of the edge nearest to it: where a filled area ends. */
-    val baseline: Double get() = y.placeOf(0.0).coerceIn(top, bottom)
+    /** Where [shown] stands, which fills the frame. */
+    fun scaleOf(shown: Span): Scale = Scale.ofY(shown, height, top)
+
+    /** The pixel of 0 on [y], or of the edge nearest to it: where a filled area ends. */
+    fun baselineOf(y: Scale): Double = y.placeOf(0.0).coerceIn(top, bottom)
 }

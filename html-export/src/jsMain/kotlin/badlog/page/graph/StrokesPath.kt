@@ -5,17 +5,17 @@ import badlog.plot.curve.Strokes
 import org.w3c.dom.Path2D
 import kotlin.math.PI
 
-/** [strokes] on the canvas, as uPlot takes them: the lines, and the area between them and 0 when it [isFilled]. */
-internal fun strokesPath(strokes: Strokes, frame: PlotFrame, isFilled: Boolean): dynamic {
+/** [strokes] on the canvas, as uPlot takes them: the lines, and the area between them and [baseline] where there is one. */
+internal fun strokesPath(strokes: Strokes, baseline: Double?): dynamic {
     val line = Path2D()
-    val area = if (isFilled) Path2D() else null
+    val area = if (baseline != null) Path2D() else null
     val points = strokes.points
     for (i in 0 until strokes.count) {
         var at = strokes.startOf(i)
         val end = strokes.endOf(i)
         // One that stands alone is a dot.
         if (end - at == 2) continue
-        area?.moveTo(points[at], frame.baseline)
+        area?.moveTo(points[at], baseline ?: 0.0)
         area?.lineTo(points[at], points[at + 1])
         line.moveTo(points[at], points[at + 1])
         at += 2
@@ -24,7 +24,7 @@ internal fun strokesPath(strokes: Strokes, frame: PlotFrame, isFilled: Boolean):
             area?.lineTo(points[at], points[at + 1])
             at += 2
         }
-        area?.lineTo(points[end - 2], frame.baseline)
+        area?.lineTo(points[end - 2], baseline ?: 0.0)
         area?.closePath()
     }
     return json("stroke" to line, "fill" to area, "clip" to null, "flags" to 0)

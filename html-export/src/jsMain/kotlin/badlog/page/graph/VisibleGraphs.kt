@@ -59,6 +59,14 @@ internal class VisibleGraphs(private val scene: Scene) {
         part(card)
     }
 
+    /** What draws [element]; null where that is not a graph. */
+    fun cardAt(element: Element): GraphCard? = cardOf[element]
+
+    /** Shows of each graph whether it is on the board. */
+    fun updatePins() {
+        for (card in near) card.updatePin()
+    }
+
     /** Draws everything again where it is. */
     fun redraw() {
         for (card in near) card.redraw()
@@ -73,6 +81,7 @@ internal class VisibleGraphs(private val scene: Scene) {
         near += card
         card.approach()
         card.refresh()
+        card.updatePin()
     }
 
     private fun part(card: GraphCard) {

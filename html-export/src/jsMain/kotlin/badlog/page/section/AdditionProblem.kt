@@ -1,6 +1,7 @@
 package badlog.page.section
 
 import badlog.html.protocol.PageAdditions
+import badlog.page.embedded.GivenLayout
 import badlog.page.formula.Formulas
 
 /**
@@ -11,12 +12,13 @@ import badlog.page.formula.Formulas
  */
 internal class AdditionProblem(val message: String, val pointer: String? = null)
 
-/** All that is wrong with [additions], which are null when they cannot be read, and with what [formulas] were to calculate. */
-internal fun additionProblems(formulas: Formulas, additions: PageAdditions?): List<AdditionProblem> {
+/** All that is wrong with [additions], which are null when they cannot be read, with [layout], and with what [formulas] were to calculate. */
+internal fun additionProblems(formulas: Formulas, additions: PageAdditions?, layout: GivenLayout): List<AdditionProblem> {
     val problems = ArrayList<AdditionProblem>()
     if (additions == null) {
         problems += AdditionProblem("This browser cannot read the findings and calculations in this page; try another one.")
     }
+    layout.problem?.let { problems += AdditionProblem(it) }
     for (error in formulas.errors) {
         val kind = if (error.text in formulas.own) "Your formula" else "A formula of this page"
         problems += AdditionProblem("$kind cannot be calculated: ${error.message}", error.pointed().substringAfter('\n'))

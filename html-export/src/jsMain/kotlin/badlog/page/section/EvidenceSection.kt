@@ -11,7 +11,7 @@ import badlog.page.dom.showText
 import badlog.page.graph.GraphCard
 import badlog.page.graph.VisibleGraphs
 import badlog.page.view.Scene
-import badlog.page.view.graphOf
+import badlog.page.view.graphsOf
 import badlog.page.view.word
 import badlog.plot.board.Board
 import badlog.plot.board.evidenceBoard
@@ -48,6 +48,7 @@ internal class EvidenceSection(
     private lateinit var next: HTMLElement
     private lateinit var body: HTMLElement
     private lateinit var offers: HTMLElement
+    private lateinit var keep: HTMLElement
 
     val element: HTMLElement = element("section", "evidence card") {
         id = "evidence"
@@ -60,7 +61,10 @@ internal class EvidenceSection(
                 number = add("span", "unit") { setAttribute("role", "status") }
                 addIconButton("evidence-next", Icon.BACK, "The next one") { onStep(1) }
             }
-            add("div", "graph-tools") { addIconButton("", Icon.CLOSE, "Close the evidence (Escape)") { close() }.id = "close-evidence" }
+            add("div", "graph-tools") {
+                keep = addIconButton("", Icon.PIN, "Keep these graphs on the board") { keep() }.apply { id = "keep-evidence" }
+                addIconButton("", Icon.CLOSE, "Close the evidence (Escape)") { close() }.id = "close-evidence"
+            }
         }
         text = add("p", "evidence-text")
         next = add("p", "evidence-text incident-next")
@@ -96,6 +100,15 @@ internal class EvidenceSection(
         element.isHidden = true
     }
 
+    /** Moves its graphs to the board. */
+    private fun keep() {
+        val kept = board.graphs
+        draw(Board())
+        scene.board.change { withGraphs(kept.filterNot(::has)) }
+        keep.isHidden = true
+        offers.textContent = ""
+    }
+
     private fun draw(wanted: Board) {
         if (!wanted.showsSame(board)) {
             board = wanted
@@ -105,12 +118,15 @@ internal class EvidenceSection(
             }
             cards.clear()
             for (spec in board.graphs) {
-                val card = GraphCard(graphOf(spec, scene.view), scene, height = spec.height)
-                body.appendChild(card.element)
-                graphs.add(card)
-                cards += card
+                for ((graph, lines) in graphsOf(spec, scene.board.lines)) {
+                    val card = GraphCard(graph, scene, look = spec, lines = lines)
+                    body.appendChild(card.element)
+                    graphs.add(card)
+                    cards += card
+                }
             }
         }
+        keep.isHidden = board.graphs.isEmpty()
         offers.textContent = ""
         for (offer in evidenceOffers(scene.view, signals, board)) {
             offers.addButton("text-button", "+ ${offer.label}", offer.topics.joinToString()) {

@@ -25,8 +25,13 @@ import org.w3c.dom.HTMLElement
  * cursor to its time, and shows what is around it. Hidden while there is nothing to show.
  *
  * @param onVisit is called when a person was taken to a place, perhaps as a part of an incident.
+ * @param onPin is called when a person wants to keep the graphs that show a finding.
  */
-internal class FindingList(private val scene: Scene, private val onVisit: (FindingPlace<Finding>, Incident?) -> Unit) {
+internal class FindingList(
+    private val scene: Scene,
+    private val onVisit: (FindingPlace<Finding>, Incident?) -> Unit,
+    private val onPin: (Finding, Incident?) -> Unit,
+) {
     private var all = emptyList<Finding>()
     private var haystacks = emptyList<String>()
     private var incidents = emptyList<Incident>()
@@ -139,7 +144,10 @@ internal class FindingList(private val scene: Scene, private val onVisit: (Findi
     private fun showIncidents() {
         incidentList.textContent = ""
         val shown = incidents.filter { it.isFoundBy(query) }
-        for (incident in shown) incidentList.appendChild(incidentRow(incident, decimals) { visit(firstPlaceOf(it), incident) })
+        for (incident in shown) {
+            val pin = { onPin(incident.sentences.first().finding, incident) }
+            incidentList.appendChild(incidentRow(incident, decimals, pin) { visit(firstPlaceOf(it), incident) })
+        }
         incidentList.isHidden = shown.isEmpty()
     }
 
@@ -164,7 +172,7 @@ internal class FindingList(private val scene: Scene, private val onVisit: (Findi
             listed = 0
         }
         for (finding in found.subList(listed, until)) {
-            val row = findingRow(finding, decimals) { visit(firstPlaceOf(it)) }
+            val row = findingRow(finding, decimals, { onPin(it, incidentOf(it)) }) { visit(firstPlaceOf(it)) }
             rows[finding] = row
             body.appendChild(row)
         }
@@ -182,7 +190,9 @@ internal class FindingList(private val scene: Scene, private val onVisit: (Findi
 
     private fun firstPlaceOf(finding: Finding) = FindingPlace(finding, finding.severity, finding.places[0])
 
-    private fun visit(place: FindingPlace<Finding>, incident: Incident? = incidents.find { place.finding in it }) {
+    private fun incidentOf(finding: Finding): Incident? = incidents.find { finding in it }
+
+    private fun visit(place: FindingPlace<Finding>, incident: Incident? = incidentOf(place.finding)) {
         scene.visited = place
         scene.zoomTo(place.span.from, place.span.to)
         val index = found.indexOf(place.finding)

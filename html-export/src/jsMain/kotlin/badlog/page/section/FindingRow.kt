@@ -1,7 +1,9 @@
 package badlog.page.section
 
+import badlog.page.dom.Icon
 import badlog.page.dom.add
 import badlog.page.dom.addButton
+import badlog.page.dom.addIconButton
 import badlog.page.dom.element
 import badlog.page.view.end
 import badlog.page.view.isPlaced
@@ -13,23 +15,26 @@ import org.w3c.dom.HTMLElement
 /**
  * One finding as a row: its severity, its time with so many [decimals], what found it, and its text.
  *
+ * @param pin is called when a person wants to keep the graphs that show it.
  * @param go is called when a person wants to see the place.
  */
-internal fun findingRow(finding: Finding, decimals: Int, go: (Finding) -> Unit): HTMLElement = element("li", "finding") {
-    add("span", "severity is-${finding.word}", finding.word)
-    if (finding.isPlaced) {
-        addButton("event-go", timeText(finding, decimals), "Show what is around it") { go(finding) }
-    } else {
-        add("span", "finding-whole", "whole log")
+internal fun findingRow(finding: Finding, decimals: Int, pin: (Finding) -> Unit, go: (Finding) -> Unit): HTMLElement =
+    element("li", "finding") {
+        add("span", "severity is-${finding.word}", finding.word)
+        if (finding.isPlaced) {
+            addButton("event-go", timeText(finding, decimals), "Show what is around it") { go(finding) }
+        } else {
+            add("span", "finding-whole", "whole log")
+        }
+        add("span", "finding-text") {
+            add("span", "finding-source", finding.rule)
+            add("span", "", finding.text)
+        }
+        if (finding.evidence.isNotEmpty()) addIconButton("pin", Icon.PIN, "Put what shows it on the board") { pin(finding) }
+        if (finding.isPlaced) {
+            addEventListener("click", { if (it.target.asDynamic().closest("button") == null) go(finding) })
+        }
     }
-    add("span", "finding-text") {
-        add("span", "finding-source", finding.rule)
-        add("span", "", finding.text)
-    }
-    if (finding.isPlaced) {
-        addEventListener("click", { if (it.target.asDynamic().closest("button") == null) go(finding) })
-    }
-}
 
 private fun timeText(finding: Finding, decimals: Int): String {
     val start = fixedText(finding.time, decimals)

@@ -56,12 +56,12 @@ internal class FolderList(
         return hits
     }
 
-    /** Adds [graph] to its folder, which is made if need be and opened, and brings it into sight. */
-    fun add(graph: Graph): GraphCard {
+    /** Adds [graph] to its folder, which is made if need be, and where it [isWanted] now opens that and brings it into sight. */
+    fun add(graph: Graph, isWanted: Boolean = true): GraphCard {
         val section = own.find { it.folder.name == graph.folder } ?: newSection(graph.folder)
         val card = GraphCard(graph, scene, origin(graph))
         section.add(card)
-        section.reveal(card.element)
+        if (isWanted) section.reveal(card.element)
         return card
     }
 

@@ -1,7 +1,9 @@
 package badlog.page.section
 
+import badlog.page.dom.Icon
 import badlog.page.dom.add
 import badlog.page.dom.addButton
+import badlog.page.dom.addIconButton
 import badlog.page.dom.element
 import badlog.page.view.isPlaced
 import badlog.plot.search.Query
@@ -14,26 +16,29 @@ import org.w3c.dom.HTMLElement
  * An incident as a row: how bad it is, then each of its sentences with the time of what shows it, with so many [decimals], and what to
  * look at next.
  *
+ * @param pin is called when a person wants to keep the graphs that show it.
  * @param go is called when a person wants to see the place of a finding.
  */
-internal fun incidentRow(incident: Incident, decimals: Int, go: (Finding) -> Unit): HTMLElement = element("li", "incident") {
-    val word = incident.severity.name.lowercase()
-    add("span", "severity is-$word", word)
-    add("div", "incident-text") {
-        for (sentence in incident.sentences) {
-            add("p") {
-                val finding = sentence.finding
-                if (finding.isPlaced) {
-                    addButton("event-go", fixedText(finding.time, decimals), "Show what is around it") { go(finding) }
-                } else {
-                    add("span", "finding-whole", "whole log")
+internal fun incidentRow(incident: Incident, decimals: Int, pin: () -> Unit, go: (Finding) -> Unit): HTMLElement =
+    element("li", "incident") {
+        val word = incident.severity.name.lowercase()
+        add("span", "severity is-$word", word)
+        add("div", "incident-text") {
+            for (sentence in incident.sentences) {
+                add("p") {
+                    val finding = sentence.finding
+                    if (finding.isPlaced) {
+                        addButton("event-go", fixedText(finding.time, decimals), "Show what is around it") { go(finding) }
+                    } else {
+                        add("span", "finding-whole", "whole log")
+                    }
+                    add("span", "", sentence.text)
                 }
-                add("span", "", sentence.text)
             }
+            if (incident.next.isNotEmpty()) add("p", "incident-next", "Next: ${incident.next}")
         }
-        if (incident.next.isNotEmpty()) add("p", "incident-next", "Next: ${incident.next}")
+        addIconButton("pin", Icon.PIN, "Put what shows it on the board", pin)
     }
-}
 
 /** Whether [query] finds [this] by what is said of it. */
 internal fun Incident.isFoundBy(query: Query): Boolean =

@@ -1,5 +1,6 @@
 package badlog.page.section
 
+import badlog.page.board.BoardKeys
 import badlog.page.formula.FormulaDialog
 import badlog.page.view.Scene
 import badlog.plot.gesture.Action
@@ -13,6 +14,7 @@ internal class Keyboard(
     private val search: SearchBox,
     private val findings: FindingList,
     private val evidence: EvidenceSection,
+    private val board: BoardKeys,
     private val formulas: FormulaDialog,
     private val help: HelpOverlay,
 ) {
@@ -21,12 +23,14 @@ internal class Keyboard(
     }
 
     private fun press(event: KeyboardEvent) {
-        if (event.ctrlKey || event.metaKey || event.altKey || isTyping(event)) return
-        when (event.key) {
-            "/" -> search.focus()
-            "?" -> help.toggle()
-            "Escape" -> escape()
-            else -> perform(Action.of(LABELS[event.key] ?: event.key.uppercaseLetter(), event.shiftKey) ?: return)
+        if (isTyping(event)) return
+        val ctrl = event.ctrlKey || event.metaKey
+        val isPlain = !ctrl && !event.altKey
+        when {
+            isPlain && event.key == "/" -> search.focus()
+            isPlain && event.key == "?" -> help.toggle()
+            isPlain && event.key == "Escape" -> escape()
+            else -> perform(Action.of(LABELS[event.key] ?: event.key.uppercaseLetter(), event.shiftKey, ctrl, event.altKey) ?: return)
         }
         if (event.key != "Escape") event.preventDefault()
     }
@@ -49,7 +53,7 @@ internal class Keyboard(
         Action.NEW_FORMULA -> formulas.open()
         Action.NEXT_FINDING -> findings.step(1)
         Action.PREVIOUS_FINDING -> findings.step(-1)
-        else -> Unit
+        Action.PIN, Action.MOVE_UP, Action.MOVE_DOWN, Action.NEXT_HEIGHT, Action.UNDO, Action.REDO -> board.perform(action)
     }
 
     private fun step(count: Int) {
@@ -71,7 +75,7 @@ internal class Keyboard(
 
     private companion object {
         /** What stands on keys that a browser calls otherwise. */
-        val LABELS = mapOf("ArrowLeft" to "←", "ArrowRight" to "→", "=" to "+", "−" to "-")
+        val LABELS = mapOf("ArrowLeft" to "←", "ArrowRight" to "→", "ArrowUp" to "↑", "ArrowDown" to "↓", "=" to "+", "−" to "-")
         val TYPING = setOf("INPUT", "SELECT", "TEXTAREA")
     }
 }

@@ -2,6 +2,10 @@ package badlog.page.section
 
 import badlog.analysis.LogView
 import badlog.html.protocol.PageAdditions
+import badlog.page.board.BoardDrag
+import badlog.page.board.BoardKeys
+import badlog.page.board.BoardSection
+import badlog.page.board.TopicDialog
 import badlog.page.dom.Icon
 import badlog.page.dom.add
 import badlog.page.dom.addButton
@@ -10,17 +14,28 @@ import badlog.page.dom.bringIntoSight
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.embedded.About
+import badlog.page.embedded.GivenLayout
 import badlog.page.formula.FormulaDialog
 import badlog.page.formula.Formulas
 import badlog.page.graph.VisibleGraphs
 import badlog.page.rules.RuleSearch
 import badlog.page.view.Hits
+import badlog.page.view.PageBoard
 import badlog.page.view.Scene
 import badlog.page.view.timelineOf
+import badlog.plot.board.Board
+import badlog.plot.board.BoardLayout
+import badlog.plot.board.BoardLines
+import badlog.plot.board.boardOfLarge
+import badlog.plot.board.evidenceBoard
+import badlog.plot.board.fittedTo
+import badlog.plot.formula.nameIn
 import badlog.plot.search.Query
+import badlog.plot.text.countText
 import badlog.plot.timeline.FindingPlace
 import badlog.rules.Finding
 import badlog.rules.incident.Incident
+import badlog.rules.incident.evidenceOf
 import badlog.rules.incident.incidentsIn
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
@@ -30,13 +45,17 @@ internal class LogPage(
     private val formulas: Formulas,
     private val about: About,
     additions: PageAdditions?,
+    layout: GivenLayout,
     downloads: Downloads,
     theme: ThemeSwitch,
 ) {
     private val additions = additions ?: PageAdditions()
     private val view = formulas.view
     private val embeddedFindings = this.additions.findings + this.additions.hooks.flatMap { it.findings }
-    private val scene = Scene(view, theme.palette).apply { findings = timelineOf(embeddedFindings) }
+    private val signals = this.additions.rules.signals
+    private val hookGraphs = this.additions.hooks.flatMap { folderOf(it).graphs }
+    private val board = PageBoard(about.fileKey, linesNow())
+    private val scene = Scene(view, theme.palette, board).apply { findings = timelineOf(embeddedFindings) }
     private val folders = FolderList(view, scene, about.fileKey, this.additions.hooks) { graph ->
         if (formulas.formulaOf(graph) == null) "" else "formula"
     }
@@ -53,15 +72,15 @@ internal class LogPage(
         }
     }
     private val ways = listOf(search.element, navigation.choice, eventsLink.element, formulaButton)
-    private val zoomBar = ZoomBar(scene, ways)
+    private val link = PageLink(scene, formulas, ::addFormulas, ::goWith)
+    private val zoomBar = ZoomBar(scene, ways, link.element)
     private val help = HelpOverlay()
     private val graphs = VisibleGraphs(scene)
-    private val findings = FindingList(scene, ::showEvidence)
-    private val evidence = EvidenceSection(scene, graphs, this.additions.rules.signals, findings::stepWithin)
-    private val timeLink = TimeLink(scene) { time ->
-        showAnyGraph()
-        findings.visitAt(time)
-    }
+    private val findings = FindingList(scene, ::showEvidence, ::pinEvidence)
+    private val evidence = EvidenceSection(scene, graphs, signals, findings::stepWithin)
+    private val topicDialog = TopicDialog(board)
+    private val layouts = LayoutButtons(about.name, scene.notice, ::layoutNow, ::open)
+    private val boardSection = BoardSection(scene, graphs, topicDialog, layouts.element)
     private val nothingFound = element("p", "nothing-found", "Nothing matches. Escape clears the search.")
 
     private lateinit var content: HTMLElement
@@ -77,10 +96,11 @@ internal class LogPage(
     val element: HTMLElement = element("div", "log-page") {
         addButton("skip", "Skip to the graphs") { skip() }
         appendChild(pageHeader(scene, about, formulas.logged.recording, tools))
-        appendChild(ProblemStrip(view, additionProblems(formulas, additions)).element)
+        appendChild(ProblemStrip(view, additionProblems(formulas, additions, layout)).element)
         appendChild(findings.element)
         appendChild(zoomBar.element)
         appendChild(evidence.element)
+        appendChild(boardSection.element)
         add("div", "columns") {
             appendChild(navigation.list)
             content = add("div", "content") {
@@ -91,17 +111,21 @@ internal class LogPage(
         }
         appendChild(help.element)
         appendChild(formulaDialog.element)
+        appendChild(topicDialog.element)
+        appendChild(scene.notice.element)
     }
 
     init {
         nothingFound.isHidden = true
-        Keyboard(scene, search, findings, evidence, formulaDialog, help)
+        board.begin { layout.board ?: boardOfLarge(view, signals) ?: Board() }
+        BoardDrag(board, graphs, boardSection)
+        Keyboard(scene, search, findings, evidence, BoardKeys(board, graphs, boardSection), formulaDialog, help)
     }
 
     /** Draws the graphs, and goes to the time that the address names; to be called when [element] is on the page. */
     fun start() {
-        graphs.start(folders.cards)
-        timeLink.start()
+        graphs.start(boardSection.cards + folders.cards)
+        link.start()
     }
 
     /** Runs the rules that the page carries over [logged], the recording with the exporter's formulas; to be called once all is drawn. */
@@ -113,7 +137,7 @@ internal class LogPage(
                 scene.findings = timelineOf(found.findings + embeddedFindings)
                 findings.show(found.skipped, additions.rules.incidentsIn(found.findings, additions.differences))
                 // What the address names is known only now.
-                if (!scene.range.isZoomed) timeLink.follow()
+                link.followAgain()
                 // Into the graphs that are there: somebody may be dragging over one.
                 if (found.findings.isNotEmpty()) {
                     graphs.redraw()
@@ -147,7 +171,43 @@ internal class LogPage(
     private fun addFormula(definition: String) {
         search.clear()
         graphs.add(folders.add(formulas.add(definition)))
+        board.lines = linesNow()
         navigation.list()
+    }
+
+    /** Adds those of [definitions], which a link or a layout has, that can be calculated here. */
+    private fun addFormulas(definitions: List<String>) {
+        for (definition in definitions) {
+            if (formulas.mistakeIn(definition) == null) graphs.add(folders.add(formulas.add(definition), isWanted = false))
+        }
+        if (definitions.isEmpty()) return
+        board.lines = linesNow()
+        navigation.list()
+    }
+
+    private fun linesNow() = BoardLines(formulas.view, hookGraphs)
+
+    private fun layoutNow() = BoardLayout(board.now, scene.range.now.takeIf { scene.range.isZoomed }, formulas.own)
+
+    private fun open(opened: BoardLayout) {
+        addFormulas(opened.formulas)
+        val fitted = opened.board?.fittedTo { board.lines[it] != null }
+        board.change { fitted?.board ?: boardOfLarge(view, signals) ?: Board() }
+        opened.visible?.let { wanted -> scene.range.change { showing(wanted.from, wanted.to) } }
+        scene.notice.say(fitted?.sentence ?: "Opened the layout.")
+        boardSection.bringIntoSight()
+    }
+
+    private fun goWith(time: Double, linked: Board?) {
+        if (linked != null) return boardSection.bringIntoSight()
+        showAnyGraph()
+        findings.visitAt(time)
+    }
+
+    private fun pinEvidence(finding: Finding, incident: Incident?) {
+        val shown = evidenceBoard(view, incident.evidenceOf(finding), signals).graphs.filterNot(board.now::has)
+        board.change { withGraphs(shown) }
+        scene.notice.say("${countText(shown.size, "graph")} put on the board.")
     }
 
     private fun changeFormula(from: String, to: String) {
@@ -156,6 +216,9 @@ internal class LogPage(
         for (definition in users + from) takeAway(definition)
         formulas.replace(from, to)
         for (definition in users + to) graphs.add(folders.add(formulas.graphOf(definition)))
+        board.lines = linesNow()
+        val names = nameIn(from) to nameIn(to)
+        names.second?.let { now -> board.change { renamed(names.first.orEmpty(), now) } }
         navigation.list()
     }
 
@@ -167,6 +230,8 @@ internal class LogPage(
     private fun removeFormula(definition: String) {
         takeAway(definition)
         formulas.remove(definition)
+        nameIn(definition)?.let { name -> board.change { withoutSignal(name) } }
+        board.lines = linesNow()
         navigation.list()
     }
 
@@ -175,14 +240,17 @@ internal class LogPage(
     }
 
     private fun skip() {
-        val first = folders.cards.firstOrNull { it.element.getBoundingClientRect().height > 0 } ?: return
+        val first = (boardSection.cards + folders.cards).firstOrNull { it.element.getBoundingClientRect().height > 0 } ?: return
         first.element.bringIntoSight()
         first.focus()
     }
 
     /** Scrolls to the first graph where none is on the screen, so that the cursor is seen. */
     private fun showAnyGraph() {
-        val boxes = folders.cards.map { it.element to it.element.getBoundingClientRect() }.filter { it.second.height > 0 }
+        val boxes = (boardSection.cards + folders.cards).map { it.element to it.element.getBoundingClientRect() }.filter {
+            it.second.height >
+                0
+        }
         if (boxes.any { (_, box) -> box.bottom > MIN_VISIBLE && box.top < window.innerHeight - MIN_VISIBLE }) return
         boxes.firstOrNull()?.first?.bringIntoSight()
     }

@@ -57,7 +57,7 @@ internal class Overview(private val scene: Scene) {
         marks.width = width.toInt()
         marks.height = height.toInt()
         val context = marks.getContext("2d").unsafeCast<CanvasRenderingContext2D>()
-        val frame = PlotFrame(0.0, 0.0, width, height, full.from, full.to, 0.0, 1.0)
+        val frame = PlotFrame(0.0, 0.0, width, height, full.from, full.to)
         drawFindingMarks(context, frame, scene, full)
         drawEventMarks(context, frame, scene, full)
     }

@@ -13,14 +13,16 @@ import badlog.page.view.Scene
 import badlog.page.view.shortFindingText
 import badlog.page.view.textNear
 import badlog.page.view.word
+import badlog.plot.address.PageAddress
 import org.w3c.dom.HTMLElement
 
 /**
  * What is visible, where the cursor is and what happened there, always in sight.
  *
  * @param ways lead to parts of the page.
+ * @param link copies a link to what is seen.
  */
-internal class ZoomBar(private val scene: Scene, ways: List<HTMLElement>) {
+internal class ZoomBar(private val scene: Scene, ways: List<HTMLElement>, link: HTMLElement) {
     private val overview = Overview(scene)
     private lateinit var range: HTMLElement
     private lateinit var width: HTMLElement
@@ -44,6 +46,7 @@ internal class ZoomBar(private val scene: Scene, ways: List<HTMLElement>) {
                 }
             }
             add("div", "zoom-buttons") {
+                appendChild(link)
                 addIconButton("", Icon.MINUS, "Zoom out (−)") { zoom(-1) }.id = "zoom-out"
                 addIconButton("", Icon.PLUS, "Zoom in (+)") { zoom(1) }.id = "zoom-in"
                 back = addIconButton("", Icon.BACK, "Previous view (Backspace)") { scene.range.change { back() } }
@@ -79,7 +82,7 @@ internal class ZoomBar(private val scene: Scene, ways: List<HTMLElement>) {
         event.isHidden = true
         if (!scene.cursor.isPlaced) return
         cursor.showText(scene.xText(x))
-        cursor.setAttribute("href", TimeLink.to(x))
+        cursor.setAttribute("href", PageAddress(moment = x).toText())
         val findings = scene.newsAt(x)
         event.className = "event-readout" + if (findings.isEmpty()) "" else " is-${findings[0].word}"
         if (findings.isNotEmpty()) {

@@ -1,12 +1,17 @@
 package badlog.page.view
 
 import badlog.analysis.Graph
-import badlog.analysis.LogView
 import badlog.plot.board.BoardGraph
+import badlog.plot.board.BoardLines
 
-/** What [spec] shows of [view], which has at least one of its lines. */
-internal fun graphOf(spec: BoardGraph, view: LogView): Graph {
-    val topics = view.recording.topics.associateBy { it.name }
-    val lines = spec.lines.mapNotNull { name -> topics[name]?.let(view::seriesOf) }
-    return Graph(spec.title, lines[0].unit, isVirtual = false, spec.isFilled, spec.includesZero, lines)
+/**
+ * The graphs that draw [spec], each with what a board calls its lines, as far as [lines] has them: numbers first, then states, which cannot
+ * share a frame with them.
+ */
+internal fun graphsOf(spec: BoardGraph, lines: BoardLines): List<Pair<Graph, List<String>>> {
+    val found = spec.lines.mapNotNull { name -> lines[name]?.let { name to it } }
+    return found.partition { (_, line) -> line.states == null }.toList().filter { it.isNotEmpty() }.map { part ->
+        val series = part.map { it.second }
+        Graph(spec.title, series[0].unit, isVirtual = false, spec.isFilled, spec.includesZero, series) to part.map { it.first }
+    }
 }

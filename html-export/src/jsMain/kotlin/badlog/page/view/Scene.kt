@@ -13,8 +13,8 @@ import badlog.plot.timeline.FindingPlace
 import badlog.plot.timeline.FindingTimeline
 import badlog.rules.Finding
 
-/** What all parts of the page share: the recording, what was found in it, what of it is seen, and the cursor. */
-internal class Scene(val view: LogView, val palette: Palette) {
+/** What all parts of the page share: the recording, what was found in it, what of it is seen, the cursor, and the [board]. */
+internal class Scene(val view: LogView, val palette: Palette, val board: PageBoard) {
     val xAxis: XAxis = view.xAxis
     val events: EventTimeline = EventTimeline.of(view.folders.flatMap { it.eventLogs })
 
@@ -25,6 +25,8 @@ internal class Scene(val view: LogView, val palette: Palette) {
     var visited: FindingPlace<Finding>? = null
     val range: VisibleRange = VisibleRange(Viewport.of(xAxis.range))
     val cursor: Cursor = Cursor(xAxis.clocks)
+    val sharedY: SharedY = SharedY(board, range)
+    val notice: Notice = Notice()
 
     /** When the robot was enabled. */
     val enabled: List<EnabledSpan> by lazy { view.enabledSpans() }

@@ -77,8 +77,15 @@ private fun formulasOrNull(text: String): List<String>? {
     return if (null in read) null else read.filterNotNull().distinct()
 }
 
-private fun withoutPercents(text: String): String = PERCENT.replace(text) { it.groupValues[1].toInt(HEXADECIMAL).toChar().toString() }
-
 // Only what has one byte: other characters are never written here.
-private val PERCENT = Regex("%([0-7][0-9A-Fa-f])")
+private fun withoutPercents(text: String): String {
+    val parts = text.split('%')
+    return parts.drop(1).joinToString("", parts[0]) { part ->
+        val code = part.take(DIGITS).takeIf { it.length == DIGITS }?.toIntOrNull(HEXADECIMAL)?.takeIf { it in 0..LAST_ASCII }
+        if (code == null) "%$part" else code.toChar() + part.drop(DIGITS)
+    }
+}
+
 private const val HEXADECIMAL = 16
+private const val DIGITS = 2
+private const val LAST_ASCII = 0x7f

@@ -62,7 +62,11 @@ public data class Board(public val graphs: List<BoardGraph> = emptyList()) {
     public fun renamed(before: String, name: String): Board = copy(
         graphs = graphs.map { graph ->
             fun nameNow(line: String) = if (line == before) name else line
-            graph.copy(title = nameNow(graph.title), lines = graph.lines.map(::nameNow).distinct(), hidden = graph.hidden.mapTo(HashSet(), ::nameNow))
+            graph.copy(
+                title = nameNow(graph.title),
+                lines = graph.lines.map(::nameNow).distinct(),
+                hidden = graph.hidden.mapTo(HashSet(), ::nameNow),
+            )
         },
     )
 
@@ -102,7 +106,20 @@ public data class Board(public val graphs: List<BoardGraph> = emptyList()) {
             graphs = graphs.flatMap { graph ->
                 if (graph.id != id || graph.lines.size < 2) return@flatMap listOf(graph)
                 graph.lines.mapIndexed { i, line ->
-                    graph.copy(id = if (i == 0) id else first + i, title = line, lines = listOf(line), yRange = null, rightYRange = null, hidden = emptySet())
+                    graph.copy(
+                        id = if (i ==
+                            0
+                        ) {
+                            id
+                        } else {
+                            first + i
+                        },
+                        title = line,
+                        lines = listOf(line),
+                        yRange = null,
+                        rightYRange = null,
+                        hidden = emptySet(),
+                    )
                 }
             },
         )

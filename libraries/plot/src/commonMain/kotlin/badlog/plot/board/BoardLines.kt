@@ -27,7 +27,8 @@ public class BoardLines(private val view: LogView, others: List<Graph> = emptyLi
 }
 
 /** Whether [topic] is a line: texts are marks in every graph, and what is empty is nothing. */
-internal fun isDrawable(topic: Topic): Boolean = topic.kind != TopicKind.EMPTY && topic.kind != TopicKind.EVENT && "log" !in topic.attributes
+internal fun isDrawable(topic: Topic): Boolean =
+    topic.kind != TopicKind.EMPTY && topic.kind != TopicKind.EVENT && "log" !in topic.attributes
 
 /** What a board calls the lines of this graph, in their order. */
 public val Graph.lineNames: List<String> get() = series.map { if (it.isDerived) name else it.topic.name }

@@ -26,7 +26,11 @@ public fun evidenceBoard(view: LogView, evidence: List<String>, vocabulary: Sign
     val groups = numbers.groupBy(::unitOf).values.map { it.take(MAX_LINES) }
     val lanes = listOf(states.take(MAX_LANES)).filter { it.isNotEmpty() }
     val shown = groups.take(MAX_GRAPHS - lanes.size) + lanes
-    return Board(shown.mapIndexed { i, group -> BoardGraph(i + 1, titleOf(group), group.map { it.topic.name }, height = GraphHeight.SMALL.pixels) })
+    return Board(
+        shown.mapIndexed { i, group ->
+            BoardGraph(i + 1, titleOf(group), group.map { it.topic.name }, height = GraphHeight.SMALL.pixels)
+        },
+    )
 }
 
 /** The name of a line alone, the folder of several, or the names of the first ones. */

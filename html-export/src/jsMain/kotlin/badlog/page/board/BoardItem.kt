@@ -1,0 +1,58 @@
+package badlog.page.board
+
+import badlog.page.dom.Icon
+import badlog.page.dom.addIconButton
+import badlog.page.dom.element
+import badlog.page.graph.GraphCard
+import badlog.page.view.Scene
+import badlog.page.view.graphsOf
+import badlog.plot.board.BoardGraph
+import badlog.plot.board.BoardLines
+import org.w3c.dom.HTMLElement
+
+/**
+ * A graph of the board: a card for its numbers and one for its states, as far as it has both.
+ *
+ * @param onMenu is called with the button of its menu.
+ */
+internal class BoardItem(spec: BoardGraph, private val scene: Scene, private val onMenu: (BoardItem, HTMLElement) -> Unit) {
+    private val lines: BoardLines = scene.board.lines
+
+    /** What it shows now. */
+    var spec: BoardGraph = spec
+        private set
+
+    private lateinit var menuButton: HTMLElement
+
+    /** What draws it. */
+    val cards: List<GraphCard> = graphsOf(spec, lines).map { (graph, names) ->
+        GraphCard(graph, scene, look = spec, lines = names) { look -> scene.board.change { with(look) } }
+    }
+
+    val element: HTMLElement = element("div", "board-graph") {
+        setAttribute("data-id", spec.id.toString())
+        for (card in cards) appendChild(card.element)
+        cards.first().tools.apply {
+            menuButton = addIconButton("graph-menu", Icon.MORE, "What to do with this graph") { openMenu() }
+            menuButton.setAttribute("aria-haspopup", "menu")
+            menuButton.setAttribute("aria-expanded", "false")
+            addIconButton("pin", Icon.PIN, "Take off the board (P)") { scene.board.change { without(spec.id) } }
+                .setAttribute("aria-pressed", "true")
+        }
+    }
+
+    /** Opens what may be done with it. */
+    fun openMenu() = onMenu(this, menuButton)
+
+    /** Whether it can show [other] without being made anew. */
+    fun fits(other: BoardGraph): Boolean = lines === scene.board.lines &&
+        other.copy(yRange = null, rightYRange = null, sharesY = false, hidden = emptySet()) ==
+        spec.copy(yRange = null, rightYRange = null, sharesY = false, hidden = emptySet())
+
+    /** Shows [wanted], which [fits]. */
+    fun show(wanted: BoardGraph) {
+        if (wanted == spec) return
+        spec = wanted
+        for (card in cards) card.show(wanted)
+    }
+}

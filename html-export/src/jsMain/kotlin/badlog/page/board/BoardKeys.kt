@@ -1,0 +1,40 @@
+package badlog.page.board
+
+import badlog.page.graph.GraphCard
+import badlog.page.graph.VisibleGraphs
+import badlog.page.view.PageBoard
+import badlog.plot.board.Board
+import badlog.plot.board.GraphHeight
+import badlog.plot.gesture.Action
+import kotlinx.browser.document
+
+/** What keys do with the board, and with the graph that has the focus of the keys or is below the mouse. */
+internal class BoardKeys(private val board: PageBoard, private val graphs: VisibleGraphs, private val section: BoardSection) {
+    /** Does what [action] asks for, where it is about the board. */
+    fun perform(action: Action) {
+        when (action) {
+            Action.PIN -> graph()?.let(::pin)
+            Action.MOVE_UP -> change { moved(it, -1) }
+            Action.MOVE_DOWN -> change { moved(it, 1) }
+            Action.NEXT_HEIGHT -> change { id -> resized(id, GraphHeight.of(graphs.find { it.id == id }?.height).next.pixels) }
+            Action.UNDO -> board.undo()
+            Action.REDO -> board.redo()
+            else -> Unit
+        }
+    }
+
+    private fun pin(card: GraphCard) {
+        val own = section.itemOf(card.element) ?: return card.pin()
+        val next = section.after(own)
+        board.change { without(own.spec.id) }
+        section.focus(next)
+    }
+
+    private fun change(step: Board.(Int) -> Board) {
+        val id = graph()?.let { section.itemOf(it.element) }?.spec?.id ?: return
+        board.change { step(id) }
+    }
+
+    private fun graph(): GraphCard? = listOf(".graph:has(:focus-visible)", ".graph:hover", ".graph:focus-within")
+        .firstNotNullOfOrNull(document::querySelector)?.let(graphs::cardAt)
+}

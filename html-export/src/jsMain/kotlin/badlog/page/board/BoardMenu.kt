@@ -1,0 +1,38 @@
+package badlog.page.board
+
+import badlog.page.dom.MenuEntry
+import badlog.page.view.PageBoard
+import badlog.plot.board.BoardGraph
+import badlog.plot.board.GraphHeight
+
+/** What may be done with [graph], one of those of [board], which [item] shows; [topics] may be added to it. */
+internal fun boardMenu(board: PageBoard, graph: BoardGraph, item: BoardItem, topics: TopicDialog): List<MenuEntry> {
+    val id = graph.id
+    val others = board.now.graphs.filter { it.id != id }
+    val place = board.now.graphs.indexOfFirst { it.id == id }
+    val numbers = item.cards.firstOrNull { !it.graph.showsStates }
+    val isFixed = graph.yRange != null || graph.rightYRange != null
+    return buildList {
+        if (place > 0) add(MenuEntry("Move up") { board.change { moved(id, -1) } })
+        if (place < others.size) add(MenuEntry("Move down") { board.change { moved(id, 1) } })
+        add(MenuEntry("Add topics…") { topics.open(id) })
+        for (other in others.take(MOST)) add(MenuEntry("Add to “${other.title}”") { board.change { joined(other.id, id) } })
+        if (graph.lines.size > 1) add(MenuEntry("A graph for each line") { board.change { separated(id) } })
+        if (numbers != null) {
+            for (height in GraphHeight.entries) {
+                val label = "Height: ${height.label.lowercase()}"
+                add(MenuEntry(label, GraphHeight.of(graph.height) == height) { board.change { resized(id, height.pixels) } })
+            }
+            add(
+                MenuEntry("Fixed y limits", isFixed) {
+                    if (isFixed) board.change { withYRange(id, null) } else numbers.zoomY(0.0, 1.0)
+                },
+            )
+            add(MenuEntry("Shared y limits", graph.sharesY) { board.change { withSharedY(id, !graph.sharesY) } })
+        }
+        add(MenuEntry("Remove") { board.change { without(id) } })
+    }
+}
+
+/** So many other graphs are offered to be added to: more would not fit the screen. */
+private const val MOST = 12

@@ -1,0 +1,62 @@
+package badlog.page.dom
+
+import kotlinx.browser.document
+import kotlinx.browser.window
+import org.w3c.dom.HTMLElement
+import org.w3c.dom.Node
+import org.w3c.dom.asList
+import org.w3c.dom.events.FocusEvent
+import org.w3c.dom.events.KeyboardEvent
+
+/**
+ * Something that a menu offers.
+ *
+ * @property label what it does.
+ * @property isChecked whether it holds now; null where it is done once.
+ */
+internal class MenuEntry(val label: String, val isChecked: Boolean? = null, val action: () -> Unit)
+
+/**
+ * Opens a menu with [entries] below [button], as a child of [host], which is placed and cuts nothing off. Arrows move in it; Escape and the
+ * focus elsewhere close it.
+ */
+internal fun openMenu(button: HTMLElement, host: HTMLElement, entries: List<MenuEntry>) {
+    val menu = element("div", "menu card") { setAttribute("role", "menu") }
+    fun close() {
+        button.setAttribute("aria-expanded", "false")
+        menu.remove()
+    }
+    for (entry in entries) {
+        menu.addButton("", entry.label) {
+            close()
+            button.focus()
+            entry.action()
+        }.apply {
+            setAttribute("role", if (entry.isChecked == null) "menuitem" else "menuitemcheckbox")
+            entry.isChecked?.let { setAttribute("aria-checked", it.toString()) }
+        }
+    }
+    menu.addEventListener("keydown", { event ->
+        val items = menu.children.asList().map { it.unsafeCast<HTMLElement>() }
+        val at = items.indexOfFirst { it == document.activeElement }
+        when (event.unsafeCast<KeyboardEvent>().key) {
+            "ArrowDown" -> items[(at + 1) % items.size].focus()
+            "ArrowUp" -> items[(at + items.size - 1) % items.size].focus()
+            "Home" -> items.first().focus()
+            "End" -> items.last().focus()
+            "Escape" -> button.focus()
+            "Tab", "Enter", " " -> return@addEventListener event.stopPropagation()
+            else -> return@addEventListener
+        }
+        event.preventDefault()
+        event.stopPropagation()
+    })
+    menu.addEventListener("focusout", { event ->
+        val next = event.unsafeCast<FocusEvent>().relatedTarget.unsafeCast<Node?>()
+        // A press beside it gives the focus to nothing.
+        if (next == null || !menu.contains(next)) window.setTimeout({ if (!menu.contains(document.activeElement)) close() }, 0)
+    })
+    button.setAttribute("aria-expanded", "true")
+    host.appendChild(menu)
+    menu.children.asList().first().unsafeCast<HTMLElement>().focus()
+}

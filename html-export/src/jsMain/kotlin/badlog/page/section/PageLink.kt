@@ -1,0 +1,100 @@
+package badlog.page.section
+
+import badlog.page.dom.Icon
+import badlog.page.dom.addIconButton
+import badlog.page.dom.element
+import badlog.page.formula.Formulas
+import badlog.page.view.Scene
+import badlog.plot.address.PageAddress
+import badlog.plot.address.pageAddressOf
+import badlog.plot.board.Board
+import badlog.plot.board.fittedTo
+import kotlinx.browser.document
+import kotlinx.browser.window
+import org.w3c.dom.HTMLElement
+import org.w3c.dom.HTMLTextAreaElement
+import kotlin.js.Promise
+
+/**
+ * What the page's address asks for, see [PageAddress]: done when the page opens, and when the address changes. And the button that copies an
+ * address that asks for what is seen now.
+ *
+ * @param onFormulas is called with the formulas of an address.
+ * @param onJump is called with the time to which the cursor was taken, and with the board that was shown, if any.
+ */
+internal class PageLink(
+    private val scene: Scene,
+    private val formulas: Formulas,
+    private val onFormulas: (List<String>) -> Unit,
+    private val onJump: (Double, Board?) -> Unit,
+) {
+    /** What was asked for, for as long as the reader has not looked elsewhere. */
+    private var followed: PageAddress? = null
+
+    val element: HTMLElement = element("div", "copy-link") {
+        addIconButton("", Icon.LINK, "Copy a link to this time, range and board") { copy() }.id = "copy-link"
+    }
+
+    /** Begins to follow the address. */
+    fun start() {
+        follow()
+        window.addEventListener("hashchange", { follow() })
+    }
+
+    /** Goes where the address goes once more, unless the reader has looked elsewhere: what is found there is known only now. */
+    fun followAgain() {
+        val address = followed ?: return
+        val isThere = if (address.visible == null) !scene.range.isZoomed else address.visible == scene.range.now
+        if (address.board == null && isThere) go(address)
+    }
+
+    private fun follow() {
+        val address = pageAddressOf(window.location.hash)
+        followed = address
+        onFormulas(address.formulas)
+        val board = address.board?.fittedTo { scene.board.lines[it] != null }
+        board?.let { scene.board.visit(it.board) }
+        go(address)
+        scene.notice.say(*(address.problems + listOfNotNull(board?.sentence)).toTypedArray())
+    }
+
+    private fun go(address: PageAddress) {
+        address.moment?.let(scene::goTo)
+        if (address.moment != null || address.board != null) onJump(address.moment ?: Double.NaN, address.board)
+        address.visible?.let { range -> scene.range.change { showing(range.from, range.to) } }
+    }
+
+    private fun copy() {
+        val address = PageAddress(
+            moment = scene.cursor.x.takeIf { scene.cursor.isPlaced },
+            visible = scene.range.now.takeIf { scene.range.isZoomed },
+            board = scene.board.now.takeIf { it.graphs.isNotEmpty() }?.renumbered(),
+            formulas = formulas.own,
+        )
+        val link = window.location.href.substringBefore('#') + address.toText()
+        // Where it can be copied by hand, too.
+        try {
+            window.history.replaceState(null, "", link)
+        } catch (_: Throwable) {
+            // Pages in some frames have no address of their own.
+        }
+        val copied = try {
+            window.navigator.asDynamic().clipboard.writeText(link).unsafeCast<Promise<Unit>>()
+        } catch (_: Throwable) {
+            Promise.reject(IllegalStateException())
+        }
+        copied.then({ true }, { copyBySelection(link) })
+            .then { scene.notice.say(if (it) "Link copied." else "Copy the link from the address bar.") }
+    }
+
+    /** As pages can that may not use the clipboard. */
+    private fun copyBySelection(link: String): Boolean {
+        val area = element("textarea").unsafeCast<HTMLTextAreaElement>()
+        area.value = link
+        document.body?.appendChild(area)
+        area.select()
+        val isCopied = document.asDynamic().execCommand("copy") == true
+        area.remove()
+        return isCopied
+    }
+}

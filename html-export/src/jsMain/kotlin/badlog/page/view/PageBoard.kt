@@ -1,0 +1,71 @@
+package badlog.page.view
+
+import badlog.page.dom.LocalStorage
+import badlog.plot.board.Board
+import badlog.plot.board.BoardException
+import badlog.plot.board.BoardHistory
+import badlog.plot.board.BoardLines
+import badlog.plot.board.boardOfJson
+import badlog.plot.board.fittedTo
+import badlog.plot.board.toJson
+
+/**
+ * The graphs that the reader put together, which the browser remembers for the file.
+ *
+ * @param lines all that may be drawn.
+ */
+internal class PageBoard(fileKey: String, lines: BoardLines) {
+    private val key = "board:$fileKey"
+    private var history = BoardHistory()
+    private val listeners = ArrayList<() -> Unit>()
+
+    /** All that may be drawn; others when formulas have changed. */
+    var lines: BoardLines = lines
+        set(value) {
+            field = value
+            show(history)
+        }
+
+    /** What is shown: the board as far as there are lines for it. */
+    var now: Board = Board()
+        private set
+
+    val canUndo: Boolean get() = history.canUndo
+    val canRedo: Boolean get() = history.canRedo
+
+    /** Calls [listener] after each change. */
+    fun onChange(listener: () -> Unit) {
+        listeners += listener
+    }
+
+    /** Begins with what the browser remembers, else with [board]. */
+    fun begin(board: () -> Board) = show(BoardHistory(remembered() ?: board()))
+
+    /** Does [step], which can be undone, and remembers what comes of it. */
+    fun change(step: Board.() -> Board) = keep(history.changed(now.step()))
+
+    /** Shows [board], which somebody else has sent: the reader's own comes back by undoing, and is remembered until something is changed. */
+    fun visit(board: Board) = show(history.changed(board))
+
+    fun undo() = keep(history.undone())
+
+    fun redo() = keep(history.redone())
+
+    private fun keep(changed: BoardHistory) {
+        if (changed === history) return
+        show(changed)
+        LocalStorage[key] = history.now.toJson()
+    }
+
+    private fun show(changed: BoardHistory) {
+        history = changed
+        now = changed.now.fittedTo { lines[it] != null }.board
+        for (listener in listeners) listener()
+    }
+
+    private fun remembered(): Board? = try {
+        LocalStorage[key]?.let(::boardOfJson)
+    } catch (_: BoardException) {
+        null
+    }
+}
