@@ -23,6 +23,7 @@ import badlog.file.UnreadableFileException
 import badlog.file.requireRegularFile
 import badlog.html.ExportException
 import badlog.html.HtmlExporter
+import badlog.html.layoutFor
 import badlog.html.protocol.PageAdditions
 import badlog.report.HookFailureJson
 import badlog.report.SkippedJson
@@ -68,7 +69,9 @@ internal class ExportTask(
         val code = LogLoop("export", console, isJson).run(paths) { input, progress ->
             val rules = if (named == null) rulesBeside(input.file, console) else null
             val all = rules?.rules ?: checkNotNull(named).rules.with(signalsBeside(input.file))
-            val additions = PageAdditions(search.virtualTopics, all, rules?.problem)
+            val layout = layoutFor(input.file, all.signals)
+            layout.problem?.let { if (layoutProblems.add(it)) console.warn(it) }
+            val additions = PageAdditions(search.virtualTopics, all, rules?.problem, layout = layout.text)
             // Only what looks for something here reads a log before it is in a page.
             if (hooks.isEmpty()) return@run export(exporter, input, additions, rules, PageFindings.NONE, refused, progress)
             val found = PageFindings.of(input.file, hooks) { done, total -> progress.advanced(done, total * 2) }
@@ -77,6 +80,7 @@ internal class ExportTask(
         return if (search.neverAsked(refused).any { it.isMistake }) ExitCode.USAGE else code
     }
 
+    private val layoutProblems = HashSet<String>()
     private val rulesOfFolder = HashMap<Path, FolderRules>()
 
     private fun rulesBeside(log: Path, console: Console): FolderRules = rulesOfFolder.getOrPut(log.toAbsolutePath().normalize().parent) {
@@ -94,7 +98,7 @@ internal class ExportTask(
     ): Outcome {
         val name = "${input.file.fileName}.html"
         val target = plan.place(input, name, name)
-        val additions = own.run { PageAdditions(virtualTopics, rules, rulesProblem, hooks = hookParts(found.hooks)) }
+        val additions = own.run { PageAdditions(virtualTopics, rules, rulesProblem, hooks = hookParts(found.hooks), layout = layout) }
         val report = try {
             exporter.export(input.file, target, additions, progress)
         } catch (e: ExportException.NotARecording) {
@@ -125,7 +129,9 @@ internal class ExportTask(
             "hookFailures" to JsonArray(found.failures.map { (hook, failure) -> jsonOf(HookFailureJson(hook, failure.message)) }),
             "problems" to JsonArray(report.recording.problems.map { json(it) }),
         )
-        val isIncomplete = found.failures.isNotEmpty() || found.unreadable != null || folder?.problem != null || reported.isNotEmpty()
+        val isIncomplete =
+            found.failures.isNotEmpty() || found.unreadable != null || folder?.problem != null || reported.isNotEmpty() ||
+                layoutProblems.isNotEmpty()
         return Outcome(report.recording.isSalvaged || isIncomplete, text.joinToString("\n"), json)
     }
 }

@@ -95,6 +95,23 @@ class ExportSpec : FunSpec({
         }
     }
 
+    test("a page begins with the layout beside its log; a mistake in it is reported, and the page is made without it") {
+        inFolder { folder ->
+            val log = folder.with("a.bag", BAG)
+            folder.with("default.badlog-layout.json", """{"badlog-layout":1,"graphs":[{"title":"Ours","lines":["Speed"]}]}""")
+            badlog("export", log).code shouldBe ExitCode.WHOLE
+            additionsIn(folder / "a.bag.html") shouldContain "Ours"
+            badlog("report", log, "--out", folder / "report", "--no-cache").code shouldBe ExitCode.WHOLE
+            additionsIn(folder / "report/a.html") shouldContain "Ours"
+            folder.with("default.badlog-layout.json", """{"badlog-layout":1,"graphs":[{"title":"Ours"}]}""")
+            for (ended in listOf(badlog("export", log, "--force"), badlog("report", log, "--out", folder / "report", "--no-cache"))) {
+                ended.code shouldBe ExitCode.SALVAGED
+                ended.err shouldContain "default.badlog-layout.json is not used: The graphs are damaged: graph 1 has no list of “lines”"
+            }
+            additionsIn(folder / "a.bag.html") shouldNotContain "Ours"
+        }
+    }
+
     test("the hooks of rules that lie beside a log are never run") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)

@@ -28,13 +28,14 @@ internal fun saveGraphImage(graph: Graph, scene: Scene, isShown: BooleanArray, p
     context.fillText(graph.name + if (unit.isEmpty()) "" else " ($unit)", MARGIN, TITLE_LINE)
     context.font = "12px system-ui, sans-serif"
     var x = MARGIN
-    graph.series.forEachIndexed { index, series ->
+    val names = legendNames(graph)
+    names.forEachIndexed { index, name ->
         if (!isShown[index] || graph.showsStates) return@forEachIndexed
         context.fillStyle = scene.palette.line(index)
         context.fillRect(x, LEGEND_LINE - SWATCH, SWATCH, SWATCH)
         context.fillStyle = scene.palette[Shade.MUTED]
-        context.fillText(series.name, x + SWATCH + 4, LEGEND_LINE)
-        x += SWATCH + 4 + context.measureText(series.name).width + MARGIN
+        context.fillText(name, x + SWATCH + 4, LEGEND_LINE)
+        x += SWATCH + 4 + context.measureText(name).width + MARGIN
     }
     context.restore()
     context.drawImage(picture, 0.0, HEAD * ratio)

@@ -13,6 +13,7 @@ import badlog.plot.cursor.indexAt
 import badlog.plot.cursor.textOf
 import badlog.plot.text.exactText
 import badlog.plot.text.roundedText
+import badlog.plot.text.shortNames
 import badlog.plot.text.unitText
 import org.w3c.dom.HTMLElement
 
@@ -24,6 +25,7 @@ import org.w3c.dom.HTMLElement
 internal class Legend(private val graph: Graph, private val onToggle: (Int) -> Unit) {
     // The title says it already where a graph has but one line.
     val element: HTMLElement = element("div", if (graph.series.size == 1) "legend is-single" else "legend")
+    private val names = legendNames(graph)
     private val values = ArrayList<HTMLElement>()
     private val units = ArrayList<HTMLElement>()
     private val entries = graph.series.mapIndexed { index, series -> addEntry(index, series) }
@@ -32,7 +34,7 @@ internal class Legend(private val graph: Graph, private val onToggle: (Int) -> U
         element.addButton("legend-entry", "", "${series.topic.name} – press to hide or show this line") { onToggle(index) }.apply {
             setAttribute("data-series", series.name)
             add("span", "swatch line-${index % LINE_COLORS}")
-            add("bdi", "legend-name", series.name)
+            add("bdi", "legend-name", names[index])
             values += add("span", "value")
             units += add("bdi", "unit graph-unit")
         }
@@ -58,3 +60,6 @@ internal class Legend(private val graph: Graph, private val onToggle: (Int) -> U
     private fun valueAt(series: GraphSeries, x: Double): String =
         series.textOf(series.indexAt(x)) { if (graph.isVirtual) roundedText(it) else exactText(it) }
 }
+
+/** What the lines of [graph] are called where they stand together. */
+internal fun legendNames(graph: Graph): List<String> = shortNames(graph.series.map { if (it.isDerived) it.name else it.topic.name })

@@ -24,6 +24,7 @@ internal class StatisticsTable(private val graph: Graph, private val scene: Scen
                 add("th", "", "Line")
                 for (statistic in Statistic.entries) add("th", "", statistic.title).title = statistic.hint
             }
+            val names = legendNames(graph)
             add("tbody") {
                 graph.series.forEachIndexed { index, series ->
                     val statistics = scene.view.statisticsOf(series, now.from, now.to)
@@ -31,7 +32,7 @@ internal class StatisticsTable(private val graph: Graph, private val scene: Scen
                         add("th") {
                             setAttribute("scope", "row")
                             add("span", "swatch line-${index % LINE_COLORS}")
-                            add("span", "", series.name)
+                            add("span", "", names[index])
                         }
                         for (statistic in Statistic.entries) {
                             val isCount = statistic.isCount

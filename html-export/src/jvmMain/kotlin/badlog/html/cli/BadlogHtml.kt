@@ -4,6 +4,7 @@ import badlog.html.ExportException
 import badlog.html.ExportReport
 import badlog.html.HtmlExporter
 import badlog.html.checkReadable
+import badlog.html.layoutFor
 import badlog.html.protocol.PageAdditions
 import badlog.recording.Severity
 import badlog.rules.FolderRules
@@ -42,6 +43,7 @@ internal class BadlogHtml(
     private var failed = 0
     private var skipped = 0
     private val rulesOfFolder = HashMap<Path, FolderRules>()
+    private val layoutProblems = HashSet<String>()
 
     /** Does what [arguments] ask for. To be called once. */
     fun run(arguments: List<String>): ExitCode = when (val parsed = ArgumentParser().parse(arguments)) {
@@ -67,7 +69,10 @@ internal class BadlogHtml(
         if (arguments.opensPage) openNewest(jobs)
         return when {
             made.isEmpty() -> ExitCode.NOTHING
-            failed > 0 || rulesOfFolder.values.any { it.problem != null } || made.any { it.recording.isSalvaged } -> ExitCode.SALVAGED
+
+            failed > 0 || rulesOfFolder.values.any { it.problem != null } || layoutProblems.isNotEmpty() ||
+                made.any { it.recording.isSalvaged } -> ExitCode.SALVAGED
+
             else -> ExitCode.WHOLE
         }
     }
@@ -76,9 +81,11 @@ internal class BadlogHtml(
         val rules = rulesOfFolder.getOrPut(job.input.toAbsolutePath().normalize().parent) {
             FolderRules.of(job.input).also { rules -> rules.problem?.lines()?.forEach { err.println(printable(it)) } }
         }
+        val layout = layoutFor(job.input, rules.rules.signals)
+        layout.problem?.let { if (layoutProblems.add(it)) err.println(printable(it)) }
         // A page without rules still has to know when the robot was enabled.
-        if (!arguments.hasRules) return PageAdditions(rules = RuleSet.NONE.with(rules.rules.signals))
-        return PageAdditions(rules = rules.rules, rulesProblem = rules.problem)
+        if (!arguments.hasRules) return PageAdditions(rules = RuleSet.NONE.with(rules.rules.signals), layout = layout.text)
+        return PageAdditions(rules = rules.rules, rulesProblem = rules.problem, layout = layout.text)
     }
 
     private fun make(job: ExportJob, additions: () -> PageAdditions, export: Export, bar: ProgressBar) {

@@ -3,6 +3,7 @@ package badlog.html.cli
 import badlog.file.LogName
 import badlog.html.PAGE_START
 import badlog.html.reading
+import badlog.plot.board.BoardLayout
 import badlog.text.freeName
 import java.io.IOException
 import java.nio.file.Files
@@ -38,6 +39,8 @@ internal class ExportPlan(private val arguments: Arguments) {
 
     private fun isPage(path: Path) = PAGES.any { path.toString().endsWith(it, ignoreCase = true) }
 
+    private fun isLayout(path: Path) = path.toString().endsWith(BoardLayout.ENDING, ignoreCase = true)
+
     private fun beginsAsPage(path: Path) = try {
         Files.newInputStream(path).use { it.readNBytes(PAGE_START.length) }.decodeToString() == PAGE_START
     } catch (_: IOException) {
@@ -46,7 +49,7 @@ internal class ExportPlan(private val arguments: Arguments) {
     }
 
     private fun logsIn(folder: Path): List<Input> = reading(folder) {
-        Files.newDirectoryStream(folder) { Files.isRegularFile(it) && !Files.isHidden(it) && !isPage(it) }
+        Files.newDirectoryStream(folder) { Files.isRegularFile(it) && !Files.isHidden(it) && !isPage(it) && !isLayout(it) }
             .use { files -> files.sortedBy { it.fileName }.map { Input(it, isFound = true) } }
     }
 

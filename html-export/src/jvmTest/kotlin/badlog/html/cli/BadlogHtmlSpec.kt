@@ -78,6 +78,36 @@ class BadlogHtmlSpec : FunSpec({
         }
     }
 
+    test("a page begins with the layout beside its log, by the type of its match; a mistake in it is said once, and leaves nothing out") {
+        inFolder { folder ->
+            val layouts = ArrayList<String?>()
+            val export: Export = { input, page, additions, progress ->
+                layouts += additions.layout
+                HtmlExporter().export(input, page, additions, progress)
+            }
+            fun made(): String {
+                val err = ByteArrayOutputStream()
+                BadlogHtml(PrintStream(ByteArrayOutputStream()), PrintStream(err), false, { export }) { true }.run(listOf("$folder"))
+                return err.toString()
+            }
+            folder.with("a.bag")
+            folder.with("b.bag", BAG.replace("\"values\":[", "\"values\":[{\"name\":\"Match Type\",\"value\":\"Practice\"},"))
+            val all = (folder / "default.badlog-layout.json").apply { writeText("""{"badlog-layout":1,"graphs":[]}""") }
+            val practice = (folder / "practice.badlog-layout.json").apply { writeText("""{"badlog-layout":1,"formulas":[]}""") }
+            made() shouldBe ""
+            layouts shouldContainExactly listOf(all.readText(), practice.readText())
+            all.writeText("""{"badlog-layout":1,"graphs":[7]}""")
+            practice.writeText("no")
+            layouts.clear()
+            val said = made().lines().filter { it.isNotEmpty() }
+            said shouldContainExactly listOf(
+                "The layout $all is not used: The graphs are damaged: graph 1 is not an object; select a file that badlog has saved.",
+                "The layout $practice is not used: It is not a layout, or is damaged; select a file that badlog has saved.",
+            )
+            layouts shouldContainExactly listOf(null, null)
+        }
+    }
+
     test("an output is one by its ending, whether it exists or not") {
         inFolder { folder ->
             folder.with("a.bag")

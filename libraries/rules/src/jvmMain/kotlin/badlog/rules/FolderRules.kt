@@ -1,7 +1,5 @@
 package badlog.rules
 
-import java.io.IOException
-import java.nio.charset.CharacterCodingException
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -21,10 +19,11 @@ public class FolderRules private constructor(public val rules: RuleSet, public v
          * [SignalsFile.NAME] says what else topics are called. The hooks that rules name are never run: they may have come with the logs.
          */
         public fun of(log: Path, top: Path? = null): FolderRules {
-            val folders = foldersOf(log.toAbsolutePath().normalize(), top?.toAbsolutePath()?.normalize())
-            val signals = nearest(folders, SignalsFile.NAME) { SignalsFile.parse(it) }
+            fun <T> nearest(name: String, parse: (String) -> T) =
+                NearestFile.of(log, top, { it.resolve(name).takeIf(Files::isRegularFile) }, parse)
+            val signals = nearest(SignalsFile.NAME) { SignalsFile.parse(it) }
             val vocabulary = signals.found?.let(RuleSet.BUILT_IN.signals::with) ?: RuleSet.BUILT_IN.signals
-            val rules = nearest(folders, RulesFile.NAME) { RulesFile.parse(it, vocabulary).rules }
+            val rules = nearest(RulesFile.NAME) { RulesFile.parse(it, vocabulary).rules }
             val found = rules.found ?: if (signals.found == null) RuleSet.BUILT_IN else RuleSet.BUILT_IN.with(vocabulary)
             val problems = listOfNotNull(
                 rules.problem?.let { "The built-in rules are used instead of ${rules.file}: $it" },
@@ -32,30 +31,5 @@ public class FolderRules private constructor(public val rules: RuleSet, public v
             )
             return FolderRules(found, rules.file.takeIf { rules.found != null }, problems.joinToString("\n").ifEmpty { null })
         }
-
-        private class Nearest<T>(val file: Path?, val found: T?, val problem: String?)
-
-        private fun <T> nearest(folders: Sequence<Path>, name: String, parse: (String) -> T): Nearest<T> {
-            val file = folders.map { it.resolve(name) }.firstOrNull(Files::isRegularFile) ?: return Nearest(null, null, null)
-            val problem = try {
-                if (Files.size(file) <= MAX_BYTES) return Nearest(file, parse(Files.readString(file)), null)
-                "It is larger than 1 MB; take out what does not belong there."
-            } catch (e: RulesException) {
-                e.message
-            } catch (_: CharacterCodingException) {
-                "It is not in UTF-8; save it so in your editor."
-            } catch (_: IOException) {
-                "It cannot be read; check its permissions."
-            }
-            return Nearest(file, null, problem)
-        }
-
-        private fun foldersOf(log: Path, top: Path?): Sequence<Path> {
-            val own = log.parent ?: return emptySequence()
-            if (top == null || !own.startsWith(top)) return sequenceOf(own)
-            return generateSequence(own) { if (it == top) null else it.parent }
-        }
-
-        private const val MAX_BYTES = 1L shl 20
     }
 }

@@ -5,6 +5,7 @@ import badlog.analysis.LogView
 import badlog.analysis.Units
 import badlog.expression.signalOf
 import badlog.expression.signals.Vocabulary
+import badlog.plot.text.shortNames
 import badlog.recording.PathName
 import badlog.rules.signal.SignalTopics
 import badlog.rules.signal.SignalVocabulary
@@ -38,7 +39,7 @@ private fun titleOf(lines: List<GraphSeries>): String {
     val names = lines.map { it.topic.name }
     if (names.size == 1) return names[0]
     val folder = names.map(PathName::folderOf).distinct().singleOrNull().orEmpty()
-    val listed = names.take(MAX_NAMES).joinToString { if (folder.isEmpty()) PathName.baseNameOf(it) else it.removePrefix("$folder/") }
+    val listed = (if (folder.isEmpty()) shortNames(names) else names.map { it.removePrefix("$folder/") }).take(MAX_NAMES).joinToString()
     val title = if (names.size > MAX_NAMES) "$listed…" else listed
     return if (folder.isEmpty()) title else "$folder: $title"
 }

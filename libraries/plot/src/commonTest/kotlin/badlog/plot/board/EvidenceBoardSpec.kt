@@ -39,6 +39,6 @@ class EvidenceBoardSpec : FunSpec({
 
     test("what shows several things is named by them, wherever they are") {
         boardOf(view, listOf("A/Voltage")).graphs.single().title shouldBe "A/Voltage"
-        boardOf(view, listOf("A/Voltage", "B/Voltage")).graphs.single().title shouldEndWith "Voltage, Voltage"
+        boardOf(view, listOf("A/Voltage", "B/Voltage")).graphs.single().title shouldEndWith "A/Voltage, B/Voltage"
     }
 })

@@ -6,6 +6,7 @@ import badlog.file.UnwritableFileException
 import badlog.file.writeAtomically
 import badlog.html.ExportException
 import badlog.html.HtmlExporter
+import badlog.html.layoutFor
 import badlog.html.protocol.PageAdditions
 import badlog.report.LogReport
 import badlog.report.ReportResult
@@ -39,6 +40,10 @@ public class ReportFolder(
     private val pages = HashMap<LogReport, String>()
     private val taken = hashSetOf(INDEX)
     private val index = folder.resolve(INDEX)
+    private val problems = LinkedHashSet<String>()
+
+    /** What is wrong with the layouts that lie beside the logs whose pages were made, a sentence each. */
+    public val layoutProblems: Set<String> get() = problems
 
     /**
      * Makes sure that the index can stand there, so that nobody waits for a refusal.
@@ -62,8 +67,16 @@ public class ReportFolder(
         val defined = virtualTopics - log.undefined.mapTo(HashSet()) { it.definition }
         // A page knows its own log alone.
         val compared = log.differences
-        val additions =
-            PageAdditions(defined, rules, findings = compared.findings, hooks = hookParts(hooks), differences = compared.differences)
+        val layout = layoutFor(log.file.path, rules.signals)
+        layout.problem?.let(problems::add)
+        val additions = PageAdditions(
+            virtualTopics = defined,
+            rules = rules,
+            findings = compared.findings,
+            hooks = hookParts(hooks),
+            differences = compared.differences,
+            layout = layout.text,
+        )
         exporter.export(log.file.path, page, additions)
         pages[log] = name
         return page

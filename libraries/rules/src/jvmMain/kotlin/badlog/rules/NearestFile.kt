@@ -1,0 +1,47 @@
+package badlog.rules
+
+import java.io.IOException
+import java.nio.charset.CharacterCodingException
+import java.nio.file.Files
+import java.nio.file.Path
+
+/**
+ * A file that says something of logs, and lies in their folder or in one above.
+ *
+ * @property file it; null where there is none.
+ * @property found what it says; null where there is none, or it has a mistake.
+ * @property problem what is wrong with it and what to do, as a sentence, perhaps with the line of the mistake below it; null when all is well.
+ */
+public class NearestFile<T> internal constructor(public val file: Path?, public val found: T?, public val problem: String?) {
+    public companion object {
+        /**
+         * The file for [log] that is nearest: [inFolder] gives the one of a folder, null for none, and is asked for the log's own folder, then for those
+         * above it up to [top], which is null for the log's folder alone.
+         *
+         * @param parse reads its text; an [IllegalArgumentException] says what is wrong with that.
+         */
+        public fun <T> of(log: Path, top: Path?, inFolder: (Path) -> Path?, parse: (String) -> T): NearestFile<T> {
+            val file = foldersOf(log.toAbsolutePath().normalize(), top?.toAbsolutePath()?.normalize()).firstNotNullOfOrNull(inFolder)
+                ?: return NearestFile(null, null, null)
+            val problem = try {
+                if (Files.size(file) <= MAX_BYTES) return NearestFile(file, parse(Files.readString(file)), null)
+                "It is larger than 1 MB; take out what does not belong there."
+            } catch (e: IllegalArgumentException) {
+                e.message
+            } catch (_: CharacterCodingException) {
+                "It is not in UTF-8; save it so in your editor."
+            } catch (_: IOException) {
+                "It cannot be read; check its permissions."
+            }
+            return NearestFile(file, null, problem)
+        }
+
+        private fun foldersOf(log: Path, top: Path?): Sequence<Path> {
+            val own = log.parent ?: return emptySequence()
+            if (top == null || !own.startsWith(top)) return sequenceOf(own)
+            return generateSequence(own) { if (it == top) null else it.parent }
+        }
+
+        private const val MAX_BYTES = 1L shl 20
+    }
+}
