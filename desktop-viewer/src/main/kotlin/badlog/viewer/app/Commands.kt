@@ -1,6 +1,7 @@
 package badlog.viewer.app
 
 import androidx.compose.ui.input.key.Key
+import badlog.plot.board.GraphHeight
 import badlog.plot.gesture.Action
 import badlog.viewer.board.GraphBoard
 import badlog.viewer.export.COPY_GRAPHS
@@ -21,20 +22,46 @@ import badlog.viewer.panels.MainView
 import badlog.viewer.panels.WindowPanels
 import badlog.viewer.playback.Player
 import badlog.viewer.recording.CurrentRecording
+import badlog.viewer.topic.TopicListing
 import badlog.viewer.view.AxisView
 
 /** What the keyboard does as on an exported page. */
-internal fun actionCommands(current: CurrentRecording, view: AxisView, formulas: FormulaStore, findings: LogFindings): List<Command> =
-    Action.entries.filter { it !in OF_BOARD }.map { action ->
-        Command(action) {
-            when (action) {
-                Action.NEW_FORMULA -> formulas.write()
-                Action.NEXT_FINDING -> findings.step(1)
-                Action.PREVIOUS_FINDING -> findings.step(-1)
-                else -> move(action, current, view)
-            }
+internal fun actionCommands(
+    current: CurrentRecording,
+    view: AxisView,
+    board: GraphBoard,
+    formulas: FormulaStore,
+    findings: LogFindings,
+): List<Command> = Action.entries.map { action ->
+    Command(action) {
+        when (action) {
+            Action.NEW_FORMULA -> formulas.write()
+            Action.NEXT_FINDING -> findings.step(1)
+            Action.PREVIOUS_FINDING -> findings.step(-1)
+            in BOARD_ACTIONS -> arrange(action, board)
+            else -> move(action, current, view)
         }
     }
+}
+
+private val BOARD_ACTIONS = setOf(Action.PIN, Action.MOVE_UP, Action.MOVE_DOWN, Action.NEXT_HEIGHT, Action.UNDO, Action.REDO)
+
+/** What [action] does with the graphs, or with the one that keys are for. */
+private fun arrange(action: Action, board: GraphBoard) {
+    if (action == Action.UNDO) return board.undo()
+    if (action == Action.REDO) return board.redo()
+    val graph = board.current ?: return
+    when (action) {
+        Action.PIN -> if (board.isEvidence(graph.id)) board.keep(graph.id) else board.change { without(graph.id) }
+
+        Action.NEXT_HEIGHT -> board.change { resized(graph.id, GraphHeight.of(graph.height).next.pixels) }
+
+        else -> {
+            board.change { moved(graph.id, if (action == Action.MOVE_UP) -1 else 1) }
+            if (board.inSight?.contains(graph.id) == false) board.goTo(graph.id)
+        }
+    }
+}
 
 /** What [action] does with the cursor and the visible range. */
 private fun move(action: Action, current: CurrentRecording, view: AxisView) = when (action) {
@@ -52,9 +79,6 @@ private fun move(action: Action, current: CurrentRecording, view: AxisView) = wh
     Action.PAN_RIGHT -> view.change { panned(Action.PAN_SHARE) }
     else -> Unit
 }
-
-/** What the window does not do by keys yet. */
-private val OF_BOARD = setOf(Action.PIN, Action.MOVE_UP, Action.MOVE_DOWN, Action.NEXT_HEIGHT, Action.UNDO, Action.REDO)
 
 /** What the keyboard does with the window's parts. */
 internal fun windowCommands(panels: WindowPanels, formulas: FormulaStore, view: AxisView): List<Command> = listOf(
@@ -88,6 +112,14 @@ internal fun libraryCommands(library: Library, panels: WindowPanels, opener: Log
     Command("Logs", "Open the next log of the list", listOf(KeyPress(Key.PageDown, "Page down"))) { opener.step(1) },
     Command("Logs", "Search the logs", listOf(KeyPress(Key.Slash, "/"))) { askForSearch(library, panels) },
     Command("Logs", "All logs as a table, and back", listOf(KeyPress(Key.T, "T"))) { panels.change { toggled(MainView.LOGS) } },
+)
+
+/** What the keyboard does with the list of topics. */
+internal fun topicCommands(topics: TopicListing, panels: WindowPanels): List<Command> = listOf(
+    Command("Topics", "Search the topics; then ↓ and Enter draw one", listOf(KeyPress(Key.F, "F", ctrl = true))) {
+        panels.change { copy(topics = true, main = MainView.GRAPHS, front = FrontPart.TOPICS) }
+        topics.change { copy(searchesAsked = searchesAsked + 1) }
+    },
 )
 
 /** Puts the keyboard into the search field of the logs. */

@@ -32,6 +32,14 @@ internal class NewestLog(
     private var since = TimeSource.Monotonic.markNow()
     private var shown: Path? = null
 
+    private var keptUntil = Long.MIN_VALUE
+
+    /** Takes [file], which was shown last time, for one that was shown here: only a log written after [millis] since 1970 takes its place. */
+    fun keep(file: Path, millis: Long) {
+        shown = file
+        keptUntil = millis
+    }
+
     /** Shows it whenever there is another one, until cancelled. */
     suspend fun run() = snapshotFlow { library.state.folder }.collectLatest {
         since = TimeSource.Monotonic.markNow()
@@ -54,6 +62,7 @@ internal class NewestLog(
             else -> null
         } ?: return
         if (newest.file == shown || !mayChange()) return
+        if (current.recording != null && newest.source.modified <= keptUntil) return
         if (current.recording != null) {
             if (newest.isGray) return
             notices.say("${newest.title} is new, and is shown now.")

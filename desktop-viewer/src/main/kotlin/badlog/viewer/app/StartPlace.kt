@@ -1,5 +1,6 @@
 package badlog.viewer.app
 
+import badlog.viewer.layout.LayoutStore
 import badlog.viewer.library.Library
 import badlog.viewer.recording.RecordingLoader
 import badlog.viewer.settings.Settings
@@ -44,11 +45,20 @@ private fun pathNamed(name: String): Path? = try {
     null
 }
 
-/** Opens what [start] names, when the window begins. */
-internal fun openFirst(start: StartPlace, library: Library, loader: RecordingLoader, notices: Notices) {
+/** Opens what [start] names, when the window begins; of a folder the log that was open there last, until a newer one comes. */
+internal fun openFirst(
+    start: StartPlace,
+    library: Library,
+    layouts: LayoutStore,
+    newest: NewestLog,
+    loader: RecordingLoader,
+    notices: Notices,
+) {
     start.complaint?.let { notices.complain(it) }
     start.folder?.let { library.open(it, showsNewest = start.file == null) }
-    start.file?.let { loader.open(it) }
+    val last = if (start.file == null) start.folder?.let(layouts::lastOpenIn) else null
+    last?.let { newest.keep(it.file, it.millis) }
+    (start.file ?: last?.file)?.let { loader.open(it) }
 }
 
 /** On a Mac, a file that is double-clicked comes as a message to the program that runs already. */

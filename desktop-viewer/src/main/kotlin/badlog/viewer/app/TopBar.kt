@@ -1,6 +1,7 @@
 package badlog.viewer.app
 
 import androidx.compose.foundation.background
+import androidx.compose.foundation.isSystemInDarkTheme
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
@@ -22,7 +23,6 @@ import badlog.viewer.recording.CurrentRecording
 import badlog.viewer.settings.SettingsStore
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
-import badlog.viewer.theme.Theme
 import badlog.viewer.theme.ToolButton
 
 /** What stands along the window's top: which parts are open, what is shown, and what can be done with it by the [menus]. */
@@ -54,10 +54,9 @@ internal fun TopBar(
             panels.change { toggled(MainView.STATISTICS) }
         }
         menus()
+        val isSystemDark = isSystemInDarkTheme()
         ToolButton("Theme: ${settings.state.theme.name.lowercase()}", Icons.Sun) {
-            val themes = Theme.entries
-            val next = themes[(settings.state.theme.ordinal + 1) % themes.size]
-            settings.change { copy(theme = next) }
+            settings.change { copy(theme = theme.other(isSystemDark)) }
         }
         ToolButton("Keys and gestures", Icons.Help, isOn = open.help) {
             panels.change { copy(help = !help) }

@@ -19,6 +19,7 @@ import badlog.viewer.graph.scene.GraphScene
 import badlog.viewer.graph.scene.graphCommands
 import badlog.viewer.keyboard.Command
 import badlog.viewer.keyboard.Keyboard
+import badlog.viewer.layout.Layout
 import badlog.viewer.layout.LayoutFiles
 import badlog.viewer.layout.LayoutStore
 import badlog.viewer.library.Library
@@ -45,6 +46,7 @@ import badlog.viewer.topic.TopicListing
 import badlog.viewer.view.AxisView
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.launch
+import java.nio.file.Path
 
 /**
  * Builds the parts of a window and joins them: each is given the parts it needs, and nobody is given all. To be used on the window's
@@ -77,7 +79,7 @@ internal class Viewer(
     val layouts = LayoutStore(folders, library, current, board, view, compared, formulas, panels, notices)
     val layoutFiles = LayoutFiles(layouts, library, current, files, tasks, notices)
     val pages = PageSaver(scope, current, compared, formulas, library, files, tasks, notices)
-    val figures = FigureSaver(scope, current, compared, view, files, tasks, notices)
+    val figures = FigureSaver(scope, current, compared, view, events, findings, files, tasks, notices)
     val cuts = CutSaver(current, view, files, tasks, notices)
     val tables = TableSaver(files, tasks, notices)
     val graphs = GraphScene(current, board, view, compared, events, findings, player, settings, figures::copy)
@@ -100,9 +102,17 @@ internal class Viewer(
     val keyboard = Keyboard()
 
     /** All that the keyboard does, in the order of the help sheet. */
-    val commands: List<Command> = libraryCommands(library, panels, opener) + actionCommands(current, view, formulas, findings) +
-        graphCommands(view) + playbackCommands(player) + exportCommands(pages, figures, board) + layoutCommands(layoutFiles) +
-        windowCommands(panels, formulas, view)
+    val commands: List<Command> =
+        libraryCommands(
+            library,
+            panels,
+            opener,
+        ) + topicCommands(topics, panels) + actionCommands(current, view, board, formulas, findings) +
+            graphCommands(
+                view,
+                graphs::scroll,
+            ) + playbackCommands(player) + exportCommands(pages, figures, board) + layoutCommands(layoutFiles) +
+            windowCommands(panels, formulas, view)
 
     /** Starts what goes on by itself as long as the window is there. */
     fun start() {
@@ -124,6 +134,13 @@ internal class Viewer(
         view.show(recording.span)
         panels.change { copy(front = FrontPart.GRAPHS) }
         library.select(recording.file)
+        recording.layout.problem?.let(notices::complain)
+    }
+
+    /** Opens what was dropped onto the window: a layout, or else folders and logs. */
+    fun openDropped(paths: List<Path>) {
+        val layout = paths.firstOrNull { it.fileName.toString().endsWith(Layout.ENDING, ignoreCase = true) }
+        if (layout != null && current.recording != null) layoutFiles.open(layout) else opener.openNamed(paths)
     }
 
     private fun showGrown(recording: OpenRecording) = Snapshot.withMutableSnapshot {

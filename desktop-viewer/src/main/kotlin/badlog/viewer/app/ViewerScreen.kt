@@ -9,10 +9,10 @@ import androidx.compose.foundation.layout.fillMaxHeight
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.width
-import androidx.compose.material3.VerticalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import badlog.viewer.compare.CompareBar
 import badlog.viewer.export.ExportMenu
@@ -26,9 +26,12 @@ import badlog.viewer.library.ShownLogs
 import badlog.viewer.panels.FrontPart
 import badlog.viewer.panels.MainView
 import badlog.viewer.panels.Panels
+import badlog.viewer.settings.PaneWidths
+import badlog.viewer.settings.SettingsStore
 import badlog.viewer.statistics.StatisticsTable
 import badlog.viewer.task.StatusLines
 import badlog.viewer.theme.LocalPalette
+import badlog.viewer.theme.PaneDivider
 import badlog.viewer.theme.ViewerTheme
 import badlog.viewer.topic.TopicPane
 
@@ -37,7 +40,7 @@ import badlog.viewer.topic.TopicPane
 internal fun ViewerScreen(viewer: Viewer) = with(viewer) {
     ViewerTheme(settings.state.theme) {
         keyboard.Watch {
-            BoxWithConstraints(Modifier.fillMaxSize().acceptsFiles(opener::openNamed)) {
+            BoxWithConstraints(Modifier.fillMaxSize().acceptsFiles(::openDropped)) {
                 val isNarrow = maxWidth < NARROW
                 Column(Modifier.fillMaxSize().background(LocalPalette.current.page)) {
                     TopBar(panels, current, findings, settings, isNarrow) {
@@ -45,7 +48,7 @@ internal fun ViewerScreen(viewer: Viewer) = with(viewer) {
                         ExportMenu(current, library, compared, board, view, pages, figures, cuts)
                     }
                     Box(Modifier.weight(1f).fillMaxWidth()) {
-                        Body(panels.state, isNarrow, panesOf(viewer))
+                        Body(panels.state, isNarrow, settings, this@BoxWithConstraints.maxWidth, panesOf(viewer))
                         val open = current.recording
                         val sheet = formulas.sheet
                         if (open != null && sheet != null) FormulaDialog(formulas, sheet, open, Modifier.align(Alignment.TopCenter))
@@ -81,10 +84,10 @@ private fun panesOf(viewer: Viewer) = with(viewer) {
 }
 
 @Composable
-private fun Body(panels: Panels, isNarrow: Boolean, panes: Panes) {
+private fun Body(panels: Panels, isNarrow: Boolean, settings: SettingsStore, width: Dp, panes: Panes) {
     val all = Modifier.fillMaxSize()
     when {
-        !isNarrow -> WideBody(panels, panes)
+        !isNarrow -> WideBody(panels, settings, width, panes)
 
         panels.main != MainView.GRAPHS -> panes.main(all)
 
@@ -99,20 +102,31 @@ private fun Body(panels: Panels, isNarrow: Boolean, panes: Panes) {
 }
 
 @Composable
-private fun WideBody(panels: Panels, panes: Panes) {
+private fun WideBody(panels: Panels, settings: SettingsStore, width: Dp, panes: Panes) {
+    val hasLogs = panels.library && panels.main != MainView.LOGS
+    val hasTopics = panels.topics && panels.main == MainView.GRAPHS
+    val hasDetails = panels.inspector != null && panels.main == MainView.GRAPHS
+    val widths = settings.state.panes.within(width.value, hasLogs, hasTopics, hasDetails)
+
+    fun drag(by: PaneWidths) = settings.change {
+        // What is dragged is as wide as it is seen, which in a small window is narrower than it was wanted.
+        copy(panes = this.panes.draggedFrom(this.panes.within(width.value, hasLogs, hasTopics, hasDetails), by))
+    }
+
+    fun reset(to: PaneWidths.() -> PaneWidths) = settings.change { copy(panes = this.panes.to()) }
     Row(Modifier.fillMaxSize()) {
-        if (panels.library && panels.main != MainView.LOGS) {
-            panes.logs(Modifier.width(280.dp).fillMaxHeight())
-            VerticalDivider()
+        if (hasLogs) {
+            panes.logs(Modifier.width(widths.logs.dp).fillMaxHeight())
+            PaneDivider("Width of the logs", { drag(PaneWidths(it, 0f, 0f)) }) { reset { copy(logs = PaneWidths().logs) } }
         }
-        if (panels.topics && panels.main == MainView.GRAPHS) {
-            panes.topics(Modifier.width(240.dp).fillMaxHeight())
-            VerticalDivider()
+        if (hasTopics) {
+            panes.topics(Modifier.width(widths.topics.dp).fillMaxHeight())
+            PaneDivider("Width of the topics", { drag(PaneWidths(0f, it, 0f)) }) { reset { copy(topics = PaneWidths().topics) } }
         }
         panes.main(Modifier.weight(1f).fillMaxHeight())
-        if (panels.inspector != null && panels.main == MainView.GRAPHS) {
-            VerticalDivider()
-            panes.details(Modifier.width(320.dp).fillMaxHeight())
+        if (hasDetails) {
+            PaneDivider("Width of the panel", { drag(PaneWidths(0f, 0f, -it)) }) { reset { copy(details = PaneWidths().details) } }
+            panes.details(Modifier.width(widths.details.dp).fillMaxHeight())
         }
     }
 }

@@ -52,7 +52,7 @@ internal fun ApplicationScope.ViewerWindow(
     }
     LaunchedEffect(viewer) {
         viewer.start()
-        viewer.scope.launch { openFirst(start(viewer), viewer.library, viewer.loader, viewer.notices) }
+        viewer.scope.launch { with(viewer) { openFirst(start(this), library, layouts, newest, loader, notices) } }
         endWhenStuck(failures, isInSight = { !place.isMinimized }) {
             saveAll()
             exitApplication()

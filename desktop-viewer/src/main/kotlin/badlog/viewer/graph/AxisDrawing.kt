@@ -15,6 +15,7 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Constraints
 import androidx.compose.ui.unit.sp
 import badlog.analysis.Span
+import badlog.plot.axis.AxisSide
 import badlog.plot.axis.Ticks
 import badlog.viewer.graph.plot.PlotPicture
 import badlog.viewer.graph.plot.PlotState
@@ -38,14 +39,16 @@ internal fun YAxes(scene: GraphScene, state: PlotState, modifier: Modifier) {
             val left = GraphScene.LEFT_GUTTER.toPx()
             val right = size.width - scene.rightGutter.toPx()
             val margin = MARGIN * density
-            picture.axes.getOrNull(0)?.let { axis ->
-                drawNumbers(axis, picture, letters, styleOf(picture, 0, style, palette)) { width -> left - margin - width }
-            }
-            picture.axes.getOrNull(1)?.let { axis ->
-                drawNumbers(axis, picture, letters, styleOf(picture, 1, style, palette)) { right + margin }
+            picture.axes.forEachIndexed { index, axis ->
+                val numbers = styleOf(picture, index, style, palette)
+                when (axis.axis.side) {
+                    AxisSide.LEFT -> drawNumbers(axis, picture, letters, numbers) { width -> left - margin - width }
+                    AxisSide.RIGHT -> drawNumbers(axis, picture, letters, numbers) { right + margin }
+                    AxisSide.NONE -> Unit
+                }
             }
             picture.lanes.forEachIndexed { index, lane ->
-                val name = lane.line.signal.title.take(MAX_LETTERS)
+                val name = lane.line.title.take(MAX_LETTERS)
                 val text = letters.measure(
                     name,
                     style,
@@ -77,8 +80,9 @@ private fun DrawScope.drawNumbers(
     val last = axis.ticks.texts.lastIndex
     axis.ticks.texts.forEachIndexed { index, number ->
         // The unit stands once, at the top, where it is short enough.
-        val hasUnit = index == last && axis.unit.isNotEmpty() && number.length + axis.unit.length < MAX_WITH_UNIT
-        val text = letters.measure(if (hasUnit) "$number ${axis.unit}" else number, style)
+        val unit = axis.axis.unit
+        val hasUnit = index == last && unit.isNotEmpty() && number.length + unit.length < MAX_WITH_UNIT
+        val text = letters.measure(if (hasUnit) "$number $unit" else number, style)
         val y = axis.pixelOf(axis.ticks.values[index], picture.plotHeight) - text.size.height / 2
         // What would stand half outside moves in.
         drawText(text, topLeft = Offset(left(text.size.width), y.coerceIn(0f, maxOf(0f, picture.plotHeight - text.size.height))))

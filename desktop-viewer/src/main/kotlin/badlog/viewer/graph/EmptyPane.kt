@@ -13,6 +13,7 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.plot.board.defaultBoard
+import badlog.viewer.board.GraphBoard
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
@@ -36,9 +37,12 @@ internal fun NothingRecorded(open: OpenRecording, modifier: Modifier) {
 
 /** What stands here when a person has taken every graph away. */
 @Composable
-internal fun NoGraphs(onShowDefault: () -> Unit, modifier: Modifier) {
+internal fun NoGraphs(board: GraphBoard, open: OpenRecording, modifier: Modifier) {
     Sentence("No graphs", "Drag topics here, or start with the default graphs.", modifier) {
-        ToolButton("Show the default graphs", Icons.Graph, text = "Show the default graphs", isOn = true) { onShowDefault() }
+        ToolButton("Show the default graphs", Icons.Graph, text = "Show the default graphs", isOn = true) {
+            board.change { open.standardGraphs }
+        }
+        if (board.canUndo) ToolButton("Show the graphs of before", Icons.Undo, text = "Undo") { board.undo() }
     }
 }
 

@@ -1,5 +1,7 @@
 package badlog.viewer.graph
 
+import androidx.compose.foundation.ContextMenuArea
+import androidx.compose.foundation.ContextMenuItem
 import androidx.compose.foundation.background
 import androidx.compose.foundation.hoverable
 import androidx.compose.foundation.interaction.MutableInteractionSource
@@ -13,8 +15,11 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.semantics.contentDescription
@@ -32,6 +37,8 @@ internal fun GraphCard(scene: GraphScene, spec: BoardGraph, height: Int) {
     val palette = LocalPalette.current
     val interactions = remember { MutableInteractionSource() }
     val isHovered by interactions.collectIsHoveredAsState()
+    var isMenuOpen by remember(spec.id) { mutableStateOf(false) }
+    LaunchedEffect(isHovered) { if (isHovered) scene.board.pointed = spec.id }
     Box(
         Modifier
             .fillMaxWidth()
@@ -41,12 +48,14 @@ internal fun GraphCard(scene: GraphScene, spec: BoardGraph, height: Int) {
             .semantics { contentDescription = "Graph ${spec.title}" },
     ) {
         Column {
-            GraphHeader(
-                scene,
-                spec,
-                maxLines = if (height < ROOMY) 1 else MAX_HEADER_LINES,
-                Modifier.receivesSignals(scene) { names -> scene.board.change { withGraph(names, before = spec.id) } },
-            )
+            ContextMenuArea({ graphActions(scene, spec).flatten().map { ContextMenuItem(it.label, it.run) } }) {
+                GraphHeader(
+                    scene,
+                    spec,
+                    maxLines = if (height < ROOMY) 1 else MAX_HEADER_LINES,
+                    Modifier.receivesSignals(scene) { names -> scene.board.change { withGraph(names, before = spec.id) } },
+                )
+            }
             GraphPlot(
                 scene,
                 spec,
@@ -56,21 +65,40 @@ internal fun GraphCard(scene: GraphScene, spec: BoardGraph, height: Int) {
             )
             HorizontalDivider()
         }
-        if (isHovered || spec.yRange != null) GraphButtons(scene, spec, isHovered, Modifier.align(Alignment.TopEnd))
+        val hasButtons = isHovered || isMenuOpen
+        if (hasButtons || spec.yRange != null || spec.sharesY) {
+            GraphButtons(scene, spec, hasButtons, isMenuOpen, { isMenuOpen = it }, Modifier.align(Alignment.TopEnd))
+        }
     }
 }
 
 @Composable
-private fun GraphButtons(scene: GraphScene, spec: BoardGraph, isHovered: Boolean, modifier: Modifier) {
+private fun GraphButtons(
+    scene: GraphScene,
+    spec: BoardGraph,
+    isHovered: Boolean,
+    isMenuOpen: Boolean,
+    onMenu: (Boolean) -> Unit,
+    modifier: Modifier,
+) {
     val palette = LocalPalette.current
     Row(modifier.padding(end = 12.dp).background(palette.surface.copy(alpha = 0.9f), RoundedCornerShape(5.dp))) {
         if (spec.yRange != null) {
             ToolButton("Reset Y zoom", Icons.Reset, isOn = true) { scene.board.change { withYRange(spec.id, null) } }
         }
+        if (spec.sharesY) {
+            ToolButton("Shares its y limits; click to end that", text = "y shared", isOn = true) {
+                scene.board.change { withSharedY(spec.id, false) }
+            }
+        }
         if (isHovered) {
+            if (scene.board.isEvidence(spec.id)) {
+                ToolButton("Keep this graph on the board", Icons.Pin) { scene.board.keep(spec.id) }
+            }
             ToolButton("Copy a picture of this graph", Icons.Copy) { scene.copy(listOf(spec)) }
             ToolButton("Move up", Icons.Up) { scene.board.change { moved(spec.id, -1) } }
             ToolButton("Move down", Icons.Down) { scene.board.change { moved(spec.id, 1) } }
+            GraphMenu(scene, spec, isMenuOpen, onMenu)
             ToolButton("Remove the graph", Icons.Close) { scene.board.change { without(spec.id) } }
         }
     }

@@ -9,7 +9,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.lazy.LazyColumn
 import androidx.compose.foundation.lazy.LazyListState
 import androidx.compose.foundation.lazy.itemsIndexed
-import androidx.compose.foundation.lazy.rememberLazyListState
 import androidx.compose.foundation.rememberScrollbarAdapter
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
@@ -44,8 +43,7 @@ internal fun GraphColumn(scene: GraphScene) {
     val recordings = scene.recordings
     SideEffect { scene.plots.keep(graphs.mapTo(HashSet()) { it.id } + OVERVIEW, recordings) }
     BoxWithConstraints(Modifier.fillMaxSize().changesHeights(scene)) {
-        val scroll = rememberLazyListState()
-        ShowNewGraph(graphs, scroll)
+        val scroll = scene.list
         ShowWantedGraph(scene.board, scroll)
         val lanes = remember(graphs, scene.recordings) { graphs.map { lanesOf(it, scene) } }
         val settings = scene.settings.state
@@ -60,20 +58,6 @@ internal fun GraphColumn(scene: GraphScene) {
         EventLabel(scene)
         FindingLabel(scene, Modifier.align(Alignment.BottomStart))
         SelectionChip(scene, maxWidth)
-    }
-}
-
-/** Scrolls to a graph that was added to those that there were. */
-@Composable
-private fun ShowNewGraph(graphs: List<BoardGraph>, scroll: LazyListState) {
-    val before = remember { ArrayList(graphs) }
-    LaunchedEffect(graphs) {
-        val added = graphs - before.toSet()
-        val isAddition = before.isNotEmpty() && added.size == 1 && graphs.containsAll(before)
-        before.clear()
-        before += graphs
-        val place = graphs.indexOf(added.singleOrNull())
-        if (isAddition && scroll.layoutInfo.visibleItemsInfo.dropLast(1).none { it.index == place }) scroll.scrollToItem(place)
     }
 }
 
@@ -107,7 +91,7 @@ private fun NewGraphPlace() {
 }
 
 private fun lanesOf(spec: BoardGraph, scene: GraphScene): Int {
-    val lines = drawnLines(spec, scene.recordings)
+    val lines = drawnLines(spec, scene.recordings).filter { it.signal.name !in spec.hidden }
     return if (lines.isNotEmpty() && lines.all { it.signal.states != null }) lines.size else 0
 }
 

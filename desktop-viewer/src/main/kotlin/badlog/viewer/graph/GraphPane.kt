@@ -40,7 +40,7 @@ internal fun GraphPane(scene: GraphScene, modifier: Modifier = Modifier, isOpeni
         ) {
             when {
                 open.signals.isEmpty() -> NothingRecorded(open, Modifier.fillMaxSize())
-                scene.board.state.graphs.isEmpty() -> NoGraphs({ scene.board.replace(open.standardGraphs) }, Modifier.fillMaxSize())
+                scene.board.state.graphs.isEmpty() -> NoGraphs(scene.board, open, Modifier.fillMaxSize())
                 else -> GraphColumn(scene)
             }
         }

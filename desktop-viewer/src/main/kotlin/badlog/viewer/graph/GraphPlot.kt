@@ -48,7 +48,8 @@ internal fun GraphPlot(scene: GraphScene, spec: BoardGraph, modifier: Modifier) 
         if (size.width <= 0 || size.height <= 0) {
             null
         } else {
-            PlotRequest(latest, scene.recordings, scene.view.viewport.visible, size.width, size.height, palette, density)
+            val visible = scene.view.viewport.visible
+            PlotRequest(latest, scene.recordings, visible, size.width, size.height, palette, density, scene.sharingWith(latest))
         }
     }
     Box(modifier) {

@@ -13,7 +13,10 @@ import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
+import badlog.plot.board.Board
 import badlog.plot.board.BoardGraph
+import badlog.plot.gesture.Action
+import badlog.viewer.board.GraphBoard
 import badlog.viewer.graph.scene.GraphScene
 import badlog.viewer.playback.PlaybackButtons
 import badlog.viewer.recording.CurrentRecording
@@ -34,6 +37,7 @@ internal fun GraphToolbar(scene: GraphScene) {
         ViewButtons(scene.current, scene.view)
         PlaybackButtons(scene.player, isEnabled = scene.current.recording != null)
         HeightButtons(scene.settings)
+        BoardButtons(scene.board)
     }
 }
 
@@ -54,6 +58,15 @@ private fun ViewButtons(current: CurrentRecording, view: AxisView) {
                 view.change { showingEnabled(current.recording?.enabled.orEmpty()) }
             }
         }
+    }
+}
+
+@Composable
+private fun BoardButtons(board: GraphBoard) {
+    Row(verticalAlignment = Alignment.CenterVertically) {
+        ToolButton("Undo the last change of the graphs (${Action.UNDO.shortcut})", Icons.Undo, isEnabled = board.canUndo) { board.undo() }
+        ToolButton("Redo (${Action.REDO.shortcut})", Icons.Redo, isEnabled = board.canRedo) { board.redo() }
+        ToolButton("Remove all graphs", text = "Remove all", isEnabled = board.state.graphs.isNotEmpty()) { board.change { Board() } }
     }
 }
 

@@ -22,10 +22,15 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.drawBehind
 import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.TextLayoutResult
 import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.drawText
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.rememberTextMeasurer
+import androidx.compose.ui.text.style.TextDecoration
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Constraints
 import androidx.compose.ui.unit.dp
@@ -46,28 +51,49 @@ internal fun LegendEntry(scene: GraphScene, spec: BoardGraph, line: DrawnLine, h
     val palette = LocalPalette.current
     val interactions = remember { MutableInteractionSource() }
     val isHovered by interactions.collectIsHoveredAsState()
+    val isHidden = line.signal.name in spec.hidden
+    val toggle = { scene.board.change { withLineHidden(spec.id, line.signal.name, !isHidden) } }
+    val toggled = if (spec.lines.size > 1) {
+        Modifier.clickable(role = Role.Button, onClick = toggle)
+            .semantics { contentDescription = if (isHidden) "Show ${line.title}" else "Hide ${line.title}" }
+    } else {
+        Modifier
+    }
     Row(
-        Modifier.hoverable(interactions),
+        toggled.hoverable(interactions),
         horizontalArrangement = Arrangement.spacedBy(5.dp),
         verticalAlignment = Alignment.CenterVertically,
     ) {
         if (line.signal.states == null) {
-            Spacer(Modifier.size(10.dp, 3.dp).background(palette.line(line.color), RoundedCornerShape(2.dp)))
+            Spacer(
+                Modifier.size(
+                    10.dp,
+                    3.dp,
+                ).background(palette.line(line.color).copy(alpha = if (isHidden) HIDDEN else 1f), RoundedCornerShape(2.dp)),
+            )
         }
         val name = listOfNotNull(
-            line.signal.title.takeIf {
+            line.title.takeIf {
                 hasName
             },
             line.label?.let { shortLabel(it, LABEL_LETTERS) },
         ).joinToString(" · ")
         if (name.isNotEmpty()) {
-            Text(name, Modifier.widthIn(max = 260.dp), fontSize = 12.sp, maxLines = 1, overflow = TextOverflow.Ellipsis)
+            Text(
+                name,
+                Modifier.widthIn(max = 260.dp),
+                color = if (isHidden) palette.muted else palette.text,
+                fontSize = 12.sp,
+                textDecoration = if (isHidden) TextDecoration.LineThrough else null,
+                maxLines = 1,
+                overflow = TextOverflow.Ellipsis,
+            )
         }
         LegendValue(scene, spec.id, line)
         if (isHovered && hasName && spec.lines.size > 1) {
             Icon(
                 Icons.Close,
-                "Remove ${line.signal.title}",
+                "Remove ${line.title}",
                 Modifier.size(12.dp).clickable {
                     scene.board.change { withoutLine(spec.id, line.signal.name) }
                 },
@@ -86,26 +112,36 @@ private fun LegendValue(scene: GraphScene, id: Int, line: DrawnLine) {
     val unit = remember(palette) { TextStyle(color = palette.muted, fontSize = 12.sp) }
     Spacer(
         Modifier.width(if (line.signal.states == null) 104.dp else 84.dp).height(17.dp).drawBehind {
-            val text = readingOf(scene.pictureOf(scene.plots.state(id)), line, scene.view.cursor)
-            val layout = letters.measure(
-                text.ifEmpty { unitText(line.signal.unit) },
-                if (text.isEmpty()) unit else style,
-                TextOverflow.Ellipsis,
-                softWrap = false,
-                maxLines = 1,
-                Constraints(maxWidth = size.width.toInt()),
-            )
+            val picture = scene.pictureOf(scene.plots.state(id))
+            fun measured(isShort: Boolean): TextLayoutResult {
+                val text = readingOf(picture, line, scene.view.cursor, isShort)
+                return letters.measure(
+                    text.ifEmpty { picture?.legendOf(line) ?: unitText(line.signal.unit) },
+                    if (text.isEmpty()) unit else style,
+                    TextOverflow.Ellipsis,
+                    softWrap = false,
+                    maxLines = 1,
+                    Constraints(maxWidth = size.width.toInt()),
+                )
+            }
+            // A number that is cut off says less than one that is rounded.
+            val layout = measured(isShort = false).let { if (it.hasVisualOverflow) measured(isShort = true) else it }
             drawText(layout, topLeft = Offset(0f, (size.height - layout.size.height) / 2))
         },
     )
 }
 
+/** What stands beside [line] while there is no cursor: its unit, and which axis it has where that is not the left one. */
+private fun PlotPicture.legendOf(line: DrawnLine): String? = lines.find { it.line == line }?.let { axes[it.axis].axis.legend }
+
 /** What [line] says at the [cursor]; empty without a cursor, and while [picture] does not have the line yet. */
-internal fun readingOf(picture: PlotPicture?, line: DrawnLine, cursor: Double?): String {
+internal fun readingOf(picture: PlotPicture?, line: DrawnLine, cursor: Double?, isShort: Boolean = false): String {
     if (picture == null || cursor == null) return ""
     val isThere = picture.lines.any { it.line == line } || picture.lanes.any { it.line == line }
-    return if (isThere) valueText(line.signal, cursor - line.offset) else ""
+    return if (isThere) valueText(line.signal, cursor - line.offset, isShort) else ""
 }
+
+private const val HIDDEN = 0.3f
 
 /** More letters of a recording's name leave no room for others. */
 private const val LABEL_LETTERS = 28

@@ -54,6 +54,9 @@ internal fun FindingDetails(
     if (next.isNotEmpty()) Text("Next: $next", color = palette.muted, fontSize = 12.sp)
     val offers = remember(open, board.state) { evidenceOffers(open.view, open.vocabulary, board.evidence) }
     FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(2.dp)) {
+        if (board.evidence.graphs.isNotEmpty()) {
+            ToolButton("Keep the graphs of this finding on the board", Icons.Pin, text = "Keep") { board.keep() }
+        }
         for (offer in offers) {
             ToolButton("Show ${offer.label.lowercase()} beside this finding", Icons.Add, text = offer.label) {
                 board.showEvidence(board.evidence.with(offer, open.view, open.vocabulary))

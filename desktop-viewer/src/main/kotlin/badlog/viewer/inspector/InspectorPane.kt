@@ -78,7 +78,7 @@ internal fun InspectorPane(
                 InspectorTab.EVENTS -> EventsPanel(view, events, open, Modifier.fillMaxSize())
                 InspectorTab.VALUES -> ValuesPanel(open, Modifier.fillMaxSize())
                 InspectorTab.PROBLEMS -> ProblemsPanel(open, Modifier.fillMaxSize())
-                InspectorTab.STATISTICS -> StatisticsPanel(compared, board, view, open, Modifier.fillMaxSize())
+                InspectorTab.STATISTICS -> StatisticsPanel(compared, board, view, panels, open, Modifier.fillMaxSize())
                 InspectorTab.FINDINGS -> FindingsPanel(compared, findings, view, board, open, Modifier.fillMaxSize())
             }
         }

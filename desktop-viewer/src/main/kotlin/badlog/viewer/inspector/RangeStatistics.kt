@@ -14,9 +14,9 @@ import badlog.viewer.recording.Signal
  *
  * @property span that part, on the x of the open recording.
  * @property xUnit the unit of x, `ul` for none.
- * @property isSelection whether a person has selected it; else it is the visible range.
+ * @property name what the window calls that part.
  */
-internal class RangeStatistics(val span: Span, val xUnit: String, val isSelection: Boolean, val signals: List<SignalStatistics>)
+internal class RangeStatistics(val span: Span, val xUnit: String, val name: String, val signals: List<SignalStatistics>)
 
 /**
  * What one signal does.
@@ -30,8 +30,9 @@ internal class SignalStatistics(val signal: String, val unit: String, val record
 /** A name and what stands beside it; [unit] is `ul` for none. */
 internal class StatCell(val name: String, val text: String, val unit: String)
 
-/** The statistics of [names] over [span] in each of [drawn]; calculates them all, so not for the window's thread. */
-internal fun rangeStatistics(drawn: List<DrawnRecording>, names: List<String>, span: Span, isSelection: Boolean): RangeStatistics {
+/** The statistics of [names] over [part] in each of [drawn]; calculates them all, so not for the window's thread. */
+internal fun rangeStatistics(drawn: List<DrawnRecording>, names: List<String>, part: NamedSpan): RangeStatistics {
+    val span = part.span
     val signals = names.flatMap { name ->
         drawn.mapIndexedNotNull { place, (recording, offset, recordingName) ->
             val signal = recording.signal(name) ?: return@mapIndexedNotNull null
@@ -43,7 +44,7 @@ internal fun rangeStatistics(drawn: List<DrawnRecording>, names: List<String>, s
         }
     }
     val xUnit = drawn.firstOrNull()?.recording?.view?.xAxis?.unit.orEmpty()
-    return RangeStatistics(span, xUnit, isSelection, signals)
+    return RangeStatistics(span, xUnit, part.name, signals)
 }
 
 private fun cellsOf(signal: Signal, statistics: SeriesStatistics, xUnit: String): List<StatCell> {

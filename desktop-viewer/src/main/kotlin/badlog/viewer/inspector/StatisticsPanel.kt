@@ -28,7 +28,6 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
-import badlog.analysis.Span
 import badlog.plot.statistics.Statistic
 import badlog.plot.text.roundedText
 import badlog.plot.text.withUnit
@@ -36,6 +35,8 @@ import badlog.viewer.board.GraphBoard
 import badlog.viewer.compare.ComparedRecordings
 import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.compare.colorOf
+import badlog.viewer.panels.StatisticsRange
+import badlog.viewer.panels.WindowPanels
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
@@ -48,20 +49,28 @@ import kotlinx.coroutines.withContext
 
 /** The statistics of every drawn signal over the selection, or else over the visible range. */
 @Composable
-internal fun StatisticsPanel(compared: ComparedRecordings, board: GraphBoard, view: AxisView, open: OpenRecording, modifier: Modifier) {
+internal fun StatisticsPanel(
+    compared: ComparedRecordings,
+    board: GraphBoard,
+    view: AxisView,
+    panels: WindowPanels,
+    open: OpenRecording,
+    modifier: Modifier,
+) {
     val statistics by produceState<RangeStatistics?>(null, open) {
         // While the selection is dragged, only the latest that there was time for is calculated.
-        snapshotFlow { askedFor(compared, board, view) }.conflate().map { asked ->
-            withContext(Dispatchers.Default) { rangeStatistics(asked.drawn, asked.names, asked.span, asked.isSelection) }
+        snapshotFlow { askedFor(compared, board, view, spanOf(panels.state.statistics, open, view)) }.conflate().map { asked ->
+            withContext(Dispatchers.Default) { rangeStatistics(asked.drawn, asked.names, asked.part) }
         }.collect { value = it }
     }
     val known = statistics ?: return
     val copy = rememberCopy()
     val state = rememberLazyListState()
     Column(modifier) {
+        RangeChoice(panels, view, open)
         Row(Modifier.fillMaxWidth().padding(start = 12.dp, end = 4.dp, top = 4.dp), verticalAlignment = Alignment.CenterVertically) {
             Column(Modifier.weight(1f)) {
-                Text(if (known.isSelection) "Selection" else "Visible range", fontWeight = FontWeight.Medium)
+                Text(known.name, fontWeight = FontWeight.Medium)
                 Text(rangeText(known), color = LocalPalette.current.muted, fontSize = 12.sp)
                 Text(Statistic.BY_TIME, color = LocalPalette.current.muted, fontSize = 12.sp)
             }
@@ -75,14 +84,34 @@ internal fun StatisticsPanel(compared: ComparedRecordings, board: GraphBoard, vi
     }
 }
 
-/** What statistics are of; as long as it stays equal, nothing is calculated again. */
-internal data class Asked(val drawn: List<DrawnRecording>, val names: List<String>, val isSelection: Boolean, val span: Span)
+/** Chooses what the statistics are of. */
+@Composable
+private fun RangeChoice(panels: WindowPanels, view: AxisView, open: OpenRecording) {
+    Row(Modifier.padding(start = 8.dp, end = 4.dp, top = 4.dp), Arrangement.spacedBy(2.dp)) {
+        for (range in StatisticsRange.entries) {
+            val (title, hint) = when (range) {
+                StatisticsRange.SHOWN -> (if (view.selection == null) "Visible" else "Selected") to
+                    "Statistics of the selection, or else of the visible range"
 
-/** What is to be seen now. */
-internal fun askedFor(compared: ComparedRecordings, board: GraphBoard, view: AxisView): Asked {
-    val selection = view.selection
+                StatisticsRange.ENABLED -> "Enabled" to "Statistics from first to last enabled"
+
+                StatisticsRange.ALL -> "All" to "Statistics of the whole log"
+            }
+            val isKnown = range != StatisticsRange.ENABLED || open.enabled.isNotEmpty()
+            ToolButton(hint, text = title, isOn = panels.state.statistics == range, isEnabled = isKnown) {
+                panels.change { copy(statistics = range) }
+            }
+        }
+    }
+}
+
+/** What statistics are of; as long as it stays equal, nothing is calculated again. */
+internal data class Asked(val drawn: List<DrawnRecording>, val names: List<String>, val part: NamedSpan)
+
+/** What is to be seen now of [part]; where that is null, of what is shown. */
+internal fun askedFor(compared: ComparedRecordings, board: GraphBoard, view: AxisView, part: NamedSpan? = null): Asked {
     val names = board.state.graphs.flatMap { it.lines }.distinct()
-    return Asked(compared.drawn, names, selection != null, selection ?: view.viewport.visible)
+    return Asked(compared.drawn, names, part ?: shownSpan(view))
 }
 
 private fun rangeText(statistics: RangeStatistics): String {

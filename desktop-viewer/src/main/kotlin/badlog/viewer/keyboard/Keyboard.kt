@@ -1,8 +1,15 @@
 package badlog.viewer.keyboard
 
+import androidx.compose.foundation.LocalIndication
+import androidx.compose.foundation.layout.Box
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.CompositionLocalProvider
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
 import androidx.compose.ui.ExperimentalComposeUiApi
+import androidx.compose.ui.Modifier
 import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.input.key.KeyEvent
 import androidx.compose.ui.input.key.KeyEventType
@@ -12,6 +19,9 @@ import androidx.compose.ui.input.key.isMetaPressed
 import androidx.compose.ui.input.key.isShiftPressed
 import androidx.compose.ui.input.key.key
 import androidx.compose.ui.input.key.type
+import androidx.compose.ui.input.pointer.PointerEventPass
+import androidx.compose.ui.input.pointer.PointerEventType
+import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.platform.InterceptPlatformTextInput
 import androidx.compose.ui.platform.PlatformTextInputInterceptor
 import badlog.plot.gesture.Action
@@ -43,10 +53,25 @@ internal class Keyboard {
         }
     }
 
+    /** Whether what has the keyboard is framed: from the first Tab until the mouse is used again. */
+    var showsFocus: Boolean by mutableStateOf(false)
+        private set
+
     /** Shows [content] and watches its text fields. */
     @Composable
-    fun Watch(content: @Composable () -> Unit) = CompositionLocalProvider(LocalOpenMenus provides menus) {
-        InterceptPlatformTextInput(interceptor, content)
+    fun Watch(content: @Composable () -> Unit) {
+        val ring = remember { FocusRing(this) }
+        CompositionLocalProvider(LocalOpenMenus provides menus, LocalIndication provides ring) {
+            InterceptPlatformTextInput(interceptor) {
+                Box(Modifier.hearsPresses(), propagateMinConstraints = true) { content() }
+            }
+        }
+    }
+
+    private fun Modifier.hearsPresses() = pointerInput(Unit) {
+        awaitPointerEventScope {
+            while (true) if (awaitPointerEvent(PointerEventPass.Initial).type == PointerEventType.Press) showsFocus = false
+        }
     }
 
     /**
@@ -54,11 +79,13 @@ internal class Keyboard {
      * with Ctrl, those of the keys F1 to F12 and Escape count. For `onKeyEvent` of the window, which hears what no field has used.
      */
     fun dispatch(event: KeyEvent, commands: List<Command>): Boolean {
-        if (event.type != KeyEventType.KeyDown || event.isAltPressed) return false
+        if (event.type != KeyEventType.KeyDown) return false
         val isCtrl = event.isCtrlPressed || event.isMetaPressed
         if (isTyping && !isCtrl && event.key !in KEYS_WHILE_TYPING) return false
         val command = commands.firstOrNull { command ->
-            command.keys.any { it.key == event.key && it.ctrl == isCtrl && it.shift == event.isShiftPressed }
+            command.keys.any {
+                it.key == event.key && it.ctrl == isCtrl && it.shift == event.isShiftPressed && it.alt == event.isAltPressed
+            }
         }
         command?.action?.invoke()
         return command != null
@@ -69,6 +96,7 @@ internal class Keyboard {
      * presses that. Escape closes the open menu. For `onPreviewKeyEvent` of the window.
      */
     fun dispatchFirst(event: KeyEvent, commands: List<Command>): Boolean {
+        if (event.key == Key.Tab && event.type == KeyEventType.KeyDown) showsFocus = true
         if (event.key == Key.Escape && event.type == KeyEventType.KeyDown && menus.closeLast()) return true
         if (event.key != Key.Spacebar || isTyping || event.isAltPressed) return false
         dispatch(event, commands)
@@ -104,7 +132,7 @@ internal class Command(val group: String, val meaning: String, val keys: List<Ke
 private fun pressesOf(stroke: KeyStroke): List<KeyPress> {
     // Which of the keys with a plus needs Shift depends on the keyboard.
     val shifts = if (stroke.key == "+") listOf(false, true) else listOf(stroke.shift)
-    return shifts.flatMap { shift -> KEYS.getValue(stroke.key).map { KeyPress(it, stroke.key, shift = shift) } }
+    return shifts.flatMap { shift -> KEYS.getValue(stroke.key).map { KeyPress(it, stroke.key, stroke.ctrl, shift, stroke.alt) } }
 }
 
 private val KEYS = mapOf(
@@ -120,10 +148,22 @@ private val KEYS = mapOf(
     "E" to listOf(Key.E),
     "F" to listOf(Key.F),
     "N" to listOf(Key.N),
+    "H" to listOf(Key.H),
+    "P" to listOf(Key.P),
+    "Y" to listOf(Key.Y),
+    "Z" to listOf(Key.Z),
+    "↑" to listOf(Key.DirectionUp),
+    "↓" to listOf(Key.DirectionDown),
 )
 
 /** A key with the modifiers that must be held; [ctrl] is the command key on a Mac. */
-internal data class KeyPress(val key: Key, val label: String, val ctrl: Boolean = false, val shift: Boolean = false) {
+internal data class KeyPress(
+    val key: Key,
+    val label: String,
+    val ctrl: Boolean = false,
+    val shift: Boolean = false,
+    val alt: Boolean = false,
+) {
     /** As the help sheet writes it: `Ctrl+Shift+S`. */
-    val text: String get() = listOfNotNull("Ctrl".takeIf { ctrl }, "Shift".takeIf { shift }, label).joinToString("+")
+    val text: String get() = listOfNotNull("Ctrl".takeIf { ctrl }, "Alt".takeIf { alt }, "Shift".takeIf { shift }, label).joinToString("+")
 }

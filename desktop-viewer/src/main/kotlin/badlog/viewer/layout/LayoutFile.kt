@@ -68,6 +68,9 @@ internal class FolderLayouts(private val place: Path) {
      */
     fun write(folder: Path, layout: Layout) = writeLayout(fileOf(folder), layout)
 
+    /** When the layout of [folder] was last written, in milliseconds since 1970; 0 where it never was. */
+    fun writtenAt(folder: Path): Long = fileOf(folder).toFile().lastModified()
+
     private fun fileOf(folder: Path): Path = place.resolve("${keyOf(folder)}.json")
 }
 

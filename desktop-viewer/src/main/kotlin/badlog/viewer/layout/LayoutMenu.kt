@@ -2,6 +2,8 @@ package badlog.viewer.layout
 
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.input.key.Key
+import badlog.file.writeAtomically
+import badlog.plot.board.FolderLayout
 import badlog.viewer.files.FileChoice
 import badlog.viewer.files.askToWrite
 import badlog.viewer.files.fileNameOf
@@ -14,6 +16,7 @@ import badlog.viewer.recording.CurrentRecording
 import badlog.viewer.task.LongTasks
 import badlog.viewer.task.Notices
 import badlog.viewer.theme.Icons
+import java.nio.file.Path
 
 /** The menu that saves how the window is arranged, and arranges it so again. */
 @Composable
@@ -23,6 +26,9 @@ internal fun LayoutMenu(current: CurrentRecording, layouts: LayoutStore, files: 
         listOf(
             MenuEntry("Default graphs", "As the log's attributes define", why) { layouts.showDefaultGraphs() },
             MenuEntry("Save the layout as…", "A file for another folder, or for a teammate", why, SAVE_LAYOUT.text) { files.save() },
+            MenuEntry("Save as the folder’s default…", "${FolderLayout.NAME}: windows and pages begin with it", why) {
+                files.saveDefault()
+            },
             MenuEntry("Open a layout…", "Topics that this log lacks are hidden", why) { files.open() },
         )
     }
@@ -49,10 +55,26 @@ internal class LayoutFiles(
         tasks.run("Saving the layout", { writeLayout(file, layout) }) { notices.say("Saved the layout to $file.") }
     }
 
+    /** Asks for a file in the folder of logs, and writes the graphs and formulas to it with which windows and pages of that folder begin. */
+    fun saveDefault() {
+        val open = current.recording ?: return sayNoLog(notices)
+        val name = FolderLayout.NAME.removeSuffix(Layout.ENDING)
+        val folder = library.state.folder ?: open.file.parent
+        val file = askToWrite(files, notices, "Save the folder’s default layout", folder, name, Layout.ENDING) ?: return
+        val text = layouts.shared.toJson()
+        tasks.run("Saving the layout", { writeAtomically(file) { it.write(text.encodeToByteArray()) } }) {
+            notices.say("Saved the layout to $file. Windows without an arrangement of their own and pages made from now on begin with it.")
+        }
+    }
+
     /** Asks for a layout's file, and arranges the window as it says. */
     fun open() {
         val start = library.state.folder ?: current.recording?.file?.parent
-        val file = files.toRead("Open a layout", start, Layout.ENDING) ?: return
+        open(files.toRead("Open a layout", start, Layout.ENDING) ?: return)
+    }
+
+    /** Arranges the window as the layout in [file] says. */
+    fun open(file: Path) {
         tasks.run("Opening ${file.fileName}", { readLayout(file) }) { layouts.apply(it) }
     }
 }

@@ -3,7 +3,9 @@ package badlog.viewer.layout
 import androidx.compose.runtime.snapshotFlow
 import badlog.analysis.Span
 import badlog.plot.board.Board
+import badlog.plot.board.BoardLayout
 import badlog.plot.board.FittedBoard
+import badlog.plot.board.FolderLayout
 import badlog.plot.formula.joined
 import badlog.viewer.board.GraphBoard
 import badlog.viewer.compare.ComparedRecordings
@@ -13,6 +15,7 @@ import badlog.viewer.panels.WindowPanels
 import badlog.viewer.recording.CurrentRecording
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.settings.UserFolders
+import badlog.viewer.task.NoticeAction
 import badlog.viewer.task.Notices
 import badlog.viewer.view.AxisView
 import kotlinx.coroutines.Dispatchers
@@ -68,6 +71,16 @@ internal class LayoutStore(
             )
         }
 
+    /** What of the layout is for others: the graphs and the formulas. */
+    val shared: BoardLayout get() = BoardLayout(board.kept.renumbered(), formulas = formulas.definitions)
+
+    /** The log that was open when the window was last over [folder]; null where it is gone. */
+    fun lastOpenIn(folder: Path): LastOpen? {
+        val name = layouts.read(folder)?.recording ?: return null
+        val file = pathOf(name, folder)?.takeIf(Files::isRegularFile) ?: return null
+        return LastOpen(file, layouts.writtenAt(folder))
+    }
+
     /** The graphs to show of [recording], which was just opened: as they were arranged over this folder, else the default ones. */
     fun graphsOf(recording: OpenRecording): Board {
         val fitted = fittedTo(recording) ?: return recording.standardGraphs
@@ -87,11 +100,13 @@ internal class LayoutStore(
         applyRange(layout)
     }
 
-    /** Shows the graphs that the attributes of the open recording's topics ask for, and all of x. */
+    /** Shows the graphs that the attributes of the open recording's topics ask for, and all of x; offers to show those of before again. */
     fun showDefaultGraphs() {
         val open = current.recording ?: return
-        board.replace(open.standardGraphs)
+        val before = board.state
+        board.change { open.standardGraphs }
         view.change { reset() }
+        if (!before.showsSame(board.state)) notices.say("The default graphs are shown.", NoticeAction("Undo") { board.change { before } })
     }
 
     /** Arranges the window as it was over the folder that is opened, and saves each change a moment after it was made; until cancelled. */
@@ -100,7 +115,8 @@ internal class LayoutStore(
         // A few kilobytes of the user's own: read at once, so that the folder's first recording is shown as it was arranged.
         saved = opened?.let(layouts::read)
         if (opened == null) return@collectLatest
-        formulas.replaceAll(saved?.formulas.orEmpty())
+        // A folder that nobody has arranged yet has the formulas of the layout that lies there.
+        formulas.replaceAll(saved?.formulas ?: FolderLayout.of(opened.resolve(FolderLayout.NAME)).layout?.formulas.orEmpty())
         var wanted = saved
         wanted?.let(::restore)
         snapshotFlow { arrangement() }.collectLatest {
@@ -112,7 +128,7 @@ internal class LayoutStore(
 
     /** Saves at once what else would be saved in a moment: the window is about to go. */
     fun saveNow() {
-        val (place, layout) = change() ?: return
+        val (place, layout) = change()?.withTheirs() ?: return
         try {
             layouts.write(place, layout)
         } catch (_: IOException) {
@@ -123,7 +139,7 @@ internal class LayoutStore(
     // All that changes a layout; compared by the parts themselves, so that to look costs nothing.
     private fun arrangement() = listOf(
         current.recording,
-        board.state,
+        board.kept,
         view.viewport.visible,
         view.selection,
         compared.state,
@@ -132,7 +148,7 @@ internal class LayoutStore(
     )
 
     private suspend fun save() {
-        val (place, layout) = change() ?: return
+        val (place, layout) = change()?.withTheirs() ?: return
         saved = layout
         try {
             withContext(Dispatchers.IO) { layouts.write(place, layout) }
@@ -154,6 +170,17 @@ internal class LayoutStore(
         val isAsSaved = board.kept.showsSame(fittedTo(open)?.board ?: open.standardGraphs)
         val layout = if (isAsSaved) shown.copy(graphs = saved?.graphs) else shown
         return if (layout == saved) null else place to layout
+    }
+
+    /** What another window over the same folder has done to the formulas since this one last read or wrote them, is done here, too. */
+    private fun Pair<Path, Layout>.withTheirs(): Pair<Path, Layout> {
+        val (place, layout) = this
+        val before = saved?.formulas.orEmpty()
+        val theirs = layouts.read(place)?.formulas ?: return this
+        val gone = before - theirs.toSet()
+        val formulasOfBoth = (layout.formulas - gone.toSet() + (theirs - before.toSet())).distinct()
+        if (formulasOfBoth != formulas.definitions) formulas.replaceAll(formulasOfBoth)
+        return place to layout.copy(formulas = formulasOfBoth)
     }
 
     private fun restore(layout: Layout) {
@@ -179,9 +206,9 @@ internal class LayoutStore(
 
     private fun applyGraphs(layout: Layout) {
         val open = current.recording ?: return
-        val graphs = layout.graphs ?: return board.replace(open.standardGraphs)
+        val graphs = layout.graphs ?: return board.change { open.standardGraphs }
         val fitted = fitted(graphs, open)
-        board.replace(fitted.board)
+        board.change { fitted.board }
         fitted.sentence?.let(notices::say)
     }
 
@@ -214,3 +241,6 @@ internal class LayoutStore(
         const val PAUSE_MILLIS = 600L
     }
 }
+
+/** The log in [file], which was last looked at at [millis] since 1970. */
+internal class LastOpen(val file: Path, val millis: Long)

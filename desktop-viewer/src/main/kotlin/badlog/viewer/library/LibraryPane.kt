@@ -19,11 +19,9 @@ import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.LinearProgressIndicator
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
-import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.focus.focusRequester
 import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.input.key.KeyEventType
@@ -39,9 +37,12 @@ import androidx.compose.ui.unit.sp
 import badlog.viewer.library.index.LogEntry
 import badlog.viewer.settings.SettingsStore
 import badlog.viewer.theme.Icons
+import badlog.viewer.theme.KeepInSight
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.SearchField
+import badlog.viewer.theme.StayAtTop
 import badlog.viewer.theme.ToolButton
+import badlog.viewer.theme.rememberAskedFocus
 
 /** The list of logs at the left. */
 @Composable
@@ -104,6 +105,7 @@ internal fun LibraryHead(library: Library, settings: SettingsStore, actions: Lib
             LogCount(library.state.listing, Modifier.weight(1f).padding(start = 4.dp))
             SortMenu(library)
             PreviewMenu(library.state.entries, settings)
+            OnlyErrorsButton(library)
             HideEmptyButton(library)
         }
     }
@@ -112,15 +114,8 @@ internal fun LibraryHead(library: Library, settings: SettingsStore, actions: Lib
 /** The field that filters the logs; Enter opens the first that is left and gives the keyboard back, Escape lists all again. */
 @Composable
 internal fun LogSearch(library: Library, onOpen: (LogEntry) -> Unit, modifier: Modifier = Modifier) {
-    val focus = remember { FocusRequester() }
+    val focus = rememberAskedFocus(library.state.searchesAsked)
     val keyboard = LocalFocusManager.current
-    val asked = library.state.searchesAsked
-    val before = remember { intArrayOf(asked) }
-    LaunchedEffect(asked) {
-        // What was asked before this field was there was meant for another one.
-        if (asked != before[0]) focus.requestFocus()
-        before[0] = asked
-    }
     val keyed = modifier
         .focusRequester(focus)
         .onPreviewKeyEvent {
@@ -157,6 +152,15 @@ internal fun HideEmptyButton(library: Library) {
     }
 }
 
+/** Lists only logs in which a rule found an error. */
+@Composable
+internal fun OnlyErrorsButton(library: Library) {
+    val isOn = library.state.listing.onlyErrors
+    ToolButton("Only logs with an error that rules found", Icons.Diamond, isOn = isOn) {
+        library.change { onlyErrors(!isOn) }
+    }
+}
+
 /** What stands where logs would be listed if there were any. */
 @Composable
 internal fun LibraryEmptiness(library: Library, actions: LibraryActions, modifier: Modifier = Modifier) {
@@ -166,7 +170,7 @@ internal fun LibraryEmptiness(library: Library, actions: LibraryActions, modifie
             ToolButton("Open a folder of logs", Icons.Folder, text = "Open folder…") { actions.askForFolder() }
         } else {
             ToolButton("List all logs", Icons.Reset, text = "List all logs") {
-                library.change { filtered("").hidingEmpty(false) }
+                library.change { filtered("").hidingEmpty(false).onlyErrors(false) }
             }
         }
     }
@@ -176,6 +180,8 @@ private fun emptinessOf(library: LibraryState): String = when {
     library.folder == null -> "Open the folder where the robot’s logs are, or drop it onto this window."
 
     library.listing.size > 0 && library.listing.filter.isNotBlank() -> "No log matches “${library.listing.filter.trim()}”."
+
+    library.listing.size > 0 && library.listing.onlyErrors -> "Rules found no error in any of these logs."
 
     library.listing.size > 0 -> "All of these logs are idle."
 

@@ -3,6 +3,7 @@ package badlog.viewer.library
 import badlog.file.LogName
 import badlog.file.NaturalOrder
 import badlog.plot.search.Query
+import badlog.recording.Severity
 import badlog.viewer.library.index.Content
 import badlog.viewer.library.index.LogEntry
 import java.nio.file.Path
@@ -47,8 +48,11 @@ internal data class LibraryState(
         }
 
     /** Another [folder], of which nothing is known yet, listed as this one was. */
-    fun opening(folder: Path): LibraryState =
-        LibraryState(folder, listing.copy(entries = emptyList(), filter = "", folder = folder), searchesAsked = searchesAsked)
+    fun opening(folder: Path): LibraryState = LibraryState(
+        folder,
+        listing.copy(entries = emptyList(), filter = "", onlyErrors = false, folder = folder),
+        searchesAsked = searchesAsked,
+    )
 
     /** The same folder with [entries] known of it. */
     fun knowing(entries: List<LogEntry>): LibraryState = copy(listing = listing.copy(entries = entries))
@@ -61,6 +65,9 @@ internal data class LibraryState(
 
     /** Leaves out what is grayed, or not. */
     fun hidingEmpty(hides: Boolean): LibraryState = copy(listing = listing.copy(hidesEmpty = hides))
+
+    /** Leaves out logs in which no rule found an error, or not. */
+    fun onlyErrors(isOn: Boolean): LibraryState = copy(listing = listing.copy(onlyErrors = isOn))
 
     /** The log that is [steps] further down the list than the selected one; the first or last where the list ends. */
     fun stepped(steps: Int): LogEntry? {
@@ -85,6 +92,7 @@ internal data class ReadingProgress(val read: Int, val total: Int)
  * @property isDescending whether the largest comes first; what is missing always comes last.
  * @property filter words that all must be found in a log to have it listed, in whatever case.
  * @property hidesEmpty whether logs in which nothing happened are left out.
+ * @property onlyErrors whether only logs are listed in which a rule found an error.
  * @property folder where they are; its own name is not searched.
  */
 internal data class Listing(
@@ -93,6 +101,7 @@ internal data class Listing(
     val isDescending: Boolean = true,
     val filter: String = "",
     val hidesEmpty: Boolean = false,
+    val onlyErrors: Boolean = false,
     val folder: Path? = null,
 ) {
     /** What is listed, in its order. */
@@ -100,6 +109,7 @@ internal data class Listing(
         val query = Query(filter)
         entries
             .filter { it.content != Content.NO_LOG && !(hidesEmpty && it.isGray) && isFound(it, query) }
+            .filter { !onlyErrors || it.found?.worst == Severity.ERROR }
             .sortedWith(order())
     }
 
@@ -128,6 +138,7 @@ internal data class Listing(
 
 private fun searchText(entry: LogEntry, folder: Path?): String = buildString {
     for (fact in with(entry.match) { listOf(event, type, number, alliance) }) if (fact != null) append(fact).append('\n')
+    for (rule in entry.found?.rules.orEmpty()) append(rule.name).append('\n')
     append(dateText(entry.date)).append('\n').append(entry.date.time).append('\n')
     append(if (folder != null && entry.file.startsWith(folder)) folder.relativize(entry.file) else entry.file)
 }

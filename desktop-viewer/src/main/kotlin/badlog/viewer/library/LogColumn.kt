@@ -1,6 +1,7 @@
 package badlog.viewer.library
 
 import badlog.file.NaturalOrder
+import badlog.recording.Severity
 import badlog.viewer.library.index.LogEntry
 
 /**
@@ -94,6 +95,18 @@ internal enum class LogColumn(
         beginsDescending = true,
         has = { !it.isReadable || it.problems.errors + it.problems.warnings > 0 },
         text = ::problemText,
+    ),
+    FINDINGS(
+        "Findings",
+        190,
+        compareBy(
+            { it.found?.count(Severity.ERROR) ?: 0 },
+            { it.found?.count(Severity.WARNING) ?: 0 },
+            { it.found?.count(Severity.NOTE) ?: 0 },
+        ),
+        beginsDescending = true,
+        has = { foundText(it) != null },
+        text = ::foundText,
     ),
     FILE("File", 240, compareBy(NaturalOrder) { it.file.toString() }, text = { it.fileName }),
 }

@@ -40,7 +40,9 @@ import androidx.compose.ui.unit.dp
 import badlog.viewer.library.index.LogEntry
 import badlog.viewer.settings.SettingsStore
 import badlog.viewer.theme.Icons
+import badlog.viewer.theme.KeepInSight
 import badlog.viewer.theme.LocalPalette
+import badlog.viewer.theme.StayAtTop
 import badlog.viewer.theme.ToolButton
 
 /** Every log of the folder with all its columns. */
@@ -64,6 +66,7 @@ private fun TableTools(library: Library, settings: SettingsStore, actions: Libra
                 if (!isNarrow) LogSearch(library, actions.open, Modifier.weight(1f))
                 LogCount(library.state.listing)
                 PreviewMenu(library.state.entries, settings)
+                OnlyErrorsButton(library)
                 HideEmptyButton(library)
                 ToolButton("Back to the graphs", Icons.Graph, text = if (isNarrow) null else "Graphs") { actions.toggleTable() }
             }

@@ -1,5 +1,6 @@
 package badlog.viewer.library
 
+import badlog.plot.text.NO_NUMBER
 import badlog.plot.text.minutesText
 import badlog.viewer.library.index.LogDate
 import badlog.viewer.library.index.LogEntry
@@ -35,9 +36,9 @@ internal fun sizeText(bytes: Long): String = when {
     else -> "%.1f GB".format(ENGLISH, bytes / 1e9)
 }
 
-/** `6.7 V`; null when no topic shows it. Rounded down, so that it does not look better than it was. */
+/** `6.73 V`; null when no topic shows it. Rounded down, so that it does not look better than it was. */
 internal fun batteryText(entry: LogEntry): String? =
-    entry.batteryMinimum?.let { "%.1f V".format(ENGLISH, kotlin.math.floor(it * 10 + 1e-6) / 10) }
+    entry.batteryMinimum?.let { "%.2f V".format(ENGLISH, kotlin.math.floor(it * 100 + 1e-6) / 100) }
 
 /** How many problems that matter there are; null when there are none. */
 internal fun problemText(entry: LogEntry): String? = when {
@@ -55,3 +56,16 @@ internal fun problemSentence(entry: LogEntry): String = entry.trouble ?: with(en
 }
 
 private fun counted(count: Int, one: String, many: String) = if (count == 0) null else "$count ${if (count == 1) one else many}"
+
+/** `Browned out +3`: the worst that rules found, and how much more; null for nothing, `…` while they have not been run, `–` where they cannot. */
+internal fun foundText(entry: LogEntry): String? {
+    if (entry.isGray) return null
+    val found = entry.found ?: return "…"
+    val rules = found.rules ?: return NO_NUMBER
+    val first = rules.firstOrNull() ?: return null
+    return if (rules.size > 1) "${first.name} +${rules.size - 1}" else first.name
+}
+
+/** All that the rules found, each in a line; empty for nothing. */
+internal fun foundLines(entry: LogEntry): String =
+    entry.found?.rules.orEmpty().joinToString("\n") { "${it.severity.name.lowercase()}: ${it.name}" }

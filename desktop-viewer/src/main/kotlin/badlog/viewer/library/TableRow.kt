@@ -36,10 +36,12 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import badlog.recording.Severity
 import badlog.viewer.library.index.LogEntry
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Palette
+import badlog.viewer.theme.Tip
 import java.nio.file.Path
 
 /** How wide the box to check is, in dp. */
@@ -130,15 +132,21 @@ internal fun TableRow(
         for (column in LogColumn.entries) {
             if (column == LogColumn.FILE) RowPreview(entry, previews, palette)
             val color = cellColor(entry, column, palette)
-            Text(
-                cellText(entry, column, folder),
-                Modifier.width(widthOf(column, spare)).padding(horizontal = 8.dp),
-                color = color,
-                fontWeight = if (isOpen) FontWeight.SemiBold else FontWeight.Normal,
-                textAlign = if (column.isNumber) TextAlign.End else TextAlign.Start,
-                maxLines = 1,
-                overflow = if (column == LogColumn.FILE) TextOverflow.MiddleEllipsis else TextOverflow.Ellipsis,
-            )
+            val cell = @Composable { width: Modifier ->
+                Text(
+                    cellText(entry, column, folder),
+                    width.padding(horizontal = 8.dp),
+                    color = color,
+                    fontWeight = if (isOpen) FontWeight.SemiBold else FontWeight.Normal,
+                    textAlign = if (column.isNumber) TextAlign.End else TextAlign.Start,
+                    maxLines = 1,
+                    overflow = if (column == LogColumn.FILE) TextOverflow.MiddleEllipsis else TextOverflow.Ellipsis,
+                )
+            }
+            val width = Modifier.width(widthOf(column, spare))
+            // A tip costs as much as the rest of the row, so only the one under the pointer has it.
+            val tip = if (isHovered && column == LogColumn.FINDINGS) foundLines(entry) else ""
+            if (tip.isEmpty()) cell(width) else Tip(tip, width) { cell(Modifier.fillMaxWidth()) }
         }
     }
 }
@@ -169,10 +177,18 @@ private fun cellColor(entry: LogEntry, column: LogColumn, palette: Palette): Col
     val usual = if (entry.isGray) palette.muted else palette.text
     return when {
         column == LogColumn.BATTERY -> batteryColor(entry, palette, usual)
+        column == LogColumn.FINDINGS -> foundColor(entry, palette, usual)
         column != LogColumn.PROBLEMS -> usual
         entry.problems.errors > 0 || !entry.isReadable -> palette.error
         else -> palette.warning
     }
+}
+
+private fun foundColor(entry: LogEntry, palette: Palette, usual: Color): Color = when (entry.found?.worst) {
+    Severity.ERROR -> palette.error
+    Severity.WARNING -> palette.warning
+    Severity.NOTE -> usual
+    null -> palette.muted
 }
 
 private fun widthOf(column: LogColumn, spare: Dp): Dp = column.width.dp + if (column == LogColumn.FILE) spare else 0.dp

@@ -12,6 +12,7 @@ import badlog.viewer.theme.Icons
  * @property inspector which panel stands at the right, or null for none.
  * @property main what fills the middle.
  * @property front which part is seen where the window is too narrow for more than one.
+ * @property statistics of what the panel of statistics tells.
  * @property help whether the help sheet lies above everything.
  */
 internal data class Panels(
@@ -20,6 +21,7 @@ internal data class Panels(
     val inspector: InspectorTab? = null,
     val main: MainView = MainView.GRAPHS,
     val front: FrontPart = FrontPart.GRAPHS,
+    val statistics: StatisticsRange = StatisticsRange.SHOWN,
     val help: Boolean = false,
 ) {
     /** Fills the middle with [view], or with the graphs again when that is what fills it. */
@@ -47,6 +49,18 @@ internal enum class InspectorTab(val title: String, val icon: ImageVector) {
     PROBLEMS("Problems", Icons.Warning),
     STATISTICS("Statistics", Icons.Sigma),
     FINDINGS("Findings", Icons.Diamond),
+}
+
+/** What statistics are of. */
+internal enum class StatisticsRange {
+    /** The selection, or else the visible range. */
+    SHOWN,
+
+    /** The time in which the robot was enabled. */
+    ENABLED,
+
+    /** All of the log. */
+    ALL,
 }
 
 /** The parts of the window, of which a narrow one shows one at a time. */

@@ -9,6 +9,8 @@ import badlog.file.readRecording
 import badlog.formats.LOG_FORMATS
 import badlog.plot.axis.overItsTime
 import badlog.plot.board.Board
+import badlog.plot.board.FolderLayout
+import badlog.plot.board.fittedTo
 import badlog.plot.board.standardBoard
 import badlog.plot.cursor.CursorSteps
 import badlog.plot.formula.Formula
@@ -35,12 +37,14 @@ import java.nio.file.Path
  * @param read what the file holds.
  * @property definitions those of the formulas that are calculated in it.
  * @property vocabulary what its topics are called.
+ * @property layout the layout that lies beside it.
  */
 internal class OpenRecording(
     val file: Path,
     read: LogView,
     val definitions: List<String> = emptyList(),
     val vocabulary: SignalVocabulary = RuleSet.BUILT_IN.signals,
+    val layout: FolderLayout = FolderLayout.NONE,
 ) {
     /** What the file holds. */
     val logged: LogView = read.withSignals(vocabulary)
@@ -67,8 +71,10 @@ internal class OpenRecording(
     /** What can be drawn of the topics that are the signal [name]. */
     fun of(name: String): List<Signal> = signalTopics.of(name).mapNotNull { signal(it.topic) }
 
-    /** The graphs that it begins with. */
-    val standardGraphs: Board by lazy { standardBoard(logged, vocabulary) }
+    /** The graphs that it begins with: those of the [layout] beside it, as far as it has them, or else of its topics. */
+    val standardGraphs: Board by lazy {
+        layout.layout?.board?.fittedTo { signal(it) != null }?.board?.takeIf { it.graphs.isNotEmpty() } ?: standardBoard(logged, vocabulary)
+    }
 
     /** The events of all topics of texts. */
     val eventLogs: List<EventLog> = view.folders.flatMap { it.eventLogs }
@@ -98,7 +104,8 @@ internal class OpenRecording(
     fun signal(name: String): Signal? = byName[name]
 
     /** The same file with the formulas [definitions] instead. Takes its time. */
-    fun withFormulas(definitions: List<String>): OpenRecording = OpenRecording(file, logged, definitions, vocabulary).also { it.prepare() }
+    fun withFormulas(definitions: List<String>): OpenRecording =
+        OpenRecording(file, logged, definitions, vocabulary, layout).also { it.prepare() }
 
     /** Finds out now what the first frame needs, so that the window's thread does not have to. */
     private fun prepare() {
@@ -128,7 +135,8 @@ internal class OpenRecording(
             }
             if (!recording.isReadable) throw IOException("${file.fileName}: ${recording.problems.last().message}")
             val vocabulary = FolderRules.of(file, library).rules.signals
-            return OpenRecording(file, LogView.of(recording.overItsTime()), definitions(), vocabulary).also { it.prepare() }
+            val layout = FolderLayout.of(file, library) { vocabulary.matchOf(recording).type }
+            return OpenRecording(file, LogView.of(recording.overItsTime()), definitions(), vocabulary, layout).also { it.prepare() }
         }
     }
 }

@@ -48,9 +48,10 @@ internal class Signal(val name: String, val isDerived: Boolean, val line: GraphS
 
 /**
  * What [signal] says at [position], or at its end for null: a number with its unit or the name of a state; `–` for a gap.
- * A logged number is exact, a calculated one without the digits that a calculation makes up.
+ * A logged number is exact, a calculated one without the digits that a calculation makes up; neither has more than six where it is to
+ * be short, as beside a name that it would crowd out.
  */
-internal fun valueText(signal: Signal, position: Double?): String {
+internal fun valueText(signal: Signal, position: Double?, isShort: Boolean = false): String {
     val index = if (position == null) signal.series.size - 1 else signal.line.indexAt(position)
-    return signal.line.textOf(index) { withUnit(if (signal.isDerived) roundedText(it) else exactText(it), signal.unit) }
+    return signal.line.textOf(index) { withUnit(if (signal.isDerived || isShort) roundedText(it) else exactText(it), signal.unit) }
 }

@@ -12,6 +12,7 @@ import kotlinx.serialization.Serializable
  * @property graphHeight how high a graph is, in dp.
  * @property fitsGraphs whether graphs share the window's height instead where they are few enough.
  * @property window where the window was; null before the first time.
+ * @property panes how wide the parts beside the graphs are.
  */
 @Serializable
 internal data class Settings(
@@ -21,6 +22,7 @@ internal data class Settings(
     val graphHeight: Int = 150,
     val fitsGraphs: Boolean = true,
     val window: WindowPlace? = null,
+    val panes: PaneWidths = PaneWidths(),
 ) {
     /** Remembers that [folder] was opened. */
     fun opened(folder: String): Settings = copy(recentFolders = (listOf(folder) + (recentFolders - folder)).take(MAX_RECENT))

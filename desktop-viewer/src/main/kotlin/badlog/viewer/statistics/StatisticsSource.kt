@@ -1,5 +1,6 @@
 package badlog.viewer.statistics
 
+import badlog.analysis.matchTitle
 import badlog.analysis.statisticsOf
 import badlog.recording.PathName
 import badlog.viewer.library.index.LogEntry
@@ -63,7 +64,7 @@ private val DATE = DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm")
 internal fun rowsOf(logs: List<LogEntry>): List<StatisticsRow> =
     logs.filter { it.isReadable && it.topics.isNotEmpty() }.sortedWith(NEWEST_FIRST).map { log ->
         StatisticsRow(
-            label = log.title,
+            label = with(log.match) { matchTitle(event, type, number) } ?: log.fileName,
             date = sortableText(log.date.time),
             path = log.file,
             statistics = log.topics.associate { it.name to it.statistics },

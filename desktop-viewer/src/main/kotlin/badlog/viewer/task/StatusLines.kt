@@ -53,7 +53,12 @@ private fun NoticeLine(notice: Notice, onDismiss: () -> Unit) {
             Modifier.weight(1f).padding(vertical = 4.dp).semantics { liveRegion = LiveRegionMode.Polite },
             color = if (notice.isError) palette.error else palette.text,
         )
-        notice.action?.let { ToolButton(it.label, text = it.label, onClick = it.run) }
+        notice.action?.let { action ->
+            ToolButton(action.label, text = action.label) {
+                action.run()
+                onDismiss()
+            }
+        }
         ToolButton("Dismiss", Icons.Close, onClick = onDismiss)
     }
 }

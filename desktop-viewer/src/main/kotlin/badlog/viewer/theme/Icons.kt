@@ -12,6 +12,9 @@ import badlog.analysis.Graph
 /** The window's icons: lines on a grid of 16 by 16. */
 internal object Icons {
     val Folder = icon("M2 4.5 V12.5 H14 V5.5 H7.5 L6 3.5 H2 Z")
+    val Pin = icon("M6 2.5 H10 L9.5 7 L11.5 9 H4.5 L6.5 7 Z M8 9 V13.5")
+    val Undo = icon("M5.5 3.5 L2.5 6.5 L5.5 9.5 M2.5 6.5 H9.5 A3.5 3.5 0 0 1 9.5 13.5 H6")
+    val Redo = icon("M10.5 3.5 L13.5 6.5 L10.5 9.5 M13.5 6.5 H6.5 A3.5 3.5 0 0 0 6.5 13.5 H10")
     val Close = icon("M4 4 L12 12 M12 4 L4 12")
     val Search = icon("M7 3 A4 4 0 1 0 7 11 A4 4 0 1 0 7 3 M10 10 L13.5 13.5")
     val Play = icon("M5 3 L12.5 8 L5 13 Z")

@@ -2,6 +2,8 @@ package badlog.viewer.theme
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
+import androidx.compose.foundation.interaction.MutableInteractionSource
+import androidx.compose.foundation.interaction.collectIsFocusedAsState
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Row
@@ -14,8 +16,12 @@ import androidx.compose.material3.Icon
 import androidx.compose.material3.LocalTextStyle
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.graphics.SolidColor
 import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.input.key.KeyEventType
@@ -32,6 +38,8 @@ import androidx.compose.ui.unit.dp
 internal fun SearchField(text: String, hint: String, modifier: Modifier = Modifier, onChange: (String) -> Unit) {
     val palette = LocalPalette.current
     val focus = LocalFocusManager.current
+    val interactions = remember { MutableInteractionSource() }
+    val isFocused by interactions.collectIsFocusedAsState()
     // All of it is the field: a click beside the text has to give it the keyboard, or what is typed runs commands.
     BasicTextField(
         text,
@@ -48,13 +56,14 @@ internal fun SearchField(text: String, hint: String, modifier: Modifier = Modifi
             .semantics { contentDescription = hint },
         textStyle = LocalTextStyle.current,
         singleLine = true,
+        interactionSource = interactions,
         cursorBrush = SolidColor(palette.accent),
     ) { field ->
         Row(
             Modifier
                 .fillMaxWidth()
                 .background(palette.raised, RoundedCornerShape(5.dp))
-                .border(1.dp, palette.border, RoundedCornerShape(5.dp))
+                .border(if (isFocused) 2.dp else 1.dp, if (isFocused) palette.accent else palette.border, RoundedCornerShape(5.dp))
                 .padding(horizontal = 8.dp, vertical = 5.dp),
             horizontalArrangement = Arrangement.spacedBy(6.dp),
             verticalAlignment = Alignment.CenterVertically,
@@ -66,4 +75,16 @@ internal fun SearchField(text: String, hint: String, modifier: Modifier = Modifi
             }
         }
     }
+}
+
+/** Takes the keyboard to a field whenever a person has [asked] once more for it; how often that was before the field was there does not count. */
+@Composable
+internal fun rememberAskedFocus(asked: Int): FocusRequester {
+    val focus = remember { FocusRequester() }
+    val before = remember { intArrayOf(asked) }
+    LaunchedEffect(asked) {
+        if (asked != before[0]) focus.requestFocus()
+        before[0] = asked
+    }
+    return focus
 }

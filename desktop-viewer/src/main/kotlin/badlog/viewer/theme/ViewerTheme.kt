@@ -17,7 +17,26 @@ import kotlinx.serialization.Serializable
 
 /** Which colors the window has. */
 @Serializable
-internal enum class Theme { SYSTEM, LIGHT, DARK }
+internal enum class Theme {
+    SYSTEM,
+    LIGHT,
+    DARK,
+    ;
+
+    /** What a click makes of it, where the system [isSystemDark]: always the other colors than those seen, by the system's own choice where that is so. */
+    fun other(isSystemDark: Boolean): Theme {
+        val wantsDark = when (this) {
+            SYSTEM -> !isSystemDark
+            LIGHT -> true
+            DARK -> false
+        }
+        return when {
+            wantsDark == isSystemDark -> SYSTEM
+            wantsDark -> DARK
+            else -> LIGHT
+        }
+    }
+}
 
 /** Gives [content] the colors of [theme], and small letters: much is to be seen at once. */
 @Composable

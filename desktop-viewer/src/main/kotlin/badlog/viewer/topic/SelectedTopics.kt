@@ -12,6 +12,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
+import badlog.plot.board.Board
 import badlog.viewer.board.GraphBoard
 import badlog.viewer.recording.CurrentRecording
 import badlog.viewer.theme.Icons
@@ -35,6 +36,9 @@ internal fun SelectedTopics(current: CurrentRecording, board: GraphBoard, topics
         FlowRow {
             ToolButton("New graph of these", text = "New graph") {
                 draw { board.change { withGraph(it) } }
+            }
+            ToolButton("Only a graph of these", text = "Only these") {
+                draw { names -> board.change { if (names.isEmpty()) this else Board().withGraph(names) } }
             }
             ToolButton("Separate graphs of these", text = "Separate graphs") {
                 draw { names -> board.change { names.fold(this) { list, name -> list.withGraph(listOf(name)) } } }

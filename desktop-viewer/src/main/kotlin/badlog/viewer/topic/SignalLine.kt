@@ -3,6 +3,7 @@ package badlog.viewer.topic
 import androidx.compose.foundation.ContextMenuArea
 import androidx.compose.foundation.ContextMenuItem
 import androidx.compose.foundation.background
+import androidx.compose.foundation.border
 import androidx.compose.foundation.clickable
 import androidx.compose.foundation.draganddrop.dragAndDropSource
 import androidx.compose.foundation.hoverable
@@ -48,6 +49,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
+import badlog.plot.board.Board
 import badlog.viewer.board.GraphBoard
 import badlog.viewer.formula.FormulaStore
 import badlog.viewer.formula.formulaMenu
@@ -107,6 +109,7 @@ internal fun SignalLine(
                         Color.Transparent
                     },
                 )
+                .border(2.dp, if (signal.name == topics.state.marked) palette.accent else Color.Transparent, RoundedCornerShape(4.dp))
                 .hoverable(interactions)
                 .draggedAsSignals(palette.accent) { namesToTake(topics.state, signal.name) }
                 .onPointerEvent(PointerEventType.Press, PointerEventPass.Initial) { held = it.keyboardModifiers }
@@ -158,6 +161,7 @@ private fun menuOf(board: GraphBoard, formulas: FormulaStore, topics: TopicListi
     val these = if (names.size > 1) "these ${names.size}" else "this"
     return listOf(
         ContextMenuItem("New graph of $these") { board.change { withGraph(names) } },
+        ContextMenuItem("Only a graph of $these") { board.change { Board().withGraph(names) } },
         ContextMenuItem("Add $these to the last graph") { board.change { withLinesInLast(names) } },
         ContextMenuItem(if (row.signal.name in topics.state.selected) "Unselect" else "Select") {
             topics.change { toggled(row.signal.name) }
@@ -198,7 +202,7 @@ internal fun SignalValue(view: AxisView, open: OpenRecording, signal: Signal) {
         withContext(Dispatchers.Default) { signal.series.isOrdered }
         value = signal
     }
-    val text by remember(view) { derivedStateOf { ready?.let { valueText(it, view.cursor) }.orEmpty() } }
+    val text by remember(view) { derivedStateOf { ready?.let { valueText(it, view.cursor, isShort = true) }.orEmpty() } }
     ValueText(text)
 }
 

@@ -7,14 +7,32 @@ import badlog.viewer.part.Part
  *
  * @property query words that must be in the full name of what is listed, regardless of case.
  * @property folded the paths of the folders that are closed; a search opens them all.
+ * @property marked the name of the signal on which the keyboard stands, or null.
+ * @property searchesAsked how often the keyboard asked for the search field.
  * @property selected the names of the signals that are selected, in the order in which they were.
  */
-internal data class TopicList(val query: String = "", val folded: Set<String> = emptySet(), val selected: List<String> = emptyList()) {
+internal data class TopicList(
+    val query: String = "",
+    val folded: Set<String> = emptySet(),
+    val selected: List<String> = emptyList(),
+    val marked: String? = null,
+    val searchesAsked: Int = 0,
+) {
     /** Closes folder [path], or opens it. */
     fun toggledFolder(path: String): TopicList = copy(folded = if (path in folded) folded - path else folded + path)
 
     /** Selects [name], or no longer. */
     fun toggled(name: String): TopicList = copy(selected = if (name in selected) selected - name else selected + name)
+
+    /** Searches for [query]; the keyboard stands nowhere in what is found. */
+    fun searching(query: String): TopicList = copy(query = query, marked = null)
+
+    /** The keyboard stands [steps] further down [rows], or on the first; on none where there are none. */
+    fun marking(steps: Int, rows: List<TopicRow>): TopicList {
+        val listed = rows.filterIsInstance<SignalRow>().map { it.signal.name }
+        val at = listed.indexOf(marked)
+        return copy(marked = listed.getOrNull(if (at < 0) 0 else (at + steps).coerceIn(listed.indices)))
+    }
 
     /** Selects all of [rows] from the one selected last to [name], in the order in which they are listed. */
     fun selectedTo(name: String, rows: List<TopicRow>): TopicList {

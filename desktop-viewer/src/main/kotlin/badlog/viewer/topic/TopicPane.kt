@@ -24,6 +24,13 @@ import androidx.compose.runtime.produceState
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.focusRequester
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.input.key.KeyEvent
+import androidx.compose.ui.input.key.KeyEventType
+import androidx.compose.ui.input.key.key
+import androidx.compose.ui.input.key.onPreviewKeyEvent
+import androidx.compose.ui.input.key.type
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.AnnotatedString
@@ -45,10 +52,12 @@ import badlog.viewer.recording.CurrentRecording
 import badlog.viewer.recording.FilteredEvents
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.theme.Icons
+import badlog.viewer.theme.KeepInSight
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Palette
 import badlog.viewer.theme.SearchField
 import badlog.viewer.theme.ToolButton
+import badlog.viewer.theme.rememberAskedFocus
 import badlog.viewer.view.AxisView
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
@@ -69,20 +78,38 @@ internal fun TopicPane(
     Column(modifier.background(LocalPalette.current.surface)) {
         val list = topics.state
         val open = current.recording
+        val rows by produceState<List<TopicRow>?>(null, open, list.query, list.folded) {
+            value = open?.let { withContext(Dispatchers.Default) { topicRows(it.signals, list.query, list.folded) } }
+        }
+        val draw = { name: String -> open?.signal(name)?.let { toggleDrawn(current, board, events, panels, it) } }
+        val focus = rememberAskedFocus(list.searchesAsked)
+        val keyed = Modifier.focusRequester(focus).onPreviewKeyEvent { hearsKeys(it, topics, rows.orEmpty()) { name -> draw(name) } }
         Row(Modifier.fillMaxWidth().padding(start = 8.dp, end = 4.dp), verticalAlignment = Alignment.CenterVertically) {
-            SearchField(list.query, "Search topics", Modifier.weight(1f).padding(vertical = 8.dp)) {
-                topics.change { copy(query = it) }
+            SearchField(list.query, "Search topics", keyed.weight(1f).padding(vertical = 8.dp)) {
+                topics.change { searching(it) }
             }
             ToolButton("New formula… (${Action.NEW_FORMULA.shortcut})", Icons.Formula, isEnabled = open != null) { formulas.write() }
         }
         when {
             open == null -> Hint("Open a log to see its topics.")
             open.signals.isEmpty() -> Hint("This log has no topics with samples.")
-            else -> Rows(current, compared, board, view, events, formulas, topics, panels, open, Modifier.weight(1f))
+            else -> Rows(current, compared, board, view, events, formulas, topics, panels, open, rows, Modifier.weight(1f))
         }
         if (open != null) UnmadeFormulas(formulas, open)
         if (list.selected.isNotEmpty()) SelectedTopics(current, board, topics)
     }
+}
+
+/** In the field of the search, the arrow keys go through what is listed, and Enter draws that, or else the first. */
+private fun hearsKeys(event: KeyEvent, topics: TopicListing, rows: List<TopicRow>, draw: (String) -> Unit): Boolean {
+    if (event.type != KeyEventType.KeyDown) return false
+    when (event.key) {
+        Key.DirectionDown -> topics.change { marking(1, rows) }
+        Key.DirectionUp -> topics.change { marking(-1, rows) }
+        Key.Enter, Key.NumPadEnter -> (topics.state.marked ?: rows.firstNotNullOfOrNull { (it as? SignalRow)?.signal?.name })?.let(draw)
+        else -> return false
+    }
+    return true
 }
 
 @Composable
@@ -101,13 +128,10 @@ private fun Rows(
     topics: TopicListing,
     panels: WindowPanels,
     open: OpenRecording,
+    rows: List<TopicRow>?,
     modifier: Modifier,
 ) {
     val query = topics.state.query
-    val folded = topics.state.folded
-    val rows by produceState<List<TopicRow>?>(null, open, query, folded) {
-        value = withContext(Dispatchers.Default) { topicRows(open.signals, query, folded) }
-    }
     val listed = rows ?: return
     if (listed.isEmpty()) {
         Hint("No topic matches “$query”.")
@@ -118,6 +142,7 @@ private fun Rows(
     val recordings = compared.drawn.size
     val places = remember(graphs, recordings) { graphs.placesOfLines().mapValues { it.value * recordings } }
     val state = rememberLazyListState()
+    KeepInSight(state, listed.indexOfFirst { it is SignalRow && it.signal.name == topics.state.marked })
     Box(modifier.fillMaxSize()) {
         LazyColumn(Modifier.fillMaxSize(), state) {
             items(listed, key = { it.key }, contentType = { it is FolderRow }) { row ->

@@ -16,15 +16,21 @@ import kotlinx.coroutines.MainScope
 class ViewerScreenSpec : FunSpec({
     val home = tempdir().toPath()
 
-    test("the theme goes round from that of the system to light and dark") {
+    test("each click on the theme changes what is seen") {
         val viewer = Viewer(MainScope(), UserFolders(home, home))
         runDesktopComposeUiTest(1200, 800) {
             setContent { ViewerScreen(viewer) }
             onNodeWithText("badlog").assertExists()
             onNodeWithContentDescription("Theme: system").performClick()
-            viewer.settings.state.theme shouldBe Theme.LIGHT
-            onNodeWithContentDescription("Theme: light").performClick()
             viewer.settings.state.theme shouldBe Theme.DARK
+            onNodeWithContentDescription("Theme: dark").performClick()
+            viewer.settings.state.theme shouldBe Theme.SYSTEM
         }
+    }
+
+    test("a theme that was chosen under another system gives way to the other one") {
+        Theme.DARK.other(isSystemDark = true) shouldBe Theme.LIGHT
+        Theme.LIGHT.other(isSystemDark = true) shouldBe Theme.SYSTEM
+        Theme.LIGHT.other(isSystemDark = false) shouldBe Theme.DARK
     }
 })

@@ -47,8 +47,7 @@ class InspectorTextsSpec : FunSpec({
         val statistics = rangeStatistics(
             listOf(DrawnRecording(open), DrawnRecording(other, -10.0)),
             listOf("A", "Mode", "Missing"),
-            Span(1.0, 2.0),
-            isSelection = true,
+            NamedSpan("Selection", Span(1.0, 2.0)),
         )
         fun cells(index: Int) = statistics.signals[index].cells.associate { it.name to it.text }
         statistics.signals.map { it.signal to it.recording } shouldContainExactly

@@ -3,9 +3,12 @@ package badlog.viewer.inspector
 import badlog.analysis.Span
 import badlog.viewer.app.Viewer
 import badlog.viewer.findings.counted
+import badlog.viewer.graph.sample
+import badlog.viewer.panels.StatisticsRange
 import badlog.viewer.settings.UserFolders
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.shouldNotBe
 import kotlinx.coroutines.MainScope
@@ -25,9 +28,24 @@ class StatisticsPanelSpec : FunSpec({
         val zoomed = asked()
         zoomed shouldNotBe before
         viewer.view.select(Span(12.0, 13.0))
-        asked().span shouldBe Span(12.0, 13.0)
-        asked().isSelection shouldBe true
+        asked().part shouldBe NamedSpan("Selection", Span(12.0, 13.0))
         viewer.view.select(null)
         asked() shouldBe zoomed
+    }
+
+    test("statistics are of what is shown, of the time enabled, or of all") {
+        val home = tempdir().toPath()
+        val viewer = Viewer(MainScope(), UserFolders(home, home))
+        val open = sample("qualification-42.bag")
+        viewer.show(open)
+        viewer.view.change { showing(10.0, 20.0) }
+        spanOf(StatisticsRange.SHOWN, open, viewer.view) shouldBe NamedSpan("Visible range", Span(10.0, 20.0))
+        spanOf(StatisticsRange.ALL, open, viewer.view)?.span shouldBe open.span
+        val enabled = spanOf(StatisticsRange.ENABLED, open, viewer.view).shouldNotBeNull().span
+        enabled.from shouldBe open.enabled.first().span.from
+        enabled.to shouldBe open.enabled.last().span.to
+        val never = counted(home)
+        spanOf(StatisticsRange.ENABLED, never, viewer.view) shouldBe null
+        askedFor(viewer.compared, viewer.board, viewer.view, null).part.name shouldBe "Visible range"
     }
 })

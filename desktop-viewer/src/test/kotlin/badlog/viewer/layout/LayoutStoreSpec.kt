@@ -102,6 +102,32 @@ class LayoutStoreSpec : FunSpec({
         started(home, home.resolve("elsewhere"), one) { it.formulas.definitions shouldBe emptyList() }
     }
 
+    test("two windows over one folder keep each other's formulas") {
+        val home = tempdir().toPath()
+        val one = recordingOf(armBag(50), home.resolve("one.bag"))
+        started(home, home, one) { viewer ->
+            FolderLayouts(home.resolve("layouts")).write(home, Layout(Layout.VERSION, formulas = listOf("B = 2")))
+            viewer.formulas.replaceAll(listOf("A = 1"))
+        }
+        hasArranged(home, home)?.formulas shouldBe listOf("A = 1", "B = 2")
+        started(home, home, one) { viewer ->
+            FolderLayouts(home.resolve("layouts")).write(home, Layout(Layout.VERSION, formulas = listOf("A = 3")))
+            viewer.board.replace(Board().withGraph(listOf("Arm/Angle")))
+            viewer.layouts.saveNow()
+            viewer.formulas.definitions shouldBe listOf("A = 3")
+        }
+    }
+
+    test("the log that was open over a folder is known at the next start") {
+        val home = tempdir().toPath()
+        val one = recordingOf(armBag(50), home.resolve("one.bag"))
+        started(home, home, one) { it.view.change { showing(2.0, 3.0) } }
+        fun last() = Viewer(MainScope(), UserFolders(home, home)).layouts.lastOpenIn(home)
+        last() shouldBe null
+        Files.createFile(one.file)
+        last()?.file shouldBe one.file
+    }
+
     test("a damaged memory is as none") {
         val home = tempdir().toPath()
         val one = recordingOf(armBag(50), home.resolve("one.bag"))

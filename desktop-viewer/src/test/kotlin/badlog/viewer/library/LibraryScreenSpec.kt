@@ -63,7 +63,7 @@ class LibraryScreenSpec : FunSpec({
     test("the samples are listed with their matches, and a click opens one") {
         onFolder(sampleFolder()) { viewer ->
             onNodeWithText("Qualification 42", substring = true).assertExists()
-            onNodeWithText("16 Mar 2024, 10:41 · 2:36 · 6.7 V").assertExists()
+            onNodeWithText("16 Mar 2024, 10:41 · 2:36 · 6.73 V").assertExists()
             onNodeWithContentDescription("Log practice.bag").performClick()
             waitUntil(timeoutMillis = 30_000) { viewer.current.recording?.file?.fileName.toString() == "practice.bag" }
             onNodeWithContentDescription("Log practice.bag").assertIsSelected()

@@ -1,14 +1,17 @@
 package badlog.viewer.library
 
+import badlog.recording.Severity
 import badlog.viewer.app.Viewer
 import badlog.viewer.layout.FolderLayouts
 import badlog.viewer.layout.Layout
 import badlog.viewer.layout.LayoutComparison
 import badlog.viewer.library.index.Content
+import badlog.viewer.library.index.IndexCache
 import badlog.viewer.library.index.IndexQueue
 import badlog.viewer.library.index.bag
 import badlog.viewer.library.index.matchValues
 import badlog.viewer.library.index.put
+import badlog.viewer.library.index.putSamples
 import badlog.viewer.library.index.samples
 import badlog.viewer.settings.UserFolders
 import io.kotest.assertions.nondeterministic.eventually
@@ -27,6 +30,7 @@ import kotlinx.coroutines.withContext
 import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.StandardOpenOption
+import java.nio.file.attribute.FileTime
 import java.nio.file.attribute.PosixFilePermissions
 import java.util.concurrent.TimeUnit
 import kotlin.time.Duration.Companion.seconds
@@ -136,6 +140,19 @@ class LibrarySpec : FunSpec({
         watching(folder, newViewer(home)) { viewer ->
             eventually(longest) { viewer.library.state.entries.single().topics.map { it.name } shouldContain "System/Battery Voltage" }
         }
+    }
+
+    test("the rules run over each log in the background, and what they found is there the next time") {
+        val folder = tempdir().toPath()
+        val home = tempdir().toPath()
+        folder.putSamples()
+        Files.list(folder).use { files -> files.forEach { Files.setLastModifiedTime(it, FileTime.fromMillis(System.currentTimeMillis() - 60_000)) } }
+        fun found(viewer: Viewer) = viewer.library.state.entries.associate { it.fileName to it.found?.worst }
+        watching(folder, newViewer(home)) { viewer ->
+            eventually(longest) { found(viewer)["qualification-42.bag"] shouldBe Severity.ERROR }
+        }
+        fun kept() = IndexCache(home, folder).load().find { it.fileName == "qualification-42.bag" }?.found?.worst
+        eventually(longest) { kept() shouldBe Severity.ERROR }
     }
 
     test("a folder of broken files is listed with a sentence for each, and nothing hangs") {

@@ -29,7 +29,7 @@ class FindingsWindowSpec : FunSpec({
             window.awaitGraphs()
             window.picture("findings")
 
-            window.click("Plot Arm/Angle")
+            window.click("Plot Match Time")
             window.press(KeyEvent.VK_F)
             window.awaitText("Formula sheet")
             window.type("twice = battery vol")

@@ -58,10 +58,10 @@ class GraphWindowSpec : FunSpec({
             window.awaitState("the cursor to stand") { !it.player.state.isPlaying }
 
             window.click("Theme: system")
-            window.awaitState("the light theme") { it.settings.state.theme == Theme.LIGHT }
+            window.awaitState("the dark theme") { it.settings.state.theme == Theme.DARK }
             window.press(KeyEvent.VK_SPACE)
             window.awaitState("the cursor to run") { it.player.state.isPlaying }
-            window.look { it.settings.state.theme } shouldBe Theme.LIGHT
+            window.look { it.settings.state.theme } shouldBe Theme.DARK
             window.press(KeyEvent.VK_SPACE)
             window.awaitState("the cursor to stand") { !it.player.state.isPlaying }
 

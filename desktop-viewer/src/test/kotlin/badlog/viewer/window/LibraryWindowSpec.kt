@@ -22,7 +22,6 @@ class LibraryWindowSpec : FunSpec({
             window.awaitState("all logs, and one of them") { it.library.state.entries.size == 4 && it.current.recording != null }
             window.awaitGraphs()
             window.click("Theme: system")
-            window.click("Theme: light")
             window.awaitState("the dark theme") { it.settings.state.theme == Theme.DARK }
             window.awaitGraphs()
             window.picture("dark")
@@ -30,7 +29,6 @@ class LibraryWindowSpec : FunSpec({
             window.awaitText("Table of logs")
             window.picture("table-dark")
             window.click("Theme: dark")
-            window.click("Theme: system")
             window.picture("table")
             window.press(KeyEvent.VK_T)
             window.awaitState("the graphs") { it.panels.state.main == MainView.GRAPHS }

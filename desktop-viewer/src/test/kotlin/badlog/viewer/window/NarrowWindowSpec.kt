@@ -1,6 +1,7 @@
 package badlog.viewer.window
 
 import badlog.viewer.library.index.putSamples
+import badlog.viewer.library.index.samples
 import badlog.viewer.panels.FrontPart
 import badlog.viewer.panels.InspectorTab
 import io.kotest.core.spec.style.FunSpec
@@ -48,6 +49,22 @@ class NarrowWindowSpec : FunSpec({
             window.awaitState("the other log in front") {
                 it.current.recording?.file == folder.resolve("practice.bag") && it.panels.state.front == FrontPart.GRAPHS
             }
+        }
+    }
+
+    test("a small window leaves the graphs room beside all that is open, and a drag makes a part wider").config(enabledOrReasonIf = { needsDisplay }) {
+        RealWindow(tempdir().toPath(), samples.resolve("qualification-42.bag"), width = 900, height = 600).use { window ->
+            window.awaitState("the match") { it.current.recording != null }
+            window.press(KeyEvent.VK_5, KeyEvent.VK_CONTROL)
+            window.awaitGraphs()
+            window.awaitState("room for graphs") { viewer -> viewer.graphs.plots.state(viewer.board.state.graphs[0].id).size.width > 300 }
+            window.picture("small-window")
+            val before = window.look { it.settings.state.panes.details }
+            window.drag("Width of the panel", 0.5, 0.5, -8.0, 0.5)
+            window.awaitState("another width") { it.settings.state.panes.details != before }
+            window.press(KeyEvent.VK_T)
+            window.awaitText("Table of logs")
+            window.picture("small-table")
         }
     }
 })

@@ -1,6 +1,5 @@
 package badlog.viewer.window
 
-import badlog.viewer.theme.Theme
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import java.nio.file.Path
@@ -11,8 +10,6 @@ class WindowSpec : FunSpec({
     test("a log that is named at the start is shown, and the window closes").config(enabledOrReasonIf = { needsDisplay }) {
         RealWindow(tempdir().toPath(), samples.resolve("qualification-42.bag")).use { window ->
             window.awaitText("Mill Creek Regional Qualification 42")
-            window.click("Theme: system")
-            window.awaitState("the light theme") { it.settings.state.theme == Theme.LIGHT }
             window.picture("recording")
         }
     }

@@ -11,8 +11,15 @@ import badlog.plot.curve.Strokes
  * @property xTitle what stands below it.
  * @property x the part of x that it shows.
  * @property frames its graphs, from top to bottom.
+ * @property marks what every frame shows of the whole recording.
  */
-internal class Figure(val title: String, val xTitle: String, val x: Span, val frames: List<FigureFrame>)
+internal class Figure(
+    val title: String,
+    val xTitle: String,
+    val x: Span,
+    val frames: List<FigureFrame>,
+    val marks: FigureMarks = FigureMarks(),
+)
 
 /**
  * One frame of a [Figure]: lines over a y axis of one unit, or lanes of states.

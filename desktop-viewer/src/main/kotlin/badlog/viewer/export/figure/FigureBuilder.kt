@@ -8,7 +8,10 @@ import badlog.plot.board.BoardGraph
 import badlog.plot.curve.Curve
 import badlog.plot.curve.Scale
 import badlog.plot.curve.Strokes
+import badlog.plot.timeline.EventTimeline
+import badlog.plot.timeline.FindingTimeline
 import badlog.recording.PathName
+import badlog.rules.Finding
 import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.graph.plot.drawnLines
 import badlog.viewer.recording.Signal
@@ -20,13 +23,21 @@ import badlog.viewer.theme.Palette
  * stops it.
  *
  * @param width how many pixels wide the figure will be.
+ * @param events those of the open recording that are marked.
+ * @param findings what rules found in it, if that is known.
  */
-internal class FigureBuilder(private val recordings: List<DrawnRecording>, private val x: Span, private val width: Int) {
+internal class FigureBuilder(
+    private val recordings: List<DrawnRecording>,
+    private val x: Span,
+    private val width: Int,
+    private val events: EventTimeline = EventTimeline.NONE,
+    private val findings: FindingTimeline<Finding>? = null,
+) {
     private val names = recordings.map { it.name }
     private val frameLetters = width / FRAME_LETTER
 
     /** One line of one recording. */
-    private class Source(val drawn: DrawnRecording, val signal: Signal, val label: String, val color: Int)
+    private class Source(val drawn: DrawnRecording, val signal: Signal, val title: String, val label: String, val color: Int)
 
     private class GraphSources(val graph: BoardGraph, val sources: List<Source>)
 
@@ -43,6 +54,7 @@ internal class FigureBuilder(private val recordings: List<DrawnRecording>, priva
             xTitle = plainLine(axis.title, NAME_LETTERS),
             x = x,
             frames = sources.flatMap { framesOf(it, columns, laneColumns) },
+            marks = figureMarks(x, width, recordings.first().recording.enabled, events, findings),
         )
     }
 
@@ -51,16 +63,16 @@ internal class FigureBuilder(private val recordings: List<DrawnRecording>, priva
     // The colors are those of the window.
     private fun sourcesOf(graph: BoardGraph): List<Source> = drawnLines(graph, recordings).map { line ->
         val place = recordings.indexOfFirst { it.recording === line.recording && it.offset == line.offset }
-        Source(recordings[place], line.signal, labelOf(line.signal, names[place], graph), line.color)
+        Source(recordings[place], line.signal, line.title, labelOf(line.title, names[place], graph), line.color)
     }
 
-    private fun labelOf(signal: Signal, recording: String, graph: BoardGraph): String = when {
-        recordings.size == 1 -> plainLine(signal.title, LABEL_LETTERS)
+    private fun labelOf(lineTitle: String, recording: String, graph: BoardGraph): String = when {
+        recordings.size == 1 -> plainLine(lineTitle, LABEL_LETTERS)
 
         graph.lines.size == 1 -> plainLine(recording, LABEL_LETTERS)
 
         else -> {
-            val title = plainLine(signal.title, LABEL_LETTERS / 2)
+            val title = plainLine(lineTitle, LABEL_LETTERS / 2)
             "$title, ${plainLine(recording, LABEL_LETTERS - title.length - 2)}"
         }
     }
@@ -70,8 +82,11 @@ internal class FigureBuilder(private val recordings: List<DrawnRecording>, priva
         val (states, numbers) = graph.sources.partition { it.signal.states != null }
         val units = numbers.groupBy { it.signal.unit }.values
         return units.mapIndexed { i, lines -> lineFrame(graph.graph, lines, columns, isFirst = i == 0) } +
-            laneFrames(graph.graph, states, laneColumns)
+            laneFrames(if (units.isEmpty()) graph.graph else graph.graph.copy(title = namesIn(states)), states, laneColumns)
     }
+
+    /** What stands above a frame that is not the first of its graph, whose title was read already. */
+    private fun namesIn(sources: List<Source>) = sources.map { it.title }.distinct().joinToString()
 
     private fun lineFrame(graph: BoardGraph, sources: List<Source>, columns: PixelColumns, isFirst: Boolean): FigureFrame {
         var least = Double.NaN
@@ -89,12 +104,14 @@ internal class FigureBuilder(private val recordings: List<DrawnRecording>, priva
         val limits = YLimits().apply { fit(least, most, graph.includesZero) }
         val wanted = graph.yRange?.takeIf { isFirst && it.width > 0 }
         val unit = sources.first().signal.unit
+        val title = if (isFirst) graph.title else namesIn(sources)
+        val saysItAll = sources.size == 1 && (!isFirst || isNamed(graph, sources[0].signal))
         return FigureFrame(
-            title = plainLine(graph.title, frameLetters),
+            title = plainLine(title, frameLetters),
             yTitle = if (Units.isNone(unit)) "" else plainLine(unit, UNIT_LETTERS),
             y = wanted ?: Span(limits.from, limits.to),
             isFilled = graph.isFilled,
-            hasLegend = recordings.size > 1 || lines.size > 1 || !isNamed(graph, sources.single().signal),
+            hasLegend = recordings.size > 1 || !saysItAll,
             lines = lines,
             lanes = emptyList(),
         )
@@ -104,7 +121,7 @@ internal class FigureBuilder(private val recordings: List<DrawnRecording>, priva
     private fun laneFrames(graph: BoardGraph, sources: List<Source>, columns: Int): List<FigureFrame> = when {
         sources.isEmpty() -> emptyList()
 
-        recordings.size == 1 -> listOf(laneFrame(graph.title, sources, columns) { it.signal.title })
+        recordings.size == 1 -> listOf(laneFrame(graph.title, sources, columns) { it.title })
 
         else -> sources.groupBy { it.signal.name }.map { (name, lanes) ->
             laneFrame(name, lanes, columns) { names[recordings.indexOf(it.drawn)] }

@@ -7,6 +7,7 @@ import org.jetbrains.letsPlot.geom.geomPoint
 import org.jetbrains.letsPlot.geom.geomRect
 import org.jetbrains.letsPlot.geom.geomRibbon
 import org.jetbrains.letsPlot.geom.geomText
+import org.jetbrains.letsPlot.geom.geomVLine
 import org.jetbrains.letsPlot.gggrid
 import org.jetbrains.letsPlot.ggsize
 import org.jetbrains.letsPlot.intern.Plot
@@ -30,7 +31,9 @@ internal fun drawingOf(figure: Figure, options: FigureOptions): LetsPlotFigure {
 }
 
 private fun plotOf(figure: Figure, frame: FigureFrame, size: FrameSize): Plot {
-    val content = if (frame.lanes.isEmpty()) drawLines(frame, size) else drawLanes(figure, frame, size)
+    val behind = behind(figure.marks, frame)
+    val lines = if (frame.lanes.isEmpty()) drawLines(behind, frame, size) else drawLanes(behind, figure, frame, size)
+    val content = above(lines, figure.marks, frame)
     val yBreaks = frame.lanes.indices.map { frame.lanes.size - it - 0.5 }.takeIf { it.isNotEmpty() }
     val labels = frame.lanes.map { it.label }.takeIf { it.isNotEmpty() }
     val base = content +
@@ -46,13 +49,58 @@ private fun plotOf(figure: Figure, frame: FigureFrame, size: FrameSize): Plot {
     return base + figureTheme(size, hasLanes = frame.lanes.isNotEmpty())
 }
 
-private fun drawLines(frame: FigureFrame, size: FrameSize): Plot {
+/** An empty frame with what lies behind its lines: when the robot was enabled, and where something happened. */
+private fun behind(marks: FigureMarks, frame: FigureFrame): Plot {
+    var plot = letsPlot()
+    for ((color, bands) in marks.bands.groupBy { it.color }) {
+        val data = mapOf("from" to bands.map { it.from }, "to" to bands.map { it.to })
+        plot += geomRect(
+            data,
+            ymin = frame.y.from,
+            ymax = frame.y.to,
+            fill = color,
+            alpha = BAND,
+            size = 0,
+            sampling = samplingNone,
+            showLegend = false,
+            tooltips = null,
+        ) {
+            xmin = "from"
+            xmax = "to"
+        }
+    }
+    if (marks.events.isNotEmpty()) {
+        val color = hexOf(Palette.LIGHT.event)
+        plot +=
+            geomVLine(mapOf("at" to marks.events), color = color, alpha = EVENT, size = 0.5, sampling = samplingNone, showLegend = false) {
+                xintercept = "at"
+            }
+    }
+    return plot
+}
+
+/** [plot] with the marks of findings along its bottom. */
+private fun above(plot: Plot, marks: FigureMarks, frame: FigureFrame): Plot =
+    marks.findings.groupBy { it.color }.entries.fold(plot) { drawn, (color, points) ->
+        drawn + geomPoint(
+            mapOf("at" to points.map { it.x }),
+            y = frame.y.from + frame.y.width * FINDING_PLACE,
+            color = color,
+            shape = DIAMOND,
+            size = FINDING,
+            sampling = samplingNone,
+            showLegend = false,
+            tooltips = null,
+        ) { x = "at" }
+    }
+
+private fun drawLines(behind: Plot, frame: FigureFrame, size: FrameSize): Plot {
     val keys = frame.lines.indices.map { it.toString() }
     val colors = frame.lines.map { it.color }
     val labels = frame.lines.map { unbroken(it.label) }
     val points = LinePoints(frame)
     val legend = if (size.legendRows > 0) guideLegend(nrow = size.legendRows, byRow = true) else "none"
-    var plot = letsPlot() +
+    var plot = behind +
         scaleColorManual(colors, breaks = keys, labels = labels, limits = keys, name = "", guide = legend)
     if (frame.isFilled) {
         val base = 0.0.coerceIn(frame.y.from, frame.y.to)
@@ -82,7 +130,7 @@ private fun drawLines(frame: FigureFrame, size: FrameSize): Plot {
     return plot
 }
 
-private fun drawLanes(figure: Figure, frame: FigureFrame, size: FrameSize): Plot {
+private fun drawLanes(behind: Plot, figure: Figure, frame: FigureFrame, size: FrameSize): Plot {
     val blocks = frame.lanes.flatMapIndexed { i, lane -> lane.blocks.map { frame.lanes.size - i - 1.0 to it } }
     val data = mapOf(
         "from" to blocks.map { it.second.from },
@@ -113,7 +161,7 @@ private fun drawLanes(figure: Figure, frame: FigureFrame, size: FrameSize): Plot
         y = "middle"
         label = "text"
     }
-    return letsPlot() + rects + names + scaleFillIdentity()
+    return behind + rects + names + scaleFillIdentity()
 }
 
 // A legend breaks long labels at their spaces, for which it has no room.
@@ -124,6 +172,13 @@ private const val NO_BREAK = '\u00a0'
 private const val STROKE = 0.8
 private const val DOT = 1.6
 private const val FILL = 0.15
+private const val BAND = 0.1
+private const val EVENT = 0.5
+private const val FINDING = 3.4
+
+/** How far above the frame's bottom a finding's mark stands, as a share of its height. */
+private const val FINDING_PLACE = 0.03
+private const val DIAMOND = 18
 private const val LANE_GAP = 0.06
 private const val NAME_SIZE = 4.6
 

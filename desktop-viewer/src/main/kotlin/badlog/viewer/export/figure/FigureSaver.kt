@@ -10,7 +10,9 @@ import badlog.viewer.files.FileChoice
 import badlog.viewer.files.askToWrite
 import badlog.viewer.files.fileNameOf
 import badlog.viewer.files.sayNoLog
+import badlog.viewer.findings.LogFindings
 import badlog.viewer.recording.CurrentRecording
+import badlog.viewer.recording.FilteredEvents
 import badlog.viewer.task.LongTasks
 import badlog.viewer.task.Notices
 import badlog.viewer.task.openAction
@@ -27,6 +29,8 @@ internal class FigureSaver(
     private val current: CurrentRecording,
     private val compared: ComparedRecordings,
     private val view: AxisView,
+    private val events: FilteredEvents,
+    private val findings: LogFindings,
     private val files: FileChoice,
     private val tasks: LongTasks,
     private val notices: Notices,
@@ -36,7 +40,7 @@ internal class FigureSaver(
         val recording = current.recording ?: return
         val ending = ".${options.format.ending}"
         val file = askToWrite(files, notices, "Save the figure", recording.file.parent, fileNameOf(recording.label), ending) ?: return
-        val builder = FigureBuilder(compared.drawn, view.viewport.visible, options.width)
+        val builder = builder(options)
         tasks.run("Drawing ${file.fileName}", { writeFigure(drawable(builder.build(graphs)), options, file) }) {
             notices.say("Saved $file.", openAction(file, scope, notices))
         }
@@ -50,13 +54,16 @@ internal class FigureSaver(
         if (current.recording == null) return sayNoLog(notices)
         if (graphs.isEmpty()) return
         val options = FigureOptions(graphHeight = if (graphs.size == 1) LONE_HEIGHT else FigureOptions().graphHeight)
-        val builder = FigureBuilder(compared.drawn, view.viewport.visible, options.width)
+        val builder = builder(options)
         val draw = { imageOf(svgOf(drawable(builder.build(graphs)), options), options.width, PICTURE_SCALE) }
         tasks.run("Copying the picture", { copyImage(draw(), clipboard) }) {
             val what = graphs.singleOrNull()?.let { "“${it.title}”" } ?: "${graphs.size} graphs"
             notices.say("Copied a picture of $what; paste it where you like.")
         }
     }
+
+    private fun builder(options: FigureOptions) =
+        FigureBuilder(compared.drawn, view.viewport.visible, options.width, events.matching, findings.state.list?.timeline)
 
     private companion object {
         const val LONE_HEIGHT = 320

@@ -6,6 +6,7 @@ import badlog.file.readRecording
 import badlog.formats.LOG_FORMATS
 import badlog.html.ExportException
 import badlog.html.HtmlExporter
+import badlog.html.layoutFor
 import badlog.html.protocol.PageAdditions
 import badlog.rules.FolderRules
 import badlog.rules.namesWith
@@ -80,7 +81,8 @@ internal class Additions(known: List<OpenRecording>, private val definitions: Li
     /** Those of the page of [log]. */
     fun of(log: Path): PageAdditions {
         val rules = FolderRules.of(log, library)
-        return PageAdditions(workingIn(log), rules.rules, rules.problem)
+        val layout = layoutFor(log, rules.rules.signals, library)
+        return PageAdditions(workingIn(log), rules.rules, rules.problem, layout = layout.text)
     }
 
     /** The formulas that make a topic in [log]; none where it cannot be read, which whoever makes the page reports. */

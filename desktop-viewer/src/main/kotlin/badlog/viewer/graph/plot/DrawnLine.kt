@@ -1,6 +1,7 @@
 package badlog.viewer.graph.plot
 
 import badlog.plot.board.BoardGraph
+import badlog.plot.text.shortNames
 import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.recording.Signal
@@ -10,6 +11,7 @@ import badlog.viewer.recording.Signal
  *
  * @property offset what is added to the recording's x to stand in the window's.
  * @property color which of the palette's colors it has, from 0.
+ * @property title what the graph calls it: no more of its path than tells it from the other lines; in brackets where it was calculated.
  * @property label what the legend calls it beside the signal's name, where that is not enough; else null.
  */
 internal data class DrawnLine(
@@ -17,6 +19,7 @@ internal data class DrawnLine(
     val recording: OpenRecording,
     val offset: Double,
     val color: Int,
+    val title: String = signal.title,
     val label: String? = null,
 )
 
@@ -26,6 +29,7 @@ internal data class DrawnLine(
  */
 internal fun drawnLines(spec: BoardGraph, recordings: List<DrawnRecording>): List<DrawnLine> {
     val isCompared = recordings.size > 1
+    val titles = shortNames(spec.lines)
     return spec.lines.flatMapIndexed { place, name ->
         recordings.mapIndexedNotNull { index, drawn ->
             val signal = drawn.recording.signal(name) ?: return@mapIndexedNotNull null
@@ -34,6 +38,7 @@ internal fun drawnLines(spec: BoardGraph, recordings: List<DrawnRecording>): Lis
                 recording = drawn.recording,
                 offset = drawn.offset,
                 color = place * recordings.size + index,
+                title = if (signal.isDerived) "[ ${titles[place]} ]" else titles[place],
                 label = if (isCompared) drawn.name else null,
             )
         }

@@ -1,7 +1,10 @@
 package badlog.viewer.graph.plot
 
 import badlog.analysis.Span
-import badlog.analysis.Units
+import badlog.plot.axis.SeenOfUnit
+import badlog.plot.axis.graphAxes
+import badlog.plot.axis.seenTogether
+import badlog.plot.board.BoardGraph
 import badlog.plot.curve.Scale
 import badlog.plot.lane.LaneBlocks
 import badlog.plot.lane.LaneLook
@@ -15,17 +18,16 @@ internal const val LANE_HEIGHT = 22
 
 /** Finds out all that is to be drawn for [request]. Takes a while: not for the window's thread. */
 internal fun makePicture(request: PlotRequest, curves: CurveCache): PlotPicture {
-    val (states, numbers) = drawnLines(request.spec, request.recordings)
-        .filter { line -> visibleOf(line, request).width.let { it > 0 && it.isFinite() } }
-        .take(MAX_LINES)
-        .partition { it.signal.states != null }
+    val (states, numbers) = shownLines(request.spec, request).partition { it.signal.states != null }
     val lanesHeight = lanesHeight(request, states.size, hasLines = numbers.isNotEmpty())
     val plotHeight = request.height - lanesHeight
-    val strokes = numbers.map { curves.curve(it.recording, it.signal).trace(visibleOf(it, request), request.width) }
-    val units = numbers.map { unitOf(it) }.distinct()
-    val axes = axesOf(request, units, plotHeight) { unit -> strokes.filterIndexed { i, _ -> unitOf(numbers[i]) == unit } }
+    val strokes = strokesOf(numbers, request, curves)
+    val ofUnits = graphAxes(numbers.map { it.signal.unit })
+    val seen = ofUnits.map { axis -> seenOf(axis.unit, axis.lines.map(strokes::get)) }
+    val together = if (request.spec.sharesY) seenTogether(seen + request.sharing.flatMap { seenIn(it, request, curves) }) else emptyMap()
+    val axes = yAxesOf(request, ofUnits, seen.map { together[it.unit] ?: it }, plotHeight)
     val lines = numbers.mapIndexed { i, line ->
-        val axis = units.indexOf(unitOf(line))
+        val axis = ofUnits.indexOfFirst { i in it.lines }
         strokes[i].place(Scale.ofY(axes[axis].shown, plotHeight.toDouble()))
         LinePicture(line, axis, strokes[i])
     }
@@ -39,7 +41,19 @@ internal fun makePicture(request: PlotRequest, curves: CurveCache): PlotPicture 
     )
 }
 
-private fun unitOf(line: DrawnLine) = if (Units.isNone(line.signal.unit)) "" else line.signal.unit
+private fun shownLines(spec: BoardGraph, request: PlotRequest) = drawnLines(spec, request.recordings)
+    .filter { line -> line.signal.name !in spec.hidden && visibleOf(line, request).width.let { it > 0 && it.isFinite() } }
+    .take(MAX_LINES)
+
+private fun strokesOf(numbers: List<DrawnLine>, request: PlotRequest, curves: CurveCache) =
+    numbers.map { curves.curve(it.recording, it.signal).trace(visibleOf(it, request), request.width) }
+
+/** What is to be seen of each unit in [spec], another graph that shares the limits of y. */
+private fun seenIn(spec: BoardGraph, request: PlotRequest, curves: CurveCache): List<SeenOfUnit> {
+    val numbers = shownLines(spec, request).filter { it.signal.states == null }
+    val strokes = strokesOf(numbers, request, curves)
+    return graphAxes(numbers.map { it.signal.unit }).map { axis -> seenOf(axis.unit, axis.lines.map(strokes::get)) }
+}
 
 private fun lanesHeight(request: PlotRequest, lanes: Int, hasLines: Boolean): Float {
     val room = request.height.toFloat()

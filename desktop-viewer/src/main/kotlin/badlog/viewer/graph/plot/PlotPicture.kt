@@ -1,6 +1,7 @@
 package badlog.viewer.graph.plot
 
 import badlog.analysis.Span
+import badlog.plot.axis.GraphAxis
 import badlog.plot.axis.Ticks
 import badlog.plot.curve.Strokes
 import badlog.plot.lane.LaneBlocks
@@ -10,7 +11,7 @@ import org.jetbrains.skia.Image
  * A graph ready to be drawn: only pixels, nothing to be found out any more.
  *
  * @property request what it was made for.
- * @property axes the scales of y: the one at the left, the one at the right, and those of further units, which no axis shows.
+ * @property axes the scales of y, one for each unit.
  * @property lines the lines of numbers.
  * @property lanes the lanes of states, below the lines.
  * @property image the lines as they are to be seen; null without any.
@@ -28,12 +29,12 @@ internal class PlotPicture(
 /**
  * A scale of y.
  *
- * @property unit what is counted.
+ * @property axis its unit, and where it stands.
  * @property fitted what the visible samples need.
  * @property shown what is seen of it.
  * @property ticks the places that are labeled.
  */
-internal class YAxis(val unit: String, val fitted: Span, val shown: Span, val ticks: Ticks) {
+internal class YAxis(val axis: GraphAxis, val fitted: Span, val shown: Span, val ticks: Ticks) {
     /** Where [value] stands on a plot [height] pixels high, from its top. */
     fun pixelOf(value: Double, height: Float): Float {
         val pixel = (shown.to - value) / shown.width * height

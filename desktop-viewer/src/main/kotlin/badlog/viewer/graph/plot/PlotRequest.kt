@@ -14,6 +14,7 @@ import badlog.viewer.theme.Palette
  * @property width how many physical pixels that part takes; above 0.
  * @property height how many physical pixels y takes; above 0.
  * @property palette the colors.
+ * @property sharing the other graphs that share their limits of y with it.
  * @property density how many physical pixels a dp has.
  */
 internal data class PlotRequest(
@@ -24,4 +25,5 @@ internal data class PlotRequest(
     val height: Int,
     val palette: Palette,
     val density: Float,
+    val sharing: List<BoardGraph> = emptyList(),
 )

@@ -7,9 +7,13 @@ import badlog.viewer.recording.CurrentRecording
 import badlog.viewer.view.AxisView
 
 /** What the keyboard does with the graphs besides what it does on an exported page. */
-internal fun graphCommands(view: AxisView): List<Command> = listOf(
+internal fun graphCommands(view: AxisView, scroll: (share: Double) -> Unit): List<Command> = listOf(
+    Command("Graphs", "Scroll the graphs up", listOf(KeyPress(Key.DirectionUp, "↑"))) { scroll(-SCROLLED) },
+    Command("Graphs", "Scroll the graphs down", listOf(KeyPress(Key.DirectionDown, "↓"))) { scroll(SCROLLED) },
     Command("Graphs", "Zoom to the selection", listOf(KeyPress(Key.Z, "Z"))) { zoomToSelection(view) },
 )
+
+private const val SCROLLED = 0.25
 
 /** Shows what is selected. */
 internal fun zoomToSelection(view: AxisView) {

@@ -1,5 +1,6 @@
 package badlog.viewer.graph.scene
 
+import androidx.compose.foundation.lazy.LazyListState
 import androidx.compose.runtime.derivedStateOf
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
@@ -45,6 +46,9 @@ internal class GraphScene(
     val plots = Plots()
     val gestures = PlotGestures(view, board, player)
 
+    /** How far the graphs are scrolled. */
+    val list = LazyListState()
+
     /** What is drawn. */
     val recordings: List<DrawnRecording> get() = compared.drawn
 
@@ -56,6 +60,11 @@ internal class GraphScene(
     /** The room at the right of all graphs: for the second axis, where any has one, and the scroll bar. */
     val rightGutter: Dp get() = if (hasRightAxis) 60.dp else 12.dp
 
+    /** Scrolls by [share] of what is seen, up when negative. */
+    fun scroll(share: Double) {
+        list.dispatchRawDelta((list.layoutInfo.viewportSize.height * share).toFloat())
+    }
+
     /** Waits until every graph in sight is drawn; returns at once while there is none. */
     suspend fun awaitDrawn() {
         snapshotFlow { board.state.graphs.isEmpty() || plots.areReady(recordings, view.viewport.visible) }.first { it }
@@ -65,8 +74,12 @@ internal class GraphScene(
     fun pictureOf(state: PlotState): PlotPicture? =
         state.picture?.takeIf { it.request.recordings.firstOrNull()?.recording?.file == current.recording?.file }
 
+    /** The other graphs whose limits of y [spec] shares; none where it does not. */
+    fun sharingWith(spec: BoardGraph): List<BoardGraph> =
+        if (spec.sharesY) board.state.graphs.filter { it.sharesY && it.id != spec.id } else emptyList()
+
     private fun unitsOf(spec: BoardGraph) = drawnLines(spec, recordings)
-        .filter { it.signal.states == null }
+        .filter { it.signal.states == null && it.signal.name !in spec.hidden }
         .distinctBy { if (Units.isNone(it.signal.unit)) "" else it.signal.unit }
         .size
 

@@ -2,6 +2,7 @@ package badlog.viewer.library.index
 
 import badlog.analysis.SeriesStatistics
 import badlog.file.LogFile
+import badlog.recording.Severity
 import badlog.recording.TopicKind
 import java.io.ByteArrayOutputStream
 import java.io.DataOutputStream
@@ -18,7 +19,7 @@ internal object IndexFormat {
     private const val HEAD = 12
 
     /** To be raised whenever the bytes, or what is found out about a file, change their meaning. */
-    const val VERSION = 4
+    const val VERSION = 5
 
     /** The bytes of [entries], found out with signals that are called as [names] stands for. */
     fun encode(entries: Collection<LogEntry>, names: Int = 0): ByteArray {
@@ -111,6 +112,25 @@ internal class EntryWriter(private val out: DataOutputStream, private val texts:
         text(batteryTopic)
         out.writeInt(topics.size)
         topics.forEach(::write)
+        write(found)
+    }
+
+    private fun write(found: LogFound?) {
+        out.writeByte(
+            if (found == null) {
+                NOT_SEARCHED
+            } else if (found.rules == null) {
+                NOT_SEARCHABLE
+            } else {
+                SEARCHED
+            },
+        )
+        out.writeInt(found?.key ?: 0)
+        out.writeInt(found?.rules?.size ?: 0)
+        for (rule in found?.rules.orEmpty()) {
+            text(rule.name)
+            out.writeByte(rule.severity.ordinal)
+        }
     }
 
     private fun write(topic: TopicSummary) = with(topic.statistics) {
@@ -151,7 +171,16 @@ internal class EntryReader(private val buffer: ByteBuffer, private val texts: Ar
         batteryMinimum = number(),
         batteryTopic = text(),
         topics = List(buffer.count(TOPIC_BYTES)) { readTopic() },
+        found = readFound(),
     )
+
+    private fun readFound(): LogFound? {
+        val state = buffer.get().toInt()
+        val key = buffer.getInt()
+        val rules = List(buffer.count(RULE_BYTES)) { FoundRule(text()!!, Severity.entries[buffer.get().toInt()]) }
+        require(state in NOT_SEARCHED..SEARCHED) { "$state is not whether a log was searched." }
+        return if (state == NOT_SEARCHED) null else LogFound(key, rules.takeIf { state == SEARCHED })
+    }
 
     private fun readTopic() = TopicSummary(
         name = text()!!,
@@ -179,12 +208,17 @@ internal class EntryReader(private val buffer: ByteBuffer, private val texts: Ar
     private fun text(): String? = buffer.getInt().let { if (it == -1) null else texts[it] }
 
     companion object {
+        private const val RULE_BYTES = 4 + 1
         private const val TOPIC_BYTES = 4 + 4 + 1 + 2 * 4 + 10 * 8 + PreviewLine.BYTES
 
         /** No entry has fewer bytes. */
-        const val MIN_BYTES = 4 + 2 * 8 + 4 * 4 + 8 + 1 + 8 + 4 + 8 + 3 * 4 + 1 + 4 + 8 + 4 + 4
+        const val MIN_BYTES = 4 + 2 * 8 + 4 * 4 + 8 + 1 + 8 + 4 + 8 + 3 * 4 + 1 + 4 + 8 + 4 + 4 + 1 + 4 + 4
 
         /** Seconds that are of a year with four digits. */
         private val PLAUSIBLE = -62_000_000_000L..250_000_000_000L
     }
 }
+
+private const val NOT_SEARCHED = 0
+private const val NOT_SEARCHABLE = 1
+private const val SEARCHED = 2

@@ -62,6 +62,15 @@ internal class IndexQueue(cached: Collection<LogEntry> = emptyList()) {
         changes++
     }
 
+    /** Takes in what the rules [found] in the file of [entry], unless that has changed meanwhile. */
+    @Synchronized
+    fun searched(entry: LogEntry, found: LogFound) {
+        val now = known[entry.file] ?: return
+        if (now.source != entry.source) return
+        known[entry.file] = now.copy(found = found)
+        changes++
+    }
+
     /** Says that reading [file] was given up. */
     @Synchronized
     fun abandoned(file: LogFile) {

@@ -4,6 +4,7 @@ import badlog.file.FolderScan
 import badlog.file.LogFile
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.Job
 import kotlinx.coroutines.NonCancellable
 import kotlinx.coroutines.coroutineScope
 import kotlinx.coroutines.delay
@@ -15,6 +16,8 @@ import kotlinx.coroutines.launch
 import kotlinx.coroutines.sync.Mutex
 import kotlinx.coroutines.withContext
 import java.io.IOException
+import java.nio.file.AccessDeniedException
+import java.nio.file.NoSuchFileException
 import java.nio.file.Path
 import java.util.concurrent.atomic.AtomicInteger
 import kotlin.time.Duration
@@ -39,6 +42,8 @@ internal class Indexing(
 ) {
     // Not the default dispatcher's threads: what a person waits for at the window must not wait behind a folder of logs.
     private val readers = Dispatchers.IO.limitedParallelism(cores)
+    private val search = FolderSearch(folder)
+    private var searching: Job? = null
     private val started = TimeSource.Monotonic.markNow()
     private val running = AtomicInteger()
     private val largeFile = Mutex()
@@ -83,8 +88,9 @@ internal class Indexing(
             look()
             val lookTook = started.elapsedNow() - began
             repeat(cores - running.get()) { startReader() }
+            if (searching?.isActive != true) searching = launch(Dispatchers.IO) { searchAll() }
             delay(maxOf(LOOK_PERIOD, lookTook * REST_PER_LOOK))
-            val isQuiet = queue.state().waiting == 0
+            val isQuiet = queue.state().waiting == 0 && searching?.isActive != true
             if (isQuiet || started.elapsedNow() - lastSaved > SAVE_PERIOD) {
                 val saveBegan = started.elapsedNow()
                 save()
@@ -101,8 +107,8 @@ internal class Indexing(
                 "$first$others cannot be read: permission denied; ask the owner."
             }
             queue.found(scan.files, started.elapsedNow())
-        } catch (_: IOException) {
-            trouble = "$folder does not answer; is its drive connected?"
+        } catch (e: IOException) {
+            trouble = troubleWith(folder, e)
         }
         val isFirst = !hasLooked
         hasLooked = true
@@ -157,6 +163,27 @@ internal class Indexing(
         }
     }
 
+    /** Runs the rules over the logs over which they were not run, the newest first, as long as no file waits to be read. */
+    private suspend fun searchAll() = coroutineScope {
+        while (true) {
+            val state = queue.state()
+            // A log that is being written is for its own window.
+            val settled = System.currentTimeMillis() - SETTLED.inWholeMilliseconds
+            val entry = state.entries
+                .filter { it.isReadable && !it.isGray && it.source.modified < settled && it.found?.key != search.keyOf(it.file) }
+                .maxByOrNull { it.source.modified }
+            if (entry == null || state.waiting > 0) break
+            if (entry.source.size > LARGE) largeFile.lock()
+            val found = try {
+                unhurried { search.found(entry.source) { ensureActive() } }
+            } finally {
+                if (entry.source.size > LARGE) largeFile.unlock()
+            }
+            queue.searched(entry, found)
+            tellUpdate()
+        }
+    }
+
     private fun save() {
         val state = queue.state()
         if (state.changes == saved || cache == null) return
@@ -173,9 +200,31 @@ internal class Indexing(
         val LOOK_PERIOD: Duration = 300.milliseconds
         val SAVE_PERIOD: Duration = 4.seconds
 
+        /** A log that was not written for so long is whole. */
+        val SETTLED: Duration = 3.seconds
+
         /** Looking and saving take no more than a twentieth of the time. */
         const val REST_PER_LOOK = 20
 
         const val LARGE = 64L shl 20
     }
+}
+
+/** Does [work] while all else that the machine has to do goes before it. */
+private inline fun <T> unhurried(work: () -> T): T {
+    val thread = Thread.currentThread()
+    val before = thread.priority
+    thread.priority = Thread.MIN_PRIORITY
+    try {
+        return work()
+    } finally {
+        thread.priority = before
+    }
+}
+
+/** Why [folder] cannot be looked at, which failed with [e]. */
+internal fun troubleWith(folder: Path, e: IOException): String = when (e) {
+    is AccessDeniedException -> "$folder cannot be read: permission denied; ask the owner."
+    is NoSuchFileException -> "$folder does not exist any more; connect its drive, or open another folder."
+    else -> "$folder does not answer; is its drive connected?"
 }

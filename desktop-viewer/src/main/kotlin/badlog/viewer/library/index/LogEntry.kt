@@ -21,6 +21,7 @@ import java.nio.file.Path
  * @property batteryMinimum the lowest voltage of the robot's battery, in volts; null when no topic shows it.
  * @property batteryTopic the name of that topic.
  * @property topics its topics with numbers, in the order of the file.
+ * @property found what the rules found in it; null while they have not been run.
  */
 internal data class LogEntry(
     val source: LogFile,
@@ -35,6 +36,7 @@ internal data class LogEntry(
     val batteryMinimum: Double? = null,
     val batteryTopic: String? = null,
     val topics: List<TopicSummary> = emptyList(),
+    val found: LogFound? = null,
 ) {
     /** The file; absolute. */
     val file: Path get() = source.path

@@ -12,6 +12,8 @@ import badlog.recording.Topic
 import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.export.armBag
 import badlog.viewer.export.recordingOf
+import badlog.viewer.findings.findingsOf
+import badlog.viewer.graph.sample
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.theme.Palette
 import io.kotest.core.spec.style.FunSpec
@@ -25,7 +27,9 @@ import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import org.w3c.dom.Document
 import org.w3c.dom.Element
+import java.nio.file.Files
 import java.nio.file.Path
+import javax.imageio.ImageIO
 import javax.xml.parsers.DocumentBuilderFactory
 import kotlin.math.sin
 
@@ -51,6 +55,7 @@ class FigureSpec : FunSpec({
     test("each unit of a graph has a frame of its own, and so have its states") {
         val frames = build(listOf(joint), arm.span, arm).frames
         frames.map { it.yTitle } shouldBe listOf("deg", "A", "")
+        frames.map { it.title } shouldBe listOf("Arm/Both", "Current", "Mode")
         frames[2].lanes.single().label shouldBe "Mode"
     }
 
@@ -109,7 +114,7 @@ class FigureSpec : FunSpec({
         val odd = recordingOf(armBag(20).replace("Arm/Angle", "Odd"), Path.of("a & b <c>.bag").toAbsolutePath())
         val figure = build(listOf(BoardGraph(1, name, listOf("Odd", "Arm/Current"))), odd.span, odd)
         val texts = textsIn(svgOf(figure, options))
-        texts.count { it.startsWith("<b>&amp; \"é 𝄞xxx") && it.length < 120 } shouldBe 2
+        texts.count { it.startsWith("<b>&amp; \"é 𝄞xxx") && it.length < 120 } shouldBe 1
         val link = BoardGraph(2, "<a href=\"javascript:alert(1)\">x</a>", listOf("Odd"))
         elements(svgOf(build(listOf(link), odd.span, odd), options), "a").shouldBeEmpty()
         plainLine(name, 10) shouldBe "<b>&a…xxxx"
@@ -124,6 +129,22 @@ class FigureSpec : FunSpec({
         val line = build(listOf(BoardGraph(1, "A", listOf("A"))), Span(0.0, 2.0), back)
         line.frames.single().lines.single().strokes.let { it.endOf(it.count - 1) } shouldBeGreaterThan 2
         textsIn(svgOf(line, options)) shouldContain "A"
+    }
+
+    test("it shows when the robot was enabled, what happened, and what rules found") {
+        val match = sample("qualification-42.bag")
+        val list = findingsOf(match.logged, match.file, null)
+        val figure = FigureBuilder(listOf(DrawnRecording(match)), match.span, options.width, match.events, list.timeline)
+            .build(listOf(BoardGraph(1, "Voltage", listOf("System/Battery Voltage"))))
+        figure.marks.bands.map { it.color }.distinct() shouldHaveSize 2
+        figure.marks.bands.forEach { (it.from >= match.span.from && it.to <= match.span.to) shouldBe true }
+        figure.marks.events.size shouldBeGreaterThan 3
+        figure.marks.findings.size shouldBeGreaterThan 1
+        val svg = svgOf(figure, options)
+        val error = hexOf(Palette.LIGHT.error)
+        (svg.contains("rgb(179,38,30)") || svg.contains(error)) shouldBe true
+        Files.createDirectories(Path.of("build/pictures"))
+        ImageIO.write(imageOf(svg, options.width, 1), "png", Path.of("build/pictures/figure-marks.png").toFile())
     }
 
     test("the picture has the colors of the lines, on white, at twice the size") {

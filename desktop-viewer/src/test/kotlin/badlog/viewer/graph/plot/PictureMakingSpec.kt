@@ -1,6 +1,7 @@
 package badlog.viewer.graph.plot
 
 import badlog.analysis.Span
+import badlog.plot.axis.AxisSide
 import badlog.plot.board.BoardGraph
 import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.graph.bagOf
@@ -79,10 +80,41 @@ class PictureMakingSpec : FunSpec({
             """{"name":"B","unit":"A","attrs":[]}],"values":[]}""" + "\nTime,A,B\n0,0,0\n1,10,1000\n2,10,1000\n"
         val recordings = listOf(DrawnRecording(recordingOf(text)))
         val whole = picture(recordings, listOf("A", "B"), Span(0.0, 2.0))
-        whole.axes.map { it.unit } shouldBe listOf("V", "A")
+        whole.axes.map { it.axis.unit } shouldBe listOf("V", "A")
         val first = whole.axes[0].shown
         val lower = picture(recordings, listOf("A", "B"), Span(0.0, 2.0), Span(first.from, first.from + first.width / 2))
         lower.axes[1].shown.to shouldBe (whole.axes[1].shown.from + whole.axes[1].shown.width / 2)
+    }
+
+    test("a third unit has a scale of its own and says so, and a hidden line gives its axis to it") {
+        val names = listOf("A", "B", "C")
+        val units = listOf("V", "A", "m")
+        val header = names.indices.joinToString(",") { """{"name":"${names[it]}","unit":"${units[it]}","attrs":[]}""" }
+        val text = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},$header],"values":[]}""" + "\nTime,A,B,C\n0,0,0,5\n1,10,1000,6\n"
+        val recordings = listOf(DrawnRecording(recordingOf(text)))
+        val all = picture(recordings, names, Span(0.0, 1.0))
+        all.axes.map { it.axis.side } shouldBe listOf(AxisSide.LEFT, AxisSide.RIGHT, AxisSide.NONE)
+        all.axes[2].axis.legend shouldBe "m, own scale"
+        val spec = BoardGraph(1, "Graph", names, hidden = setOf("A"))
+        val hidden = makePicture(PlotRequest(spec, recordings, Span(0.0, 1.0), 100, 50, Palette.LIGHT, 1f), CurveCache())
+        hidden.lines.map { it.line.signal.name } shouldBe listOf("B", "C")
+        hidden.lines.map { it.line.color } shouldBe listOf(1, 2)
+        hidden.axes.map { it.axis.unit } shouldBe listOf("A", "m")
+        hidden.axes[1].axis.side shouldBe AxisSide.RIGHT
+    }
+
+    test("graphs that share their limits show the same of y, for lines of one unit") {
+        val text = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"A","unit":"V","attrs":[]},""" +
+            """{"name":"B","unit":"V","attrs":[]},{"name":"C","unit":"A","attrs":[]}],"values":[]}""" + "\nTime,A,B,C\n0,0,5,1\n1,1,100,2\n"
+        val recordings = listOf(DrawnRecording(recordingOf(text)))
+        val graphs = listOf("A", "B", "C").mapIndexed { i, name -> BoardGraph(i + 1, name, listOf(name), sharesY = true) }
+        fun shown(graph: BoardGraph) = makePicture(
+            PlotRequest(graph, recordings, Span(0.0, 1.0), 100, 50, Palette.LIGHT, 1f, graphs - graph),
+            CurveCache(),
+        ).axes.single().shown
+        shown(graphs[0]) shouldBe shown(graphs[1])
+        (shown(graphs[0]).to > 99) shouldBe true
+        (shown(graphs[2]).to < 3) shouldBe true
     }
 
     test("states are lanes: below lines, or alone") {

@@ -1,5 +1,6 @@
 package badlog.viewer.library.index
 
+import badlog.recording.Severity
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeEmpty
@@ -20,7 +21,8 @@ import java.util.zip.CRC32
 class IndexCacheSpec : FunSpec({
     val entries = List(20) {
         val topics = List(5) { i -> topic("Arm/$i", i + 0.5) }
-        entry("m$it.bag", MatchFacts("Event", "Final", "$it", "Red"), it * 1000L, topics = topics)
+        val found = listOf(null, LogFound(it, null), LogFound(it, emptyList()), LogFound(it, listOf(FoundRule("Browned out", Severity.ERROR))))
+        entry("m$it.bag", MatchFacts("Event", "Final", "$it", "Red"), it * 1000L, topics = topics).copy(found = found[it % 4])
     } + entry("broken.bag", content = Content.UNREADABLE).copy(trouble = "It is broken.", duration = null)
 
     /** Damage that the check sum does not tell. */

@@ -54,6 +54,20 @@ class IndexQueueSpec : FunSpec({
         read(queue) shouldBe grown
     }
 
+    test("what rules found is known until the file changes") {
+        val queue = IndexQueue()
+        queue.found(listOf(new), Duration.ZERO)
+        read(queue)
+        val before = queue.state().entries.single()
+        queue.searched(before, LogFound(1, emptyList()))
+        queue.state().entries.single().found shouldBe LogFound(1, emptyList())
+        val grown = new.copy(size = 5000)
+        queue.found(listOf(grown), 20.seconds)
+        read(queue) shouldBe grown
+        queue.searched(before, LogFound(2, emptyList()))
+        queue.state().entries.single().found.shouldBeNull()
+    }
+
     test("a file that is deleted is forgotten, also while it is read") {
         val queue = IndexQueue()
         queue.found(listOf(old, new), Duration.ZERO)

@@ -1,4 +1,4 @@
-package badlog.viewer.library
+package badlog.viewer.theme
 
 import androidx.compose.foundation.lazy.LazyListState
 import androidx.compose.runtime.Composable

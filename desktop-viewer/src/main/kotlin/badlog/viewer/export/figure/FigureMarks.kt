@@ -1,0 +1,59 @@
+package badlog.viewer.export.figure
+
+import badlog.analysis.EnabledSpan
+import badlog.analysis.Span
+import badlog.plot.timeline.EventMarks
+import badlog.plot.timeline.EventTimeline
+import badlog.plot.timeline.FindingMarks
+import badlog.plot.timeline.FindingTimeline
+import badlog.rules.Finding
+import badlog.viewer.findings.findingColor
+import badlog.viewer.theme.Palette
+
+/**
+ * What every frame of a figure shows of the open recording besides its lines, as the screen does.
+ *
+ * @property bands when the robot was enabled.
+ * @property events where something happened.
+ * @property findings where rules found something.
+ */
+internal class FigureMarks(
+    val bands: List<FigureBand> = emptyList(),
+    val events: List<Double> = emptyList(),
+    val findings: List<FigurePoint> = emptyList(),
+)
+
+/** A stretch of x behind the lines; [color] as `#rrggbb`. */
+internal class FigureBand(val from: Double, val to: Double, val color: String)
+
+/** A mark at [x]; [color] as `#rrggbb`. */
+internal class FigurePoint(val x: Double, val color: String)
+
+/** The marks of a figure of [x], [width] pixels wide; what crowds there is left out, as on the screen. */
+internal fun figureMarks(
+    x: Span,
+    width: Int,
+    enabled: List<EnabledSpan>,
+    events: EventTimeline,
+    findings: FindingTimeline<Finding>?,
+): FigureMarks {
+    fun placeOf(pixel: Double) = x.from + pixel / width * x.width
+    val bands = enabled.filter { it.span.from < x.to && it.span.to > x.from }.map { stretch ->
+        val color = Palette.LIGHT.line(if (stretch.isAutonomous) AUTONOMOUS else TELEOPERATED)
+        FigureBand(maxOf(x.from, stretch.span.from), minOf(x.to, stretch.span.to), hexOf(color))
+    }
+    val eventMarks = EventMarks().apply { place(events, x, width.toDouble(), 1.0) }
+    val findingMarks = FindingMarks()
+    findings?.let { findingMarks.place(it, x, width.toDouble(), 1.0) }
+    return FigureMarks(
+        bands = bands,
+        events = (0 until eventMarks.size).filter(eventMarks::hasLine).map { placeOf(eventMarks.pixelOf(it)) },
+        findings = List(findingMarks.size) {
+            FigurePoint(placeOf(findingMarks.pixelOf(it)), hexOf(Palette.LIGHT.findingColor(findingMarks.severityOf(it))))
+        },
+    )
+}
+
+// The colors of the screen.
+private const val AUTONOMOUS = 4
+private const val TELEOPERATED = 2

@@ -1,0 +1,71 @@
+package badlog.viewer.graph
+
+import androidx.compose.foundation.layout.Box
+import androidx.compose.material3.DropdownMenu
+import androidx.compose.material3.HorizontalDivider
+import androidx.compose.runtime.Composable
+import badlog.plot.axis.AxisSide
+import badlog.plot.board.Board
+import badlog.plot.board.BoardGraph
+import badlog.plot.board.GraphHeight
+import badlog.viewer.graph.scene.GraphScene
+import badlog.viewer.menu.ClosesByEscape
+import badlog.viewer.menu.MenuLine
+import badlog.viewer.theme.Icons
+import badlog.viewer.theme.ToolButton
+
+/** What can be done with a graph: how a menu says it, and whether that is so already. */
+internal class GraphAction(val label: String, val isOn: Boolean = false, val run: () -> Unit)
+
+/** What can be done with [spec], in groups. */
+internal fun graphActions(scene: GraphScene, spec: BoardGraph): List<List<GraphAction>> {
+    val board = scene.board
+    val above = board.state.graphs.let { graphs -> graphs.getOrNull(graphs.indexOfFirst { it.id == spec.id } - 1) }
+    return listOf(
+        listOfNotNull(
+            GraphAction("Keep this graph on the board") { board.keep(spec.id) }.takeIf { board.isEvidence(spec.id) },
+            GraphAction("Only this graph") { board.change { Board(listOf(spec)) } },
+            GraphAction("Remove this graph") { board.change { without(spec.id) } },
+            GraphAction("Remove all graphs") { board.change { Board() } },
+        ),
+        GraphHeight.entries.map { height ->
+            GraphAction("${height.label} height", spec.height == height.pixels) { board.change { resized(spec.id, height.pixels) } }
+        } + GraphAction("As high as the others", spec.height == null) { board.change { resized(spec.id, null) } },
+        listOf(
+            GraphAction("Fix the y limits", spec.yRange != null) { fixY(scene, spec) },
+            GraphAction("Share the y limits", spec.sharesY) { board.change { withSharedY(spec.id, !spec.sharesY) } },
+        ),
+        listOfNotNull(
+            GraphAction("A graph for each line") { board.change { separated(spec.id) } }.takeIf { spec.lines.size > 1 },
+            above?.let { GraphAction("Draw it in the graph above") { board.change { joined(it.id, spec.id) } } },
+        ),
+    ).filter { it.isNotEmpty() }
+}
+
+/** Keeps what is seen of y in [spec] whatever x is visible, or no longer. */
+private fun fixY(scene: GraphScene, spec: BoardGraph) {
+    if (spec.yRange != null || spec.rightYRange != null) return scene.board.change { withYRange(spec.id, null) }
+    val axes = scene.pictureOf(scene.plots.state(spec.id))?.axes.orEmpty()
+    fun shown(side: AxisSide) = axes.find { it.axis.side == side }?.shown
+    scene.board.change { withYRange(spec.id, shown(AxisSide.LEFT), shown(AxisSide.RIGHT)) }
+}
+
+/** A button that opens what can be done with [spec]; [onOpen] hears whether it is open. */
+@Composable
+internal fun GraphMenu(scene: GraphScene, spec: BoardGraph, isOpen: Boolean, onOpen: (Boolean) -> Unit) {
+    Box {
+        ToolButton("More for this graph", Icons.More, isOn = isOpen) { onOpen(!isOpen) }
+        ClosesByEscape(isOpen) { onOpen(false) }
+        DropdownMenu(isOpen, onDismissRequest = { onOpen(false) }) {
+            graphActions(scene, spec).forEachIndexed { i, group ->
+                if (i > 0) HorizontalDivider()
+                for (action in group) {
+                    MenuLine(action.label, Icons.Check.takeIf { action.isOn }) {
+                        onOpen(false)
+                        action.run()
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,54 @@
+package badlog.viewer.settings
+
+import kotlinx.serialization.Serializable
+
+/**
+ * How wide the parts beside the graphs are, in dp.
+ *
+ * @property logs of the list of logs.
+ * @property topics of the list of topics.
+ * @property details of the panel at the right.
+ */
+@Serializable
+internal data class PaneWidths(val logs: Float = 280f, val topics: Float = 240f, val details: Float = 320f) {
+    /**
+     * The same in a window [room] wide: no part narrower than it can be, and as long as they can, all leave the graphs enough room. A part that is
+     * not there has no width.
+     */
+    fun within(room: Float, hasLogs: Boolean, hasTopics: Boolean, hasDetails: Boolean): PaneWidths {
+        val least = LEAST.only(hasLogs, hasTopics, hasDetails)
+        val wanted = PaneWidths(
+            logs = logs.from(LEAST.logs),
+            topics = topics.from(LEAST.topics),
+            details = details.from(LEAST.details),
+        ).only(hasLogs, hasTopics, hasDetails)
+        val spare = wanted.sum - least.sum
+        val share = if (spare > 0) ((room - GRAPHS - least.sum) / spare).coerceIn(0f, 1f) else 0f
+        return PaneWidths(
+            logs = least.logs + (wanted.logs - least.logs) * share,
+            topics = least.topics + (wanted.topics - least.topics) * share,
+            details = least.details + (wanted.details - least.details) * share,
+        )
+    }
+
+    /** The same after a drag by so much of what was [seen]; what is not seen stays as it is. */
+    fun draggedFrom(seen: PaneWidths, by: PaneWidths): PaneWidths = PaneWidths(
+        logs = if (seen.logs > 0) seen.logs + by.logs else logs,
+        topics = if (seen.topics > 0) seen.topics + by.topics else topics,
+        details = if (seen.details > 0) seen.details + by.details else details,
+    )
+
+    private val sum get() = logs + topics + details
+
+    private fun only(hasLogs: Boolean, hasTopics: Boolean, hasDetails: Boolean) =
+        PaneWidths(if (hasLogs) logs else 0f, if (hasTopics) topics else 0f, if (hasDetails) details else 0f)
+
+    private companion object {
+        val LEAST = PaneWidths(logs = 150f, topics = 140f, details = 200f)
+        const val GRAPHS = 400f
+        const val MOST = 1200f
+
+        /** A damaged file may have any number. */
+        fun Float.from(least: Float) = if (isNaN()) least else coerceIn(least, MOST)
+    }
+}
