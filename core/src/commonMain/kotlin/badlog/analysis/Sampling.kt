@@ -13,7 +13,10 @@ internal fun samplesOf(topic: Topic, xAxis: XAxis): Series {
     val y = topic.samples
     if (y.isEmpty() || x.isEmpty()) return Series(DoubleArray(0), DoubleArray(0))
     val isSparse = topic.isSparse
-    val kept = y.indices.count { isDrawable(x[it], y[it], isSparse) }
+    // As for nearly every topic of a log with rows.
+    if (!isSparse && x === xAxis.positions && xAxis.isEverywhere && x.size == y.size) return Series(x, y)
+    var kept = 0
+    for (i in y.indices) if (isDrawable(x[i], y[i], isSparse)) kept++
     if (kept == y.size) return Series(x, y)
     val keptX = DoubleArray(kept)
     val keptY = DoubleArray(kept)

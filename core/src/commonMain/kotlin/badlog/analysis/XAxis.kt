@@ -31,6 +31,9 @@ public class XAxis private constructor(
     public val clocks: List<DoubleArray>
         get() = if (positions.isEmpty() && ownTimes.isNotEmpty()) ownTimes else listOf(positions) + ownTimes
 
+    /** Whether each row has an x. */
+    internal val isEverywhere: Boolean by lazy { positions.all { it.isFinite() } }
+
     /** The smallest and the largest x at which there is a sample; null without any. */
     public val range: ClosedFloatingPointRange<Double>? by lazy {
         var from = Double.POSITIVE_INFINITY

@@ -24,6 +24,8 @@ internal class RowScanner(private val cells: RowCells, private val reader: CellR
      */
     fun scan(bytes: ByteArray, from: Int, until: Int): Int {
         val last = cells.columns - 1
+        val kinds = cells.kinds
+        val numbers = cells.numbers
         var cell = 0
         var at = from
         while (true) {
@@ -33,35 +35,36 @@ internal class RowScanner(private val cells: RowCells, private val reader: CellR
             if (negative) {
                 byte = bytes[++at].toInt()
             }
+            val first = at
             var mantissa = 0
-            var digits = 0
-            var scale = 0
             while (byte in ZERO..NINE) {
                 mantissa = mantissa * 10 + (byte - ZERO)
-                digits++
                 byte = bytes[++at].toInt()
             }
+            var digits = at - first
+            var scale = 0
             if (byte == DOT) {
                 byte = bytes[++at].toInt()
+                val fraction = at
                 while (byte in ZERO..NINE) {
                     mantissa = mantissa * 10 + (byte - ZERO)
-                    scale++
                     byte = bytes[++at].toInt()
                 }
+                scale = at - fraction
                 digits += scale
             }
             if (digits in 1..MAX_MANTISSA_DIGITS && (byte == COMMA || byte == LF || byte == CR)) {
                 val magnitude = if (scale == 0) mantissa.toDouble() else mantissa / EXACT_POWERS_OF_TEN[scale]
-                cells.kinds[cell] = CellKind.NUMBER
-                cells.numbers[cell] = if (negative) -magnitude else magnitude
+                kinds[cell] = CellKind.NUMBER
+                numbers[cell] = if (negative) -magnitude else magnitude
             } else {
                 while (byte != COMMA && byte != LF && byte != CR) {
                     if (byte == QUOTE || byte == NUL) return IRREGULAR
                     byte = bytes[++at].toInt()
                 }
                 if (at == start && cell == 0 && byte != COMMA) return IRREGULAR
-                cells.kinds[cell] = if (at == start) CellKind.EMPTY else reader.read(bytes, start, at)
-                cells.numbers[cell] = reader.number
+                kinds[cell] = if (at == start) CellKind.EMPTY else reader.read(bytes, start, at)
+                numbers[cell] = reader.number
                 cells.starts[cell] = start
                 cells.ends[cell] = at
             }

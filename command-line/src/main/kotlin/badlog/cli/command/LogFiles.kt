@@ -17,7 +17,7 @@ internal class LogFiles(paths: List<Path>, console: Console) {
     init {
         for (input in found.inputs) {
             try {
-                fileOf[input] = reading(input.file) { LogFile.of(input.file) }
+                fileOf[input] = input.seen ?: reading(input.file) { LogFile.of(input.file) }
             } catch (e: UnreadableFileException) {
                 failures[input] = e
             }

@@ -5,10 +5,12 @@ import java.nio.charset.Charset
 /** Spells texts with the characters of [charset], so that no two names look the same because both are question marks. */
 internal class Spelling(charset: Charset) {
     private val encoder = charset.newEncoder()
+    private val hasAll = charset == Charsets.UTF_8
 
     /** [text] with simpler signs for those that [charset] lacks, and the numbers of letters, such as `\u00f6`. */
     fun of(text: String): String {
-        if (encoder.canEncode(text)) return text
+        // Only halves of characters are none of Unicode's.
+        if ((hasAll && text.none { it.isSurrogate() }) || encoder.canEncode(text)) return text
         return buildString {
             for (char in text) if (char.isSurrogate() || !encoder.canEncode(char)) append(SIMPLER[char] ?: escaped(char)) else append(char)
         }

@@ -84,7 +84,7 @@ internal class FindTask(
             val result = resultOf.getValue(file)
             when (val reply = result.reply) {
                 is Reply.Unreadable -> outcomes.unreadable(input, reply.message, reply.isNoLog)
-                else -> outcomes.done(input.file, Outcome(result.isSalvaged, "", jsonOf(FindJson(result))))
+                else -> outcomes.done(input.file, Outcome(result.isSalvaged, "", if (isJson) jsonOf(FindJson(result)) else emptyMap()))
             }
         }
         return outcomes.end()

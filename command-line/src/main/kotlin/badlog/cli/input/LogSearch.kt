@@ -1,6 +1,7 @@
 package badlog.cli.input
 
 import badlog.file.FolderScan
+import badlog.file.LogFile
 import badlog.file.NaturalOrder
 import badlog.file.UnreadableFileException
 import badlog.file.reading
@@ -14,8 +15,9 @@ import java.nio.file.Path
  * @property file where it is.
  * @property folder the folder in which it was found, or null when it was named itself. Nobody is sure that what was found is
  *   a log.
+ * @property seen the file as it was found; null when it was named itself.
  */
-internal class LogInput(val file: Path, val folder: Path?) {
+internal class LogInput(val file: Path, val folder: Path?, val seen: LogFile? = null) {
     /** Whether nobody named it. */
     val isFound: Boolean get() = folder != null
 
@@ -39,6 +41,7 @@ internal class LogSearch(private val checkpoint: () -> Unit = {}) {
 
     private val inputs = ArrayList<LogInput>()
     private val failures = ArrayList<UnreadableFileException>()
+    private val realFolders = HashMap<Path?, Path>()
 
     /** Looks below [paths]. To be called once. */
     fun find(paths: List<Path>): SearchResult {
@@ -49,8 +52,8 @@ internal class LogSearch(private val checkpoint: () -> Unit = {}) {
     private fun lookInto(folder: Path) {
         try {
             val scan = reading(folder) { FolderScan.of(folder, checkpoint) }
-            val files = scan.files.map { it.path }.sortedWith(compareBy(NaturalOrder) { it.toString() })
-            files.mapTo(inputs) { LogInput(it, folder) }
+            val files = scan.files.sortedWith(compareBy(NaturalOrder) { it.path.toString() })
+            files.mapTo(inputs) { LogInput(it.path, folder, it) }
             scan.unreadable.mapTo(failures) {
                 UnreadableFileException(it, "$it cannot be read: permission denied; ask its owner.")
             }
@@ -59,8 +62,14 @@ internal class LogSearch(private val checkpoint: () -> Unit = {}) {
         }
     }
 
+    // To follow all folders of each file takes long where there are a thousand.
     private fun identityOf(file: Path): Path = try {
-        file.toRealPath()
+        val folder = file.parent
+        if (Files.isSymbolicLink(file)) {
+            file.toRealPath()
+        } else {
+            realFolders.getOrPut(folder) { (folder ?: Path.of("")).toRealPath() }.resolve(file.fileName)
+        }
     } catch (_: IOException) {
         file.toAbsolutePath().normalize()
     }

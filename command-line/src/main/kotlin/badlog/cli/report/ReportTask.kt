@@ -81,7 +81,7 @@ internal class ReportTask(
 
     private fun report(log: LogReport, pages: ReportPages?, outcomes: Outcomes, console: Console) {
         val failure = pages?.failureOf(log)
-        val json = jsonOf(ReportJson(log)) + pages?.let { jsonOf(it.json(log)) }.orEmpty()
+        val json = if (form == ResultForm.JSON) jsonOf(ReportJson(log)) + pages?.let { jsonOf(it.json(log)) }.orEmpty() else emptyMap()
         outcomes.done(log.file.path, Outcome(log.isSalvaged || log.hookFailures.isNotEmpty() || failure != null, "", json))
         if (failure != null && form != ResultForm.JSON) console.warn(failure)
     }

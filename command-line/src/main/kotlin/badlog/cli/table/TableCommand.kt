@@ -84,7 +84,8 @@ internal class TableTask(
             return ExitCode.USAGE
         }
         if (rows.any { !it.isNoLog }) say(table, rows, console)
-        val outcomes = Outcomes("table", console, form == ResultForm.JSON)
+        val isJson = form == ResultForm.JSON
+        val outcomes = Outcomes("table", console, isJson)
         val rowOf = rows.associateBy { it.file }
         logs.report(outcomes) { input, file ->
             val row = rowOf.getValue(file)
@@ -94,7 +95,11 @@ internal class TableTask(
 
                 else -> outcomes.done(
                     input.file,
-                    Outcome(row.isSalvaged || row.hookFailures.isNotEmpty(), "", jsonOf(TableRowJson(table, row))),
+                    Outcome(
+                        row.isSalvaged || row.hookFailures.isNotEmpty(),
+                        "",
+                        if (isJson) jsonOf(TableRowJson(table, row)) else emptyMap(),
+                    ),
                 )
             }
         }

@@ -9,12 +9,14 @@ public object NaturalOrder : Comparator<String> {
             if (isDigit(a[i]) && isDigit(b[j])) {
                 val endA = endOfDigits(a, i)
                 val endB = endOfDigits(b, j)
-                val difference = compareNumbers(a.substring(i, endA).trimStart('0'), b.substring(j, endB).trimStart('0'))
+                val difference = compareNumbers(a, i, endA, b, j, endB)
                 if (difference != 0) return difference
                 i = endA
                 j = endB
             } else {
-                val difference = a[i++].lowercaseChar().compareTo(b[j++].lowercaseChar())
+                val one = a[i++]
+                val other = b[j++]
+                val difference = if (one == other) 0 else one.lowercaseChar().compareTo(other.lowercaseChar())
                 if (difference != 0) return difference
             }
         }
@@ -23,7 +25,19 @@ public object NaturalOrder : Comparator<String> {
         return if (difference != 0) difference else a.compareTo(b)
     }
 
-    private fun compareNumbers(a: String, b: String) = if (a.length != b.length) a.length.compareTo(b.length) else a.compareTo(b)
+    /** Compares the digits from [i] until [endA] of [a] with those from [j] until [endB] of [b], as numbers. */
+    private fun compareNumbers(a: String, i: Int, endA: Int, b: String, j: Int, endB: Int): Int {
+        var one = i
+        var other = j
+        while (one < endA && a[one] == '0') one++
+        while (other < endB && b[other] == '0') other++
+        if (endA - one != endB - other) return (endA - one).compareTo(endB - other)
+        while (one < endA) {
+            val difference = a[one++].compareTo(b[other++])
+            if (difference != 0) return difference
+        }
+        return 0
+    }
 
     private fun endOfDigits(text: String, from: Int): Int {
         var end = from

@@ -17,17 +17,25 @@ internal fun <R : Any> runCached(
     work: (file: LogFile, cores: Int) -> CachedResult<R>,
     each: (LogFile, R) -> Unit,
 ) {
+    val known = files.map { cache?.get(it) }
+    var next = 0
+    fun giveKnown() {
+        while (next < files.size) each(files[next], known[next] ?: return).also { next++ }
+    }
     val remembering = { file: LogFile, cores: Int ->
-        cache?.get(file) ?: work(file, cores).let {
+        work(file, cores).let {
             if (it.isLasting) cache?.set(file, it.result)
             it.result
         }
     }
     try {
         withShutdownHook({ cache?.save() }) {
-            FolderRun().forEach(files, remembering) { file, result ->
+            giveKnown()
+            FolderRun().forEach(files.filterIndexed { index, _ -> known[index] == null }, remembering) { file, result ->
                 cache?.saveNowAndThen()
                 each(file, result)
+                next++
+                giveKnown()
             }
         }
     } finally {

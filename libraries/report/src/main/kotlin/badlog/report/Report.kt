@@ -6,7 +6,6 @@ import badlog.report.hook.HookRunner
 import badlog.rules.BUILT_IN
 import badlog.rules.Finding
 import badlog.rules.LogShape
-import badlog.rules.Rule
 import badlog.rules.RuleProgram
 import badlog.rules.RuleSet
 import badlog.rules.SkippedRule
@@ -23,6 +22,7 @@ import badlog.rules.toJson
 import badlog.rules.worstFirst
 import kotlinx.serialization.Serializable
 import java.nio.file.Path
+import java.util.concurrent.ConcurrentHashMap
 
 /**
  * Runs rules, and programs of the user's, over many logs.
@@ -41,8 +41,8 @@ public class Report(
     private val cache: Path? = null,
     private val xTopic: String? = null,
 ) {
-    private val ruleOf = rules.rules.associateBy { it.name }
     private val isComparing = rules.comparisons.isNotEmpty()
+    private val alike = ConcurrentHashMap<List<RuleOutcome>, List<RuleOutcome>>()
     private val programs = LruCache<LogShape, RuleProgram>(MAX_PROGRAMS) { RuleProgram(rules, it) }
 
     @Serializable
@@ -52,7 +52,8 @@ public class Report(
             @Serializable(with = FindingSerializer::class)
             Finding,
             >,
-        val asked: List<Asked>,
+        @Serializable(with = RuleOutcomesSerializer::class)
+        val asked: List<RuleOutcome>,
         val unreadable: String?,
         val isNoLog: Boolean = false,
         val isSalvaged: Boolean = false,
@@ -61,9 +62,6 @@ public class Report(
         val figureNames: String = "",
         val figureValues: String = "",
     )
-
-    @Serializable
-    internal class Asked(val rule: String, val refusal: String? = null, val mistake: String? = null)
 
     /**
      * Runs the rules over each of [files], on all cores, compares the logs with each other, and then runs the hooks.
@@ -88,15 +86,16 @@ public class Report(
         val reader = FigureReader()
         val figures = examined.map { reader.read(FigureText(it.figureNames, it.figureValues)) }
         val differences = rules.compared(figures)
+        val skipped = SkippedRules(rules)
         val logs = ArrayList<LogReport>(files.size)
         withHooks(files, examined) { file, outcomes ->
             val place = logs.size
-            val log = reportOf(file, examined[place], figures[place], differences[place], outcomes)
+            val log = reportOf(file, examined[place], skipped.of(examined[place].asked), figures[place], differences[place], outcomes)
             logs += log
             each(log, outcomes.map { it.first })
             if (steps > 1) progress(files.size + logs.size, files.size * steps)
         }
-        return ReportResult(logs, skippedIn(examined, logs.count { it.unreadable == null }))
+        return ReportResult(logs, skipped.ofAll(examined.map { it.asked }, logs.count { it.unreadable == null }))
     }
 
     /** Gives [each] of [files], which were [examined], with what the hooks return for it and find there. */
@@ -119,6 +118,7 @@ public class Report(
     private fun reportOf(
         file: LogFile,
         stored: Stored,
+        skipped: List<SkippedRule>,
         figures: LogFigures,
         differences: LogDifferences,
         outcomes: List<Pair<HookOutcome, List<Finding>>>,
@@ -130,7 +130,7 @@ public class Report(
             matchType = stored.matchType,
             findings = (stored.findings + differences.findings + ofHooks).worstFirst(),
             incidents = rules.incidentsIn(stored.findings, differences.differences),
-            skipped = stored.asked.mapNotNull { skipped(ruleOf.getValue(it.rule), listOf(it)) },
+            skipped = skipped,
             unreadable = stored.unreadable,
             isNoLog = stored.isNoLog,
             isSalvaged = stored.isSalvaged,
@@ -141,13 +141,6 @@ public class Report(
         )
     }
 
-    private fun skippedIn(logs: List<Stored>, readable: Int): List<SkippedRule> {
-        val asked = logs.flatMap { it.asked }.groupBy { it.rule }
-        return rules.rules.mapNotNull { rule ->
-            asked[rule.name].let { if (it == null) unasked(rule, readable) else skipped(rule, it) }
-        }
-    }
-
     private fun examine(file: LogFile, cores: Int): CachedResult<Stored> =
         LogContent.examined(file, virtualTopics, rules.signals, xTopic, cores = cores) { examine(file, it) }
 
@@ -156,16 +149,16 @@ public class Report(
 
         is LogContent.Log -> {
             val findings = ArrayList<Finding>()
-            val asked = ArrayList<Asked>()
+            val asked = ArrayList<RuleOutcome>()
             for (rule in programs[LogShape.of(content.view)].run(content.view, file.name)) {
                 findings += rule.findings
-                asked += Asked(rule.rule.name, rule.refusal?.message, rule.refusal?.mistake)
+                asked += RuleOutcome(rule.rule.name, rule.refusal?.message, rule.refusal?.mistake)
             }
             val figures = if (isComparing) figuresOf(content.view, rules.signals).toText() else NO_FIGURES
             val stored = Stored(
                 title = content.view.title,
                 findings = findings,
-                asked = asked,
+                asked = alike.computeIfAbsent(asked) { asked },
                 unreadable = null,
                 isSalvaged = content.recording.isSalvaged,
                 undefined = content.undefined,
@@ -175,20 +168,6 @@ public class Report(
             )
             CachedResult(stored, isLasting = true)
         }
-    }
-
-    private fun unasked(rule: Rule, logs: Int): SkippedRule? {
-        val types = rule.only.joinToString(" or ") { "“$it”" }
-        return if (logs == 0) null else SkippedRule(rule.name, logs, "it is only for matches of the type $types", isMistake = false)
-    }
-
-    private fun skipped(rule: Rule, asked: List<Asked>): SkippedRule? {
-        val refused = asked.filter { it.refusal != null }
-        val mistaken = refused.find { it.mistake != null }
-        val first = mistaken ?: refused.firstOrNull() ?: return null
-        // A rule that can be asked of one log is right; another log only lacks its topics.
-        val isMistake = mistaken != null && refused.size == asked.size
-        return SkippedRule(rule.name, refused.size, (if (isMistake) first.mistake else first.refusal).orEmpty(), isMistake, rule.isBuiltIn)
     }
 
     private companion object {

@@ -2,17 +2,16 @@ package badlog.report
 
 import badlog.file.LogFile
 import badlog.html.BADLOG_VERSION
+import badlog.report.cache.CompactReader
+import badlog.report.cache.CompactWriter
 import kotlinx.serialization.KSerializer
 import kotlinx.serialization.Serializable
-import kotlinx.serialization.SerializationException
-import kotlinx.serialization.builtins.ListSerializer
-import kotlinx.serialization.json.Json
 import java.io.IOException
+import java.nio.ByteBuffer
 import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.StandardCopyOption
-import java.security.MessageDigest
-import java.util.HexFormat
+import java.util.zip.CRC32
 import kotlin.time.Duration
 import kotlin.time.Duration.Companion.seconds
 import kotlin.time.TimeSource
@@ -30,15 +29,19 @@ internal class ResultCache<R : Any>(
     results: KSerializer<R>,
     private val pause: Duration = DEFAULT_PAUSE,
 ) {
-    private val file =
-        folder.resolve("$PREFIX${HexFormat.of().formatHex(digest("$BADLOG_VERSION\n$VERSION\n$question"), 0, 16)}$SUFFIX")
-    private val serializer = ListSerializer(Entry.serializer(results))
+    private val asked = "$BADLOG_VERSION\n$VERSION\n$question"
+    private val file = asked.encodeToByteArray().let { folder.resolve("$PREFIX${checkOf(it, 0).toString(HEX)}-${it.size}$SUFFIX") }
+    private val serializer = Kept.serializer(results)
     private val known = LinkedHashMap<String, Entry<R>>()
     private var isChanged = false
     private var saved = TimeSource.Monotonic.markNow()
 
     @Serializable
     private class Entry<R>(val path: String, val size: Long, val modified: Long, val result: R)
+
+    // Two questions may have a file of the same name.
+    @Serializable
+    private class Kept<R>(val asked: String, val entries: List<Entry<R>>)
 
     init {
         load()
@@ -79,11 +82,11 @@ internal class ResultCache<R : Any>(
         while (known.size > MAX_FILES) known.remove(known.keys.first())
         try {
             Files.createDirectories(folder)
-            val body = JSON.encodeToString(serializer, known.values.toList()).encodeToByteArray()
+            val body = CompactWriter().write(serializer, Kept(asked, known.values.toList()))
             val draft = Files.createTempFile(folder, PREFIX, ".draft")
             try {
                 Files.newOutputStream(draft).use {
-                    it.write(digest(body))
+                    it.write(ByteBuffer.allocate(CHECK_BYTES).putLong(checkOf(body, 0)).array())
                     it.write(body)
                 }
                 Files.move(draft, file, StandardCopyOption.REPLACE_EXISTING)
@@ -103,13 +106,13 @@ internal class ResultCache<R : Any>(
         try {
             if (Files.notExists(file) || Files.size(file) > MAX_BYTES) return
             val bytes = Files.readAllBytes(file)
-            if (bytes.size < DIGEST) return
-            val body = bytes.copyOfRange(DIGEST, bytes.size)
-            if (!digest(body).contentEquals(bytes.copyOf(DIGEST))) return
-            for (entry in JSON.decodeFromString(serializer, body.decodeToString())) known[entry.path] = entry
+            if (bytes.size < CHECK_BYTES || ByteBuffer.wrap(bytes).getLong() != checkOf(bytes, CHECK_BYTES)) return
+            val kept = CompactReader(bytes, CHECK_BYTES).read(serializer)
+            if (kept.asked == asked) kept.entries.associateByTo(known) { it.path }
         } catch (_: IOException) {
             known.clear()
-        } catch (_: SerializationException) {
+        } catch (_: RuntimeException) {
+            // Another badlog of the same version wrote it.
             known.clear()
         }
     }
@@ -122,20 +125,18 @@ internal class ResultCache<R : Any>(
 
     private companion object {
         /** To be raised when the same file and question may come to something else than before. */
-        const val VERSION = 10
+        const val VERSION = 11
         val DEFAULT_PAUSE = 10.seconds
         const val PREFIX = "report-"
         const val SUFFIX = ".cache"
-        const val DIGEST = 32
+        const val HEX = 16
+        const val CHECK_BYTES = 8
         const val MAX_FILES = 20_000
         const val MAX_BYTES = 1L shl 28
         const val MAX_QUESTIONS = 100
-        val JSON = Json { allowSpecialFloatingPointValues = true }
-
         fun keyOf(file: LogFile) = file.path.toAbsolutePath().normalize().toString()
 
-        fun digest(text: String) = digest(text.encodeToByteArray())
-
-        fun digest(bytes: ByteArray): ByteArray = MessageDigest.getInstance("SHA-256").digest(bytes)
+        /** Damage shows in it. */
+        fun checkOf(bytes: ByteArray, from: Int): Long = CRC32().apply { update(bytes, from, bytes.size - from) }.value
     }
 }

@@ -1,7 +1,16 @@
 package badlog.terminal
 
 /** How many columns of a terminal [text] takes: wide characters, as Chinese has, take two, and combining marks none. */
-public fun displayWidth(text: String): Int = if (text.all { it.code in PLAIN }) text.length else text.codePoints().map(::widthOf).sum()
+public fun displayWidth(text: String): Int {
+    var width = 0
+    var at = 0
+    while (at < text.length) {
+        val character = text.codePointAt(at)
+        width += widthOf(character)
+        at += Character.charCount(character)
+    }
+    return width
+}
 
 /** The longest beginning of [text] that takes at most [width] columns; no character is parted from its marks. */
 public fun startOf(text: String, width: Int): String {
@@ -30,13 +39,11 @@ public fun endOf(text: String, width: Int): String {
 }
 
 private fun widthOf(character: Int): Int = when {
-    character in PLAIN -> 1
+    character in ' '.code..'~'.code -> 1
     Character.getType(character).toByte() in MARKS -> 0
     WIDE.any { character in it } -> 2
     else -> 1
 }
-
-private val PLAIN = ' '.code..'~'.code
 
 private val MARKS = setOf(Character.NON_SPACING_MARK, Character.ENCLOSING_MARK)
 

@@ -5,7 +5,7 @@ package badlog.terminal
  * come from files. Control characters become blanks. What nobody would see, such as characters without width, becomes `�`.
  */
 public fun printable(text: String): String {
-    if (text.codePoints().noneMatch { isControl(it) || isUnseen(it) }) return text
+    if (isPrintable(text)) return text
     return buildString {
         text.codePoints().forEach { character ->
             when {
@@ -15,6 +15,17 @@ public fun printable(text: String): String {
             }
         }
     }
+}
+
+private fun isPrintable(text: String): Boolean {
+    var at = 0
+    while (at < text.length) {
+        val character = text.codePointAt(at)
+        // Nearly all are letters, which need no look at their type.
+        if (character !in ' '.code..'~'.code && (isControl(character) || isUnseen(character))) return false
+        at += Character.charCount(character)
+    }
+    return true
 }
 
 private fun isControl(character: Int) = Character.isISOControl(character)

@@ -2,32 +2,39 @@ package badlog.expression.signals
 
 /** Between what [samples] are, each found when it is asked for; NaN of nothing. */
 public class SampleBounds(private val samples: DoubleArray) {
-    private val finite by lazy { bounds(0) { samples[it] } }
+    /** Of so many numbers, the smallest and the largest, and whether some are not finite. */
+    private class Bounds(val low: Double, val high: Double, val hasGaps: Boolean)
+
+    private val own by lazy { bounds(0) { samples[it] } }
     private val steps by lazy { bounds(1) { samples[it] - samples[it - 1] } }
 
     /** The smallest. */
-    public val low: Double get() = finite.first
+    public val low: Double get() = own.low
 
     /** The largest. */
-    public val high: Double get() = finite.second
+    public val high: Double get() = own.high
 
     /** The smallest difference from one to the next. */
-    public val minStep: Double get() = steps.first
+    public val minStep: Double get() = steps.low
 
     /** The largest difference from one to the next. */
-    public val maxStep: Double get() = steps.second
+    public val maxStep: Double get() = steps.high
 
     /** Whether some are not finite. */
-    public val hasGaps: Boolean by lazy { samples.any { !it.isFinite() } }
+    public val hasGaps: Boolean get() = own.hasGaps
 
-    private inline fun bounds(from: Int, value: (Int) -> Double): Pair<Double, Double> {
-        var low = Double.NaN
-        var high = Double.NaN
+    private inline fun bounds(from: Int, value: (Int) -> Double): Bounds {
+        var low = Double.POSITIVE_INFINITY
+        var high = Double.NEGATIVE_INFINITY
+        var numbers = 0
         for (i in from until samples.size) {
             val sample = value(i)
-            if (!(sample >= low)) low = if (sample.isNaN()) low else sample
-            if (!(sample <= high)) high = if (sample.isNaN()) high else sample
+            if (sample < low) low = sample
+            if (sample > high) high = sample
+            if (!sample.isNaN()) numbers++
         }
-        return low to high
+        val size = maxOf(0, samples.size - from)
+        if (numbers == 0) return Bounds(Double.NaN, Double.NaN, hasGaps = size > 0)
+        return Bounds(low, high, hasGaps = numbers < size || !low.isFinite() || !high.isFinite())
     }
 }
