@@ -47,11 +47,7 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
         this.expectedLines = expectedLines
     }
 
-    /**
-     * How many rows are read at most: a small compressed file may hold a billion, which would fill the memory. To be set before the
-     * first bytes.
-     */
-    public var maxRows: Int = MAX_ROWS
+    override var maxRows: Int = MAX_ROWS
 
     private val decoder = TextDecoder()
     private val problems = ProblemList()
@@ -63,10 +59,12 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
 
     override val rowCount: Int get() = rows?.rowCount ?: 0
 
+    override val isFull: Boolean get() = rows?.gaveUp == true
+
     /** What a [RowBatchParser] has to know to read rows of this file; null while the header is not read, and where no rows follow. */
     public val readsDecimalComma: BooleanArray? get() = if (ignoresTheRest) null else rowReader()?.readsDecimalComma
 
-    private val ignoresTheRest: Boolean get() = header.isNoLog || rows?.gaveUp == true
+    private val ignoresTheRest: Boolean get() = header.isNoLog || isFull
 
     override fun accept(bytes: ByteArray, from: Int, until: Int) {
         var at = from

@@ -27,6 +27,10 @@ public class RecordingParser(private val formats: List<LogFormat>, private val k
 
     override val rowCount: Int get() = parser?.rowCount ?: 0
 
+    override var maxRows: Int = BagParser.MAX_ROWS
+
+    override val isFull: Boolean get() = parser?.isFull == true
+
     override fun accept(bytes: ByteArray, from: Int, until: Int) {
         var at = from
         if (parser == null) {
@@ -45,6 +49,6 @@ public class RecordingParser(private val formats: List<LogFormat>, private val k
 
     private fun choose(): LogParser {
         val format = formats.find { it.matches(beginning, seen) }
-        return format?.parser(keepSamples) ?: bag()
+        return (format?.parser(keepSamples) ?: bag()).also { it.maxRows = maxRows }
     }
 }

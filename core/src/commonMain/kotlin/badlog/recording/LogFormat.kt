@@ -27,6 +27,15 @@ public interface LogParser {
     /** How many rows have been read so far; records, where a format has no rows. */
     public val rowCount: Int
 
+    /**
+     * How many rows, or records, are read at most: a small compressed file may hold a billion, which would fill the memory. To be set
+     * before the first bytes.
+     */
+    public var maxRows: Int
+
+    /** Whether nothing that follows is read, because there are more rows than [maxRows] or what follows is none: it need not be given. */
+    public val isFull: Boolean
+
     /** Reads the bytes from [from] until [until] of [bytes], which follow those of the calls before. Keeps no reference. */
     public fun accept(bytes: ByteArray, from: Int = 0, until: Int = bytes.size)
 

@@ -150,10 +150,12 @@ internal class ReplayTask(
     private fun play(server: ReplayServer, console: Console) {
         var known = emptyList<String>()
         var note: String? = null
+        var refusal: String? = null
         while (isLooping || !server.isAtEnd) {
             Thread.sleep(LOOK_MILLIS)
             // Once, and not for each message that follows.
             if (note == null) note = server.note?.also(console::warn)
+            if (refusal == null) refusal = server.refusal?.also(console::warn)
             val clients = server.clientNames
             for (name in clients - known.toSet()) console.warn("$name is connected.")
             for (name in known - clients.toSet()) console.warn("$name disconnected.")

@@ -42,11 +42,14 @@ internal class FilePieces(
         return 0
     }
 
-    /** Gives all bytes before [until] to [sink], and reports the progress. The array is used again after the call. */
-    fun forEach(until: Long = Long.MAX_VALUE, sink: (bytes: ByteArray, size: Int) -> Unit) {
+    /**
+     * Gives all bytes before [until] to [sink], and reports the progress; ends where there are [enough]. The array is used again after
+     * the call.
+     */
+    fun forEach(until: Long = Long.MAX_VALUE, enough: () -> Boolean = { false }, sink: (bytes: ByteArray, size: Int) -> Unit) {
         var done = 0L
         var reported = 0L
-        while (done < until) {
+        while (done < until && !enough()) {
             val size = readAt(done, minOf(SIZE.toLong(), until - done).toInt())
             if (size == 0) break
             sink(bytes, size)

@@ -38,7 +38,7 @@ internal class ParsingThreads(
     }
 
     private var bag: BagParser? = null
-    private val parser = RecordingParser(formats, keepSamples) { bagParser().also { bag = it } }
+    private val parser = RecordingParser(formats, keepSamples) { bagParser().also { bag = it } }.limited()
     private val batching = pool("badlog-rows", cores)
     private val putting = pool("badlog-parse", 1)
     private val inFlight = ArrayDeque<Piece>()
@@ -46,6 +46,11 @@ internal class ParsingThreads(
 
     // Until the header is read, one piece waits for the other.
     private var mayBeBag = true
+
+    /** Whether nothing that follows is read. */
+    @Volatile
+    var isFull = false
+        private set
     private var readsDecimalComma: BooleanArray? = null
 
     /** Takes the first [size] of [bytes], which follow those of the calls before. Keeps no reference. */
@@ -98,9 +103,10 @@ internal class ParsingThreads(
     private fun put(piece: Piece, batching: Future<RowBatch?>?) {
         val batch = await(batching)
         if (batch == null || bag?.accept(batch) != true) parser.accept(piece.bytes, 0, piece.size)
+        isFull = parser.isFull
     }
 
-    private fun bagParser() = BagParser(expectedBytes, keepSamples, sinks, expectedLines, ::forAll).limited()
+    private fun bagParser() = BagParser(expectedBytes, keepSamples, sinks, expectedLines, ::forAll)
 
     private fun awaitFirst(): Piece = inFlight.removeFirst().also { await(it.parsing) }
 

@@ -81,17 +81,17 @@ private fun read(
     val lines = if (isLarge && !isGzip && keepSamples) reading(file) { countLines(channel, expectedBytes, cores) } else 0L
     val recording = if (isLarge && cores > 1) {
         ParsingThreads(formats, expectedBytes, keepSamples, sinks, cores, lines).use { parsing ->
-            pieces.read(isGzip, until, parsing::accept, parsing::finish)
+            pieces.read(isGzip, until, { parsing.isFull }, parsing::accept, parsing::finish)
         }
     } else {
-        val parser = RecordingParser(formats, keepSamples) { BagParser(expectedBytes, keepSamples, sinks, lines).limited() }
-        pieces.read(isGzip, until, { bytes, size -> parser.accept(bytes, 0, size) }, parser::finish)
+        val parser = RecordingParser(formats, keepSamples) { BagParser(expectedBytes, keepSamples, sinks, lines) }.limited()
+        pieces.read(isGzip, until, { parser.isFull }, { bytes, size -> parser.accept(bytes, 0, size) }, parser::finish)
     }
     if (untilLastLineEnd && isOfRecords) recording.without(ProblemKind.RECORD_CUT) else recording
 }
 
-/** The same parser, which reads as many rows as the person who started the program allows. */
-internal fun BagParser.limited(): BagParser = also { parser ->
+/** The same parser, which reads as many rows or records as the person who started the program allows. */
+internal fun RecordingParser.limited(): RecordingParser = also { parser ->
     System.getenv("BADLOG_MAX_ROWS")?.toIntOrNull()?.let { parser.maxRows = it }
 }
 
@@ -104,16 +104,22 @@ private const val MIN_PARALLEL_GZIP = 1L shl 20
 /** How much more a gzip file holds, where its end does not tell. */
 private const val GZIP_GROWTH = 4
 
-/** Gives the bytes before [until] to [accept], inflated where need be; returns what [finish] made of them. */
-private fun FilePieces.read(isGzip: Boolean, until: Long, accept: (ByteArray, Int) -> Unit, finish: () -> Recording): Recording {
+/** Gives the bytes before [until] to [accept], inflated where need be, until it [isFull]; returns what [finish] made of them. */
+private fun FilePieces.read(
+    isGzip: Boolean,
+    until: Long,
+    isFull: () -> Boolean,
+    accept: (ByteArray, Int) -> Unit,
+    finish: () -> Recording,
+): Recording {
     if (!isGzip) {
-        forEach(until, accept)
+        forEach(until, isFull, accept)
         return finish()
     }
     return GzipReader(accept).use { reader ->
-        forEach { bytes, size -> reader.accept(bytes, 0, size) }
+        forEach(enough = isFull) { bytes, size -> reader.accept(bytes, 0, size) }
         val recording = finish()
-        if (reader.isCut) recording.withGzipCut(reader.inflatedBytes) else recording
+        if (reader.isCut && !isFull()) recording.withGzipCut(reader.inflatedBytes) else recording
     }
 }
 

@@ -36,19 +36,29 @@ public class WpilogParser(keepSamples: Boolean = true) : LogParser {
     /** How many records have been read so far, of whatever kind. */
     override val rowCount: Int get() = entries.recordCount
 
+    override var maxRows: Int = MAX_RECORDS
+
+    override var isFull: Boolean = false
+        private set
+
     override fun accept(bytes: ByteArray, from: Int, until: Int) {
-        splitter.accept(bytes, from, until)
+        var at = from
+        while (at < until && !isFull) {
+            val end = minOf(at + PIECE, until)
+            if (rowCount < maxRows) splitter.accept(bytes, at, end) else isFull = true
+            at = end
+        }
     }
 
     override fun finish(): Recording {
-        splitter.finish()
+        if (!isFull) splitter.finish()
         val isOther = !splitter.isPastHeader && !splitter.isInHeader
         val refusal = entries.refusal ?: if (isOther) "This is not a WPILOG file." else null
         if (refusal != null) {
             problems.add(ProblemKind.NOT_A_RECORDING, refusal)
             return Recording(RecordingFormat.WPILOG, null, emptyList(), emptyList(), 0, problems.toList())
         }
-        reportEnd()
+        if (isFull) reportTooMany() else reportEnd()
         entries.finish()
         val cluster = entries.histogram.largestCluster()
         reportLostRecords(cluster)
@@ -74,6 +84,11 @@ public class WpilogParser(keepSamples: Boolean = true) : LogParser {
     } else {
         listOf(Value("Extra Header", entries.extraHeader))
     }
+
+    private fun reportTooMany() = problems.add(
+        ProblemKind.TOO_MANY_ROWS,
+        "The log has more than $maxRows records; the rest was not read. Set BADLOG_MAX_ROWS to read more.",
+    )
 
     private fun reportEnd() {
         val end = splitter.readableEnd
@@ -137,6 +152,12 @@ public class WpilogParser(keepSamples: Boolean = true) : LogParser {
     internal companion object {
         /** The text that badlog's own writer leaves in the header, which says nothing to anyone. */
         const val OWN_HEADER = "{\"writer\":\"badlog\"}"
+
+        /** A hundred entries of 1,000 samples a second for eight minutes. */
+        private const val MAX_RECORDS = 50_000_000
+
+        /** After so many bytes it looks whether there are too many records. */
+        private const val PIECE = 1 shl 20
 
         /** So many entries are listed in a message. */
         private const val NAMED = 8

@@ -274,6 +274,24 @@ class WpilogParserSpec : FunSpec({
         (kept <= 16 * topics.sumOf { it.size }) shouldBe true
     }
 
+    test("records beyond the limit are not read, which is reported, and that it need not be given more") {
+        val log = TestLog().start(1, "a", "double")
+        repeat(300_000) { log.double(1, it.toLong(), 1.0) }
+        val parser = WpilogParser().apply { maxRows = 1000 }
+        parser.accept(log.bytes)
+        parser.isFull shouldBe true
+        val recording = parser.finish()
+        recording.problems.single().run {
+            kind shouldBe ProblemKind.TOO_MANY_ROWS
+            message shouldContain "more than 1000 records"
+        }
+        (recording.topic("a").size in 1000..100_000) shouldBe true
+        WpilogParser().apply { maxRows = 300_001 }.run {
+            accept(log.bytes)
+            finish().problems.shouldBeEmpty()
+        }
+    }
+
     test("a number of topics that nobody can want does not fill the memory") {
         val log = TestLog()
         for (id in 1..300) log.start(id, "$id", "boolean[]").record(id, 1, ByteArray(256))

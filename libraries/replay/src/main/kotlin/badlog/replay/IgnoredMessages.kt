@@ -1,8 +1,9 @@
 package badlog.replay
 
-/** Counts what clients sent and nobody understood. Safe for all threads. */
+/** Counts what clients sent and nobody understood, and the connections that were too many. Safe for all threads. */
 internal class IgnoredMessages {
     private var first: String? = null
+    private var refused: String? = null
 
     @get:Synchronized
     var count: Int = 0
@@ -21,4 +22,15 @@ internal class IgnoredMessages {
             1 -> "A message was ignored: $first."
             else -> "$count messages were ignored; the first: $first."
         }
+
+    /** [client] was not let in, as there were [most] connections. */
+    @Synchronized
+    fun refuse(client: String, most: Int) {
+        refused = refused ?: "“$client” was refused: there are $most connections already; close another dashboard first."
+    }
+
+    /** A sentence about the first that was refused, or null. */
+    @get:Synchronized
+    val refusal: String?
+        get() = refused
 }

@@ -69,6 +69,9 @@ public class ReplayServer(view: LogView, public val options: ReplayOptions = Rep
     /** A sentence about what dashboards sent and was not understood; null when all was. */
     public val note: String? get() = ignored.note
 
+    /** A sentence about the first dashboard that was not let in because there were too many; null when all were. */
+    public val refusal: String? get() = ignored.refusal
+
     /** How many messages of dashboards were not understood. */
     public val ignoredMessages: Int get() = ignored.count
 

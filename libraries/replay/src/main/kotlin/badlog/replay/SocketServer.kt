@@ -2,6 +2,7 @@ package badlog.replay
 
 import org.java_websocket.WebSocket
 import org.java_websocket.WebSocketImpl
+import org.java_websocket.framing.CloseFrame
 import org.java_websocket.framing.Framedata
 import org.java_websocket.handshake.ClientHandshake
 import org.java_websocket.server.WebSocketServer
@@ -54,6 +55,11 @@ internal class SocketServer(
         val protocol = SubProtocol.entries.find { it.id == socket.protocol?.providedProtocol }
         if (socket.draft is AliveAnswer || protocol == null) return socket.close()
         val connection = Connection(socket, protocol, request.resourceDescriptor)
+        if (connections.size > MAX_CONNECTIONS) {
+            ignored.refuse(connection.name, MAX_CONNECTIONS)
+            val reason = "There are $MAX_CONNECTIONS connections already; close another dashboard first."
+            return socket.close(CloseFrame.TRY_AGAIN_LATER, reason)
+        }
         socket.setAttachment(connection)
         listener.opened(connection)
         // Another thread may have closed it before it was known here, and then nobody says so again.
@@ -118,6 +124,9 @@ internal class SocketServer(
     private companion object {
         const val BINDING_SECONDS = 10L
         const val MAX_FRAMES = 4_000
+
+        /** Of a dashboard there are one or two. */
+        const val MAX_CONNECTIONS = 64
     }
 }
 

@@ -144,6 +144,23 @@ class BrokenClientsSpec : FunSpec({
         }
     }
 
+    test("However many connect, 64 connections are kept, and the next one hears why it is not") {
+        ReplayServer(VARIED_VIEW, ReplayOptions(0)).use { server ->
+            server.open()
+            val others = List(64) { rawClient(server.port) }
+            waitUntil { server.clientNames.size == 64 }
+            server.refusal shouldBe null
+            TestClient(server.port).use { client ->
+                client.closed.await(10, TimeUnit.SECONDS) shouldBe true
+                client.closingReason shouldBe "There are 64 connections already; close another dashboard first."
+            }
+            server.refusal shouldBe "“test client” was refused: there are 64 connections already; close another dashboard first."
+            others.forEach(Socket::close)
+            waitUntil { server.clientNames.isEmpty() }
+            shouldStillServe(server)
+        }
+    }
+
     test("A connection that is refused is closed") {
         ReplayServer(VARIED_VIEW, ReplayOptions(0)).use { server ->
             server.open()

@@ -24,6 +24,9 @@ internal class TestClient(port: Int, vararg protocols: String = arrayOf(V4_1)) :
     val messages = ArrayList<JsonObject>()
     val values = ArrayList<Received>()
     val closed = CountDownLatch(1)
+
+    @Volatile
+    var closingReason = ""
     private val text = StringBuilder()
     private val binary = ByteArrayOutputStream()
     private val socket: WebSocket = HttpClient.newHttpClient().newWebSocketBuilder()
@@ -60,7 +63,10 @@ internal class TestClient(port: Int, vararg protocols: String = arrayOf(V4_1)) :
         }
     }
 
-    override fun onClose(socket: WebSocket, code: Int, reason: String): CompletionStage<*>? = null.also { closed.countDown() }
+    override fun onClose(socket: WebSocket, code: Int, reason: String): CompletionStage<*>? = null.also {
+        closingReason = reason
+        closed.countDown()
+    }
 
     override fun onError(socket: WebSocket, error: Throwable) = closed.countDown()
 
