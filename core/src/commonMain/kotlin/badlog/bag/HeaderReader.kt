@@ -100,6 +100,11 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
             if (!isCut) pending.line++
             return next
         }
+        if (line != null && header == null && isRestOfJson(lineEnd)) {
+            reportUnreadable("Line ${pending.line} is a piece of the line of JSON before it and was skipped.", lineEnd)
+            if (!isCut) pending.line++
+            return next
+        }
         val columns = (pending.start until lineEnd).count { pending.bytes[it].toInt() == COMMA } + 1
         if (columns > MAX_COLUMNS) return refuse("Line ${pending.line} has $columns titles; a log has $MAX_COLUMNS topics at most.")
         val names = header?.topics.orEmpty().map { it.name }
@@ -108,6 +113,11 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
         if (!isSure && !firstLines.look(isEnd)) return RowScanner.INCOMPLETE
         stage = Stage.DONE
         return if (header == null) takeWithoutHeader(titles, lineEnd, next) else takeWithHeader(names, titles, isSure, next, isCut)
+    }
+
+    /** Whether what begins here was torn off the line of JSON, by a newline that damage has put there. */
+    private fun isRestOfJson(lineEnd: Int): Boolean = (pending.start..lineEnd - JSON_MARKS[0].length).any { at ->
+        JSON_MARKS.any { mark -> mark.indices.all { pending.bytes[at + it].toInt() == mark[it].code } }
     }
 
     private fun takeWithHeader(names: List<String>, titles: List<String>, isSure: Boolean, next: Int, isCut: Boolean): Int {
@@ -145,7 +155,7 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
         val mayBeBinary = mayBeUtf16 || FirstLines.hasControls(pending.bytes, pending.start, lineEnd)
         if (mayBeBinary && !firstLines.hasRows) return refuse(if (mayBeUtf16) UTF_16 else BINARY)
         reportEncoding()
-        if (titles.size == 1) otherSeparator(titles[0])?.let { return refuse(it) }
+        if (titles.size == 1 && width <= 1) otherSeparator(titles[0])?.let { return refuse(it) }
         if (isDamaged && firstLines.hasRows) {
             // Damage, or the remarks of whoever made the file, may stand before the titles.
             val begin = firstLines.lines.firstOrNull { it.cells == width }
@@ -154,6 +164,8 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
         val first = firstLines.lines.firstOrNull()
         if (first != null && titles.size == width && (first.texts == 0 || (line != null && first.numbers > 0))) return takeUntitled(width)
         val known = if (isDamaged) ColumnTitles.of(emptyList(), titles, width) else ColumnTitles(titles)
+        // A hole has taken the rest of the line, which may have had more titles.
+        if (next == lineEnd && firstLines.hasRows) known.isDoubtful.fill(true)
         for (i in known.titles.indices) if (known.titles[i].any(::isControl)) known.isDoubtful[i] = true
         columns = columnsOf(known.map { title -> title.map { if (isControl(it)) ' ' else it }.joinToString("") }, titles)
         if (next > lineEnd) pending.line++
@@ -207,7 +219,7 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
             val reason = if (other ==
                 null
             ) {
-                "the titles and the rows do not have the same number of cells"
+                "the line of titles is damaged"
             } else {
                 "line ${pending.line} has “$other” there"
             }
@@ -274,6 +286,9 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
 
         /** Each column costs memory before it has a row. */
         private const val MAX_COLUMNS = 1 shl 16
+
+        /** What stands between a key of JSON and its value, and in no title. */
+        private val JSON_MARKS = listOf("\":\"", "\":[")
 
         /** So many rows of one width count more than the titles. */
         private const val LEAST_ROWS = 3

@@ -5,9 +5,13 @@ import badlog.recording.Loss
 import badlog.recording.ProblemKind
 import badlog.recording.ProblemList
 import badlog.text.COMMA
+import badlog.text.DOT
+import badlog.text.NINE
 import badlog.text.NUL
 import badlog.text.QUOTE
 import badlog.text.TextDecoder
+import badlog.text.ZERO
+import badlog.text.isLetterOrDigit
 
 /**
  * Reads the rows that [RowScanner] leaves: quoted, cut, torn, too short or too long ones. One rule stands above the others:
@@ -183,12 +187,23 @@ internal class RowRepair(
     private fun continuesText(bytes: ByteArray, from: Int, end: Int, row: Int): Boolean {
         val isPiece = cells.columns > 1 && columns[0].firstText == null &&
             (from until end).none { bytes[it].toInt() == COMMA } &&
+            !isEndOfRow(bytes, from, end) &&
             reader.read(bytes, from, end) == CellKind.TEXT &&
             columns.last().extendText(row, bytes, from, end, MAX_BYTES)
         if (isPiece) {
             problems.add(ProblemKind.LINES_JOINED, "A line of text was joined to the text in the row above it.", line)
         }
         return isPiece
+    }
+
+    /** Whether it is a number with letters close behind it: the x of a row of which damage has left nothing else but its end. */
+    private fun isEndOfRow(bytes: ByteArray, from: Int, end: Int): Boolean {
+        var at = from
+        while (at < end && bytes[at] in ZERO..NINE) at++
+        if (at == from || at == end || bytes[at].toInt() != DOT) return false
+        at++
+        while (at < end && bytes[at] in ZERO..NINE) at++
+        return at < end && isLetterOrDigit(bytes[at].toInt().toChar())
     }
 
     // Two short rows of numbers would fit together as well, but a newline never stands inside a number.

@@ -116,6 +116,32 @@ class DamagedHeaderSpec : FunSpec({
         recording.kinds() shouldContain ProblemKind.HEADER_UNREADABLE
     }
 
+    test("a newline in the line of JSON does not make titles of its rest, however many cells that has") {
+        val names = NAMES.take(3)
+        val line = json(names)
+        val rows = (1..20).joinToString("") { row -> "${row}00,${row}01,${row}02\n" }
+        for (at in 1 until line.length - 1) {
+            val recording = parse(line.replaceRange(at, at + 1, "\n") + names.joinToString(",") + "\n" + rows)
+            recording.topics.map { it.name } shouldContainExactly names
+            recording.firstRow().values.toList() shouldBe listOf(100, 101, 102)
+            recording.rowCount shouldBe 20
+        }
+    }
+
+    test("a tab in what is left of a line of JSON does not refuse the rows") {
+        val text = json().take(300) + "\n\tab\t\n" + titles.replace("Topic 1,", "To\tpic 1,") + "\n" + ROWS.replaceFirst("101", "1\t1")
+        parse(text).run {
+            isReadable shouldBe true
+            rowCount shouldBe 20
+        }
+    }
+
+    test("in a CSV file whose titles end in a hole, every column is in doubt") {
+        val recording = parse("Time,Volts,Am" + "\u0000".repeat(60) + ",7\n" + (0 until 9).joinToString("") { "$it,12.$it,$it\n" })
+        recording.rowCount shouldBe 9
+        recording.doubts() shouldContainExactly listOf("Time", "Volts", "Am")
+    }
+
     test("what has no rows of text is refused") {
         for (bytes in listOf("\u0001\u0002\u0003\n\u0004\n", "PK\u0003\u0004,\u0007\nab,\u0001,\n", "\u007fELF\u0002\n\u0001,2\n")) {
             parse(bytes).kinds() shouldContainExactly listOf(ProblemKind.NOT_A_RECORDING)
