@@ -1,6 +1,7 @@
 package badlog.cli.cut
 
 import badlog.analysis.LogView
+import badlog.analysis.Span
 import badlog.cli.command.ExitCode
 import badlog.cli.command.LogLoop
 import badlog.cli.command.Outcome
@@ -28,6 +29,8 @@ import badlog.cli.text.lossLines
 import badlog.cli.text.wrapped
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
+import badlog.recording.Value
+import badlog.rules.ofPart
 import badlog.rules.withSignals
 import badlog.terminal.Progress
 import kotlinx.serialization.Serializable
@@ -57,7 +60,8 @@ internal class CutTask(
         }
         val target = plan.place(input, FileName.of(input.file).marked("cut"), input.file.fileName.toString())
         val format = plan.file?.let(LogFormat::ofName) ?: LogFormat.of(view.recording)
-        val leftOut = write(view.recording, part, format, input.file, target, progress)
+        val said = saidOf(part.spans, view.xAxis.unit)
+        val leftOut = write(view.recording, part, said, format, input.file, target, progress)
         val text = text(view, "${input.file} -> $target", part, leftOut)
         return Outcome(view.recording.isSalvaged, text, jsonOf(json(view, target, part, leftOut)))
     }
@@ -67,12 +71,27 @@ internal class CutTask(
         return if (view.recording.format == RecordingFormat.WPILOG) samplePart(view, spans) else rowPart(view, spans)
     }
 
-    private fun write(whole: Recording, part: CutPart, format: LogFormat, file: Path, target: Path, progress: Progress): Omissions {
+    /** Where it lies, as a person reads it. */
+    private fun saidOf(spans: List<Span>, unit: String): String {
+        val first = spans.take(LISTED).joinToString { "${XTime.text(it.from, unit)} to ${XTime.text(it.to, unit)}" }
+        return if (spans.size > LISTED) "$first and ${spans.size - LISTED} more" else first
+    }
+
+    private fun write(
+        whole: Recording,
+        part: CutPart,
+        said: String,
+        format: LogFormat,
+        file: Path,
+        target: Path,
+        progress: Progress,
+    ): Omissions {
         if (format.hasRows || whole.format != RecordingFormat.WPILOG) {
-            return writeLog(part.recording, format, target, part.rows, progress = progress)
+            val recording = part.recording.run { if (format == LogFormat.CSV) this else copy(values = values.ofPart(said)) }
+            return writeLog(recording, format, target, part.rows, progress = progress)
         }
         copyRecords(recordsOf(file), target, progress) {
-            spans(part.spans, whole::isEvent) { entry ->
+            spans(part.spans, whole::isEvent, emptyList<Value>().ofPart(said)) { entry ->
                 // Few events may look like states.
                 part.recording.topicOf(entry)?.takeIf { it.attributes != whole.topicOf(entry)?.attributes }
             }

@@ -57,7 +57,8 @@ private fun textLines(merge: Merged, leftOut: Omissions): List<String> = buildLi
         if (group.repeated > 0) add("  ${counted(group.repeated.toLong(), noun)} that several have kept once")
     }
     for (renaming in merge.renamed.take(LISTED)) {
-        add(wrapped("  renamed: ", "“${renaming.from}” of ${renaming.part.file} is “${renaming.to}”", INDENT))
+        val why = if (renaming.reason.isEmpty()) "" else "; ${renaming.reason}"
+        add(wrapped("  renamed: ", "“${renaming.from}” of ${renaming.part.file} is “${renaming.to}”$why", INDENT))
     }
     if (merge.renamed.size > LISTED) add("  renamed: ${grouped((merge.renamed.size - LISTED).toLong())} more in the same way")
 }
@@ -110,8 +111,8 @@ private class OverlapJson(private val logs: List<String>, private val from: Json
 }
 
 @Serializable
-private class RenamingJson(private val log: String, private val from: String, private val to: String) {
-    constructor(renaming: Renaming) : this(renaming.part.file.toString(), renaming.from, renaming.to)
+private class RenamingJson(private val log: String, private val from: String, private val to: String, private val reason: String) {
+    constructor(renaming: Renaming) : this(renaming.part.file.toString(), renaming.from, renaming.to, renaming.reason)
 }
 
 private const val INDENT = 4

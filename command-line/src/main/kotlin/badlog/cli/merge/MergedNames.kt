@@ -1,6 +1,7 @@
 package badlog.cli.merge
 
 import badlog.recording.Value
+import badlog.rules.PART_VALUE
 import badlog.text.freeName
 
 /** Gives each topic, or each value, of a merge a name of its own. */
@@ -10,12 +11,12 @@ internal class MergedNames {
     /** What is called otherwise than in its log. */
     val renamed = ArrayList<Renaming>()
 
-    /** [name], or where that is taken, [name] in a folder that is called like the file of [part]. */
-    fun take(name: String, part: LogPart): String {
+    /** [name], or where that is taken, for the [reason] if there is one, [name] in a folder that is called like the file of [part]. */
+    fun take(name: String, part: LogPart, reason: String = ""): String {
         if (taken.add(name)) return name
         val inFolder = "${part.folder}/$name"
         val free = freeName(inFolder, isFree = taken::add)
-        renamed += Renaming(part, name, free)
+        renamed += Renaming(part, name, free, reason)
         return free
     }
 
@@ -24,12 +25,13 @@ internal class MergedNames {
         val values = ArrayList<Value>()
         for (part in parts) {
             for (value in part.recording.values) {
-                if (value !in values) values += value.copy(name = take(value.name, part))
+                // Parts that are put together may be whole again.
+                if (value.name != PART_VALUE && value !in values) values += value.copy(name = take(value.name, part))
             }
         }
         return values
     }
 }
 
-/** What is called [from] in [part] is called [to] in the merge. */
-internal class Renaming(val part: LogPart, val from: String, val to: String)
+/** What is called [from] in [part] is called [to] in the merge, for the [reason] where that is not only that the name was taken. */
+internal class Renaming(val part: LogPart, val from: String, val to: String, val reason: String = "")

@@ -6,6 +6,7 @@ import badlog.cli.output.recordsOf
 import badlog.cli.output.topicOf
 import badlog.file.readRecording
 import badlog.formats.LOG_FORMATS
+import badlog.rules.PART_VALUE
 import badlog.terminal.Progress
 import badlog.wpilog.record.RecordEntry
 import badlog.wpilog.record.RecordLane
@@ -68,7 +69,9 @@ internal class RecordLanes(parts: List<LogPart>, mode: MergeMode) {
     private fun valueLanes(sources: List<Source>): List<Lane> {
         val known = HashSet<Pair<String, List<Byte>>>()
         return sources.flatMap { source ->
-            source.records.entries.filter { it.isValue && it.size > 0 && known.add(it.name to it.payload(it.size - 1).asList()) }
+            // Parts that are put together may be whole again.
+            val values = source.records.entries.filter { it.isValue && it.size > 0 && it.name != PART_VALUE }
+            values.filter { known.add(it.name to it.payload(it.size - 1).asList()) }
                 .map { entry -> Lane(valueNames.take(entry.name, source.part), source, entry).apply { add(source, entry) } }
         }
     }
@@ -82,8 +85,11 @@ internal class RecordLanes(parts: List<LogPart>, mode: MergeMode) {
                 if (entry.isValue) continue
                 // What describes a type is meant for all logs, and found by its name.
                 val alike = if (SCHEMA_FOLDER in entry.name) schemas else known
-                alike.getOrPut(entry.name to entry.type) { Lane(names.take(entry.name, source.part), source, entry).also(made::add) }
-                    .add(source, entry)
+                alike.getOrPut(entry.name to entry.type) {
+                    val other = made.find { it.name == entry.name && it.entry.type != entry.type }
+                    val reason = other?.let { "its type is ${entry.type}, and ${it.entry.type} in ${it.first.part.file}" }.orEmpty()
+                    Lane(names.take(entry.name, source.part, reason), source, entry).also(made::add)
+                }.add(source, entry)
             }
         }
         return made

@@ -2,17 +2,23 @@ package badlog.cli.cut
 
 import badlog.analysis.Span
 import badlog.cli.BAG
+import badlog.cli.SAMPLES
 import badlog.cli.badlog
 import badlog.cli.badlogJson
 import badlog.cli.command.ExitCode
 import badlog.cli.inFolder
+import badlog.cli.sampleLog
 import badlog.cli.with
 import badlog.file.readRecording
 import badlog.formats.LOG_FORMATS
+import badlog.recording.Value
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.collections.shouldNotContain
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldStartWith
 import io.kotest.property.Arb
 import io.kotest.property.arbitrary.double
 import io.kotest.property.arbitrary.list
@@ -20,6 +26,7 @@ import io.kotest.property.arbitrary.map
 import io.kotest.property.arbitrary.pair
 import io.kotest.property.checkAll
 import kotlinx.serialization.json.jsonArray
+import kotlin.io.path.copyTo
 import kotlin.io.path.div
 
 class CutSpec : FunSpec({
@@ -53,7 +60,25 @@ class CutSpec : FunSpec({
             ended.json.single().getValue("parts").jsonArray.size shouldBe 2
             val cut = readRecording(folder / "a.cut.bag", LOG_FORMATS)
             cut.topics.first { it.name == "Log" }.texts.dictionary shouldContainExactly listOf("go", "stop")
-            cut.values shouldBe readRecording(folder / "a.bag", LOG_FORMATS).values
+            cut.values shouldBe readRecording(folder / "a.bag", LOG_FORMATS).values + Value("Part", "0.02 s to 0.02 s, 0.06 s to 0.06 s")
+        }
+    }
+
+    test("a part says what of the log it is, in each format that has values, and what is put together again is no part") {
+        inFolder { folder ->
+            val log = folder.sampleLog("practice.bag")
+            for (whole in listOf(SAMPLES / "practice.bag", log)) {
+                fun values(vararg command: Any): List<Value> {
+                    badlog(*command, "-o", folder / "out.wpilog", "--force").out shouldContain "out.wpilog"
+                    return readRecording(folder / "out.wpilog", LOG_FORMATS).values
+                }
+                fun keep(name: String) = (folder / "out.wpilog").copyTo(folder / name, overwrite = true)
+                values("cut", whole, "--to", "20").single { it.name == "Part" }.text shouldStartWith "0 s to "
+                val one = keep("one.wpilog")
+                values("cut", one, "--from", "5").single { it.name == "Part" }.text shouldStartWith "5"
+                values("cut", whole, "--from", "20").map { it.name } shouldContain "Part"
+                values("merge", one, keep("two.wpilog")).map { it.name } shouldNotContain "Part"
+            }
         }
     }
 

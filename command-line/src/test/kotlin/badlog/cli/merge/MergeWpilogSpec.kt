@@ -142,6 +142,17 @@ class MergeWpilogSpec : FunSpec({
         }
     }
 
+    test("one name with two types is two topics, and the result says which has which") {
+        inFolder { folder ->
+            val one = folder.wpilog("one.wpilog", listOf(numbers("a", 0.0 to 1.0)))
+            val two = folder.wpilog("two.wpilog", listOf(Logged("a", "int64", "", listOf(1.0 to 2.0))))
+            val ended = badlog("merge", one, two, "-o", folder / "m.wpilog")
+            ended.out.replace(Regex("\\s+"), " ") shouldContain "is “two/a”; its type is int64, and double in $one"
+            readRecording(folder / "m.wpilog", LOG_FORMATS).topics.map { it.name to it.type } shouldContainExactly
+                listOf("a" to "double", "two/a" to "int64")
+        }
+    }
+
     test("many new names are counted, and all of them are in JSON") {
         inFolder { folder ->
             val one = folder.wpilog("one.wpilog", List(20) { numbers("t$it", 0.0 to 1.0) })

@@ -51,6 +51,19 @@ class FindSpec : FunSpec({
         }
     }
 
+    test("a signal that is several topics is not unknown: the message shows how to ask for each") {
+        inFolder { folder ->
+            val names = listOf("Left/Drive Current", "Right/Drive Current").associateWith { "A" }
+            folder.put("1.bag", bag(mapOf("Time" to "s") + names, listOf("0,10,20", "1,30,5")))
+            folder.put("2/1.bag", bag(mapOf("Time" to "s", "Left/Drive Current" to "A"), listOf("0,10", "1,30")))
+            val replies = Find("max(motor current)").over(logsIn(folder)).map { it.reply }
+            replies[0].shouldBeInstanceOf<Reply.NotAsked>().message shouldBe
+                "“motor current” is 2 topics, such as “Left/Drive Current”; name one, or ask for each: max(\"*/Drive Current\") by topic."
+            replies[1].shouldBeInstanceOf<Reply.Answered>().quantities.single().value shouldBe 30.0
+            Find("max(\"*/Drive Current\") by topic").over(logsIn(folder)).all { it.reply is Reply.Answered } shouldBe true
+        }
+    }
+
     test("the text says what was found, what is missing, and where a mistake is") {
         inFolder { folder ->
             folder.put("1.bag", batteryBag(6.0))

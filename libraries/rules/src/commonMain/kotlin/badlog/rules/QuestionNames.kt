@@ -12,21 +12,23 @@ import badlog.rules.signal.SignalVocabulary
  */
 public class QuestionNames(signals: SignalVocabulary, shape: LogShape) {
     private val named = LinkedHashMap<String, NamedSignal>()
+    private val several = LinkedHashMap<String, List<String>>()
 
     private val topics = shape.topicsOf(signals)
 
     init {
         for (signal in signals.signals) {
-            if (signal.isMany || shape.vocabulary.knows(signal.name)) continue
+            if (shape.vocabulary.knows(signal.name)) continue
             val found = topics.of(signal.name).ifEmpty { topics.summandsOf(signal.name) }
-            if (found.isNotEmpty()) named[signal.name] = NamedSignal.of(signal.name, found)
+            if (signal.isMany && found.size > 1) several[signal.name] = found.map { it.topic }
+            if (found.isNotEmpty() && signal.name !in several) named[signal.name] = NamedSignal.of(signal.name, found)
         }
     }
 
     /** The names. */
     public val vocabulary: Vocabulary = shape.vocabulary.let {
-        val meanings = signals.signals.filter { signal -> !signal.isMany }.map { signal -> signal.name }.filterNot(it::knows)
-        Vocabulary(it.signals + named.values.map { signal -> signal.listed }, it.hasTime, meanings.toSet())
+        val meanings = signals.signals.map { signal -> signal.name }.filter { name -> name !in several && !it.knows(name) }
+        Vocabulary(it.signals + named.values.map { signal -> signal.listed }, it.hasTime, meanings.toSet(), several = several)
     }
 
     /** The samples of [view], which is of the shape, under these names. */

@@ -27,6 +27,7 @@ public class Rule internal constructor(
     internal val show: List<String> = emptyList(),
     internal val unless: List<String> = emptyList(),
     internal val isForEachText: Boolean = false,
+    internal val isForWholeLogs: Boolean = false,
 ) {
     /** Whether it is badlog's own, in which nobody need look for a mistake. */
     public val isBuiltIn: Boolean get() = place == null

@@ -114,7 +114,10 @@ public class RuleProgram(private val rules: RuleSet, private val shape: LogShape
         val match = rules.signals.matchOf(view.recording)
         val run = RuleRun(view.identified(match.title, signals.modes), file, isEverywhere)
         val type = match.type
-        return steps.asSequence().filter { it.rule.isFor(type) }.map(run::ask)
+        val isPart = view.recording.isPart
+        return steps.asSequence().filter { it.rule.isFor(type) }.map { step ->
+            if (isPart && step.rule.isForWholeLogs) AskedRule(step.rule, emptyList(), Refusal(IS_PART)) else run.ask(step)
+        }
     }
 
     /** The rules that cannot be asked of [recording], and why. */
@@ -259,6 +262,7 @@ public class RuleProgram(private val rules: RuleSet, private val shape: LogShape
 
         /** Whether the robot is enabled, or nothing tells. */
         const val ACTIVE = "active"
+        private const val IS_PART = "the log is only a part of one, as its value “$PART_VALUE” says"
         private const val NO_AXIS = "the log has no x axis"
         private const val NO_CONDITION = "“when” is a number"
 

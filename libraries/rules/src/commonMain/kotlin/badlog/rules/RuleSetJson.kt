@@ -59,6 +59,7 @@ private fun ruleJson(rule: Rule): String = jsonObject(
     "show" to textsJson(rule.show),
     "unless" to textsJson(rule.unless),
     "eachText" to "true".takeIf { rule.isForEachText },
+    "whole" to "true".takeIf { rule.isForWholeLogs },
     "place" to rule.place?.let { placeJson(it, rule.condition) },
 )
 
@@ -78,6 +79,7 @@ private fun ruleOf(value: JsonValue): Rule {
         show = json.strings("show"),
         unless = json.strings("unless"),
         isForEachText = json.isTrue("eachText"),
+        isForWholeLogs = json.isTrue("whole"),
     )
 }
 

@@ -161,6 +161,7 @@ internal class RulesReader(private val source: String, private val signals: Sign
             show = toml.optionalStrings(table, "show"),
             unless = toml.optionalStrings(table, "unless"),
             isForEachText = toml.isTrue(table, "each_text"),
+            isForWholeLogs = toml.isTrue(table, "whole"),
         )
     }
 
@@ -260,7 +261,7 @@ internal class RulesReader(private val source: String, private val signals: Sign
         const val DEFAULT = "default"
         val KEYS = setOf(
             "name", "severity", "when", "text", "only", "each", "except", "unit", "group", "why", "next", "limits", "show", "unless",
-            "each_text",
+            "each_text", "whole",
         )
         val COMPARISON_KEYS = setOf("name", "severity", "of", "text", "group", "why", "next", "limits")
     }

@@ -1,5 +1,6 @@
 package badlog.rules
 
+import badlog.analysis.LogView
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
@@ -117,6 +118,8 @@ private const val LOOP = "/RealOutputs/LoggedRobot/FullCycleMS"
 /** Those that need another clock than a list of faults can make. */
 private val OF_CLOCK = listOf("Gap in time", "Clock set back")
 
+private val OF_WHOLE_LOGS = listOf("Restarted in the match", "Ended in the match")
+
 class BuiltInRulesSpec : FunSpec({
     val rules = RuleSet.BUILT_IN.with(RuleSet.BUILT_IN.signals.with(SignalsFile.parse(LINKS)))
 
@@ -147,6 +150,17 @@ class BuiltInRulesSpec : FunSpec({
             finding.evidence.shouldNotBeEmpty()
             (finding.evidence - view.recording.topics.map { it.name }.toSet()).shouldBeEmpty()
         }
+    }
+
+    test("a part that was cut out of a log neither restarted nor ended in the match") {
+        val match = TestMatch().apply { flag("/DriverStation/Enabled") { true } }
+        val whole = rules.over(match.view(), "test.bag")
+        whole.findings.map { it.rule }.filter { it in OF_WHOLE_LOGS } shouldBe OF_WHOLE_LOGS
+        val recording = match.view().recording
+        val part = rules.over(LogView.of(recording.copy(values = recording.values.ofPart("90 s to 130 s"))), "test.bag")
+        part.findings.map { it.rule }.filter { it in OF_WHOLE_LOGS }.shouldBeEmpty()
+        part.skipped.filter { it.rule in OF_WHOLE_LOGS }.map { it.message }.toSet() shouldBe
+            setOf("the log is only a part of one, as its value “Part” says")
     }
 
     test("a stop of the log is found, but not while the program starts, nor while the robot is disabled") {

@@ -4,6 +4,8 @@ import badlog.analysis.Span
 import badlog.bag.RecordingWriter
 import badlog.file.writeAtomically
 import badlog.recording.RecordingFormat
+import badlog.rules.ofPart
+import badlog.rules.timeText
 import badlog.viewer.files.FileChoice
 import badlog.viewer.files.askToWrite
 import badlog.viewer.files.stemOf
@@ -34,7 +36,9 @@ internal fun cutFile(recording: OpenRecording, span: Span, format: RecordingForm
             if (Thread.interrupted()) throw InterruptedException()
             progress(done.toFloat() / total)
         }
-        RecordingWriter(part.recording, format).write(part.rows.first, part.rows.last + 1, heard) { bytes, size ->
+        val unit = recording.view.xAxis.unit
+        val said = part.recording.values.ofPart("${timeText(span.from, unit)} to ${timeText(span.to, unit)}")
+        RecordingWriter(part.recording.copy(values = said), format).write(part.rows.first, part.rows.last + 1, heard) { bytes, size ->
             out.write(bytes, 0, size)
         }
     }

@@ -14,12 +14,14 @@ import badlog.text.isLetterOrDigit
  * @property meanings names that mean the same in every recording, whatever its topics are called. A virtual topic may be called so, and
  *   goes first then; one that is not among [signals] means nothing in this recording.
  * @property thing what messages call a signal.
+ * @property several names that mean several signals in this recording, at least two; one of them alone cannot be asked for so.
  */
 public class Vocabulary(
     public val signals: List<Signal>,
     public val hasTime: Boolean,
     public val meanings: Set<String> = emptySet(),
     public val thing: String = "topic",
+    public val several: Map<String, List<String>> = emptyMap(),
 ) {
     /** Of a recording over time. */
     public constructor(signals: List<Signal>) : this(signals, hasTime = true)
@@ -33,7 +35,7 @@ public class Vocabulary(
 
     /** These names and [topic], which goes before a meaning of the same name. */
     public fun with(topic: Signal): Vocabulary =
-        Vocabulary(signals.filter { it.name != topic.name } + topic, hasTime, meanings - topic.name)
+        Vocabulary(signals.filter { it.name != topic.name } + topic, hasTime, meanings - topic.name, thing, several - topic.name)
 
     /** Whether [name] means one of the signals, or several. */
     public fun knows(name: String): Boolean = find(name).isNotEmpty()

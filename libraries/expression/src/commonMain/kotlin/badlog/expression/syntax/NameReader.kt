@@ -138,10 +138,22 @@ internal class NameReader(private val text: String, private val scanner: Scanner
         return maxOf(until, from + 1)
     }
 
+    private fun severalText(signal: String, topics: List<String>): String {
+        // Whole words, as a person would write it.
+        val start = topics.reduce { one, other -> one.commonPrefixWith(other) }.dropLastWhile(::isWordCharacter)
+        val rest = topics.map { it.substring(start.length) }
+        val end = rest.reduce { one, other -> one.commonSuffixWith(other) }.dropWhile(::isWordCharacter)
+        val pattern = if (start.isEmpty() && end.isEmpty()) topics[0].substringBefore('/') + "/*" else "$start*$end"
+        return "“$signal” is ${topics.size} topics, such as “${topics[0]}”; name one, or ask for each: max(\"$pattern\") by topic."
+    }
+
     private fun failUnknownTopic(name: String, from: Int, until: Int): Nothing {
         vocabulary.lacking(name)?.let {
             val message = "No topic of the log is the signal “$it”; name yours in badlog-signals.toml."
             throw Mistake(from, until, ExpressionErrorKind.UNKNOWN_TOPIC, message)
+        }
+        vocabulary.several.entries.find { it.key.equals(name, ignoreCase = true) }?.let { (signal, topics) ->
+            throw Mistake(from, until, ExpressionErrorKind.AMBIGUOUS_TOPIC, severalText(signal, topics))
         }
         val nearest = vocabulary.nearest(name)
         val suggestion = if (nearest == null) "." else "; did you mean “${nearest.name}”?"

@@ -2,6 +2,7 @@ package badlog.wpilog.record
 
 import badlog.analysis.Span
 import badlog.recording.Topic
+import badlog.recording.Value
 import badlog.wpilog.ControlKind
 import badlog.wpilog.RecordBuffer
 import badlog.wpilog.VALUE_METADATA
@@ -61,12 +62,18 @@ public class RecordCopy(
     /**
      * Writes those that lie in [spans], which ascend and do not touch, in s; and where each span begins, the last one before it of
      * each entry, at the time of that beginning: it holds there. All control records stay. What the log says of its run, as the
-     * match it was, is written as values where the part would not say it any more.
+     * match it was, is written as values where the part would not say it any more, and so are [values], in
+     * place of those of their names.
      *
      * @param isEvent whether the records of an entry happen rather than hold, so that none comes again.
      * @param described a topic that says the unit and the attributes of an entry anew, or null.
      */
-    public fun spans(spans: List<Span>, isEvent: (RecordEntry) -> Boolean, described: (RecordEntry) -> Topic? = { null }) {
+    public fun spans(
+        spans: List<Span>,
+        isEvent: (RecordEntry) -> Boolean,
+        values: List<Value> = emptyList(),
+        described: (RecordEntry) -> Topic? = { null },
+    ) {
         val isKept = BooleanArray(store.size) { store.isControl(it) }
         val begins = IntArray(spans.size) { store.size }
         var first = spans.firstOrNull()?.let { round(it.from * WpilogEntries.MICROS) } ?: 0.0
@@ -80,7 +87,9 @@ public class RecordCopy(
                 }
             }
         }
-        val held = log.entries.filter { !it.isSystemTime && !isEvent(it) }.flatMap { entry ->
+        val replaced = log.entries.filter { entry -> entry.isValue && values.any { it.name == entry.name } }
+        for (entry in replaced) for (record in entry.records + entry.controls) isKept[record] = false
+        val held = log.entries.filter { !it.isSystemTime && !isEvent(it) && it !in replaced }.flatMap { entry ->
             // Once is enough for what never changes.
             val where = if (entry.isValue) spans.take(1) else spans
             where.mapIndexedNotNull { index, span -> heldIn(entry, span, begins[index]) }
@@ -91,7 +100,7 @@ public class RecordCopy(
         written.accept(out.bytes, 0, out.size)
         val said = written.finish().values.mapTo(HashSet()) { it.name }
         var id = 0
-        for (value in log.valuesAt(first)) {
+        for (value in values + log.valuesAt(first).filter { own -> values.none { it.name == own.name } }) {
             if (value.name in said) continue
             id = store.freeId(id + 1)
             out.start(id, value.name, "string", VALUE_METADATA, first)
