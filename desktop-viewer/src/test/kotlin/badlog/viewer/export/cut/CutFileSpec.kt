@@ -5,6 +5,7 @@ import badlog.file.readRecording
 import badlog.formats.LOG_FORMATS
 import badlog.recording.RecordingFormat
 import badlog.recording.Severity
+import badlog.recording.Value
 import badlog.viewer.export.armBag
 import badlog.viewer.export.recordingOf
 import badlog.viewer.loggedTopic
@@ -30,7 +31,7 @@ class CutFileSpec : FunSpec({
         cutFile(whole, Span(1.0, 2.0), RecordingFormat.BAG, target) shouldBe "Wrote 51 rows to $target."
         val part = readRecording(target, LOG_FORMATS)
         val source = whole.view.recording
-        part.values shouldBe source.values
+        part.values shouldBe source.values + Value("Part", "1 s to 2 s")
         part.problems.shouldBeEmpty()
         part.topics.forEachIndexed { i, topic ->
             topic.name shouldBe source.topics[i].name
