@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.stream.Collectors;
 import org.openqa.selenium.By;
 import org.openqa.selenium.Dimension;
 import org.openqa.selenium.WebElement;
@@ -18,13 +19,17 @@ import org.openqa.selenium.interactions.Actions;
 
 /**
  * Measures exported pages in headless Chromium: the time from opening to the first graphs, the memory that JavaScript holds
- * then, and how long a zoom by mouse takes to reach all graphs on screen.
+ * then, and how long a zoom by mouse takes to reach all graphs on screen; the same zoom with ten graphs on the board, and with the
+ * processor slowed six times, as a phone's is.
  *
  * <p>Arguments: the program that exports, the folder to work in, the file for the results, and a folder of bags or nothing.
  * Needs {@code chromium} and {@code chromedriver} on the PATH.
  */
 public final class PageBenchmark {
     private static final int ZOOMS = 6;
+    private static final int BOARD = 10;
+    private static final int SLOWED = 6;
+    private static final String BOARD_GRAPHS = "#board section.graph";
 
     private PageBenchmark() {
     }
@@ -34,6 +39,9 @@ public final class PageBenchmark {
         List<String> lines = new ArrayList<>();
         lines.add("| page of | size | first graphs | JavaScript memory | graphs on screen | zoom, median | zoom, slowest |");
         lines.add("|---|---|---|---|---|---|---|");
+        List<String> boards = new ArrayList<>();
+        boards.add("| page of, with a board | graphs on screen | script of a zoom, median | zoom, median | first graphs, slowed | zoom, slowed |");
+        boards.add("|---|---|---|---|---|---|");
         for (Path bag : MeasuredBags.find(args.length > 3 ? args[3] : "", work.resolve("bags"))) {
             Path page = work.resolve(bag.getFileName() + ".html");
             int exit = new ProcessBuilder(args[0], bag.toString(), page.toString()).inheritIO().start().waitFor();
@@ -41,7 +49,10 @@ public final class PageBenchmark {
                 throw new IllegalStateException("badlog-html exited with " + exit + " for " + bag);
             }
             lines.add(measure(bag, page));
+            boards.add(measureBoard(bag, page));
         }
+        lines.add("");
+        lines.addAll(boards);
         Files.write(Path.of(args[2]), lines);
         lines.forEach(System.out::println);
     }
@@ -52,16 +63,61 @@ public final class PageBenchmark {
             double opened = Double.MAX_VALUE;
             int rounds = MeasuredBags.size(page) > 100_000_000 ? 1 : 3;
             for (int round = 0; round < rounds; round++) {
-                opened = Math.min(opened, open(browser, page));
+                opened = Math.min(opened, open(browser, page.toUri().toString()));
             }
             double memory = memory(browser);
-            List<Double> zooms = zooms(browser);
+            List<Double> zooms = zooms(browser, "badlog-zoom", "section.graph", 3);
             return String.format(Locale.ROOT, "| %s | %.1f MB | %.2f s | %.0f MB | %d | %.1f ms | %.1f ms |",
                 bag.getFileName(), MeasuredBags.size(page) / 1e6, opened, memory, graphsOnScreen(browser),
                 zooms.get(zooms.size() / 2), zooms.get(zooms.size() - 1));
         } finally {
             browser.quit();
         }
+    }
+
+    /** With a board of {@link #BOARD} low graphs, which its address asks for, on a screen so high that all of them are drawn. */
+    private static String measureBoard(Path bag, Path page) throws Exception {
+        ChromeDriver browser = start();
+        try {
+            browser.manage().window().setSize(new Dimension(1600, 2400));
+            String address = page.toUri().toString();
+            open(browser, address);
+            List<String> names = names(browser);
+            address += names.stream().map(name -> escaped(name) + ",h=60").collect(Collectors.joining(";", "#board=", ""));
+            open(browser, address);
+            List<Double> script = zooms(browser, "badlog-zoom-script", BOARD_GRAPHS, 1);
+            List<Double> zooms = zooms(browser, "badlog-zoom", BOARD_GRAPHS, 1);
+            int shown = graphsOnScreen(browser);
+            browser.executeCdpCommand("Emulation.setCPUThrottlingRate", Map.of("rate", SLOWED));
+            double opened = open(browser, address);
+            List<Double> slowed = zooms(browser, "badlog-zoom", BOARD_GRAPHS, 1);
+            return String.format(Locale.ROOT, "| %s | %d | %.1f ms | %.1f ms | %.2f s | %.1f ms |", bag.getFileName(), shown,
+                script.get(script.size() / 2), zooms.get(zooms.size() / 2), opened, slowed.get(slowed.size() / 2));
+        } finally {
+            browser.quit();
+        }
+    }
+
+    /** The first topics of numbers that the page draws. */
+    private static List<String> names(ChromeDriver browser) {
+        Object names = browser.executeScript("return [...new Set([...document.querySelectorAll('section.graph[data-kind=lines]')]"
+            + ".map(graph => graph.dataset.name))].slice(0, arguments[0])", BOARD);
+        return ((List<?>) names).stream().map(String::valueOf).toList();
+    }
+
+    /** As the text of a board writes a name. */
+    private static String escaped(String name) {
+        StringBuilder text = new StringBuilder();
+        name.chars().forEach(c -> {
+            if (c == ' ') {
+                text.append('+');
+            } else if (c < 128 && (Character.isLetterOrDigit(c) || "-_./".indexOf(c) >= 0)) {
+                text.append((char) c);
+            } else {
+                text.append(String.format(Locale.ROOT, "~%04x", c));
+            }
+        });
+        return text.toString();
     }
 
     private static ChromeDriver start() {
@@ -90,9 +146,9 @@ public final class PageBenchmark {
     }
 
     /** Seconds from the start of loading to the first graphs. */
-    private static double open(ChromeDriver browser, Path page) throws InterruptedException {
+    private static double open(ChromeDriver browser, String page) throws InterruptedException {
         browser.get("about:blank");
-        browser.get(page.toUri().toString());
+        browser.get(page);
         for (int tries = 0; tries < 6000; tries++) {
             Object mark = browser.executeScript(
                 "const m = performance.getEntriesByName('badlog-first-graphs')[0]; return m ? m.startTime : null");
@@ -118,30 +174,34 @@ public final class PageBenchmark {
         return bytes / 1e6;
     }
 
-    /** Milliseconds that each of some zooms by mouse took, from the first redraw's begin to the last one's end, sorted. */
-    private static List<Double> zooms(ChromeDriver browser) throws InterruptedException {
+    /**
+     * Milliseconds of the page's own {@code measure} for each of some zooms by mouse in one of {@code graphs}, sorted:
+     * {@code badlog-zoom} lasts from the change of the range until all graphs on screen are drawn, {@code badlog-zoom-script} is the
+     * script of it.
+     */
+    private static List<Double> zooms(ChromeDriver browser, String measure, String graphs, int place) throws InterruptedException {
         awaitRules(browser);
-        browser.executeScript("arguments[0].scrollIntoView({ block: 'center' })", graph(browser));
+        browser.executeScript("arguments[0].scrollIntoView({ block: 'center' })", graph(browser, graphs, place));
         Thread.sleep(1000);
         List<Double> times = new ArrayList<>();
         for (int zoom = 0; zoom < ZOOMS; zoom++) {
             browser.executeScript("performance.clearMeasures()");
             // Looked up anew, for a graph that left the screen meanwhile is drawn on another element.
-            WebElement frame = graph(browser).findElement(By.cssSelector(".u-over"));
+            WebElement frame = graph(browser, graphs, place).findElement(By.cssSelector(".u-over"));
             int width = frame.getSize().getWidth();
             new Actions(browser).moveToElement(frame, -width / 4, 0).clickAndHold()
                 .moveByOffset(width / 4, 0).moveByOffset(width / 4, 0).release().perform();
             Thread.sleep(500);
             Object duration = browser.executeScript(
-                "return Math.max(0, ...performance.getEntriesByName('badlog-zoom').map(m => m.duration))");
+                "return Math.max(0, ...performance.getEntriesByName(arguments[0]).map(m => m.duration))", measure);
             times.add(((Number) duration).doubleValue());
         }
         return times.stream().sorted().toList();
     }
 
     /** Away from the header and the values, where the screen is full of graphs. */
-    private static WebElement graph(ChromeDriver browser) {
-        return browser.findElements(By.cssSelector("section.graph")).get(3);
+    private static WebElement graph(ChromeDriver browser, String graphs, int place) {
+        return browser.findElements(By.cssSelector(graphs)).get(place);
     }
 
     /** The rules run beside what is measured, and move the graphs when their findings are listed. */

@@ -90,9 +90,11 @@ internal class VisibleGraphs(private val scene: Scene) {
     }
 
     private fun drawZoom() {
+        val begin = window.performance.now()
         for (card in near) card.outdate()
         for (card in near.filter { it.isOnScreen }) card.refresh()
         window.performance.asDynamic().measure("badlog-zoom", json("start" to zoomedAt))
+        window.performance.asDynamic().measure("badlog-zoom-script", json("start" to begin))
         document.documentElement?.setAttribute("data-zoomed", (++zooms).toString())
         zoomedAt = Double.NaN
         restFrame.ask()
