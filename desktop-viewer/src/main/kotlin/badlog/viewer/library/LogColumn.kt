@@ -54,6 +54,18 @@ internal enum class LogColumn(
         text = { it.match.alliance },
     ),
     DATE("Date", 164, compareBy { it.date.second }, beginsDescending = true, text = { dateText(it.date) }),
+    FINDINGS(
+        "Findings",
+        190,
+        compareBy(
+            { it.found?.count(Severity.ERROR) ?: 0 },
+            { it.found?.count(Severity.WARNING) ?: 0 },
+            { it.found?.count(Severity.NOTE) ?: 0 },
+        ),
+        beginsDescending = true,
+        has = { foundText(it) != null },
+        text = ::foundText,
+    ),
     DURATION(
         "Duration",
         80,
@@ -95,18 +107,6 @@ internal enum class LogColumn(
         beginsDescending = true,
         has = { !it.isReadable || it.problems.errors + it.problems.warnings > 0 },
         text = ::problemText,
-    ),
-    FINDINGS(
-        "Findings",
-        190,
-        compareBy(
-            { it.found?.count(Severity.ERROR) ?: 0 },
-            { it.found?.count(Severity.WARNING) ?: 0 },
-            { it.found?.count(Severity.NOTE) ?: 0 },
-        ),
-        beginsDescending = true,
-        has = { foundText(it) != null },
-        text = ::foundText,
     ),
     FILE("File", 240, compareBy(NaturalOrder) { it.file.toString() }, text = { it.fileName }),
 }
