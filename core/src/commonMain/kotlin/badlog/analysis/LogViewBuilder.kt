@@ -8,6 +8,7 @@ import badlog.recording.Topic
 import badlog.recording.TopicKind
 import badlog.recording.Value
 import badlog.text.freeName
+import kotlin.math.abs
 
 /** Makes a [LogView]: applies the attributes, finds the x axis, then lays out graphs and event logs by folder. */
 internal class LogViewBuilder(private val recording: Recording, private val registry: AttributeRegistry) {
@@ -87,7 +88,7 @@ internal class LogViewBuilder(private val recording: Recording, private val regi
             return time
         }
         val plan = wanted.firstOrNull() ?: return XAxis.index(recording)
-        if (plan.isNumeric || recording.rowCount == 0) return XAxis.of(plan.topic, recording).also { reportX(plan) }
+        if (plan.isNumeric || recording.rowCount == 0) return XAxis.of(plan.topic, recording).also { reportX(plan, it) }
         plan.report(
             ProblemKind.UNFIT_ATTRIBUTE,
             "“${plan.topic.name}” has no numbers and cannot be the x axis; the row index is used instead.",
@@ -95,7 +96,7 @@ internal class LogViewBuilder(private val recording: Recording, private val regi
         return XAxis.index(recording)
     }
 
-    private fun reportX(plan: TopicPlan) {
+    private fun reportX(plan: TopicPlan, xAxis: XAxis) {
         val x = plan.topic.samples
         val name = plan.topic.name
         var backwards = 0
@@ -113,6 +114,13 @@ internal class LogViewBuilder(private val recording: Recording, private val regi
                 repeats++
             }
             last = position
+        }
+        if (xAxis.wildCount > 0) {
+            plan.report(
+                ProblemKind.X_WILD,
+                "The x axis “$name” has ${xAxis.wildCount} of ${x.size} values far away from all others, such as " +
+                    "${textOf(xAxis.wildest)}; what was logged there is not drawn. Check the robot's clock.",
+            )
         }
         if (backwards > 0) {
             plan.report(
@@ -189,6 +197,11 @@ internal class LogViewBuilder(private val recording: Recording, private val regi
         graph.series += series
     }
 }
+
+/** [number] without its decimals, the same on every platform where that is possible. */
+private fun textOf(number: Double): String = if (abs(number) < WHOLE) number.toLong().toString() else number.toString()
+
+private const val WHOLE = 1e15
 
 /** Puts all that is shown into folders: the root folder first, the others sorted regardless of case. */
 private fun folders(values: List<Value>, eventLogs: List<EventLog>, graphs: List<Graph>): List<Folder> {

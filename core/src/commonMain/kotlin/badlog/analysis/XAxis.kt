@@ -34,15 +34,21 @@ public class XAxis private constructor(
     /** Whether each row has an x. */
     internal val isEverywhere: Boolean by lazy { positions.all { it.isFinite() } }
 
-    /** The smallest and the largest x at which there is a sample; null without any. */
+    private val usual by lazy { UsualRange(positions) }
+
+    /** How many of [positions] lie so far from all others that [range] leaves them out. */
+    public val wildCount: Int get() = usual.wildCount
+
+    /** The one of those that is farthest away; NaN without any. */
+    public val wildest: Double get() = usual.wildest
+
+    /**
+     * The smallest and the largest x at which there is a sample; null without any. A few that are far away from all others, as when a
+     * clock was wrong for a moment, are left out: else nothing could be seen of these.
+     */
     public val range: ClosedFloatingPointRange<Double>? by lazy {
-        var from = Double.POSITIVE_INFINITY
-        var to = Double.NEGATIVE_INFINITY
-        for (position in positions) {
-            if (!position.isFinite()) continue
-            if (position < from) from = position
-            if (position > to) to = position
-        }
+        var from = usual.range?.start ?: Double.POSITIVE_INFINITY
+        var to = usual.range?.endInclusive ?: Double.NEGATIVE_INFINITY
         for (times in ownTimes) {
             if (times.isEmpty()) continue
             from = minOf(from, times.first())

@@ -111,6 +111,9 @@ public enum class ProblemKind(public val severity: Severity) {
     /** The x axis has no value in some rows, which can therefore not be drawn. */
     X_GAPS(Severity.WARNING),
 
+    /** A few values of the x axis are far away from all others; what was logged there is not drawn. */
+    X_WILD(Severity.WARNING),
+
     /** A joined graph mixes units, repeats a line's name, or is the graph of an existing topic. */
     UNUSUAL_JOIN(Severity.NOTE),
 

@@ -201,6 +201,15 @@ class LogViewSpec : FunSpec({
         view.graph("A").series.single().data.y.toList() shouldBe listOf(1.0, 2.0, 4.0, 5.0)
     }
 
+    test("an x far away from all others is reported with its number, and everything else can be seen") {
+        val rows = List(500) { listOf(if (it == 7) 18_447_000_000_000.0 else it * 0.02, 1.0) }
+        val view = view(TIME, topic("A"), rows = rows)
+        view.xAxis.range shouldBe 0.0..9.98
+        view.problems.single { it.kind == ProblemKind.X_WILD }.message shouldBe
+            "The x axis “Time” has 1 of 500 values far away from all others, such as 18447000000000; what was logged there is not drawn. " +
+            "Check the robot's clock."
+    }
+
     test("folders are sorted regardless of case, the root first; members keep the order of the file") {
         val view = view(
             topic("zeta/B"),
