@@ -4,6 +4,8 @@ import badlog.bag.RecordingParser
 import badlog.file.AtomicFile
 import badlog.file.withGzipCut
 import badlog.formats.LOG_FORMATS
+import badlog.html.note.NotesException
+import badlog.html.note.NotesFile
 import badlog.html.protocol.PageAdditions
 import badlog.recording.ProblemKind
 import badlog.recording.Recording
@@ -30,7 +32,7 @@ public class HtmlExporter(private val attachments: List<Path> = emptyList(), pri
      *
      * To cancel, interrupt the calling thread or throw from [progress].
      *
-     * @param additions what the page shows besides the recording.
+     * @param additions what the page shows besides the recording, and besides the notes that stand beside [input].
      * @throws ExportException when there is nothing to show, or a file cannot be read or written.
      * @throws InterruptedException when the thread was interrupted.
      */
@@ -49,8 +51,15 @@ public class HtmlExporter(private val attachments: List<Path> = emptyList(), pri
             val head = FileHead.of(first)
             if (head.refusal != null) throw ExportException.NotARecording(input, "$input: ${head.refusal}")
             val source = ReadGuard(input, SequenceInputStream(ByteArrayInputStream(first), stream))
-            passingOn(progress) { heard -> writing(page) { write(input, source, head, page, additions, heard) } }
+            passingOn(progress) { heard -> writing(page) { write(input, source, head, page, withNotes(additions, input), heard) } }
         }
+    }
+
+    private fun withNotes(additions: PageAdditions, log: Path): PageAdditions = try {
+        val notes = NotesFile.read(log)
+        if (notes.isEmpty()) additions else additions.withNotes(notes, null)
+    } catch (e: NotesException) {
+        additions.withNotes(emptyList(), e.message)
     }
 
     private fun write(

@@ -1,6 +1,7 @@
 package badlog.html.protocol
 
 import badlog.analysis.Series
+import badlog.html.note.Note
 import badlog.recording.Value
 import badlog.rules.Finding
 import badlog.rules.RuleSet
@@ -18,6 +19,8 @@ import badlog.rules.RuleSet
  * @property differences what was different from the team's other logs, the most different first, of which incidents say what has to
  *   do with them.
  * @property layout what a layout file says, with whose graphs the page begins; null for none. The page says what is wrong with it.
+ * @property notes what people wrote about moments of the recording.
+ * @property notesProblem why there are none of them, though a file has some, as a sentence; null when all is well.
  */
 public class PageAdditions(
     public val virtualTopics: List<String> = emptyList(),
@@ -27,11 +30,17 @@ public class PageAdditions(
     public val hooks: List<HookPart> = emptyList(),
     public val differences: List<Finding> = emptyList(),
     public val layout: String? = null,
+    public val notes: List<Note> = emptyList(),
+    public val notesProblem: String? = null,
 ) {
+    /** The same with [notes], and why there are none, if that is so. */
+    internal fun withNotes(notes: List<Note>, problem: String?): PageAdditions =
+        PageAdditions(virtualTopics, rules, rulesProblem, findings, hooks, differences, layout, notes, problem)
+
     /** Whether there is nothing, so that a page is as small as one without. */
     public val isEmpty: Boolean
         get() = virtualTopics.isEmpty() && rules.rules.isEmpty() && rules.signals.isEmpty && rulesProblem == null && findings.isEmpty() &&
-            hooks.isEmpty() && layout == null
+            hooks.isEmpty() && layout == null && notes.isEmpty() && notesProblem == null
 
     /** Reads what [toJson] wrote. */
     public companion object

@@ -1,6 +1,9 @@
 package badlog.html.protocol
 
 import badlog.analysis.Series
+import badlog.html.note.NotesException
+import badlog.html.note.notesOfJson
+import badlog.html.note.toJson
 import badlog.json.JsonReader
 import badlog.json.JsonValue
 import badlog.json.quotedJson
@@ -22,6 +25,8 @@ public fun PageAdditions.toJson(): String = inScript(
         "hooks" to array(hooks, ::hookJson),
         "differences" to differences.takeIf { it.isNotEmpty() }?.let { array(it, ::findingJson) },
         "layout" to layout?.let(::quotedJson),
+        "notes" to notes.takeIf { it.isNotEmpty() }?.toJson(),
+        "notesProblem" to notesProblem?.let(::quotedJson),
     ),
 )
 
@@ -36,7 +41,15 @@ public fun PageAdditions.Companion.fromJson(text: String): PageAdditions? = unle
         hooks = json.list("hooks", ::hookOf),
         differences = if (json.find("differences") == null) emptyList() else json.list("differences", ::findingOf),
         layout = json.find("layout")?.string,
+        notes = json.find("notes")?.let { notesIn(it.json) }.orEmpty(),
+        notesProblem = json.find("notesProblem")?.string,
     )
+}
+
+private fun notesIn(json: String) = try {
+    notesOfJson(json)
+} catch (_: NotesException) {
+    malformed()
 }
 
 private fun hookJson(hook: HookPart): String = jsonObject(
