@@ -27,7 +27,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import badlog.analysis.Span
 import badlog.plot.board.BoardGraph
-import badlog.plot.board.everChanges
+import badlog.plot.outline.everChanges
 import badlog.plot.timeline.FindingMarks
 import badlog.viewer.graph.mark.drawEnabled
 import badlog.viewer.graph.mark.drawEventMarks

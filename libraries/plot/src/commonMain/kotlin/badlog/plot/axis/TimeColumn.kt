@@ -6,14 +6,20 @@ import badlog.recording.RecordingFormat
 import badlog.recording.Topic
 
 /**
- * This recording with its column of the time as x axis where it is plain CSV, which names none: the first column called time or
- * timestamp, if it has a number in each row and never falls. Else the recording itself.
+ * The column that tells the time of a recording that names no x axis: the first one called time or timestamp, if it has a number in each
+ * row and never falls. Null where there is none, and where the recording has an x axis.
  */
-public fun Recording.overItsTime(): Recording {
-    if (format != RecordingFormat.CSV || topics.any { X_AXIS in it.attributes }) return this
-    val time = topics.firstOrNull { TIME.matches(PathName.baseNameOf(it.name)) && rises(it) } ?: return this
-    return copy(topics = topics.map { if (it === time) it.copy(attributes = it.attributes + X_AXIS) else it })
+public fun Recording.timeColumn(): Topic? {
+    if (rowCount == 0 || topics.any { X_AXIS in it.attributes }) return null
+    return topics.firstOrNull { TIME.matches(PathName.baseNameOf(it.name)) && rises(it) }
 }
+
+/** This recording with [column], one of its topics, as x axis. */
+public fun Recording.over(column: Topic): Recording =
+    copy(topics = topics.map { if (it === column) it.copy(attributes = it.attributes + X_AXIS) else it })
+
+/** This recording over its [timeColumn] where it is plain CSV, which cannot name an x axis. Else the recording itself. */
+public fun Recording.overItsTime(): Recording = (if (format == RecordingFormat.CSV) timeColumn() else null)?.let(::over) ?: this
 
 private fun rises(topic: Topic): Boolean {
     val samples = topic.samples

@@ -35,10 +35,10 @@ public data class Board(public val graphs: List<BoardGraph> = emptyList()) {
         return names.fold(this) { board, name -> board.withLine(last.id, name) }
     }
 
-    /** Adds a graph of the signal [name] alone, or takes those away that are there. */
-    public fun withOwnToggled(name: String): Board {
-        val own = graphs.filter { it.lines == listOf(name) }
-        return if (own.isEmpty()) withGraph(listOf(name)) else own.fold(this) { board, graph -> board.without(graph.id) }
+    /** Adds a graph of the signal [name], as one of [lines], or takes those away that are there, of these or of it alone. */
+    public fun withOwnToggled(name: String, lines: List<String> = listOf(name)): Board {
+        val own = graphs.filter { it.lines == listOf(name) || it.lines == lines }
+        return if (own.isEmpty()) withGraph(lines) else own.fold(this) { board, graph -> board.without(graph.id) }
     }
 
     /** Whether it has a graph of the same lines as [graph]. */

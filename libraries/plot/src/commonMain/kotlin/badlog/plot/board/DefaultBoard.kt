@@ -2,7 +2,7 @@ package badlog.plot.board
 
 import badlog.analysis.Graph
 import badlog.analysis.LogView
-import badlog.recording.Topic
+import badlog.plot.outline.everChanges
 
 /**
  * The graphs that the attributes of a recording's topics ask for, in their order. States that follow one another in a folder
@@ -38,11 +38,5 @@ private fun runsOf(graphs: List<Graph>): List<List<Graph>> {
 }
 
 private fun changes(graph: Graph) = graph.series.any { it.topic.times == null || everChanges(it.topic) }
-
-/** Whether [topic] has two values that differ. */
-public fun everChanges(topic: Topic): Boolean {
-    val first = topic.samples.firstOrNull { !it.isNaN() }
-    return topic.texts.dictionary.size > 1 || (first != null && topic.samples.any { !it.isNaN() && it != first })
-}
 
 private const val MAX_LANES = 16

@@ -1,6 +1,9 @@
 package badlog.plot.board
 
 import badlog.analysis.LogView
+import badlog.plot.outline.MANY
+import badlog.plot.outline.everChanges
+import badlog.plot.outline.outlineOf
 import badlog.rules.LogShape
 import badlog.rules.signal.SignalTopics
 import badlog.rules.signal.SignalVocabulary
@@ -9,19 +12,25 @@ import badlog.rules.signal.SignalVocabulary
 public fun standardBoard(view: LogView, vocabulary: SignalVocabulary): Board = boardOfLarge(view, vocabulary) ?: defaultBoard(view)
 
 /**
- * The graphs that a log begins with whose [defaultBoard] nobody can look through, null for another one: first those of the signals of
- * [vocabulary] that change: battery and current, modes, loop time, loads, outputs; then the first ones of the others.
+ * The graphs that a log begins with that has more than a person looks through, null for another one: first those of the signals of
+ * [vocabulary] that change: battery and current, modes, loop time, loads, outputs; then those of the others that [outlineOf] draws, of
+ * several topics before those of one.
  */
 public fun boardOfLarge(view: LogView, vocabulary: SignalVocabulary): Board? {
-    val all = defaultBoard(view).graphs
-    if (all.size <= MANY) return null
+    if (view.folders.sumOf { it.graphs.size } <= MANY) return null
+    val outlined = outlineOf(view, vocabulary).folders.flatMap { it.folder.graphs }.map { it to it.asBoardGraph() }
+    val together = outlined.filter { (graph, _) -> graph.series.size > 1 && !graph.showsStates }.map { it.second }
     val topics = LogShape.of(view).topicsOf(vocabulary)
     val changing = view.recording.topics.filter(::everChanges).mapTo(HashSet()) { it.name }
     val first = STANDARD.flatMap { signals ->
-        graphsOf(view, signals.flatMap { namesOf(it, topics) }.filter { it in changing }, vocabulary)
-    }
+        val names = signals.flatMap { namesOf(it, topics) }.filter { it in changing }
+        // What belongs together stays so: a module's speed beside its target and the other modules'.
+        val joint = together.filter { graph -> graph.lines.any { it in names } }
+        joint + graphsOf(view, names - joint.flatMap { it.lines }.toSet(), vocabulary)
+    }.distinctBy { it.lines }
     val shown = first.flatMapTo(HashSet()) { it.lines }
-    val others = all.filter { graph -> graph.lines.none { it in shown } }.take(maxOf(0, MOST - first.size))
+    val others = outlined.map { it.second }.filter { graph -> graph.lines.none { it in shown } }
+        .sortedByDescending { it.lines.size > 1 }.take(maxOf(0, MOST - first.size))
     return Board((first + others).mapIndexed { i, graph -> graph.copy(id = i + 1) })
 }
 
@@ -30,9 +39,6 @@ private fun namesOf(signal: String, topics: SignalTopics) = topics.of(signal).ma
 // As high as all others: there is no need to fit one screen.
 private fun graphsOf(view: LogView, names: List<String>, vocabulary: SignalVocabulary) =
     evidenceBoard(view, names, vocabulary).graphs.map { it.copy(height = null) }
-
-/** So many graphs are no more than a person looks through. */
-private const val MANY = 60
 
 /** So many graphs a large log begins with at most. */
 private const val MOST = 24

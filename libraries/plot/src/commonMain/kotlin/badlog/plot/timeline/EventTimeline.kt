@@ -5,6 +5,7 @@ import badlog.analysis.EventLog
 import badlog.analysis.Series
 import badlog.analysis.stableOrder
 import badlog.plot.search.Query
+import badlog.plot.search.Trait
 import badlog.text.isLetterOrDigit
 import kotlin.math.abs
 
@@ -68,7 +69,7 @@ public class EventTimeline private constructor(
         val fits = logs.map { log ->
             val isWanted = topics.isEmpty() || log.name in topics
             val texts = log.topic.texts.dictionary
-            BooleanArray(texts.size) { isWanted && query.matches("${log.name} ${texts[it]}") }
+            BooleanArray(texts.size) { isWanted && query.matches("${log.name} ${texts[it]}", EVENT) }
         }
         val kept = IntArray(size)
         var count = 0
@@ -120,4 +121,5 @@ private fun isSerious(text: String): Boolean {
     return SERIOUS.any { text.startsWith(it, start, ignoreCase = true) }
 }
 
+private val EVENT = setOf(Trait.EVENT)
 private val SERIOUS = listOf("error", "warn", "fatal", "severe", "critical")

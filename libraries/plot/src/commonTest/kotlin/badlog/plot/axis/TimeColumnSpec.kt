@@ -23,6 +23,15 @@ class TimeColumnSpec : FunSpec({
         axisOf("Loop Time,A\n1,1\n2,2\n") shouldBe null
     }
 
+    test("a bag without an x axis has such a column, too, but is drawn over it only when somebody wants that") {
+        val header = "{\"topics\":[{\"name\":\"Time\",\"unit\":\"s\",\"attrs\":[]}],\"values\":[]}\n"
+        axisOf("${header}Time\n0\n1\n") shouldBe null
+        val bag = BagParser().apply { accept("${header}Time\n0\n1\n".encodeToByteArray()) }.finish()
+        val column = checkNotNull(bag.timeColumn())
+        LogView.of(bag.over(column)).xAxis.title shouldBe "Time (s)"
+        bag.over(column).timeColumn() shouldBe null
+    }
+
     test("a log that names its x axis keeps it") {
         val header = "{\"topics\":[{\"name\":\"X\",\"unit\":\"m\",\"attrs\":[\"xaxis\"]},{\"name\":\"Time\",\"unit\":\"s\",\"attrs\":[]}],\"values\":[]}\n"
         axisOf("${header}X,Time\n0,1\n1,2\n") shouldBe "X"

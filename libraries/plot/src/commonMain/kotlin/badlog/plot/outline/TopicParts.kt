@@ -1,0 +1,63 @@
+package badlog.plot.outline
+
+import badlog.analysis.GraphSeries
+import badlog.recording.PathName
+import badlog.recording.Topic
+
+/**
+ * The graph that the part [topic] of an array or a struct belongs into, by its name; the topic's own name where it is no part:
+ *
+ * - The elements of an array share one: `axes[0]` and `axes[1]` are `axes`, and so are topics whose own names are numbers alone.
+ * - The fields of a struct share one: x, y and angle of a pose, three speeds of a chassis.
+ * - Of swerve modules, each field of all modules of a folder shares one: their speeds, their angles, their distances.
+ */
+internal fun graphNameOf(topic: Topic): String {
+    val name = topic.name
+    if (!topic.type.startsWith(STRUCT)) return arrayOf(name) ?: name
+    val fields = fieldsOf(name)
+    val owner = name.dropLast(fields.length)
+    if ("module" in topic.type.lowercase()) {
+        val folder = PathName.folderOf(arrayOf(owner) ?: owner)
+        val meaning = MEANINGS.firstOrNull { (field, _) -> fields.startsWith(field) }?.second
+        if (meaning != null) return if (folder.isEmpty()) meaning else "$folder/$meaning"
+    }
+    return owner
+}
+
+/** The array that [name] is an element of, or null. */
+private fun arrayOf(name: String): String? {
+    val bracket = name.lastIndexOf('[')
+    if (bracket >= 0 && name.endsWith(']') && isNumber(name.substring(bracket + 1, name.lastIndex))) return name.substring(0, bracket)
+    return PathName.folderOf(name).takeIf { it.isNotEmpty() && isNumber(PathName.baseNameOf(name)) }
+}
+
+private fun isNumber(text: String) = text.isNotEmpty() && text.all { it in '0'..'9' }
+
+/** The end of [name] that is made of names of fields, with its slashes; at least one, where there is a folder. */
+private fun fieldsOf(name: String): String {
+    var start = name.lastIndexOf('/')
+    if (start <= 0) return ""
+    while (start > 0) {
+        val before = name.lastIndexOf('/', start - 1)
+        // An array's brackets belong to what has the field, not to the field.
+        if (before <= 0 || name.substring(before + 1, start) !in NESTED) break
+        start = before
+    }
+    return name.substring(start)
+}
+
+/** Whether [topic] has two values that differ. */
+public fun everChanges(topic: Topic): Boolean {
+    val first = topic.samples.firstOrNull { !it.isNaN() }
+    return topic.texts.dictionary.size > 1 || (first != null && topic.samples.any { !it.isNaN() && it != first })
+}
+
+/** Whether this has nothing that could be drawn. */
+internal val GraphSeries.isEmpty: Boolean get() = topic.texts.size == 0 && topic.samples.all { it.isNaN() }
+
+private const val STRUCT = "struct:"
+
+/** Fields that have fields themselves, in the structs of WPILib. */
+private val NESTED = setOf("translation", "rotation", "q", "angle")
+
+private val MEANINGS = listOf("/speed" to "Module speeds", "/angle" to "Module angles", "/distance" to "Module distances")
