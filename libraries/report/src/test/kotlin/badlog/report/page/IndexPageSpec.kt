@@ -3,6 +3,7 @@ package badlog.report.page
 import badlog.page.Chromium
 import badlog.page.OpenPage
 import badlog.page.Screen
+import badlog.page.seriousForReaders
 import badlog.report.Report
 import badlog.report.SAMPLES
 import badlog.report.batteryBag
@@ -56,6 +57,14 @@ class IndexPageSpec : FunSpec({
         val severities = page.texts("#log-2 .findings .severity")
         severities shouldBe severities.sortedBy { listOf("error", "warning", "note").indexOf(it) }
     }, page = samples)
+
+    for (isDark in listOf(false, true)) {
+        for (screen in listOf(Screen.WIDE, Screen.PHONE)) {
+            browserTest("axe-core finds nothing serious, ${screen.width} wide, ${if (isDark) "dark" else "light"}", { page ->
+                page.seriousForReaders().shouldBeEmpty()
+            }, screen.copy(isDark = isDark), samples)
+        }
+    }
 
     browserTest("a search, a severity and a type leave what fits, and say how much", { page ->
         val all = page.shownItems()
