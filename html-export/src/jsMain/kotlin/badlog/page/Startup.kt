@@ -7,6 +7,7 @@ import badlog.page.embedded.findAdditions
 import badlog.page.formula.Formulas
 import badlog.page.reading.PartsReading
 import badlog.page.reading.Reading
+import badlog.page.section.AxisChoice
 import badlog.page.section.Downloads
 import badlog.page.section.LoadingScreen
 import badlog.page.section.LogPage
@@ -97,8 +98,11 @@ internal class Startup {
         val signals = (additions?.rules ?: RuleSet.NONE).signals
         val layout = GivenLayout.of(additions?.layout)
         val given = joined(layout.formulas, additions?.virtualTopics.orEmpty())
-        val formulas = Formulas(LogView.of(read).withSignals(signals), signals, given, about.fileKey)
-        val shown = LogPage(formulas, about, additions, layout, downloads, theme)
+        // What a hook found stands where it was found, over the axis of the exporter.
+        val hasFound = additions != null && (additions.hooks.isNotEmpty() || additions.findings.isNotEmpty())
+        val axis = AxisChoice(read, about.fileKey, mayAsk = !hasFound)
+        val formulas = Formulas(LogView.of(axis.recording).withSignals(signals), signals, given, about.fileKey)
+        val shown = LogPage(formulas, about, additions, layout, downloads, theme, axis.element)
         page = shown
         show(shown.element)
         shown.start()

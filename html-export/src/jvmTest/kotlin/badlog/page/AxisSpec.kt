@@ -5,6 +5,7 @@ import io.kotest.assertions.withClue
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
 import java.util.Locale
 
 internal class AxisSpec : PageSpec({
@@ -46,6 +47,41 @@ internal class AxisSpec : PageSpec({
                 val ticks = xTicks("A").map { it.text }
                 withClue(ticks) { ticks.toSet().size shouldBe ticks.size }
             }
+        }
+    }
+
+    browserTest("a table that names no x axis offers its column of the time, once, and remembers what was chosen") {
+        val csv = "A,timestamp\n" + (0..500).joinToString("") { "${it % 7},${100 + it / 10.0}\n" }
+        onPage(TestPages.of(csv, "table.csv")) {
+            visibleRange shouldBe 0.0..500.0
+            click("#axis-time")
+            awaitState("ready")
+            visibleRange shouldBe 100.0..150.0
+            reload()
+            visibleRange shouldBe 100.0..150.0
+            elements("#axis-time").size shouldBe 0
+            click("#axis-rows")
+            awaitState("ready")
+            visibleRange shouldBe 0.0..500.0
+            reload()
+            elements("#axis-choice").size shouldBe 0
+        }
+    }
+
+    browserTest("one wild x leaves the others to be seen, and is told with its number") {
+        val bag = bagOf(listOf(TIME, BagTopic("A")), 1001) { row, column ->
+            if (column == 1) {
+                row % 7
+            } else if (row == 400) {
+                18_447_000_000_000.0
+            } else {
+                row / 100.0
+            }
+        }
+        onPage(TestPages.of(bag)) {
+            visibleRange shouldBe 0.0..10.0
+            click(".problems-toggle")
+            text shouldContain "1 of 1001 values far away from all others, such as 18447000000000"
         }
     }
 })

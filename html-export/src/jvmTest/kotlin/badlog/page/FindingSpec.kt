@@ -169,7 +169,8 @@ internal class FindingSpec : PageSpec({
             texts(".finding-source") shouldBe listOf("Brownout")
             texts(".search-count").single() shouldBe "1 finding"
             press("xyz")
-            element("#findings").isDisplayed shouldBe false
+            texts(".finding-source") shouldBe emptyList()
+            element("#findings").text shouldContain "hidden by the search"
         }
     }
 

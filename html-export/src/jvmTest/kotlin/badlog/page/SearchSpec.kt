@@ -1,6 +1,9 @@
 package badlog.page
 
 import badlog.bag.BagTopic
+import badlog.html.protocol.PageAdditions
+import badlog.recording.Severity
+import io.kotest.assertions.withClue
 import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
@@ -94,6 +97,41 @@ internal class SearchSpec : PageSpec({
             press("0+-?/")
             element("#search").getDomProperty("value") shouldBe "0+-?/"
             elements("dialog[open]").size shouldBe 0
+        }
+    }
+
+    browserTest("a bar finds one or the other, a minus leaves out, and kinds are asked for") {
+        onPage(page) {
+            press("/")
+            press("current | left")
+            graphNames shouldBe listOf("Drivetrain/Left Position", "Elevator/Current")
+            act { keyDown(Keys.CONTROL).sendKeys("a").keyUp(Keys.CONTROL) }
+            press("position -elevator")
+            graphNames shouldBe listOf("Drivetrain/Left Position", "Drivetrain/Right Position")
+            act { keyDown(Keys.CONTROL).sendKeys("a").keyUp(Keys.CONTROL) }
+            press("is:event")
+            graphNames shouldBe emptyList()
+            withClue(text.take(2000)) { elements("tr.event").count { it.isDisplayed } shouldBe 1 }
+            act { keyDown(Keys.CONTROL).sendKeys("a").keyUp(Keys.CONTROL) }
+            press("is:number -is:constant")
+            graphNames shouldBe all
+        }
+    }
+
+    browserTest("findings that a search hides are counted, and a press shows them again") {
+        val findings = listOf(finding("Low", Severity.ERROR, "too low", 3.0), finding("High", Severity.NOTE, "too high", 5.0))
+        onPage(TestPages.of(stepBag(graphs = 2), additions = PageAdditions(findings = findings))) {
+            press("/")
+            press("step")
+            elements(".finding").size shouldBe 0
+            element(".findings-hidden").text shouldContain "2 findings hidden by the search"
+            click("#show-findings")
+            elements(".finding").size shouldBe 2
+            element(".findings-hidden").isDisplayed shouldBe false
+            graphNames shouldBe listOf("Step 1", "Step 2")
+            act { keyDown(Keys.CONTROL).sendKeys("a").keyUp(Keys.CONTROL) }
+            press("has:finding")
+            elements(".finding").size shouldBe 2
         }
     }
 })

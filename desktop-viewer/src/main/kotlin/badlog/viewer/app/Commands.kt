@@ -11,11 +11,13 @@ import badlog.viewer.export.pages.PageSaver
 import badlog.viewer.findings.LogFindings
 import badlog.viewer.formula.FormulaStore
 import badlog.viewer.graph.scene.stepCursor
+import badlog.viewer.inspector.placeOfNote
 import badlog.viewer.keyboard.Command
 import badlog.viewer.keyboard.KeyPress
 import badlog.viewer.layout.LayoutFiles
 import badlog.viewer.layout.SAVE_LAYOUT
 import badlog.viewer.library.Library
+import badlog.viewer.note.LogNotes
 import badlog.viewer.panels.FrontPart
 import badlog.viewer.panels.InspectorTab
 import badlog.viewer.panels.MainView
@@ -101,8 +103,18 @@ internal fun windowCommands(panels: WindowPanels, formulas: FormulaStore, view: 
     }
 }
 
+/** What the keyboard does with notes. */
+internal fun noteCommands(notes: LogNotes, panels: WindowPanels, view: AxisView): List<Command> = listOf(
+    Command("Notes", "Write a note at the cursor", listOf(KeyPress(Key.M, "M"))) {
+        if (notes.state.log != null) {
+            panels.change { inspecting(InspectorTab.NOTES) }
+            notes.write(placeOfNote(view))
+        }
+    },
+)
+
 private val QUESTION_MARK = KeyPress(Key.Slash, "?", shift = true)
-private val DIGITS = listOf(Key.One, Key.Two, Key.Three, Key.Four, Key.Five)
+private val DIGITS = listOf(Key.One, Key.Two, Key.Three, Key.Four, Key.Five, Key.Six)
 
 /** What the keyboard does with the folder of logs. */
 internal fun libraryCommands(library: Library, panels: WindowPanels, opener: LogOpener): List<Command> = listOf(

@@ -15,6 +15,7 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import badlog.viewer.findings.LogFindings
 import badlog.viewer.inspector.InspectorTabs
+import badlog.viewer.note.LogNotes
 import badlog.viewer.panels.FrontPart
 import badlog.viewer.panels.InspectorTab
 import badlog.viewer.panels.MainView
@@ -31,6 +32,7 @@ internal fun TopBar(
     panels: WindowPanels,
     current: CurrentRecording,
     findings: LogFindings,
+    notes: LogNotes,
     settings: SettingsStore,
     isNarrow: Boolean,
     menus: @Composable () -> Unit,
@@ -49,7 +51,7 @@ internal fun TopBar(
             maxLines = 1,
             overflow = TextOverflow.Ellipsis,
         )
-        if (!isNarrow) InspectorTabs(current, findings, panels)
+        if (!isNarrow) InspectorTabs(current, findings, notes, panels)
         ToolButton("Statistics across logs", Icons.Compare, isOn = open.main == MainView.STATISTICS) {
             panels.change { toggled(MainView.STATISTICS) }
         }

@@ -25,6 +25,7 @@ import badlog.viewer.layout.LayoutStore
 import badlog.viewer.library.Library
 import badlog.viewer.library.LibraryActions
 import badlog.viewer.library.index.LogEntry
+import badlog.viewer.note.LogNotes
 import badlog.viewer.panels.FrontPart
 import badlog.viewer.panels.MainView
 import badlog.viewer.panels.WindowPanels
@@ -76,13 +77,14 @@ internal class Viewer(
     val statistics = SelectedStatistics()
     val player = Player(current, view)
     val findings = LogFindings(current, view, board, folder = { library.state.folder }, ::awaitDrawn)
+    val notes = LogNotes(current, notices)
     val layouts = LayoutStore(folders, library, current, board, view, compared, formulas, panels, notices)
     val layoutFiles = LayoutFiles(layouts, library, current, files, tasks, notices)
     val pages = PageSaver(scope, current, compared, formulas, library, files, tasks, notices)
     val figures = FigureSaver(scope, current, compared, view, events, findings, files, tasks, notices)
     val cuts = CutSaver(current, view, files, tasks, notices)
     val tables = TableSaver(files, tasks, notices)
-    val graphs = GraphScene(current, board, view, compared, events, findings, player, settings, figures::copy)
+    val graphs = GraphScene(current, board, view, compared, events, findings, notes, player, settings, figures::copy)
     private val watcher = RecordingWatcher(
         notices,
         read = { shown, isGrowing -> OpenRecording.read(shown.file, library.state.folder, { formulas.definitions }, isGrowing) },
@@ -112,13 +114,14 @@ internal class Viewer(
                 view,
                 graphs::scroll,
             ) + playbackCommands(player) + exportCommands(pages, figures, board) + layoutCommands(layoutFiles) +
-            windowCommands(panels, formulas, view)
+            windowCommands(panels, formulas, view) + noteCommands(notes, panels, view)
 
     /** Starts what goes on by itself as long as the window is there. */
     fun start() {
         scope.launch { layouts.autosave() }
         scope.launch { formulas.recalculate() }
         scope.launch { findings.run() }
+        scope.launch { notes.run() }
         scope.launch { settings.autosave() }
         scope.launch { newest.run() }
     }

@@ -14,6 +14,7 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
+import badlog.plot.gesture.SEARCH_HELP
 import badlog.viewer.compare.CompareBar
 import badlog.viewer.export.ExportMenu
 import badlog.viewer.formula.FormulaDialog
@@ -43,7 +44,7 @@ internal fun ViewerScreen(viewer: Viewer) = with(viewer) {
             BoxWithConstraints(Modifier.fillMaxSize().acceptsFiles(::openDropped)) {
                 val isNarrow = maxWidth < NARROW
                 Column(Modifier.fillMaxSize().background(LocalPalette.current.page)) {
-                    TopBar(panels, current, findings, settings, isNarrow) {
+                    TopBar(panels, current, findings, notes, settings, isNarrow) {
                         LayoutMenu(current, layouts, layoutFiles)
                         ExportMenu(current, library, compared, board, view, pages, figures, cuts)
                     }
@@ -53,7 +54,7 @@ internal fun ViewerScreen(viewer: Viewer) = with(viewer) {
                         val sheet = formulas.sheet
                         if (open != null && sheet != null) FormulaDialog(formulas, sheet, open, Modifier.align(Alignment.TopCenter))
                         if (panels.state.help) {
-                            HelpSheet(commands.map { it.help } + GESTURES, Modifier.align(Alignment.TopCenter)) {
+                            HelpSheet(commands.map { it.help } + GESTURES + SEARCH_HELP, Modifier.align(Alignment.TopCenter)) {
                                 panels.change { copy(help = false) }
                             }
                         }
@@ -77,9 +78,9 @@ private class Panes(
 private fun panesOf(viewer: Viewer) = with(viewer) {
     Panes(
         logs = { LibraryPane(library, settings, shownLogs(), logActions, it) },
-        topics = { TopicPane(current, compared, board, view, events, formulas, topics, panels, it) },
+        topics = { TopicPane(current, compared, board, view, events, formulas, topics, panels, it, ::topicsWithFindings) },
         main = { MainPane(viewer, it) },
-        details = { InspectorPane(current, compared, board, view, events, findings, panels, it) },
+        details = { InspectorPane(current, compared, board, view, events, findings, notes, panels, it) },
     )
 }
 
@@ -158,6 +159,8 @@ private fun MainPane(viewer: Viewer, modifier: Modifier) = with(viewer) {
         }
     }
 }
+
+private fun Viewer.topicsWithFindings() = findings.state.list?.all.orEmpty().flatMapTo(HashSet()) { it.evidence }
 
 private fun Viewer.shownLogs() = ShownLogs(current.recording?.file, compared.state.checked)
 

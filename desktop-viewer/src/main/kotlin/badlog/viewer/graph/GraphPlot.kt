@@ -22,6 +22,7 @@ import androidx.compose.ui.text.rememberTextMeasurer
 import badlog.plot.board.BoardGraph
 import badlog.viewer.graph.mark.drawEnabled
 import badlog.viewer.graph.mark.drawEventMarks
+import badlog.viewer.graph.mark.drawNoteMarks
 import badlog.viewer.graph.plot.PictureEffect
 import badlog.viewer.graph.plot.PlotPicture
 import badlog.viewer.graph.plot.PlotRequest
@@ -83,6 +84,7 @@ private fun GraphDrawing(scene: GraphScene, state: PlotState) {
             drawLines(picture, visible)
             drawLanes(picture, visible, palette, letters)
             drawEventMarks(scene.events.matching, visible, palette)
+            drawNoteMarks(scene.notes.state.notes, visible, palette)
         },
     )
 }

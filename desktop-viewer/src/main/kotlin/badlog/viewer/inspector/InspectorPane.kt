@@ -30,6 +30,7 @@ import badlog.recording.Severity
 import badlog.viewer.board.GraphBoard
 import badlog.viewer.compare.ComparedRecordings
 import badlog.viewer.findings.LogFindings
+import badlog.viewer.note.LogNotes
 import badlog.viewer.panels.InspectorTab
 import badlog.viewer.panels.WindowPanels
 import badlog.viewer.recording.CurrentRecording
@@ -51,6 +52,7 @@ internal fun InspectorPane(
     view: AxisView,
     events: FilteredEvents,
     findings: LogFindings,
+    notes: LogNotes,
     panels: WindowPanels,
     modifier: Modifier = Modifier,
 ) {
@@ -80,6 +82,7 @@ internal fun InspectorPane(
                 InspectorTab.PROBLEMS -> ProblemsPanel(open, Modifier.fillMaxSize())
                 InspectorTab.STATISTICS -> StatisticsPanel(compared, board, view, panels, open, Modifier.fillMaxSize())
                 InspectorTab.FINDINGS -> FindingsPanel(compared, findings, view, board, open, Modifier.fillMaxSize())
+                InspectorTab.NOTES -> NotesPanel(notes, view, open, Modifier.fillMaxSize())
             }
         }
     }
@@ -93,12 +96,12 @@ internal fun PanelHint(text: String) {
 
 /** Opens and closes the panels at the right; each says how much there is to see in it. */
 @Composable
-internal fun InspectorTabs(current: CurrentRecording, findings: LogFindings, panels: WindowPanels) {
+internal fun InspectorTabs(current: CurrentRecording, findings: LogFindings, notes: LogNotes, panels: WindowPanels) {
     val open = current.recording ?: return
     val palette = LocalPalette.current
     Row(horizontalArrangement = Arrangement.spacedBy(2.dp)) {
         for (tab in InspectorTab.entries) {
-            val count = countOf(tab, findings, open)
+            val count = countOf(tab, findings, notes, open)
             val hasErrors = when (tab) {
                 InspectorTab.PROBLEMS -> open.view.count(Severity.ERROR) > 0
                 InspectorTab.FINDINGS -> findings.state.list?.worst == Severity.ERROR
@@ -115,12 +118,13 @@ internal fun InspectorTabs(current: CurrentRecording, findings: LogFindings, pan
     }
 }
 
-private fun countOf(tab: InspectorTab, findings: LogFindings, open: OpenRecording): Int? = when (tab) {
+private fun countOf(tab: InspectorTab, findings: LogFindings, notes: LogNotes, open: OpenRecording): Int? = when (tab) {
     InspectorTab.EVENTS -> open.eventLogs.sumOf { it.topic.texts.size }
     InspectorTab.VALUES -> open.view.recording.values.size
     InspectorTab.PROBLEMS -> problemsIn(open.view)
     InspectorTab.STATISTICS -> null
     InspectorTab.FINDINGS -> findings.state.list?.all?.size
+    InspectorTab.NOTES -> notes.state.notes.size
 }
 
 /** How many of the problems of [view] cost something; notes, which healthy logs have as well, do not. */

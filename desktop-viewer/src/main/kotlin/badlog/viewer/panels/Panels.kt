@@ -49,6 +49,7 @@ internal enum class InspectorTab(val title: String, val icon: ImageVector) {
     PROBLEMS("Problems", Icons.Warning),
     STATISTICS("Statistics", Icons.Sigma),
     FINDINGS("Findings", Icons.Diamond),
+    NOTES("Notes", Icons.Note),
 }
 
 /** What statistics are of. */

@@ -63,6 +63,10 @@ internal class OpenRecording(
     /** All that can be drawn: the topics in the order of the file and those of formulas, then what is derived from them. */
     val signals: List<Signal> = signalsOf(view, formulas)
 
+    /** The topics of which nothing was logged: only a search lists them. */
+    val empty: List<Signal> = view.recording.topics.filter { it !== view.xAxis.topic && it.samples.isEmpty() && it.texts.size == 0 }
+        .map { Signal(it.name, isDerived = false, view.seriesOf(it)) }
+
     private val byName = signals.associateBy { it.name }
 
     /** Which of its topics are the signals of [vocabulary]. */

@@ -4,6 +4,8 @@ import badlog.analysis.GraphSeries
 import badlog.analysis.Series
 import badlog.plot.cursor.indexAt
 import badlog.plot.cursor.textOf
+import badlog.plot.outline.traits
+import badlog.plot.search.Trait
 import badlog.plot.text.exactText
 import badlog.plot.text.roundedText
 import badlog.plot.text.withUnit
@@ -35,6 +37,12 @@ internal class Signal(val name: String, val isDerived: Boolean, val line: GraphS
 
     /** Whether a sample's value holds until the next one: that of a topic with times of its own, logged when it changes. */
     val holds: Boolean get() = line.holds
+
+    /** Whether nothing was logged of it. */
+    val isEmpty: Boolean get() = topic.samples.isEmpty() && topic.texts.size == 0
+
+    /** What a search can ask of it; the first call looks through its samples. */
+    val traits: Set<Trait> by lazy { line.traits }
 
     /** The folder it belongs to; empty for the root folder. */
     val folder: String get() = PathName.folderOf(name)

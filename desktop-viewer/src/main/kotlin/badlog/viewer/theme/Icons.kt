@@ -52,6 +52,7 @@ internal object Icons {
     val Flag = icon("M4 14 V2.5 H12.5 L10 5.5 L12.5 8.5 H4")
     val Diamond = icon("M8 2 L14 8 L8 14 L2 8 Z M8 5.5 V8.5 M8 10.5 V10.6")
     val Sigma = icon("M12.5 4.5 V3 H4 L8.5 8 L4 13 H12.5 V11.5")
+    val Note = icon("M3 2.5 H13 V10 L9.5 13.5 H3 Z M13 10 H9.5 V13.5 M5.5 5.5 H10.5 M5.5 8 H8.5")
     val Info = icon("M8 2 A6 6 0 1 0 8 14 A6 6 0 1 0 8 2 M8 7.5 V11 M8 5 V5.1")
 
     private fun icon(path: String, width: Float = 1.4f): ImageVector =

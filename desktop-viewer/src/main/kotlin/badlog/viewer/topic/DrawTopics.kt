@@ -1,6 +1,7 @@
 package badlog.viewer.topic
 
 import badlog.plot.board.Board
+import badlog.plot.outline.withCounterparts
 import badlog.viewer.board.GraphBoard
 import badlog.viewer.panels.InspectorTab
 import badlog.viewer.panels.WindowPanels
@@ -11,24 +12,28 @@ import badlog.viewer.recording.OpenRecording
 import badlog.viewer.recording.Signal
 
 /** Whether [signal] is a list of what happened, which no line draws. */
-internal fun OpenRecording.isEvents(signal: Signal): Boolean = !signal.isDerived && signal.topic.samples.isEmpty() && signal.states == null
+internal fun OpenRecording.isEvents(signal: Signal): Boolean =
+    !signal.isDerived && !signal.isEmpty && signal.topic.samples.isEmpty() && signal.states == null
 
 /**
- * Gives [signal] a graph of its own, goes to that where it is out of sight, or else takes it away; of events, opens the list.
+ * Gives [signal] a graph of its own, with what is target or actual of the same thing; goes to that where it is out of sight, or else takes
+ * it away. Of events, opens the list.
  */
 internal fun toggleDrawn(current: CurrentRecording, board: GraphBoard, events: FilteredEvents, panels: WindowPanels, signal: Signal) {
+    if (signal.isEmpty) return
     if (current.recording?.isEvents(signal) == true) {
         events.change { EventFilter(topics = setOf(signal.name)) }
         panels.change { inspecting(InspectorTab.EVENTS) }
         return
     }
-    val own = board.state.graphs.filter { it.lines == listOf(signal.name) }
+    val names = current.recording?.takeIf { !signal.isDerived }?.let { withCounterparts(it.view, signal.name) } ?: listOf(signal.name)
+    val own = board.state.graphs.filter { it.lines == listOf(signal.name) || it.lines == names }
     val seen = board.inSight
     if (own.isNotEmpty() && seen != null &&
         own.none { it.id in seen }
     ) {
         board.goTo(own[0].id)
     } else {
-        board.change { withOwnToggled(signal.name) }
+        board.change { withOwnToggled(signal.name, names) }
     }
 }

@@ -192,6 +192,10 @@ internal fun KindMark(signal: Signal, isEvents: Boolean, place: Int?) {
 /** The value of [signal] under the cursor, or how many events it has. A leaf, as it changes while the pointer moves. */
 @Composable
 internal fun SignalValue(view: AxisView, open: OpenRecording, signal: Signal) {
+    if (signal.isEmpty) {
+        ValueText("no samples")
+        return
+    }
     if (open.isEvents(signal)) {
         val count = signal.topic.texts.size
         ValueText(if (count == 1) "1 event" else "$count events")

@@ -62,7 +62,11 @@ import badlog.viewer.view.AxisView
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
 
-/** The topics of the open recording by folder. */
+/**
+ * The topics of the open recording by folder.
+ *
+ * @param topicsWithFindings gives the names of those that a finding is about.
+ */
 @Composable
 internal fun TopicPane(
     current: CurrentRecording,
@@ -74,12 +78,14 @@ internal fun TopicPane(
     topics: TopicListing,
     panels: WindowPanels,
     modifier: Modifier = Modifier,
+    topicsWithFindings: () -> Set<String> = { emptySet() },
 ) {
     Column(modifier.background(LocalPalette.current.surface)) {
         val list = topics.state
         val open = current.recording
-        val rows by produceState<List<TopicRow>?>(null, open, list.query, list.folded) {
-            value = open?.let { withContext(Dispatchers.Default) { topicRows(it.signals, list.query, list.folded) } }
+        val found = topicsWithFindings()
+        val rows by produceState<List<TopicRow>?>(null, open, list.query, list.folded, found) {
+            value = open?.let { withContext(Dispatchers.Default) { topicRows(it.signals, list.query, list.folded, it.empty, found) } }
         }
         val draw = { name: String -> open?.signal(name)?.let { toggleDrawn(current, board, events, panels, it) } }
         val focus = rememberAskedFocus(list.searchesAsked)

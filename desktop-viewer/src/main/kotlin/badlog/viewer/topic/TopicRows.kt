@@ -1,17 +1,28 @@
 package badlog.viewer.topic
 
 import badlog.plot.search.Query
+import badlog.plot.search.Trait
 import badlog.viewer.recording.Signal
 
 /**
  * The lines that the list of topics has for [signals]: in each folder its signals in their order, then its folders by name.
- * Folders in [folded] are closed, unless there is a [query].
+ * Folders in [folded] are closed, unless there is a [query], which also finds the [empty] ones.
+ *
+ * @param found the names of the topics that a finding is about.
  */
-internal fun topicRows(signals: List<Signal>, query: String, folded: Set<String>): List<TopicRow> {
+internal fun topicRows(
+    signals: List<Signal>,
+    query: String,
+    folded: Set<String>,
+    empty: List<Signal> = emptyList(),
+    found: Set<String> = emptySet(),
+): List<TopicRow> {
     val wanted = Query(query)
+    val asksForTraits = Trait.entries.any(wanted::asksFor)
     val root = TopicFolder("", "")
-    for (signal in signals) {
-        if (wanted.matches(signal.name)) root.at(signal.folder).signals += signal
+    for (signal in if (wanted.isEmpty) signals else signals + empty) {
+        val traits = if (asksForTraits) signal.traits + setOf(Trait.FINDING).filter { signal.name in found } else emptySet()
+        if (wanted.matches(signal.name, traits)) root.at(signal.folder).signals += signal
     }
     val rows = ArrayList<TopicRow>()
     root.list(rows, depth = 0, folded = if (wanted.isEmpty) folded else emptySet())

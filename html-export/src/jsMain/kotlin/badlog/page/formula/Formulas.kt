@@ -49,6 +49,9 @@ internal class Formulas(val logged: LogView, private val signals: SignalVocabula
     /** The person's definitions, in the order in which they were made. */
     val own: List<String> get() = remembered
 
+    /** The names of the topics that are calculated. */
+    val names: Set<String> get() = formulas.mapNotNullTo(HashSet()) { it.topic?.name }
+
     /** The formula that [graph] is calculated by, or null when it was logged. */
     fun formulaOf(graph: Graph): String? = formulas.find { it.topic?.name == graph.name }?.definition
 

@@ -33,9 +33,9 @@ internal class CursorOverlay(
         val x = scene.cursor.x
         val isSeen = scene.cursor.isPlaced && x >= now.from && x <= now.to
         line.isHidden = !isSeen
-        val event = if (isSeen) scene.eventAt(x) else null
+        val said = if (isSeen) scene.noteAt(x)?.text ?: scene.eventAt(x)?.text else null
         val findings = if (isSeen) scene.findingsAt(x) else emptyList()
-        eventLabel.isHidden = event == null
+        eventLabel.isHidden = said == null
         findingLabel.isHidden = findings.isEmpty()
         if (!isSeen) {
             for (dot in dots) dot.isHidden = true
@@ -45,7 +45,7 @@ internal class CursorOverlay(
         val pixel = (x - now.from) / now.width * width
         line.style.transform = "translateX(${pixel}px)"
         dots.forEachIndexed { index, dot -> place(dot, index, x, width) }
-        if (event != null) show(eventLabel, event.text, pixel, width)
+        if (said != null) show(eventLabel, said, pixel, width)
         if (findings.isEmpty()) return
         findingLabel.className = "finding-label is-${findings[0].word}"
         show(findingLabel, findingText(findings, x), pixel, width)

@@ -9,9 +9,11 @@ import badlog.page.dom.addIconButton
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.view.Scene
+import badlog.page.view.SearchedGraph
 import badlog.plot.board.BoardGraph
 import badlog.plot.board.asBoardGraph
 import badlog.plot.board.lineNames
+import badlog.plot.search.Query
 import badlog.plot.text.unitText
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
@@ -39,6 +41,8 @@ internal class GraphCard(
 
     private val isShown = BooleanArray(graph.series.size)
     private val legend = Legend(graph, ::toggle)
+    private val searched = SearchedGraph(graph, scene)
+    private var found: List<Boolean>? = null
     private val statistics = StatisticsTable(graph, scene)
     private lateinit var host: HTMLElement
     private lateinit var statisticsButton: HTMLElement
@@ -101,7 +105,7 @@ internal class GraphCard(
     /** Looks at it as [wanted] says. */
     fun show(wanted: BoardGraph) {
         look = wanted
-        for (i in isShown.indices) isShown[i] = lines[i] !in wanted.hidden
+        for (i in isShown.indices) isShown[i] = lines[i] !in wanted.hidden && found?.get(i) != false
         legend.show(isShown)
         resetButton.isHidden = wanted.yRange == null && wanted.rightYRange == null
         redraw()
@@ -118,6 +122,18 @@ internal class GraphCard(
     fun zoomY(from: Double, to: Double) {
         val parts = shown?.limits.orEmpty().map { Span(it.to - to * it.width, it.to - from * it.width) }
         if (to > from && parts.isNotEmpty()) change(look.copy(yRange = parts[0], rightYRange = parts.getOrNull(1), sharesY = false))
+    }
+
+    /** Returns whether [query] finds it; draws of several lines only those that are found by themselves, where some are. */
+    fun filter(query: Query): Boolean {
+        val lines = searched.linesFoundBy(query)
+        val wanted = lines.takeIf { found -> found.any { it } && !found.all { it } }
+        if (wanted != found) {
+            found = wanted
+            legend.list(wanted)
+            show(look)
+        }
+        return searched.isFoundBy(query)
     }
 
     /** Gives it the keys. */

@@ -5,6 +5,7 @@ import badlog.analysis.GraphSeries
 import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.element
+import badlog.page.dom.isHidden
 import badlog.page.dom.showText
 import badlog.page.view.Cursor
 import badlog.plot.axis.graphAxes
@@ -49,6 +50,9 @@ internal class Legend(private val graph: Graph, private val onToggle: (Int) -> U
         if (axes.size == 1 && axes[0].unit == unitText(graph.unit)) return
         for (axis in axes) for (line in axis.lines) units[line].showText(axis.legend)
     }
+
+    /** Lists only the lines that are [found]; all for null. */
+    fun list(found: List<Boolean>?) = entries.forEachIndexed { index, entry -> entry.isHidden = found?.get(index) == false }
 
     /** Shows the values at [cursor]. */
     fun update(cursor: Cursor) {

@@ -91,6 +91,7 @@ internal class Plot(
         content.draw(plot.ctx, frame)
         drawFindingMarks(plot.ctx, frame, scene)
         drawEventMarks(plot.ctx, frame, scene)
+        drawNoteMarks(plot.ctx, frame, scene)
     }
 
     private fun options(lines: List<dynamic>): dynamic = json(

@@ -26,6 +26,7 @@ internal fun additionProblems(formulas: Formulas, additions: PageAdditions?, lay
     additions?.rulesProblem?.let { problem ->
         problems += AdditionProblem(problem.substringBefore('\n'), problem.substringAfter('\n', "").ifEmpty { null })
     }
+    additions?.notesProblem?.let { problems += AdditionProblem(it) }
     for (hook in additions?.hooks.orEmpty()) {
         if (hook.error != null) problems += AdditionProblem("The hook ${hook.name} failed: ${hook.error}")
     }

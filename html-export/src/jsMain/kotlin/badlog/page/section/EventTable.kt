@@ -12,6 +12,7 @@ import badlog.page.dom.json
 import badlog.page.dom.showText
 import badlog.page.view.Scene
 import badlog.plot.search.Query
+import badlog.plot.search.Trait
 import badlog.plot.text.countText
 import badlog.plot.text.decimalsFor
 import badlog.plot.text.fixedText
@@ -61,7 +62,7 @@ internal class EventTable(private val log: EventLog, private val scene: Scene) {
 
     /** Shows the events that [query] finds, and returns their number. */
     fun filter(query: Query): Int {
-        found = if (query.isEmpty) log.events else log.events.filterIndexed { i, _ -> query.matchesLowercase(haystacks[i]) }
+        found = if (query.isEmpty) log.events else log.events.filterIndexed { i, _ -> query.matchesLowercase(haystacks[i], EVENT) }
         showFound()
         element.isHidden = found.isEmpty() && !query.isEmpty
         return found.size
@@ -98,5 +99,6 @@ internal class EventTable(private val log: EventLog, private val scene: Scene) {
     private companion object {
         /** So many rows are made at a time; a browser lays out more than some thousands only slowly. */
         const val PAGE = 300
+        val EVENT = setOf(Trait.EVENT)
     }
 }

@@ -10,6 +10,7 @@ import badlog.page.view.Scene
 import badlog.page.view.end
 import badlog.page.view.word
 import badlog.plot.search.Query
+import badlog.plot.search.Trait
 import badlog.plot.text.countText
 import badlog.plot.text.decimalsFor
 import badlog.plot.timeline.FindingPlace
@@ -48,6 +49,8 @@ internal class FindingList(
     private lateinit var body: HTMLElement
     private lateinit var more: HTMLElement
     private lateinit var fewer: HTMLElement
+    private lateinit var hiddenNote: HTMLElement
+    private lateinit var hiddenCount: HTMLElement
     private lateinit var mistakes: HTMLElement
     private lateinit var skipped: HTMLElement
 
@@ -60,6 +63,10 @@ internal class FindingList(
         }
         mistakes = add("ul", "problem-list")
         incidentList = add("ol", "incidents") { setAttribute("aria-label", "Incidents") }
+        hiddenNote = add("p", "findings-hidden") {
+            hiddenCount = add("span")
+            addButton("text-button", "Show them") { show(Query("")) }.id = "show-findings"
+        }
         list = add("div", "findings-list") { body = add("ol") }
         add("div", "findings-more") {
             more = addButton("text-button", "") { list(listed + PAGE) }
@@ -107,10 +114,14 @@ internal class FindingList(
     /** Shows the findings that [query] finds, and returns their number. */
     fun filter(query: Query): Int {
         this.query = query
-        found = if (query.isEmpty) all else all.filterIndexed { i, _ -> query.matchesLowercase(haystacks[i]) }
-        showIncidents()
-        showFound()
+        show(query)
         return if (query.isEmpty) 0 else found.size
+    }
+
+    private fun show(query: Query) {
+        found = if (query.isEmpty) all else all.filterIndexed { i, _ -> query.matchesLowercase(haystacks[i], FINDING) }
+        showIncidents(query)
+        showFound()
     }
 
     /** Goes to the next finding after the cursor, or the one before it when [steps] is negative. */
@@ -141,7 +152,7 @@ internal class FindingList(
         }
     }
 
-    private fun showIncidents() {
+    private fun showIncidents(query: Query) {
         incidentList.textContent = ""
         val shown = incidents.filter { it.isFoundBy(query) }
         for (incident in shown) {
@@ -159,7 +170,10 @@ internal class FindingList(
         }
         val waiting = if (isSearching) listOf("rules are running…") else emptyList()
         count.showText(share + (parts + waiting).joinToString())
-        element.isHidden = found.isEmpty() && (!query.isEmpty || (!isSearching && mistakes.isHidden))
+        val hidden = all.size - found.size
+        hiddenNote.isHidden = hidden == 0
+        hiddenCount.showText("${countText(hidden, "finding")} hidden by the search. ")
+        element.isHidden = all.isEmpty() && !isSearching && mistakes.isHidden
         list(FEW)
     }
 
@@ -216,6 +230,7 @@ internal class FindingList(
 
         /** So many rows are made at a time. */
         const val PAGE = 300
+        val FINDING = setOf(Trait.FINDING)
 
         /** Milliseconds for which nothing is said of rules that run. */
         const val PATIENCE = 400

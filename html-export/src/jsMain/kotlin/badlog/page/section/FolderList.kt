@@ -2,13 +2,14 @@ package badlog.page.section
 
 import badlog.analysis.Folder
 import badlog.analysis.Graph
-import badlog.analysis.LogView
 import badlog.html.protocol.HookPart
 import badlog.page.dom.LocalStorage
 import badlog.page.dom.element
 import badlog.page.graph.GraphCard
 import badlog.page.view.Hits
 import badlog.page.view.Scene
+import badlog.plot.outline.LogOutline
+import badlog.plot.outline.OutlineFolder
 import badlog.plot.search.Query
 import org.w3c.dom.HTMLElement
 
@@ -16,18 +17,23 @@ import org.w3c.dom.HTMLElement
  * All folders, the root folder first, then one for each hook. Which ones are closed is remembered for the file.
  *
  * @param fileKey identifies the file.
+ * @param outline what is drawn at first, and what is only listed.
+ * @param onDraw is told of each graph that is drawn because a person asked for it, [onLeave] of each that goes.
  * @param origin what calculated a graph, if it was not logged; else empty.
  */
 internal class FolderList(
-    view: LogView,
+    outline: LogOutline,
     private val scene: Scene,
     fileKey: String,
     hooks: List<HookPart>,
+    private val onDraw: (GraphCard) -> Unit,
+    private val onLeave: (GraphCard) -> Unit,
     private val origin: (Graph) -> String,
 ) {
     private val key = "closed:$fileKey"
     private val closedBefore = LocalStorage[key].orEmpty().split('\n')
-    private val own = view.folders.mapTo(ArrayList(), ::sectionOf)
+    private val own = outline.folders.mapTo(ArrayList(), ::sectionOf)
+    private val folded = FoldedTopics(outline, scene, { add(it) }, onDraw)
     private val ofHooks = hooks.filter(::hasSection).map { hook ->
         val folder = folderOf(hook)
         FolderSection(folder, scene, folder.name in closedBefore, ::remember, { "from ${hook.name}" }, hook)
@@ -41,6 +47,7 @@ internal class FolderList(
 
     val element: HTMLElement = element("div", "folders") {
         for (section in sections) appendChild(section.element)
+        appendChild(folded.element)
     }
 
     /** Opens all folders. */
@@ -51,13 +58,19 @@ internal class FolderList(
 
     /** Shows what [query] finds. */
     fun filter(query: Query): Hits {
-        var hits = Hits()
-        for (section in sections) hits += section.filter(query)
+        // A few are drawn at once, many stay a list to select from.
+        val drawsListed = sections.sumOf { it.countListed(query) } <= FEW
+        var hits = folded.filter(query)
+        for (section in sections) hits += section.filter(query, drawsListed)
         return hits
     }
 
     /** Adds [graph] to its folder, which is made if need be, and where it [isWanted] now opens that and brings it into sight. */
     fun add(graph: Graph, isWanted: Boolean = true): GraphCard {
+        for (section in own) {
+            val there = section.cards.find { it.graph === graph } ?: continue
+            return there.also { section.reveal(it.element) }
+        }
         val section = own.find { it.folder.name == graph.folder } ?: newSection(graph.folder)
         val card = GraphCard(graph, scene, origin(graph))
         section.add(card)
@@ -78,15 +91,19 @@ internal class FolderList(
     }
 
     private fun newSection(name: String): FolderSection {
-        val section = sectionOf(Folder(name, emptyList(), emptyList(), emptyList()))
+        val section = sectionOf(OutlineFolder(Folder(name, emptyList(), emptyList(), emptyList())))
         val next = own.indexOfFirst { it.folder.name.lowercase() > name.lowercase() }.let { if (it < 0) own.size else it }
         val following = sections.getOrNull(next)
         own.add(next, section)
-        element.insertBefore(section.element, following?.element)
+        element.insertBefore(section.element, following?.element ?: folded.element)
         return section
     }
 
-    private fun sectionOf(folder: Folder) = FolderSection(folder, scene, folder.name in closedBefore, ::remember, origin)
+    private fun sectionOf(part: OutlineFolder): FolderSection {
+        val folder = part.folder
+        val isClosed = folder.name in closedBefore
+        return FolderSection(folder, scene, isClosed, ::remember, origin, listed = part.listed, onDraw = onDraw, onLeave = onLeave)
+    }
 
     private fun setAll(isClosed: Boolean) {
         for (section in sections) section.isClosed = isClosed
@@ -95,5 +112,10 @@ internal class FolderList(
 
     private fun remember() {
         LocalStorage[key] = sections.filter { it.isClosed }.joinToString("\n") { it.folder.name }
+    }
+
+    private companion object {
+        /** So many graphs that are only listed are drawn when a search finds them. */
+        const val FEW = 12
     }
 }

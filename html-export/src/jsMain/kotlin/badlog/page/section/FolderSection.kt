@@ -15,13 +15,13 @@ import badlog.page.view.Hits
 import badlog.page.view.Scene
 import badlog.plot.search.Query
 import badlog.plot.text.countText
-import badlog.plot.text.unitText
 import org.w3c.dom.HTMLElement
 
 /**
  * A folder: its values, its event logs, its graphs. All but the root folder can be closed.
  *
  * @param origin what calculated a graph, if it was not logged; else empty.
+ * @param listed graphs of it that are drawn when somebody asks for them, each as [onDraw] is told.
  * @param hook the program that all in it comes from; null for a folder of the recording.
  * @param isClosed whether it is closed to begin with.
  * @param onToggle is called when a person opens or closes it.
@@ -33,20 +33,23 @@ internal class FolderSection(
     private val onToggle: () -> Unit,
     private val origin: (Graph) -> String = { "" },
     private val hook: HookPart? = null,
+    listed: List<Graph> = emptyList(),
+    private val onDraw: (GraphCard) -> Unit = {},
+    private val onLeave: (GraphCard) -> Unit = {},
 ) {
     private val values = folder.values.takeIf { it.isNotEmpty() }?.let(::ValueList)
     private var toggle: HTMLElement? = null
     private var countLabel: HTMLElement? = null
     private lateinit var body: HTMLElement
     private val drawn = folder.graphs.mapTo(ArrayList()) { GraphCard(it, scene, origin(it)) }
-    private val haystacks = drawn.associateWithTo(HashMap(), ::haystackOf)
+    private val undrawn = listed.map { ListedGraph(it, scene) { graph -> GraphCard(graph, scene, origin(graph)) } }
     private var isSearching = false
 
     /** The event logs, in their order. */
     val tables: List<EventTable> = folder.eventLogs.map { EventTable(it, scene) }
 
     /** The graphs, in their order. */
-    val cards: List<GraphCard> get() = drawn
+    val cards: List<GraphCard> get() = drawn + undrawn.mapNotNull { it.card }
 
     /** What it is called. */
     val caption: String =
@@ -55,7 +58,10 @@ internal class FolderSection(
     /** The same where there is little room. */
     val shortCaption: String get() = if (hook == null) caption else "Hook ${hook.name}"
 
-    private val size get() = cards.size + tables.size + (hook?.figures?.size ?: 0)
+    /** The names of the folders that it lies in, and its own. */
+    val path: List<String> get() = if (hook == null && folder.name.isNotEmpty()) folder.name.split('/') else listOf(shortCaption)
+
+    private val size get() = cards.size + undrawn.count { it.card == null } + tables.size + (hook?.figures?.size ?: 0)
 
     /** How much there is in it; while something is searched for, how much of that. */
     var count: Int = size
@@ -79,23 +85,29 @@ internal class FolderSection(
             if (hook != null) add("p", "hook-note", "Calculated by a program, not logged by the robot.")
             values?.let { appendChild(it.element) }
             for (table in tables) appendChild(table.element)
-            for (card in cards) appendChild(card.element)
+            for (card in drawn) appendChild(card.element)
+            for (graph in undrawn) appendChild(graph.element)
             if (hook != null) for (figure in hook.figures) appendChild(hookPicture(figure))
         }
     }
 
     init {
+        for (graph in undrawn) graph.onChange = { card -> if (graph.card === card) onDraw(card) else onLeave(card) }
         showOpenness()
     }
 
-    /** Shows what [query] finds in it, opened while something is searched for. */
-    fun filter(query: Query): Hits {
+    /** How many graphs that are not drawn yet [query] finds. */
+    fun countListed(query: Query): Int = undrawn.count { it.isFoundBy(query) }
+
+    /** Shows what [query] finds in it, opened while something is searched for; [drawsListed] draws what is else only listed. */
+    fun filter(query: Query, drawsListed: Boolean): Hits {
         isSearching = !query.isEmpty
         var graphs = 0
-        for (card in cards) {
-            card.element.isHidden = !query.matchesLowercase(haystacks.getValue(card))
+        for (card in drawn) {
+            card.element.isHidden = !card.filter(query)
             if (!card.element.isHidden) graphs++
         }
+        graphs += undrawn.count { it.filter(query, drawsListed) }
         val hits = Hits(graphs, values?.filter(query) ?: 0, tables.sumOf { it.filter(query) })
         count = if (isSearching) hits.sum else size
         element.isHidden = isSearching && hits.isEmpty
@@ -115,7 +127,6 @@ internal class FolderSection(
     /** Adds [card] below its others. */
     fun add(card: GraphCard) {
         drawn += card
-        haystacks[card] = haystackOf(card)
         body.appendChild(card.element)
         count = size
     }
@@ -123,15 +134,8 @@ internal class FolderSection(
     /** Takes [card] away. */
     fun remove(card: GraphCard) {
         drawn -= card
-        haystacks.remove(card)
         card.element.remove()
         count = size
-    }
-
-    private fun haystackOf(card: GraphCard): String {
-        val graph = card.graph
-        val lines = graph.series.joinToString(" ") { "${it.topic.name} ${unitText(it.unit)}" }
-        return "${graph.name} ${unitText(graph.unit)} $lines".lowercase()
     }
 
     private fun HTMLElement.addHeading() {

@@ -7,6 +7,7 @@ import badlog.page.dom.element
 import badlog.plot.gesture.Action
 import badlog.plot.gesture.GRAPH_GESTURES
 import badlog.plot.gesture.HelpLine
+import badlog.plot.gesture.SEARCH_HELP
 import org.w3c.dom.HTMLElement
 
 /** The keys and gestures, in a dialog. */
@@ -18,7 +19,7 @@ internal class HelpOverlay {
             add("h2", "", "Keys and gestures")
             addIconButton("", Icon.CLOSE, "Close") { close() }
         }
-        val lines = GRAPH_GESTURES + Action.entries.map { it.help } + OTHERS
+        val lines = GRAPH_GESTURES + Action.entries.map { it.help } + OTHERS + SEARCH_HELP
         for ((group, ofGroup) in lines.groupBy { it.group }) {
             add("h3", "", group)
             add("dl", "help-keys") { for (line in ofGroup) addLine(line) }

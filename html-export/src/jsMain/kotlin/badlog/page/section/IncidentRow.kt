@@ -7,6 +7,7 @@ import badlog.page.dom.addIconButton
 import badlog.page.dom.element
 import badlog.page.view.isPlaced
 import badlog.plot.search.Query
+import badlog.plot.search.Trait
 import badlog.plot.text.fixedText
 import badlog.rules.Finding
 import badlog.rules.incident.Incident
@@ -42,4 +43,4 @@ internal fun incidentRow(incident: Incident, decimals: Int, pin: () -> Unit, go:
 
 /** Whether [query] finds [this] by what is said of it. */
 internal fun Incident.isFoundBy(query: Query): Boolean =
-    query.isEmpty || query.matchesLowercase("$name ${sentences.joinToString(" ") { it.text }} $next".lowercase())
+    query.isEmpty || query.matchesLowercase("$name ${sentences.joinToString(" ") { it.text }} $next".lowercase(), setOf(Trait.FINDING))

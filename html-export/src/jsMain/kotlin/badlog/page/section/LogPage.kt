@@ -30,6 +30,7 @@ import badlog.plot.board.boardOfLarge
 import badlog.plot.board.evidenceBoard
 import badlog.plot.board.fittedTo
 import badlog.plot.formula.nameIn
+import badlog.plot.outline.outlineOf
 import badlog.plot.search.Query
 import badlog.plot.text.countText
 import badlog.plot.timeline.FindingPlace
@@ -48,6 +49,7 @@ internal class LogPage(
     layout: GivenLayout,
     downloads: Downloads,
     theme: ThemeSwitch,
+    axisChoice: HTMLElement?,
 ) {
     private val additions = additions ?: PageAdditions()
     private val view = formulas.view
@@ -55,9 +57,14 @@ internal class LogPage(
     private val signals = this.additions.rules.signals
     private val hookGraphs = this.additions.hooks.flatMap { folderOf(it).graphs }
     private val board = PageBoard(about.fileKey, linesNow())
-    private val scene = Scene(view, theme.palette, board).apply { findings = timelineOf(embeddedFindings) }
-    private val folders = FolderList(view, scene, about.fileKey, this.additions.hooks) { graph ->
-        if (formulas.formulaOf(graph) == null) "" else "formula"
+    private val scene = Scene(view, theme.palette, board).apply {
+        findings = timelineOf(embeddedFindings)
+        notes = this@LogPage.additions.notes
+    }
+    private val graphs = VisibleGraphs(scene)
+    private val outline = outlineOf(view, signals, formulas.names)
+    private val folders = FolderList(outline, scene, about.fileKey, this.additions.hooks, graphs::add, graphs::remove) {
+        if (formulas.formulaOf(it) == null) "" else "formula"
     }
     private val navigation = FolderNavigation(folders)
     private val search = SearchBox(::filter)
@@ -75,7 +82,6 @@ internal class LogPage(
     private val link = PageLink(scene, formulas, ::addFormulas, ::goWith)
     private val zoomBar = ZoomBar(scene, ways, link.element)
     private val help = HelpOverlay()
-    private val graphs = VisibleGraphs(scene)
     private val findings = FindingList(scene, ::showEvidence, ::pinEvidence)
     private val evidence = EvidenceSection(scene, graphs, signals, findings::stepWithin)
     private val topicDialog = TopicDialog(board)
@@ -96,8 +102,10 @@ internal class LogPage(
     val element: HTMLElement = element("div", "log-page") {
         addButton("skip", "Skip to the graphs") { skip() }
         appendChild(pageHeader(scene, about, formulas.logged.recording, tools))
+        axisChoice?.let(::appendChild)
         appendChild(ProblemStrip(view, additionProblems(formulas, additions, layout)).element)
         appendChild(findings.element)
+        appendChild(noteList(scene))
         appendChild(zoomBar.element)
         appendChild(evidence.element)
         appendChild(boardSection.element)
@@ -159,12 +167,15 @@ internal class LogPage(
     }
 
     private fun filter(query: Query): Hits {
-        val hits = folders.filter(query) + Hits(findings = findings.filter(query))
+        val inFolders = folders.filter(query)
+        val hits = inFolders + Hits(findings = findings.filter(query))
         nothingFound.isHidden = query.isEmpty || !hits.isEmpty
-        navigation.update()
+        navigation.update(isSearching = !query.isEmpty)
         eventsLink.update()
-        // What was found begins above the screen when the page was scrolled before.
-        if (!query.isEmpty && content.getBoundingClientRect().top < 0) content.bringIntoSight()
+        // What was found begins above the screen when the page was scrolled before, and below it when a board stands above.
+        val top = content.getBoundingClientRect().top
+        val isBelow = top > window.innerHeight / 2 && !inFolders.isEmpty
+        if (!query.isEmpty && (top < 0 || isBelow)) content.bringIntoSight()
         return hits
     }
 

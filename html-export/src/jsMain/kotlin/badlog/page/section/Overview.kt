@@ -8,6 +8,7 @@ import badlog.page.dom.isHidden
 import badlog.page.graph.PlotFrame
 import badlog.page.graph.drawEventMarks
 import badlog.page.graph.drawFindingMarks
+import badlog.page.graph.drawNoteMarks
 import badlog.page.view.Scene
 import badlog.page.view.findingText
 import badlog.plot.gesture.OverviewDrag
@@ -60,6 +61,7 @@ internal class Overview(private val scene: Scene) {
         val frame = PlotFrame(0.0, 0.0, width, height, full.from, full.to)
         drawFindingMarks(context, frame, scene, full)
         drawEventMarks(context, frame, scene, full)
+        drawNoteMarks(context, frame, scene, full)
     }
 
     private fun update() {

@@ -5,13 +5,16 @@ import badlog.analysis.Event
 import badlog.analysis.LogView
 import badlog.analysis.XAxis
 import badlog.analysis.enabledSpans
+import badlog.html.note.Note
 import badlog.plot.range.Viewport
+import badlog.plot.search.Trait
 import badlog.plot.text.placeText
 import badlog.plot.text.withUnit
 import badlog.plot.timeline.EventTimeline
 import badlog.plot.timeline.FindingPlace
 import badlog.plot.timeline.FindingTimeline
 import badlog.rules.Finding
+import kotlin.math.abs
 
 /** What all parts of the page share: the recording, what was found in it, what of it is seen, the cursor, and the [board]. */
 internal class Scene(val view: LogView, val palette: Palette, val board: PageBoard) {
@@ -20,6 +23,18 @@ internal class Scene(val view: LogView, val palette: Palette, val board: PageBoa
 
     /** What was found so far. Whoever changes it draws again. */
     var findings: FindingTimeline<Finding> = timelineOf(emptyList())
+
+    private var searched: Pair<FindingTimeline<Finding>, Set<String>>? = null
+
+    /** What a search can ask of the topic [name] because of what was found. */
+    fun findingsTraits(name: String): Set<Trait> {
+        val known = searched?.takeIf { it.first === findings }
+            ?: (findings to findings.worstFirst.flatMapTo(HashSet()) { it.evidence }).also { searched = it }
+        return if (name in known.second) setOf(Trait.FINDING) else emptySet()
+    }
+
+    /** What people wrote about moments, in the order of x. */
+    var notes: List<Note> = emptyList()
 
     /** Where a person went last to look at a finding; null before. */
     var visited: FindingPlace<Finding>? = null
@@ -30,6 +45,9 @@ internal class Scene(val view: LogView, val palette: Palette, val board: PageBoa
 
     /** When the robot was enabled. */
     val enabled: List<EnabledSpan> by lazy { view.enabledSpans() }
+
+    /** The note that is pointed at when the cursor is at [x], or null. */
+    fun noteAt(x: Double): Note? = notes.minByOrNull { abs(it.x - x) }?.takeIf { abs(it.x - x) <= range.now.width * REACH }
 
     /** The event that is pointed at when the cursor is at [x], or null. */
     fun eventAt(x: Double): Event? = events.nearest(x, range.now.width * REACH)

@@ -19,16 +19,12 @@ import androidx.compose.ui.unit.sp
 import badlog.viewer.graph.plot.pixelOf
 import badlog.viewer.graph.scene.GraphScene
 import badlog.viewer.theme.LocalPalette
+import kotlin.math.abs
 
-/** The text of the event that the cursor is near to, at its place along the top. */
+/** The text of the note or the event that the cursor is near to, at its place along the top. */
 @Composable
 internal fun EventLabel(scene: GraphScene) {
-    val event by remember(scene) {
-        derivedStateOf {
-            val cursor = scene.view.cursor
-            if (cursor == null) null else scene.events.matching.nearest(cursor, scene.view.viewport.visible.width * REACH)
-        }
-    }
+    val event by remember(scene) { derivedStateOf { scene.view.cursor?.let { saidNear(scene, it) } } }
     val shown = event ?: return
     val palette = LocalPalette.current
     BoxWithConstraints(Modifier.fillMaxWidth().padding(start = GraphScene.LEFT_GUTTER, end = scene.rightGutter)) {
@@ -53,6 +49,15 @@ internal fun EventLabel(scene: GraphScene) {
             overflow = TextOverflow.Ellipsis,
         )
     }
+}
+
+private class Said(val x: Double, val text: String)
+
+private fun saidNear(scene: GraphScene, cursor: Double): Said? {
+    val reach = scene.view.viewport.visible.width * REACH
+    val note = scene.notes.state.notes.minByOrNull { abs(it.x - cursor) }?.takeIf { abs(it.x - cursor) <= reach }
+    if (note != null) return Said(note.x, note.text)
+    return scene.events.matching.nearest(cursor, reach)?.let { Said(it.x, it.text) }
 }
 
 /** Which part of the screen's width may lie between the cursor and the event it reads. */

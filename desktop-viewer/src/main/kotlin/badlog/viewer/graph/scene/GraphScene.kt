@@ -19,6 +19,7 @@ import badlog.viewer.graph.plot.PlotPicture
 import badlog.viewer.graph.plot.PlotState
 import badlog.viewer.graph.plot.Plots
 import badlog.viewer.graph.plot.drawnLines
+import badlog.viewer.note.LogNotes
 import badlog.viewer.playback.Player
 import badlog.viewer.recording.CurrentRecording
 import badlog.viewer.recording.FilteredEvents
@@ -38,6 +39,7 @@ internal class GraphScene(
     val compared: ComparedRecordings,
     val events: FilteredEvents,
     val findings: LogFindings,
+    val notes: LogNotes,
     val player: Player,
     val settings: SettingsStore,
     val copy: (List<BoardGraph>) -> Unit,

@@ -1,0 +1,96 @@
+package badlog.viewer.note
+
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.setValue
+import androidx.compose.runtime.snapshotFlow
+import badlog.html.note.Note
+import badlog.html.note.NotesException
+import badlog.html.note.NotesFile
+import badlog.viewer.part.Part
+import badlog.viewer.recording.CurrentRecording
+import badlog.viewer.task.Notices
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.withContext
+import java.io.IOException
+import java.nio.file.Path
+
+/**
+ * What people wrote about moments of the log, in the order of x.
+ *
+ * @property log whose notes they are; null while no log is open.
+ * @property isDamaged whether the log has a file of notes that could not be read, which nothing may replace.
+ */
+internal data class WrittenNotes(val log: Path? = null, val notes: List<Note> = emptyList(), val isDamaged: Boolean = false)
+
+/** The notes of the [current] log, and the file beside it that keeps them. */
+internal class LogNotes(private val current: CurrentRecording, private val notices: Notices) : Part<WrittenNotes>(WrittenNotes()) {
+    /** The note that is being written, or changed; null for none. */
+    var draft: NoteDraft? by mutableStateOf(null)
+        private set
+
+    /** Reads the notes of each log that is opened; ends with the window. */
+    suspend fun run() = snapshotFlow { current.recording?.file }.collect { log ->
+        draft = null
+        change { WrittenNotes(log) }
+        if (log == null) return@collect
+        try {
+            val notes = withContext(Dispatchers.IO) { NotesFile.read(log) }
+            change { WrittenNotes(log, notes) }
+        } catch (e: NotesException) {
+            change { WrittenNotes(log, isDamaged = true) }
+            notices.complain(e.message.orEmpty())
+        }
+    }
+
+    /** Begins a note at [x], or the change of [note]. */
+    fun write(x: Double, note: Note? = null) {
+        if (state.isDamaged) return notices.complain("The notes of this log cannot be read; mend or delete their file first.")
+        draft = NoteDraft(note?.x ?: x, note?.text.orEmpty(), note)
+    }
+
+    /** Goes on with the text of what is being written. */
+    fun type(text: String) {
+        draft = draft?.copy(text = text.take(Note.MAX_TEXT))
+    }
+
+    /** Gives up what is being written. */
+    fun cancel() {
+        draft = null
+    }
+
+    /** Keeps what is being written; nothing where there is no text. */
+    fun keep() {
+        val written = draft ?: return
+        if (written.text.isBlank()) return cancel()
+        if (written.replaced == null && state.notes.size >= Note.MAX_NOTES) {
+            return notices.complain("This log has ${Note.MAX_NOTES} notes; remove one first.")
+        }
+        if (save(state.notes - setOfNotNull(written.replaced) + Note(written.x, written.text.trim()))) draft = null
+    }
+
+    /** Takes [note] away. */
+    fun remove(note: Note) {
+        save(state.notes - note)
+    }
+
+    private fun save(notes: List<Note>): Boolean {
+        val log = state.log ?: return false
+        val sorted = notes.sortedBy { it.x }
+        return try {
+            NotesFile.write(log, sorted)
+            change { copy(notes = sorted) }
+            true
+        } catch (e: IOException) {
+            notices.complain(e.message ?: "The notes could not be written.")
+            false
+        }
+    }
+}
+
+/**
+ * A note that is being written.
+ *
+ * @property replaced the note that it changes; null for a new one.
+ */
+internal data class NoteDraft(val x: Double, val text: String, val replaced: Note?)

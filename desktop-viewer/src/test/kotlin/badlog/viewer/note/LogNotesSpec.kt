@@ -1,0 +1,81 @@
+package badlog.viewer.note
+
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.onNodeWithContentDescription
+import androidx.compose.ui.test.onNodeWithText
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performTextInput
+import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.html.note.Note
+import badlog.html.note.NotesFile
+import badlog.viewer.TestInspector
+import badlog.viewer.app.Viewer
+import badlog.viewer.panels.InspectorTab
+import badlog.viewer.recording.OpenRecording
+import badlog.viewer.settings.UserFolders
+import badlog.viewer.theme.Theme
+import badlog.viewer.theme.ViewerTheme
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.shouldBe
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.Job
+import kotlinx.coroutines.launch
+import java.nio.file.Files
+
+@OptIn(ExperimentalTestApi::class)
+class LogNotesSpec : FunSpec({
+    val home = tempdir().toPath()
+    val log = home.resolve("q42.csv")
+    Files.writeString(log, "Time,A\n" + (0..100).joinToString("") { "$it,${it % 7}\n" })
+
+    fun viewer(scope: CoroutineScope) = Viewer(scope, UserFolders(home, home)).apply {
+        val open = OpenRecording.read(log)
+        current.replace(open)
+        view.show(open.span)
+        panels.change { copy(inspector = InspectorTab.NOTES) }
+    }
+
+    test("a note is written at the cursor, changed and removed, and is in the file beside the log each time") {
+        runDesktopComposeUiTest(360, 600) {
+            val scope = CoroutineScope(Dispatchers.Unconfined + Job())
+            val viewer = viewer(scope)
+            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
+            scope.launch { viewer.notes.run() }
+            waitUntil { viewer.notes.state.log == log.toAbsolutePath() }
+            viewer.view.placeCursor(42.0)
+            onNodeWithContentDescription("Write a note at the cursor (M)").performClick()
+            onNodeWithContentDescription("Text of the note").performTextInput("hit by 254")
+            onNodeWithContentDescription("Keep the note (Enter)").performClick()
+            waitUntil { viewer.notes.draft == null }
+            NotesFile.read(log) shouldBe listOf(Note(42.0, "hit by 254"))
+            onNodeWithText("hit by 254").assertExists()
+            onNodeWithText("Change").performClick()
+            onNodeWithContentDescription("Text of the note").performTextInput("again ")
+            onNodeWithContentDescription("Keep the note (Enter)").performClick()
+            waitUntil { viewer.notes.draft == null }
+            NotesFile.read(log).single().text.length shouldBe "again hit by 254".length
+            onNodeWithText("Remove").performClick()
+            waitUntil { viewer.notes.state.notes.isEmpty() }
+            Files.exists(NotesFile.of(log)) shouldBe false
+            scope.coroutineContext[Job]?.cancel()
+        }
+    }
+
+    test("damaged notes are reported, and nothing replaces them") {
+        Files.writeString(NotesFile.of(log), "damaged")
+        runDesktopComposeUiTest(360, 600) {
+            val scope = CoroutineScope(Dispatchers.Unconfined + Job())
+            val viewer = viewer(scope)
+            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
+            scope.launch { viewer.notes.run() }
+            waitUntil { viewer.notes.state.isDamaged }
+            viewer.notes.write(1.0)
+            viewer.notes.draft shouldBe null
+            scope.coroutineContext[Job]?.cancel()
+        }
+        Files.readString(NotesFile.of(log)) shouldBe "damaged"
+        Files.delete(NotesFile.of(log))
+    }
+})

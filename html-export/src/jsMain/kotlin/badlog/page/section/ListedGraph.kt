@@ -1,0 +1,73 @@
+package badlog.page.section
+
+import badlog.analysis.Graph
+import badlog.page.dom.add
+import badlog.page.dom.addButton
+import badlog.page.dom.element
+import badlog.page.dom.isHidden
+import badlog.page.graph.GraphCard
+import badlog.page.view.Scene
+import badlog.page.view.SearchedGraph
+import badlog.plot.search.Query
+import org.w3c.dom.HTMLElement
+
+/**
+ * A graph that is only listed until a person asks for it, or searches for it.
+ *
+ * @param make gives it as it is drawn.
+ */
+internal class ListedGraph(private val graph: Graph, scene: Scene, private val make: (Graph) -> GraphCard) {
+    private val searched = SearchedGraph(graph, scene)
+    private var isWanted = false
+    private lateinit var row: HTMLElement
+
+    /** Is told of each card that comes or goes. */
+    var onChange: (GraphCard) -> Unit = {}
+
+    /** It as it is drawn; null while it is not. */
+    var card: GraphCard? = null
+        private set
+
+    val element: HTMLElement = element("div", "listed") {
+        row = addButton("listed-graph", "", "Draw ${graph.name}") {
+            isWanted = true
+            draw()
+        }
+        row.setAttribute("data-name", graph.name)
+        row.add("span", "", graph.title)
+        if (graph.series.size > 1) row.add("span", "count", "${graph.series.size} lines")
+    }
+
+    /** Whether [query] finds it while it is not drawn. */
+    fun isFoundBy(query: Query): Boolean = !isWanted && searched.isFoundBy(query)
+
+    /** Shows it where [query] finds it, drawn where [draws] says so, and returns whether it is found. */
+    fun filter(query: Query, draws: Boolean): Boolean {
+        val isFound = searched.isFoundBy(query)
+        element.isHidden = !isFound
+        if (isFound && draws && !query.isEmpty) {
+            draw()
+        } else if (!isWanted) {
+            leave()
+        }
+        card?.filter(query)
+        return isFound
+    }
+
+    private fun draw() {
+        if (card != null) return
+        row.isHidden = true
+        val made = make(graph)
+        card = made
+        element.appendChild(made.element)
+        onChange(made)
+    }
+
+    private fun leave() {
+        val gone = card ?: return
+        card = null
+        onChange(gone)
+        gone.element.remove()
+        row.isHidden = false
+    }
+}
