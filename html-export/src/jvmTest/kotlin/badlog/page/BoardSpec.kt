@@ -170,6 +170,44 @@ internal class BoardSpec : PageSpec({
         }
     }
 
+    browserTest("the graphs of a formula follow it: changed it is drawn as it is now, removed it leaves the board") {
+        onPage(page) {
+            press("f")
+            press("Sum [x] = Volt + Amp", Keys.ENTER)
+            pin("Sum")
+            titles() shouldBe listOf("Sum")
+            press("f")
+            elements(".formula-list .text-button").first().click()
+            element("#formula").clear()
+            press("Total [x] = Volt + Amp", Keys.ENTER)
+            titles() shouldBe listOf("Total")
+            press("f")
+            click(".formula-remove")
+            press(Keys.ESCAPE)
+            titles() shouldBe emptyList()
+        }
+    }
+
+    browserTest("the graphs of evidence move to the board by its pin, and Escape ends a drag") {
+        onPage(TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN))) {
+            await("the rules") { script("return document.documentElement.dataset.rules") == "done" }
+            press("n")
+            val shown = texts("#evidence .graph-title")
+            shown.size shouldBeGreaterThan 0
+            click("#keep-evidence")
+            titles() shouldBe shown
+            texts("#evidence .graph-title") shouldBe emptyList()
+            val (x, y) = graph(elements("#board .graph").first().getDomAttribute("data-name")!!).frame.at(0.5)
+            val title = element("#board .graph-title").location
+            val scrolled = number("return scrollY").toInt()
+            act { mouseTo(title.x + 9, title.y - scrolled + 9).mouseDown().mouseTo(x, y).mouseTo(x, y + 500) }
+            press(Keys.ESCAPE)
+            act { mouseUp() }
+            elements(".drag-ghost").size shouldBe 0
+            titles() shouldBe shown
+        }
+    }
+
     browserTest("graphs that share their limits of y show one unit alike") {
         onPage(page) {
             for (name in listOf("Volt", "Other")) pin(name)
@@ -205,8 +243,10 @@ internal class BoardSpec : PageSpec({
                 click("#board .graph-menu")
                 keepScreenshot("board-menu-${screen.width}")
                 press(Keys.ESCAPE)
+                val before = titles().size
                 click(".incident .pin")
                 settle()
+                titles().size shouldBeGreaterThan before
                 keepScreenshot("board-pinned-${screen.width}")
                 click("#add-topics")
                 keepScreenshot("board-topics-${screen.width}")

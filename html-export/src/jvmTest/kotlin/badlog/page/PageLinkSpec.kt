@@ -47,9 +47,10 @@ internal class PageLinkSpec : PageSpec({
             graph("Current").scrollTo().drag(0.2, 0.6)
             script("location.hash = '#t=4'")
             settle()
+            script("Object.defineProperty(navigator, 'clipboard', {value: {writeText: async text => { window.copied = text }}})")
             click("#copy-link")
-            await("the notice") { notice().isNotEmpty() }
-            link = script("return location.hash") as String
+            await("the notice") { notice() == "Link copied." }
+            link = "#" + (script("return window.copied") as String).substringAfter('#')
             link shouldContain "t=4"
             link shouldContain "x="
             link shouldContain "board=Current;Power"
@@ -66,6 +67,8 @@ internal class PageLinkSpec : PageSpec({
             reload()
             titles() shouldBe listOf("Current", "Power")
             click("#undo")
+            titles() shouldBe emptyList()
+            reload()
             titles() shouldBe emptyList()
         }
     }

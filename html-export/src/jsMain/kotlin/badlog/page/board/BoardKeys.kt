@@ -35,6 +35,10 @@ internal class BoardKeys(private val board: PageBoard, private val graphs: Visib
         board.change { step(id) }
     }
 
-    private fun graph(): GraphCard? = listOf(".graph:has(:focus-visible)", ".graph:hover", ".graph:focus-within")
-        .firstNotNullOfOrNull(document::querySelector)?.let(graphs::cardAt)
+    private fun graph(): GraphCard? {
+        val active = document.activeElement
+        val focused = active?.closest(".graph")
+        val isByKeys = focused != null && active.matches(":focus-visible")
+        return (if (isByKeys) focused else document.querySelector(".graph:hover") ?: focused)?.let(graphs::cardAt)
+    }
 }

@@ -35,10 +35,14 @@ internal class PageLink(
         addIconButton("", Icon.LINK, "Copy a link to this time, range and board") { copy() }.id = "copy-link"
     }
 
+    private var isFollowing = false
+
     /** Begins to follow the address. */
     fun start() {
         follow()
         window.addEventListener("hashchange", { follow() })
+        // Else the board of a link would come back when the page is loaded again, in the place of what its reader made of it.
+        scene.board.onChange { if (!isFollowing && "board=" in window.location.hash) showAddress("") }
     }
 
     /** Goes where the address goes once more, unless the reader has looked elsewhere: what is found there is known only now. */
@@ -51,9 +55,11 @@ internal class PageLink(
     private fun follow() {
         val address = pageAddressOf(window.location.hash)
         followed = address
+        isFollowing = true
         onFormulas(address.formulas)
         val board = address.board?.fittedTo { scene.board.lines[it] != null }
         board?.let { scene.board.visit(it.board) }
+        isFollowing = false
         go(address)
         scene.notice.say(*(address.problems + listOfNotNull(board?.sentence)).toTypedArray())
     }
@@ -71,20 +77,27 @@ internal class PageLink(
             board = scene.board.now.takeIf { it.graphs.isNotEmpty() }?.renumbered(),
             formulas = formulas.own,
         )
-        val link = window.location.href.substringBefore('#') + address.toText()
-        // Where it can be copied by hand, too.
-        try {
-            window.history.replaceState(null, "", link)
-        } catch (_: Throwable) {
-            // Pages in some frames have no address of their own.
-        }
+        val end = address.toText()
+        val link = window.location.href.substringBefore('#') + end
         val copied = try {
             window.navigator.asDynamic().clipboard.writeText(link).unsafeCast<Promise<Unit>>()
         } catch (_: Throwable) {
             Promise.reject(IllegalStateException())
         }
         copied.then({ true }, { copyBySelection(link) })
-            .then { scene.notice.say(if (it) "Link copied." else "Copy the link from the address bar.") }
+            .then { isCopied ->
+                if (!isCopied) showAddress(end)
+                scene.notice.say(if (isCopied) "Link copied." else "Copy the link from the address bar.")
+            }
+    }
+
+    /** Lets the page's address end with [end], which is not followed. */
+    private fun showAddress(end: String) {
+        try {
+            window.history.replaceState(null, "", window.location.href.substringBefore('#') + end)
+        } catch (_: Throwable) {
+            // Pages in some frames have no address of their own.
+        }
     }
 
     /** As pages can that may not use the clipboard. */

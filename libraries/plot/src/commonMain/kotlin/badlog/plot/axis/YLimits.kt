@@ -44,7 +44,8 @@ public fun limitsFor(least: Double, most: Double, includesZero: Boolean): Span {
     val low = (if (includesZero) minOf(least, 0.0) else least).coerceIn(-MAX_MAGNITUDE, MAX_MAGNITUDE)
     val high = (if (includesZero) maxOf(most, 0.0) else most).coerceIn(-MAX_MAGNITUDE, MAX_MAGNITUDE)
     val isFlat = high - low <= abs(high) * FLAT
-    val margin = if (isFlat) maxOf(abs(high) * 0.1, if (high == 0.0) 1.0 else 0.0) else (high - low) * MARGIN
+    // Of the smallest numbers there are, a tenth is nothing.
+    val margin = (if (isFlat) abs(high) * 0.1 else (high - low) * MARGIN).let { if (it == 0.0) 1.0 else it }
     // A line of nothing but 0 would lie on the frame's edge.
     if (low == 0.0 && high == 0.0) return Span(-margin, margin)
     // What never goes below 0 gets no room there: it would look as if it could.
