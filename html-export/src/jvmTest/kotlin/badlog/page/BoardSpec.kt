@@ -173,13 +173,13 @@ internal class BoardSpec : PageSpec({
     browserTest("the graphs of a formula follow it: changed it is drawn as it is now, removed it leaves the board") {
         onPage(page) {
             press("f")
-            press("Sum [x] = Volt + Amp", Keys.ENTER)
+            press("Sum [V] = Volt + Other", Keys.ENTER)
             pin("Sum")
             titles() shouldBe listOf("Sum")
             press("f")
             elements(".formula-list .text-button").first().click()
-            element("#formula").clear()
-            press("Total [x] = Volt + Amp", Keys.ENTER)
+            act { keyDown(Keys.CONTROL).sendKeys("a").keyUp(Keys.CONTROL) }
+            press("Total [V] = Volt + Other", Keys.ENTER)
             titles() shouldBe listOf("Total")
             press("f")
             click(".formula-remove")

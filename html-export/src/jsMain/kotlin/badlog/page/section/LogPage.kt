@@ -227,9 +227,9 @@ internal class LogPage(
         for (definition in users + from) takeAway(definition)
         formulas.replace(from, to)
         for (definition in users + to) graphs.add(folders.add(formulas.graphOf(definition)))
+        // Before the old name is unknown: what nothing draws is not on the board.
+        nameIn(to)?.let { name -> board.change { renamed(nameIn(from).orEmpty(), name) } }
         board.lines = linesNow()
-        val names = nameIn(from) to nameIn(to)
-        names.second?.let { now -> board.change { renamed(names.first.orEmpty(), now) } }
         navigation.list()
     }
 
