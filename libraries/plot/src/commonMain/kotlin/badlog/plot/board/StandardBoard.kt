@@ -18,7 +18,9 @@ public fun standardBoard(view: LogView, vocabulary: SignalVocabulary): Board = b
  */
 public fun boardOfLarge(view: LogView, vocabulary: SignalVocabulary): Board? {
     if (view.folders.sumOf { it.graphs.size } <= MANY) return null
-    val outlined = outlineOf(view, vocabulary).folders.flatMap { it.folder.graphs }.map { it to it.asBoardGraph() }
+    // The x axis is not a graph of itself.
+    val outlined = outlineOf(view, vocabulary).folders.flatMap { it.folder.graphs }
+        .filter { graph -> graph.series.any { it.topic !== view.xAxis.topic } }.map { it to it.asBoardGraph() }
     val together = outlined.filter { (graph, _) -> graph.series.size > 1 && !graph.showsStates }.map { it.second }
     val topics = LogShape.of(view).topicsOf(vocabulary)
     val changing = view.recording.topics.filter(::everChanges).mapTo(HashSet()) { it.name }
