@@ -5,7 +5,9 @@ import io.kotest.assertions.withClue
 import io.kotest.inspectors.forAll
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.doubles.shouldBeGreaterThan
+import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldStartWith
 import org.openqa.selenium.By
 import org.openqa.selenium.Keys
 import kotlin.math.roundToInt
@@ -103,6 +105,47 @@ internal class CursorSpec : PageSpec({
             val (number, unit) = texts(".cursor-readout").single().split(' ')
             number.toDouble().roundToInt() shouldBe graph("Row").value("Row").toInt()
             unit shouldBe "s"
+        }
+    }
+
+    browserTest("a click pins the cursor, which the mouse does not move, until a click on it or Escape") {
+        onPage(page) {
+            graph("Row").click(0.25)
+            val row = graph("Row").value("Row")
+            graph("Spike").hover(0.75)
+            graph("Row").value("Row") shouldBe row
+            graph("Spike").card.findElement(By.cssSelector(".cursor-line.is-pointer")).isDisplayed shouldBe true
+            press(Keys.ESCAPE)
+            graph("Row").value("Row") shouldBe ""
+            // Else it would be the second click of a double one.
+            act { pause(500) }
+            graph("Row").click(0.25)
+            act { pause(500) }
+            graph("Row").click(0.25)
+            graph("Row").hover(0.75)
+            graph("Row").value("Row").toInt() shouldBeGreaterThan row.toInt() + 10_000
+        }
+    }
+
+    browserTest("Shift and a click set a second cursor: values at both, difference, slope, and statistics between them") {
+        onPage(page) {
+            graph("Row").click(0.25)
+            graph("Row").click(0.5, withShift = true)
+            val (a, b, change, slope) = Regex("A (.*) · B (.*) · Δ (.*) · (.*) 1/s").matchEntire(graph("Row").value("Row"))!!.destructured
+            b.toInt() - a.toInt() shouldBe change.toInt()
+            change.toInt() shouldBeGreaterThan ROWS / 5
+            slope shouldBe "1"
+            graph("Mode").value("Mode") shouldBe "A armed · B ready"
+            script("arguments[0].querySelector('.statistics-toggle').click()", graph("Row").card)
+            texts(".statistics caption").first() shouldStartWith "Between A and B: "
+            texts(".statistics tbody td")[1].toInt() shouldBe b.toInt()
+            press("b")
+            element(".second-readout").isDisplayed shouldBe false
+            graph("Row").value("Row") shouldBe a
+            press(Keys.ARROW_RIGHT)
+            val first = graph("Row").value("Row").toInt()
+            press("b", Keys.ARROW_RIGHT)
+            graph("Row").value("Row") shouldBe "A $first · B ${first + 1} · Δ 1 · 1 1/s"
         }
     }
 

@@ -74,6 +74,18 @@ internal class GraphOnPage(private val page: OpenPage, private val name: String)
         }
     }
 
+    /** Clicks the share [across] of the frame's width. */
+    fun click(across: Double, withShift: Boolean = false) {
+        val (x, y) = frame.at(across)
+        page.act {
+            mouseTo(x, y)
+            if (withShift) keyDown(Keys.SHIFT)
+            mouseDown().mouseUp()
+            if (withShift) keyUp(Keys.SHIFT)
+            this
+        }
+    }
+
     /** Double-clicks in its middle. */
     fun doubleClick() {
         val (x, y) = frame.at(0.5)

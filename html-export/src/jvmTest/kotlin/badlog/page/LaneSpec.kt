@@ -54,12 +54,35 @@ internal class LaneSpec : PageSpec({
 
     browserTest("the brownouts of a match can be seen among all of it") {
         onPage(TestPages.ofSample("qualification-42.bag")) {
-            val picture = graph("System/Browned Out").scrollTo().picture
+            graph("System/States").scrollTo()
+            for (other in listOf("Enabled", "Autonomous")) graph("System/States").legend(other).click()
+            settle()
+            val picture = graph("System/States").picture
             val columns = picture.columnsOf(color("--line-1"))
             // From 93.7 to 97.4 s of some 156 s.
-            val seen = columns.indices.filter { columns[it] > picture.height / 2 }
+            val seen = columns.indices.filter { columns[it] > picture.height / 5 }
             seen.size shouldBeGreaterThan 5
             seen.forAll { it.toDouble() / columns.size shouldBe (0.61 plusOrMinus 0.03) }
+        }
+    }
+
+    browserTest("states that follow one another are lanes of one graph, 18 px each, and tell how long and how often") {
+        val bag = bagOf(listOf(TIME, BagTopic("A/On"), BagTopic("A/Mode"), BagTopic("A/Level", "V")), 401) { row, column ->
+            when (column) {
+                0 -> row / 10.0
+                1 -> row / 100 % 2 == 1
+                2 -> modes[minOf(row / 100, 3)]
+                else -> row
+            }
+        }
+        onPage(TestPages.of(bag)) {
+            graphNames shouldBe listOf("A/States", "A/Level")
+            graph("A/States").frame.height shouldBe 36.0
+            graph("A/States").hover(0.6)
+            graph("A/States").value("On") shouldBe "false"
+            graph("A/States").value("Mode") shouldBe "teleop"
+            script("arguments[0].querySelector('.statistics-toggle').click()", graph("A/States").card)
+            texts(".statistics tbody tr").take(2) shouldBe listOf("Onfalse20 s50.0 %3", "true20 s50.0 %2")
         }
     }
 

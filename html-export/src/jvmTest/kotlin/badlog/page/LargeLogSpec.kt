@@ -26,8 +26,7 @@ internal class LargeLogSpec : PageSpec({
     fun OpenPage.seen(selector: String): List<String> = elements(selector).filter { it.isDisplayed }.map { it.text.replace('\n', ' ') }
 
     /** The names of the graphs in the folders, below the board. */
-    fun OpenPage.namesInFolders(): List<String> =
-        elements(".content .graph").filter { it.isDisplayed }.mapNotNull { it.getDomAttribute("data-name") }
+    fun OpenPage.namesInFolders(): List<String> = elements(".content .graph").filter { it.isDisplayed }.mapNotNull { it.getDomAttribute("data-name") }
 
     browserTest("a log of more than 700 topics begins with at most 60 graphs, on a page that a person scrolls through") {
         onPage(page, Screen(1366, 768)) {

@@ -29,6 +29,8 @@ internal class PicturesSpec : PageSpec({
                 graph("System/Battery Voltage").scrollTo()
                 press(Keys.ARROW_RIGHT)
                 keepScreenshot("phone-$colors-cursor")
+                click("#values-button")
+                keepScreenshot("phone-$colors-values")
             }
         }
     }
@@ -76,6 +78,11 @@ internal class PicturesSpec : PageSpec({
             keepScreenshot("zoomed")
             graph("Drivetrain/Velocities").scrollTo()
             keepScreenshot("zoomed-drivetrain")
+            press("v")
+            graph("System/Battery Voltage").scrollTo().click(0.3)
+            graph("System/Battery Voltage").click(0.7, withShift = true)
+            graph("System/Battery Voltage").hover(0.5)
+            keepScreenshot("cursors")
         }
     }
 

@@ -81,4 +81,16 @@ internal class TimeLinkSpec : PageSpec({
             element(".cursor-readout").getDomAttribute("href") shouldBe "#t=4.5"
         }
     }
+
+    browserTest("the link stays at the pinned time while the mouse moves over graphs, and a mere place of the mouse is none") {
+        onPage(TestPages.of(stepBag(graphs = 2))) {
+            graph("Step 1").hover(0.2)
+            element(".cursor-readout").getDomAttribute("href") shouldBe null
+            graph("Step 1").click(0.2)
+            val link = element(".cursor-readout").getDomAttribute("href")
+            graph("Step 2").hover(0.9)
+            element(".cursor-readout").getDomAttribute("href") shouldBe link
+            link.orEmpty().removePrefix("#t=").toDouble() shouldBeIn 1.9..2.1
+        }
+    }
 })

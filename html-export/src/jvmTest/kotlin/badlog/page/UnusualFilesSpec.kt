@@ -104,12 +104,12 @@ internal class UnusualFilesSpec : PageSpec({
             }
         }
         onPage(TestPages.of(bag)) {
-            graph("Gear").hover(0.2)
-            graph("Gear").value("Gear") shouldBe "LOW"
-            graph("Enabled").value("Enabled") shouldBe "false"
-            graph("Gear").hover(0.8)
-            graph("Gear").value("Gear") shouldBe "HIGH"
-            graph("Enabled").value("Enabled") shouldBe "true"
+            graph("States").hover(0.2)
+            graph("States").value("Gear") shouldBe "LOW"
+            graph("States").value("Enabled") shouldBe "false"
+            graph("States").hover(0.8)
+            graph("States").value("Gear") shouldBe "HIGH"
+            graph("States").value("Enabled") shouldBe "true"
         }
     }
 

@@ -34,9 +34,11 @@ internal fun actionCommands(
     board: GraphBoard,
     formulas: FormulaStore,
     findings: LogFindings,
+    panels: WindowPanels,
 ): List<Command> = Action.entries.map { action ->
     Command(action) {
         when (action) {
+            Action.CURSOR_VALUES -> panels.change { toggled(InspectorTab.CURSOR) }
             Action.NEW_FORMULA -> formulas.write()
             Action.NEXT_FINDING -> findings.step(1)
             Action.PREVIOUS_FINDING -> findings.step(-1)
@@ -71,6 +73,7 @@ private fun move(action: Action, current: CurrentRecording, view: AxisView) = wh
     Action.NEXT_SAMPLE -> stepCursor(current, view, 1)
     Action.TEN_SAMPLES_BACK -> stepCursor(current, view, -Action.MANY_SAMPLES)
     Action.TEN_SAMPLES_ON -> stepCursor(current, view, Action.MANY_SAMPLES)
+    Action.SECOND_CURSOR -> view.changeCursors { withSecond() }
     Action.ZOOM_IN -> view.change { zoomed(1, view.cursor) }
     Action.ZOOM_OUT -> view.change { zoomed(-1, view.cursor) }
     Action.SHOW_ALL -> view.change { reset() }
@@ -90,7 +93,7 @@ internal fun windowCommands(panels: WindowPanels, formulas: FormulaStore, view: 
     Command("Window", "Open or close this sheet", listOf(KeyPress(Key.F1, "F1"), QUESTION_MARK)) {
         panels.change { copy(help = !panels.state.help) }
     },
-    Command("Window", "Close this sheet, or cancel a drag, the selection, the cursor", listOf(KeyPress(Key.Escape, "Esc"))) {
+    Command("Window", "Close this sheet, or cancel a drag, the selection, the cursors", listOf(KeyPress(Key.Escape, "Esc"))) {
         when {
             panels.state.help -> panels.change { copy(help = false) }
             formulas.sheet != null -> formulas.closeSheet()
@@ -114,7 +117,7 @@ internal fun noteCommands(notes: LogNotes, panels: WindowPanels, view: AxisView)
 )
 
 private val QUESTION_MARK = KeyPress(Key.Slash, "?", shift = true)
-private val DIGITS = listOf(Key.One, Key.Two, Key.Three, Key.Four, Key.Five, Key.Six)
+private val DIGITS = listOf(Key.One, Key.Two, Key.Three, Key.Four, Key.Five, Key.Six, Key.Seven)
 
 /** What the keyboard does with the folder of logs. */
 internal fun libraryCommands(library: Library, panels: WindowPanels, opener: LogOpener): List<Command> = listOf(

@@ -109,7 +109,7 @@ internal class Viewer(
             library,
             panels,
             opener,
-        ) + topicCommands(topics, panels) + actionCommands(current, view, board, formulas, findings) +
+        ) + topicCommands(topics, panels) + actionCommands(current, view, board, formulas, findings, panels) +
             graphCommands(
                 view,
                 graphs::scroll,

@@ -8,9 +8,12 @@ import androidx.compose.ui.draw.clipToBounds
 import androidx.compose.ui.draw.drawBehind
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Size
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.graphics.PathEffect
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.graphicsLayer
 import badlog.analysis.Span
+import badlog.plot.cursor.Cursors
 import badlog.plot.cursor.dotAt
 import badlog.plot.cursor.indexAt
 import badlog.plot.gesture.DragKind
@@ -34,18 +37,26 @@ internal fun CursorOverlay(scene: GraphScene, id: Int, state: PlotState) {
             scene.findings.state.shown?.let { drawShownFinding(it, visible, palette) }
             scene.view.selection?.let { drawSelection(it, visible, palette) }
             scene.view.gesture?.let { drawGesture(it, id, visible, scene.pictureOf(state), palette) }
+            drawCursors(scene.view.cursors, visible, palette)
             val cursor = scene.view.cursor ?: return@drawBehind
-            if (cursor !in visible) return@drawBehind
-            drawCursorLine(cursor, visible, palette)
-            scene.pictureOf(state)?.let { drawSamples(it, cursor, visible, palette) }
+            if (cursor in visible) scene.pictureOf(state)?.let { drawSamples(it, cursor, visible, palette) }
         },
     )
 }
 
-/** Draws the cursor at [cursor] over the whole height. */
-internal fun DrawScope.drawCursorLine(cursor: Double, visible: Span, palette: Palette) {
+/** Draws [cursors] over the whole height: what is pinned in the accent's color, the second one dashed, the pointer's thin. */
+internal fun DrawScope.drawCursors(cursors: Cursors, visible: Span, palette: Palette) {
+    val pointer = palette.cursor.copy(alpha = if (cursors.isPinned) POINTER_OPACITY else CURSOR_OPACITY)
+    cursors.hover?.let { drawCursorLine(it, visible, pointer, density) }
+    cursors.pinned?.let { drawCursorLine(it, visible, palette.accent, PINNED * density) }
+    val dashes = PathEffect.dashPathEffect(floatArrayOf(DASH * density, DASH * density))
+    cursors.second?.let { drawCursorLine(it, visible, palette.accent, PINNED * density, dashes) }
+}
+
+private fun DrawScope.drawCursorLine(cursor: Double, visible: Span, color: Color, width: Float, effect: PathEffect? = null) {
+    if (cursor !in visible) return
     val x = pixelOf(cursor, visible, size.width)
-    drawLine(palette.cursor.copy(alpha = CURSOR_OPACITY), Offset(x, 0f), Offset(x, size.height), strokeWidth = density)
+    drawLine(color, Offset(x, 0f), Offset(x, size.height), strokeWidth = width, pathEffect = effect)
 }
 
 /** Draws [selection] as a band with its edges. */
@@ -92,5 +103,8 @@ private fun DrawScope.drawSamples(picture: PlotPicture, cursor: Double, visible:
 }
 
 private const val CURSOR_OPACITY = 0.75f
+private const val POINTER_OPACITY = 0.4f
+private const val PINNED = 2f
+private const val DASH = 4f
 private const val BAND_OPACITY = 0.16f
 private const val DOT = 3f

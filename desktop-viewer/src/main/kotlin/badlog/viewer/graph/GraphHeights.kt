@@ -1,7 +1,7 @@
 package badlog.viewer.graph
 
 import badlog.plot.board.BoardGraph
-import badlog.viewer.graph.plot.LANE_HEIGHT
+import badlog.plot.lane.LaneLook
 import badlog.viewer.graph.plot.MAX_LINES
 import badlog.viewer.graph.scene.GraphScene
 
@@ -13,7 +13,7 @@ import badlog.viewer.graph.scene.GraphScene
  */
 internal fun graphHeights(graphs: List<BoardGraph>, lanes: List<Int>, room: Int, usual: Int, fit: Boolean): List<Int> {
     val natural = lanes.mapIndexed { i, count ->
-        if (count == 0) graphs[i].height ?: 0 else GraphScene.HEADER_HEIGHT + minOf(count, MAX_LINES) * LANE_HEIGHT + LANES_MARGIN
+        if (count == 0) graphs[i].height ?: 0 else GraphScene.HEADER_HEIGHT + minOf(count, MAX_LINES) * LaneLook.HEIGHT + LANES_MARGIN
     }
     val others = natural.count { it == 0 }
     val shared = if (others == 0) 0 else (room - natural.sum()) / others

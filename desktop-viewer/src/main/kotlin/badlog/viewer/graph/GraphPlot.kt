@@ -7,6 +7,7 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.DisposableEffect
 import androidx.compose.runtime.getValue
+import androidx.compose.runtime.remember
 import androidx.compose.runtime.rememberUpdatedState
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.clipToBounds
@@ -20,8 +21,9 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.rememberTextMeasurer
 import badlog.plot.board.BoardGraph
-import badlog.viewer.graph.mark.drawEnabled
+import badlog.plot.timeline.ModeBands
 import badlog.viewer.graph.mark.drawEventMarks
+import badlog.viewer.graph.mark.drawModes
 import badlog.viewer.graph.mark.drawNoteMarks
 import badlog.viewer.graph.plot.PictureEffect
 import badlog.viewer.graph.plot.PlotPicture
@@ -75,10 +77,11 @@ internal fun GraphPlot(scene: GraphScene, spec: BoardGraph, modifier: Modifier) 
 private fun GraphDrawing(scene: GraphScene, state: PlotState) {
     val palette = LocalPalette.current
     val letters = rememberTextMeasurer(cacheSize = TEXTS)
+    val bands = remember { ModeBands() }
     Spacer(
         Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind {
             val visible = scene.view.viewport.visible
-            drawEnabled(scene.current.recording?.enabled.orEmpty(), visible, palette)
+            drawModes(scene.current.recording?.modes, bands, visible, palette)
             val picture = scene.pictureOf(state) ?: return@drawBehind
             drawGrid(picture, visible, palette)
             drawLines(picture, visible)

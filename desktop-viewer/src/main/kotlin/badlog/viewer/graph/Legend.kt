@@ -36,6 +36,9 @@ import androidx.compose.ui.unit.Constraints
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.plot.board.BoardGraph
+import badlog.plot.cursor.comparisonText
+import badlog.plot.statistics.StateTime
+import badlog.plot.statistics.timesOf
 import badlog.plot.text.unitText
 import badlog.viewer.compare.shortLabel
 import badlog.viewer.graph.plot.DrawnLine
@@ -44,6 +47,7 @@ import badlog.viewer.graph.scene.GraphScene
 import badlog.viewer.recording.valueText
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
+import badlog.viewer.theme.Tip
 
 /** A line's color, name where it [hasName], and its value under the cursor. */
 @Composable
@@ -89,7 +93,11 @@ internal fun LegendEntry(scene: GraphScene, spec: BoardGraph, line: DrawnLine, h
                 overflow = TextOverflow.Ellipsis,
             )
         }
-        LegendValue(scene, spec.id, line)
+        if (line.signal.states == null) {
+            LegendValue(scene, spec.id, line)
+        } else {
+            Tip({ statesText(scene, line) }) { LegendValue(scene, spec.id, line) }
+        }
         if (isHovered && hasName && spec.lines.size > 1) {
             Icon(
                 Icons.Close,
@@ -103,6 +111,15 @@ internal fun LegendEntry(scene: GraphScene, spec: BoardGraph, line: DrawnLine, h
     }
 }
 
+/** How long and how often [line] was in each of its states over what is visible, or between the cursors. */
+private fun statesText(scene: GraphScene, line: DrawnLine): String {
+    val span = scene.view.cursors.between ?: scene.view.viewport.visible
+    return scene.plots.curves.runs(line.recording, line.signal)
+        .timesOf(line.signal.states.orEmpty(), span.from - line.offset, span.to - line.offset)
+        .take(StateTime.MOST)
+        .joinToString("\n") { it.text(line.recording.view.xAxis) }
+}
+
 /** The value of [line] under the cursor. It is drawn, not laid out: the cursor moves at the speed of the mouse. */
 @Composable
 private fun LegendValue(scene: GraphScene, id: Int, line: DrawnLine) {
@@ -111,10 +128,10 @@ private fun LegendValue(scene: GraphScene, id: Int, line: DrawnLine) {
     val style = remember(palette) { TextStyle(color = palette.text, fontSize = 12.sp, fontWeight = FontWeight.Medium) }
     val unit = remember(palette) { TextStyle(color = palette.muted, fontSize = 12.sp) }
     Spacer(
-        Modifier.width(if (line.signal.states == null) 104.dp else 84.dp).height(17.dp).drawBehind {
+        Modifier.width(valueWidth(line, isComparing = scene.view.secondCursor != null)).height(17.dp).drawBehind {
             val picture = scene.pictureOf(scene.plots.state(id))
             fun measured(isShort: Boolean): TextLayoutResult {
-                val text = readingOf(picture, line, scene.view.cursor, isShort)
+                val text = readingOf(picture, line, scene.view.cursor, isShort, scene.view.secondCursor)
                 return letters.measure(
                     text.ifEmpty { picture?.legendOf(line) ?: unitText(line.signal.unit) },
                     if (text.isEmpty()) unit else style,
@@ -134,11 +151,23 @@ private fun LegendValue(scene: GraphScene, id: Int, line: DrawnLine) {
 /** What stands beside [line] while there is no cursor: its unit, and which axis it has where that is not the left one. */
 private fun PlotPicture.legendOf(line: DrawnLine): String? = lines.find { it.line == line }?.let { axes[it.axis].axis.legend }
 
-/** What [line] says at the [cursor]; empty without a cursor, and while [picture] does not have the line yet. */
-internal fun readingOf(picture: PlotPicture?, line: DrawnLine, cursor: Double?, isShort: Boolean = false): String {
+private fun valueWidth(line: DrawnLine, isComparing: Boolean) = when {
+    isComparing -> if (line.signal.states == null) 330.dp else 180.dp
+    line.signal.states == null -> 104.dp
+    else -> 84.dp
+}
+
+/**
+ * What [line] says at the [cursor], compared with a [second] one; empty without a cursor, and while [picture] does not have the line
+ * yet.
+ */
+internal fun readingOf(picture: PlotPicture?, line: DrawnLine, cursor: Double?, isShort: Boolean = false, second: Double? = null): String {
     if (picture == null || cursor == null) return ""
     val isThere = picture.lines.any { it.line == line } || picture.lanes.any { it.line == line }
-    return if (isThere) valueText(line.signal, cursor - line.offset, isShort) else ""
+    if (!isThere) return ""
+    val a = cursor - line.offset
+    if (second == null) return valueText(line.signal, a, isShort)
+    return line.signal.line.comparisonText(a, second - line.offset, line.recording.view.xAxis.unit) { line.signal.numberText(it, isShort) }
 }
 
 private const val HIDDEN = 0.3f

@@ -24,14 +24,17 @@ import androidx.compose.ui.layout.onSizeChanged
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.TextMeasurer
+import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.dp
 import badlog.analysis.Span
 import badlog.plot.board.BoardGraph
 import badlog.plot.outline.everChanges
 import badlog.plot.timeline.FindingMarks
-import badlog.viewer.graph.mark.drawEnabled
+import badlog.plot.timeline.ModeBands
 import badlog.viewer.graph.mark.drawEventMarks
 import badlog.viewer.graph.mark.drawFindings
+import badlog.viewer.graph.mark.drawModes
 import badlog.viewer.graph.mark.drawShownFinding
 import badlog.viewer.graph.plot.OVERVIEW
 import badlog.viewer.graph.plot.PictureEffect
@@ -52,6 +55,8 @@ internal fun Overview(scene: GraphScene) {
     val state = scene.plots.state(OVERVIEW)
     val density = LocalDensity.current.density
     val marks = remember { FindingMarks() }
+    val bands = remember { ModeBands() }
+    val letters = rememberTextMeasurer()
     val spec = remember(scene.current.recording) { scene.current.recording?.let(::overviewSpec) }
     PictureEffect(state, scene.plots.curves) {
         val size = state.size
@@ -70,7 +75,11 @@ internal fun Overview(scene: GraphScene) {
                 .semantics { contentDescription = "Overview" }
                 .overviewPointer(scene),
         ) {
-            Spacer(Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind { drawWhole(scene, state, marks, palette) })
+            Spacer(
+                Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind {
+                    drawWhole(scene, state, marks, bands, letters, palette)
+                },
+            )
             Spacer(Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind { drawWindow(scene, palette) })
         }
         HorizontalDivider(Modifier.align(Alignment.BottomCenter))
@@ -87,10 +96,17 @@ internal fun overviewSpec(open: OpenRecording): BoardGraph? {
     return BoardGraph(OVERVIEW, chosen.name, listOf(chosen.name))
 }
 
-private fun DrawScope.drawWhole(scene: GraphScene, state: PlotState, marks: FindingMarks, palette: Palette) {
+private fun DrawScope.drawWhole(
+    scene: GraphScene,
+    state: PlotState,
+    marks: FindingMarks,
+    bands: ModeBands,
+    letters: TextMeasurer,
+    palette: Palette,
+) {
     val full = scene.view.viewport.full
     drawRect(palette.page)
-    drawEnabled(scene.current.recording?.enabled.orEmpty(), full, palette)
+    drawModes(scene.current.recording?.modes, bands, full, palette, letters)
     scene.pictureOf(state)?.let { drawLines(it, full) }
     drawEventMarks(scene.events.matching, full, palette, hasLines = false)
     drawFindings(scene.findings.state.list?.timeline, marks, full, palette)
@@ -101,7 +117,7 @@ private fun DrawScope.drawWindow(scene: GraphScene, palette: Palette) {
     scene.findings.state.shown?.let { drawShownFinding(it, full, palette) }
     scene.view.selection?.let { drawSelection(it, full, palette) }
     if (scene.view.viewport.isZoomed) drawVisible(scene.view.viewport.visible, full, palette)
-    scene.view.cursor?.let { drawCursorLine(it, full, palette) }
+    drawCursors(scene.view.cursors, full, palette)
 }
 
 private fun DrawScope.drawVisible(visible: Span, full: Span, palette: Palette) {

@@ -13,6 +13,7 @@ import androidx.compose.ui.draw.drawBehind
 import androidx.compose.ui.geometry.CornerRadius
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Size
+import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.input.pointer.PointerIcon
 import androidx.compose.ui.input.pointer.pointerHoverIcon
@@ -28,7 +29,9 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.analysis.Span
 import badlog.plot.axis.Ticks
+import badlog.plot.cursor.Cursors
 import badlog.plot.text.cursorText
+import badlog.plot.text.differenceText
 import badlog.viewer.graph.plot.pixelOf
 import badlog.viewer.graph.scene.GraphScene
 import badlog.viewer.graph.scene.plotPointer
@@ -54,10 +57,13 @@ internal fun XAxisBar(scene: GraphScene) {
                     val axis = scene.current.recording?.view?.xAxis ?: return@drawBehind
                     val visible = scene.view.viewport.visible
                     drawPlaces(visible, axis.title, letters, style, palette)
-                    val cursor = scene.view.cursor ?: return@drawBehind
-                    if (cursor !in visible) return@drawBehind
-                    val text = cursorText(cursor, axis, visible.width, scene.current.recording?.enabled.orEmpty())
-                    drawFlag(pixelOf(cursor, visible, size.width), text, scene.view.isCursorPinned, letters, strong, palette)
+                    val clocks = scene.current.recording?.clocks
+                    for (flag in flagsOf(scene.view.cursors, palette)) {
+                        if (flag.x !in visible) continue
+                        val other = if (flag.isMain) clocks?.textAt(flag.x) else flag.from?.let { differenceText(it, flag.x, axis) }
+                        val text = flag.name + cursorText(flag.x, axis, visible.width, other.orEmpty())
+                        drawFlag(pixelOf(flag.x, visible, size.width), text, flag.color, letters, strong)
+                    }
                 },
         )
     }
@@ -85,13 +91,25 @@ private fun DrawScope.drawPlaces(visible: Span, title: String, letters: TextMeas
     }
 }
 
-/** Where the cursor stands, in words; framed by the accent's color while it is pinned. */
-private fun DrawScope.drawFlag(x: Float, text: String, isPinned: Boolean, letters: TextMeasurer, style: TextStyle, palette: Palette) {
+/** What stands on the axis at [x], called [name]: with all clocks where it [isMain], or else the distance from another cursor at [from]. */
+private class Flag(val x: Double, val name: String, val color: Color, val isMain: Boolean, val from: Double? = null)
+
+/** The flags of [cursors], the more important ones last: in the accent's color what is pinned. */
+private fun flagsOf(cursors: Cursors, palette: Palette): List<Flag> {
+    val (a, b, hover) = cursors
+    return listOfNotNull(
+        hover?.let { Flag(it, "", if (a == null) palette.cursor else palette.muted, isMain = a == null, from = a) },
+        b?.let { Flag(it, "B ", palette.accent, isMain = false, from = a) },
+        a?.let { Flag(it, if (b == null) "" else "A ", palette.accent, isMain = true) },
+    )
+}
+
+/** Where a cursor stands, in words. */
+private fun DrawScope.drawFlag(x: Float, text: String, color: Color, letters: TextMeasurer, style: TextStyle) {
     val layout = letters.measure(text, style, softWrap = false, maxLines = 1)
     val margin = GAP * density / 2
     val width = layout.size.width + 2 * margin
     val left = (x - width / 2).coerceIn(0f, maxOf(0f, size.width - width))
-    val color = if (isPinned) palette.accent else palette.cursor
     drawRoundRect(color, Offset(left, 1f), Size(width, size.height - 3 * density), CornerRadius(3 * density))
     drawText(layout, topLeft = Offset(left + margin, (size.height - 2 * density - layout.size.height) / 2))
 }

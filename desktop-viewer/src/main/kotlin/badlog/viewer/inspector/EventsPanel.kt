@@ -93,10 +93,7 @@ private fun EventList(view: AxisView, open: OpenRecording, found: EventTimeline)
             items(found.size) { index ->
                 EventLine(found, index, times, isTopicShown = open.eventLogs.size > 1, nearest) {
                     val x = found.x[index]
-                    if (x.isFinite()) {
-                        view.placeCursor(x)
-                        view.change { revealing(x) }
-                    }
+                    if (x.isFinite()) view.goTo(x)
                 }
             }
         }

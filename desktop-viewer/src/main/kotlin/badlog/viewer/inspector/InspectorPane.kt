@@ -43,7 +43,7 @@ import badlog.viewer.view.AxisView
 import kotlinx.coroutines.launch
 import java.awt.datatransfer.StringSelection
 
-/** The panel at the right: events, values, problems, statistics, findings. */
+/** The panel at the right: events, metadata, problems, statistics, findings, values at the cursor. */
 @Composable
 internal fun InspectorPane(
     current: CurrentRecording,
@@ -81,6 +81,7 @@ internal fun InspectorPane(
                 InspectorTab.VALUES -> ValuesPanel(open, Modifier.fillMaxSize())
                 InspectorTab.PROBLEMS -> ProblemsPanel(open, Modifier.fillMaxSize())
                 InspectorTab.STATISTICS -> StatisticsPanel(compared, board, view, panels, open, Modifier.fillMaxSize())
+                InspectorTab.CURSOR -> CursorPanel(board, view, open, Modifier.fillMaxSize())
                 InspectorTab.FINDINGS -> FindingsPanel(compared, findings, view, board, open, Modifier.fillMaxSize())
                 InspectorTab.NOTES -> NotesPanel(notes, view, open, Modifier.fillMaxSize())
             }
@@ -122,7 +123,7 @@ private fun countOf(tab: InspectorTab, findings: LogFindings, notes: LogNotes, o
     InspectorTab.EVENTS -> open.eventLogs.sumOf { it.topic.texts.size }
     InspectorTab.VALUES -> open.view.recording.values.size
     InspectorTab.PROBLEMS -> problemsIn(open.view)
-    InspectorTab.STATISTICS -> null
+    InspectorTab.STATISTICS, InspectorTab.CURSOR -> null
     InspectorTab.FINDINGS -> findings.state.list?.all?.size
     InspectorTab.NOTES -> notes.state.notes.size
 }

@@ -2,11 +2,15 @@ package badlog.viewer.inspector
 
 import badlog.analysis.SeriesStatistics
 import badlog.analysis.Span
+import badlog.analysis.StateRuns
 import badlog.analysis.statisticsOf
+import badlog.plot.statistics.StateTime
 import badlog.plot.statistics.Statistic
+import badlog.plot.statistics.timesOf
 import badlog.plot.text.exactText
 import badlog.recording.Topic
 import badlog.viewer.compare.DrawnRecording
+import badlog.viewer.recording.OpenRecording
 import badlog.viewer.recording.Signal
 
 /**
@@ -27,8 +31,8 @@ internal class RangeStatistics(val span: Span, val xUnit: String, val name: Stri
  */
 internal class SignalStatistics(val signal: String, val unit: String, val recording: String, val place: Int, val cells: List<StatCell>)
 
-/** A name and what stands beside it; [unit] is `ul` for none. */
-internal class StatCell(val name: String, val text: String, val unit: String)
+/** A name and what stands beside it, in a line of its own where it [isWide]; [unit] is `ul` for none. */
+internal class StatCell(val name: String, val text: String, val unit: String, val isWide: Boolean = false)
 
 /** The statistics of [names] over [part] in each of [drawn]; calculates them all, so not for the window's thread. */
 internal fun rangeStatistics(drawn: List<DrawnRecording>, names: List<String>, part: NamedSpan): RangeStatistics {
@@ -38,8 +42,10 @@ internal fun rangeStatistics(drawn: List<DrawnRecording>, names: List<String>, p
             val signal = recording.signal(name) ?: return@mapIndexedNotNull null
             if (signal.series.size == 0) return@mapIndexedNotNull null
             val statistics = recording.view.statisticsOf(signal.line, span.from - offset, span.to - offset)
-            val states = signal.states.orEmpty()
-            val cells = if (signal.hasFigures) cellsOf(signal, statistics, recording.view.xAxis.unit) else cellsOf(statistics, states)
+            val cells = when {
+                signal.hasFigures -> cellsOf(signal, statistics, recording.view.xAxis.unit)
+                else -> cellsOf(recording, signal, statistics, offset, span)
+            }
             SignalStatistics(name, signal.unit, if (drawn.size > 1) recordingName else "", place, cells)
         }
     }
@@ -53,11 +59,18 @@ private fun cellsOf(signal: Signal, statistics: SeriesStatistics, xUnit: String)
 }
 
 // What the numbers of states add up to means nothing.
-private fun cellsOf(statistics: SeriesStatistics, states: List<String>) = listOf(
-    StatCell("first", stateText(statistics.first, states), Topic.UNITLESS),
-    StatCell("last", stateText(statistics.last, states), Topic.UNITLESS),
-    StatCell("samples", statistics.count.toString(), Topic.UNITLESS),
-)
+private fun cellsOf(recording: OpenRecording, signal: Signal, statistics: SeriesStatistics, offset: Double, span: Span): List<StatCell> {
+    val states = signal.states.orEmpty()
+    val axis = recording.view.xAxis
+    val times = StateRuns(signal.series, recording.span.to).timesOf(states, span.from - offset, span.to - offset)
+    return listOf(
+        StatCell("first", stateText(statistics.first, states), Topic.UNITLESS),
+        StatCell("last", stateText(statistics.last, states), Topic.UNITLESS),
+        StatCell("samples", statistics.count.toString(), Topic.UNITLESS),
+    ) + times.take(StateTime.MOST).map {
+        StatCell("in ${it.state}", "${it.timeText(axis)}, ${it.count}×", Topic.UNITLESS, isWide = true)
+    }
+}
 
 private fun stateText(value: Double, states: List<String>) = if (value.isNaN()) "–" else states.getOrElse(value.toInt()) { "–" }
 

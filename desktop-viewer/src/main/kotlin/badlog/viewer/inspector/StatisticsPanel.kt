@@ -47,7 +47,7 @@ import kotlinx.coroutines.flow.conflate
 import kotlinx.coroutines.flow.map
 import kotlinx.coroutines.withContext
 
-/** The statistics of every drawn signal over the selection, or else over the visible range. */
+/** The statistics of every drawn signal over the selection, or else between both cursors, or over the visible range. */
 @Composable
 internal fun StatisticsPanel(
     compared: ComparedRecordings,
@@ -131,19 +131,25 @@ private fun SignalCells(signal: SignalStatistics) {
                 Text(signal.recording, color = palette.muted, fontSize = 12.sp, maxLines = 1, overflow = TextOverflow.Ellipsis)
             }
         }
-        for (pair in signal.cells.chunked(2)) {
+        val (wide, narrow) = signal.cells.partition { it.isWide }
+        for (pair in narrow.chunked(2)) {
             Row(Modifier.fillMaxWidth()) {
                 for (cell in pair) Cell(cell, Modifier.weight(1f))
                 if (pair.size == 1) Box(Modifier.weight(1f))
             }
         }
+        for (cell in wide) Cell(cell, Modifier.fillMaxWidth(), nameWidth = WIDE_NAME)
     }
 }
 
 @Composable
-private fun Cell(cell: StatCell, modifier: Modifier) {
+private fun Cell(cell: StatCell, modifier: Modifier, nameWidth: Int = NAME) {
     Row(modifier.padding(end = 4.dp)) {
-        Text(cell.name, Modifier.width(54.dp), color = LocalPalette.current.muted, fontSize = 12.sp, maxLines = 1)
+        val muted = LocalPalette.current.muted
+        Text(cell.name, Modifier.width(nameWidth.dp), color = muted, fontSize = 12.sp, maxLines = 1, overflow = TextOverflow.Ellipsis)
         Text(withUnit(cell.text, cell.unit), Modifier.weight(1f), fontSize = 12.sp, maxLines = 1, overflow = TextOverflow.Ellipsis)
     }
 }
+
+private const val NAME = 54
+private const val WIDE_NAME = 130

@@ -145,6 +145,7 @@ private val KEYS = mapOf(
     "Backspace" to listOf(Key.Backspace),
     "[" to listOf(Key.LeftBracket),
     "]" to listOf(Key.RightBracket),
+    "B" to listOf(Key.B),
     "E" to listOf(Key.E),
     "F" to listOf(Key.F),
     "N" to listOf(Key.N),
@@ -154,6 +155,7 @@ private val KEYS = mapOf(
     "Z" to listOf(Key.Z),
     "↑" to listOf(Key.DirectionUp),
     "↓" to listOf(Key.DirectionDown),
+    "V" to listOf(Key.V),
 )
 
 /** A key with the modifiers that must be held; [ctrl] is the command key on a Mac. */

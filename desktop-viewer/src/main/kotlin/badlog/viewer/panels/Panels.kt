@@ -50,6 +50,7 @@ internal enum class InspectorTab(val title: String, val icon: ImageVector) {
     STATISTICS("Statistics", Icons.Sigma),
     FINDINGS("Findings", Icons.Diamond),
     NOTES("Notes", Icons.Note),
+    CURSOR("Values", Icons.Table),
 }
 
 /** What statistics are of. */

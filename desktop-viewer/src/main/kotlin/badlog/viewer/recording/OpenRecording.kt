@@ -16,7 +16,9 @@ import badlog.plot.cursor.CursorSteps
 import badlog.plot.formula.Formula
 import badlog.plot.formula.formulasOf
 import badlog.plot.range.Viewport
+import badlog.plot.timeline.Clocks
 import badlog.plot.timeline.EventTimeline
+import badlog.plot.timeline.ModeTimeline
 import badlog.rules.BUILT_IN
 import badlog.rules.FolderRules
 import badlog.rules.RuleSet
@@ -89,6 +91,12 @@ internal class OpenRecording(
     /** When the robot was enabled; empty when that is unknown. */
     val enabled: List<EnabledSpan> by lazy { view.enabledSpans() }
 
+    /** When it was in which mode. */
+    val modes: ModeTimeline by lazy { ModeTimeline.of(view) }
+
+    /** The clocks besides the x axis. */
+    val clocks: Clocks by lazy { Clocks(view, modes) }
+
     /** All of the x axis that has samples; wider than that where there is a single x. */
     val span: Span = Viewport.of(view.xAxis.range).full
 
@@ -114,6 +122,7 @@ internal class OpenRecording(
     /** Finds out now what the first frame needs, so that the window's thread does not have to. */
     private fun prepare() {
         enabled
+        modes
         events
     }
 

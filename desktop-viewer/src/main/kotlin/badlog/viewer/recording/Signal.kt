@@ -52,6 +52,9 @@ internal class Signal(val name: String, val isDerived: Boolean, val line: GraphS
 
     /** Its samples; the first call may calculate them, so not to be called while drawing. */
     val series: Series get() = line.data
+
+    /** A number of it as text: a logged one exact, a calculated one without the digits that a calculation makes up. */
+    fun numberText(number: Double, isShort: Boolean = false): String = if (isDerived || isShort) roundedText(number) else exactText(number)
 }
 
 /**
@@ -61,5 +64,5 @@ internal class Signal(val name: String, val isDerived: Boolean, val line: GraphS
  */
 internal fun valueText(signal: Signal, position: Double?, isShort: Boolean = false): String {
     val index = if (position == null) signal.series.size - 1 else signal.line.indexAt(position)
-    return signal.line.textOf(index) { withUnit(if (signal.isDerived || isShort) roundedText(it) else exactText(it), signal.unit) }
+    return signal.line.textOf(index) { withUnit(signal.numberText(it, isShort), signal.unit) }
 }

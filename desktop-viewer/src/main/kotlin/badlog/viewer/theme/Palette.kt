@@ -7,7 +7,9 @@ import androidx.compose.ui.graphics.compositeOver
 import badlog.plot.color.LINE_COLORS
 import badlog.plot.color.Shade
 import badlog.plot.color.lineColor
+import badlog.plot.color.modeShade
 import badlog.plot.color.stateOpacity
+import badlog.plot.timeline.RobotMode
 
 /** The colors of a theme, see [Shade]; the same as those of an exported page. */
 @Immutable
@@ -35,6 +37,9 @@ internal class Palette private constructor(val isDark: Boolean) {
 
     /** The color of a lane in state [index], from 0: a line's color, quiet enough for text upon it. */
     fun state(index: Int): Color = line(index).copy(alpha = stateOpacity(isDark).toFloat()).compositeOver(surface)
+
+    /** The color that shades [mode]. */
+    fun mode(mode: RobotMode): Color = of(modeShade(mode))
 
     private fun of(shade: Shade) = opaque(shade.of(isDark))
 

@@ -81,14 +81,18 @@ internal fun ToolButton(
 }
 
 /** Explains [content] by [text] when the pointer rests on it. */
+@Composable
+internal fun Tip(text: String, modifier: Modifier = Modifier, content: @Composable () -> Unit) = Tip({ text }, modifier, content)
+
+/** The same with a text that is only found out then. */
 @OptIn(ExperimentalFoundationApi::class)
 @Composable
-internal fun Tip(text: String, modifier: Modifier = Modifier, content: @Composable () -> Unit) {
+internal fun Tip(text: () -> String, modifier: Modifier = Modifier, content: @Composable () -> Unit) {
     TooltipArea(
         tooltip = {
             val palette = LocalPalette.current
             Text(
-                text,
+                remember(text) { text() },
                 Modifier
                     .widthIn(max = 420.dp)
                     .border(1.dp, palette.border, RoundedCornerShape(4.dp))

@@ -5,6 +5,7 @@ import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import badlog.analysis.Span
+import badlog.plot.cursor.Cursors
 import badlog.plot.range.Viewport
 
 /**
@@ -20,11 +21,17 @@ internal class AxisView {
     /** Which part of x is visible. */
     val viewport: Viewport by derivedStateOf { state.viewport }
 
-    /** Where on x the cursor stands, the same in all graphs; null for nowhere. */
-    val cursor: Double? by derivedStateOf { state.cursor }
+    /** The cursors, the same in all graphs. */
+    val cursors: Cursors by derivedStateOf { state.cursors }
+
+    /** Where on x values are read; null for nowhere. */
+    val cursor: Double? by derivedStateOf { state.cursors.x }
 
     /** Whether the cursor stays where it is rather than going with the pointer. */
-    val isCursorPinned: Boolean by derivedStateOf { state.isCursorPinned }
+    val isCursorPinned: Boolean by derivedStateOf { state.cursors.isPinned }
+
+    /** Where the cursor stands that is compared with the first; null for nowhere. */
+    val secondCursor: Double? by derivedStateOf { state.cursors.second }
 
     /** The part of x that a person has selected, or null. */
     val selection: Span? by derivedStateOf { state.selection }
@@ -42,24 +49,22 @@ internal class AxisView {
         state = state.copy(viewport = state.viewport.transition())
     }
 
-    /** Places the cursor at [x], null for nowhere. */
-    fun placeCursor(x: Double?, isPinned: Boolean = state.isCursorPinned) {
-        state = state.copy(cursor = x, isCursorPinned = isPinned)
+    /** Puts the cursors where [step] leads to. */
+    fun changeCursors(step: Cursors.() -> Cursors) {
+        state = state.copy(cursors = state.cursors.step())
     }
 
-    /** Lets the cursor go with the pointer again. */
-    fun unpinCursor() {
-        state = state.copy(isCursorPinned = false)
-    }
+    /** Places the cursor at [x], as it is: pinned, or where the pointer could be. */
+    fun placeCursor(x: Double) = changeCursors { if (isPinned) pinnedAt(x) else hovering(x) }
 
     /** Pins the cursor at [x], and shows that. */
     fun goTo(x: Double) {
-        state = state.copy(cursor = x, isCursorPinned = true, viewport = state.viewport.revealing(x))
+        state = state.copy(cursors = state.cursors.pinnedAt(x), viewport = state.viewport.revealing(x))
     }
 
     /** Pins the cursor at [x], and shows what is around [span]. */
     fun goTo(x: Double, span: Span) {
-        state = state.copy(cursor = x, isCursorPinned = true, viewport = state.viewport.around(span.from, span.to).revealing(x))
+        state = state.copy(cursors = state.cursors.pinnedAt(x), viewport = state.viewport.around(span.from, span.to).revealing(x))
     }
 
     /** Selects [span]; null for nothing. */
@@ -73,7 +78,7 @@ internal class AxisView {
     }
 
     /**
-     * Cancels what a person is in the middle of: a drag, else the selection, else the pinned cursor, else the cursor.
+     * Cancels what a person is in the middle of: a drag, else the selection, else the second cursor, else the pinned one, else the cursor.
      *
      * @return whether there was anything.
      */
@@ -83,16 +88,14 @@ internal class AxisView {
         state = when {
             gesture != null -> before.copy(gesture = null, viewport = gesture.before)
             before.selection != null -> before.copy(selection = null)
-            before.isCursorPinned -> before.copy(isCursorPinned = false)
-            else -> before.copy(cursor = null)
+            else -> before.copy(cursors = before.cursors.cancelled())
         }
         return state != before
     }
 
     private data class AxisState(
         val viewport: Viewport = Viewport(Span(0.0, 1.0)),
-        val cursor: Double? = null,
-        val isCursorPinned: Boolean = false,
+        val cursors: Cursors = Cursors(),
         val selection: Span? = null,
         val gesture: PlotGesture? = null,
     )

@@ -130,16 +130,16 @@ class GraphPaneSpec : FunSpec({
         heights(listOf(0, 0, 0), room = 300) shouldBe listOf(100, 100, 100)
         heights(listOf(0, 0, 0), room = 170) shouldBe listOf(150, 150, 150)
         heights(listOf(0, 2, 0), room = 300).let {
-            it[1] shouldBe 72
-            it[0] shouldBe 114
+            it[1] shouldBe 64
+            it[0] shouldBe 118
         }
-        heights(listOf(0, 2), room = 300, own = 200) shouldBe listOf(200, 72)
+        heights(listOf(0, 2), room = 300, own = 200) shouldBe listOf(200, 64)
         heights(emptyList(), room = 300) shouldBe emptyList()
     }
 
     test("each key has a meaning of its own") {
         val viewer = viewerOf(recordingOf(bagOf(101) { 0.0 }))
-        val commands = actionCommands(viewer.current, viewer.view, viewer.board, viewer.formulas, viewer.findings)
+        val commands = actionCommands(viewer.current, viewer.view, viewer.board, viewer.formulas, viewer.findings, viewer.panels)
         commands.map { it.meaning }.distinct().size shouldBe commands.size
         val right = commands.first { it.meaning == "Cursor to the next sample" }
         viewer.view.placeCursor(5.0)

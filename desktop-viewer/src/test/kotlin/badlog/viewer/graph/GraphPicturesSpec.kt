@@ -7,6 +7,7 @@ import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.analysis.Span
 import badlog.plot.board.Board
+import badlog.plot.cursor.Cursors
 import badlog.viewer.theme.Palette
 import badlog.viewer.theme.Theme
 import io.kotest.core.spec.style.FunSpec
@@ -30,7 +31,7 @@ class GraphPicturesSpec : FunSpec({
         val names = listOf("System/Battery Voltage", "PDP/Total Current", "Drivetrain/Gear")
         viewer.board.replace(Board().withGraph(names).withGraph(names.take(1)).withGraph(listOf("Elevator/Position")))
         viewer.view.change { showing(85.0, 102.0) }
-        viewer.view.placeCursor(93.7, isPinned = true)
+        viewer.view.changeCursors { Cursors(pinned = 93.7, second = 97.0, hover = 100.0) }
         viewer.view.select(Span(92.0, 97.2))
         runDesktopComposeUiTest(1100, 860) {
             setContent { TestGraphs(viewer, Theme.DARK) }

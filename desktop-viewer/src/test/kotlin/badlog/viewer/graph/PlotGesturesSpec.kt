@@ -211,6 +211,25 @@ class PlotGesturesSpec : FunSpec({
         }
     }
 
+    test("a click with Shift sets a second cursor, which Escape takes away first, and the pointer moves neither") {
+        graph { viewer ->
+            plot().performMouseInput { click(Offset(width * 0.3f, centerY)) }
+            plot().performMultiModalInput {
+                key { keyDown(Key.ShiftLeft) }
+                mouse { click(Offset(width * 0.5f, centerY)) }
+                key { keyUp(Key.ShiftLeft) }
+                mouse { moveTo(Offset(width * 0.8f, centerY)) }
+            }
+            viewer.view.cursor.shouldNotBeNull() shouldBe (30.0 plusOrMinus 0.2)
+            viewer.view.secondCursor.shouldNotBeNull() shouldBe (50.0 plusOrMinus 0.2)
+            viewer.view.cursors.hover.shouldNotBeNull() shouldBe (80.0 plusOrMinus 0.2)
+            viewer.view.viewport.isZoomed shouldBe false
+            viewer.view.cancel()
+            viewer.view.secondCursor.shouldBeNull()
+            viewer.view.isCursorPinned shouldBe true
+        }
+    }
+
     test("the wheel over the title is left to the list") {
         graph { viewer ->
             onNodeWithContentDescription("Graph A/Voltage").performMouseInput {

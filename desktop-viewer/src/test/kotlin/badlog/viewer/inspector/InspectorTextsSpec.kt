@@ -1,9 +1,12 @@
 package badlog.viewer.inspector
 
 import badlog.analysis.Span
+import badlog.plot.board.Board
+import badlog.plot.cursor.CursorValues
 import badlog.recording.Problem
 import badlog.recording.ProblemKind
 import badlog.viewer.bagOf
+import badlog.viewer.board.GraphBoard
 import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.recordingOf
 import io.kotest.core.spec.style.FunSpec
@@ -41,6 +44,19 @@ class InspectorTextsSpec : FunSpec({
         EventTimes(recordingOf(bagOf(listOf("Time|xaxis", "A"), listOf("0,1")))).sinceEnabled(0.0) shouldBe null
     }
 
+    test("values at the cursor are those of the graphs, or of a search, and what just changed comes first") {
+        val open = recordingOf(bagOf(listOf("Time|xaxis", "A", "B", "Mode"), listOf("0,1,5,off", "1,1,5,off", "2,1,9,off", "3,1,9,on")))
+        val board = GraphBoard()
+        board.replace(Board().withGraph(listOf("A", "B")))
+        cursorSignals(open, board, "").map { it.name } shouldContainExactly listOf("A", "B")
+        cursorSignals(open, board, "mo").map { it.name } shouldContainExactly listOf("Mode")
+        val shown = cursorSignals(open, board, "")
+        val values = CursorValues(shown.map { it.line }, open.view.xAxis)
+        cursorRows(shown, values, 2.0).map { it.name to it.text } shouldContainExactly listOf("B" to "9 V", "A" to "1 V")
+        cursorRows(shown, values, 0.0).map { it.name } shouldContainExactly listOf("A", "B")
+        cursorRows(shown, values, null).map { it.text } shouldContainExactly listOf("", "")
+    }
+
     test("statistics are those of the range in each recording where it stands, and go to a spreadsheet") {
         val open = recordingOf(bagOf(listOf("Time|xaxis", "A", "Mode"), listOf("0,1,off", "1,3,o\tn", "2,5,o\tn", "3,9,o\tn")))
         val other = recordingOf(bagOf(listOf("Time|xaxis", "A"), listOf("10,1", "11,4", "12,6")), "other.bag")
@@ -56,7 +72,7 @@ class InspectorTextsSpec : FunSpec({
         cells(0)["last − first"] shouldBe "2"
         cells(0)["integral"] shouldBe "3"
         cells(1)["max"] shouldBe "6"
-        cells(2) shouldBe mapOf("first" to "o\tn", "last" to "o\tn", "samples" to "2")
+        cells(2) shouldBe mapOf("first" to "o\tn", "last" to "o\tn", "samples" to "2", "in o\tn" to "1 V, 1×")
         val lines = statistics.toTsv().lines()
         lines.map { it.count { char -> char == '\t' } }.dropLast(1).distinct().size shouldBe 1
         lines[1].split('\t').take(5) shouldContainExactly listOf("A", "V", "test.bag", "1", "2")

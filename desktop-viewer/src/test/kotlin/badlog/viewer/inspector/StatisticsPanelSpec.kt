@@ -1,6 +1,7 @@
 package badlog.viewer.inspector
 
 import badlog.analysis.Span
+import badlog.plot.cursor.Cursors
 import badlog.viewer.app.Viewer
 import badlog.viewer.findings.counted
 import badlog.viewer.graph.sample
@@ -20,7 +21,7 @@ class StatisticsPanelSpec : FunSpec({
         fun asked() = askedFor(viewer.compared, viewer.board, viewer.view)
         viewer.show(counted(home))
         val before = asked()
-        for (x in listOf(3.0, 4.0, null)) {
+        for (x in listOf(3.0, 4.0)) {
             viewer.view.placeCursor(x)
             asked() shouldBe before
         }
@@ -31,6 +32,8 @@ class StatisticsPanelSpec : FunSpec({
         asked().part shouldBe NamedSpan("Selection", Span(12.0, 13.0))
         viewer.view.select(null)
         asked() shouldBe zoomed
+        viewer.view.changeCursors { pinnedAt(15.0).shiftClicked(12.0, 0.1) }
+        asked().part shouldBe NamedSpan(Cursors.BETWEEN, Span(12.0, 15.0))
     }
 
     test("statistics are of what is shown, of the time enabled, or of all") {

@@ -11,7 +11,7 @@ import badlog.plot.color.LINE_COLORS
 import badlog.plot.cursor.dotAt
 import org.w3c.dom.HTMLElement
 
-/** The cursor over one plot: its line, a dot on each curve, and the event and the finding it points at. */
+/** The cursors over one plot: their lines, a dot on each curve where values are read, and the event and the finding pointed at. */
 internal class CursorOverlay(
     private val graph: Graph,
     private val scene: Scene,
@@ -19,6 +19,8 @@ internal class CursorOverlay(
     private val plot: Plot,
 ) {
     private val line = plot.over.add("div", "cursor-line")
+    private val second = plot.over.add("div", "cursor-line is-second")
+    private val pointer = plot.over.add("div", "cursor-line is-pointer")
     private val eventLabel = plot.over.add("div", "event-label")
     private val findingLabel = plot.over.add("div", "finding-label")
     private val dots = graph.series.indices.map { plot.over.add("div", "cursor-dot line-${it % LINE_COLORS}") }
@@ -27,24 +29,35 @@ internal class CursorOverlay(
         update()
     }
 
-    /** Puts everything where the cursor is now. */
+    /** Puts everything where the cursors are now. */
     fun update() {
-        val now = scene.range.now
+        val cursors = scene.cursor.now
+        val width = plot.frameWidth
+        line.classList.toggle("is-pinned", cursors.isPinned)
+        line.classList.toggle("is-first", cursors.second != null)
+        placeLine(line, cursors.x, width)
+        placeLine(second, cursors.second, width)
+        placeLine(pointer, cursors.hover.takeIf { cursors.isPinned }, width)
         val x = scene.cursor.x
-        val isSeen = scene.cursor.isPlaced && x >= now.from && x <= now.to
-        line.isHidden = !isSeen
-        val said = if (isSeen) scene.noteAt(x)?.text ?: scene.eventAt(x)?.text else null
-        val findings = if (isSeen) scene.findingsAt(x) else emptyList()
+        dots.forEachIndexed { index, dot -> if (isSeen(x)) place(dot, index, x, width) else dot.isHidden = true }
+        label(cursors.pointed ?: Double.NaN, width)
+    }
+
+    private fun isSeen(x: Double) = x in scene.range.now
+
+    private fun pixelOf(x: Double, width: Double) = (x - scene.range.now.from) / scene.range.now.width * width
+
+    private fun placeLine(line: HTMLElement, x: Double?, width: Double) {
+        line.isHidden = x == null || !isSeen(x)
+        if (x != null) line.style.transform = "translateX(${pixelOf(x, width)}px)"
+    }
+
+    private fun label(x: Double, width: Double) {
+        val said = if (isSeen(x)) scene.noteAt(x)?.text ?: scene.eventAt(x)?.text else null
+        val findings = if (isSeen(x)) scene.findingsAt(x) else emptyList()
         eventLabel.isHidden = said == null
         findingLabel.isHidden = findings.isEmpty()
-        if (!isSeen) {
-            for (dot in dots) dot.isHidden = true
-            return
-        }
-        val width = plot.frameWidth
-        val pixel = (x - now.from) / now.width * width
-        line.style.transform = "translateX(${pixel}px)"
-        dots.forEachIndexed { index, dot -> place(dot, index, x, width) }
+        val pixel = pixelOf(x, width)
         if (said != null) show(eventLabel, said, pixel, width)
         if (findings.isEmpty()) return
         findingLabel.className = "finding-label is-${findings[0].word}"

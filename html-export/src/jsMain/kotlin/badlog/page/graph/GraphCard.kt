@@ -40,10 +40,10 @@ internal class GraphCard(
         private set
 
     private val isShown = BooleanArray(graph.series.size)
-    private val legend = Legend(graph, ::toggle)
     private val searched = SearchedGraph(graph, scene)
     private var found: List<Boolean>? = null
     private val statistics = StatisticsTable(graph, scene)
+    private val legend = Legend(graph, statistics::hintOf, ::toggle)
     private lateinit var host: HTMLElement
     private lateinit var statisticsButton: HTMLElement
     private var plot: Plot? = null
@@ -71,12 +71,10 @@ internal class GraphCard(
             appendChild(legend.element)
             tools = add("div", "graph-tools") {
                 resetButton = addIconButton("reset-y", Icon.RESET, "Reset Y zoom") { resetY() }
-                if (!graph.showsStates) {
-                    statisticsButton = addIconButton("statistics-toggle", Icon.SUM, "Statistics of the visible range") {
-                        toggleStatistics()
-                    }
-                    statisticsButton.setAttribute("aria-expanded", "false")
+                statisticsButton = addIconButton("statistics-toggle", Icon.SUM, "Statistics of the visible range, or between the cursors") {
+                    toggleStatistics()
                 }
+                statisticsButton.setAttribute("aria-expanded", "false")
                 addIconButton("save-image", Icon.IMAGE, "Save as an image") { saveImage() }
                 if (onLook == null) pinButton = addIconButton("pin", Icon.PIN, "Keep on the board (P)") { pin() }
             }
@@ -85,6 +83,7 @@ internal class GraphCard(
             setAttribute("tabindex", "0")
             setAttribute("role", "group")
             setAttribute("aria-label", "Graph of ${graph.name}; arrow keys move the cursor")
+            if (graph.showsStates) style.height = "${LaneContent.heightOf(graph)}px"
         }
         appendChild(statistics.element.apply { isHidden = true })
     }
@@ -160,7 +159,7 @@ internal class GraphCard(
         plot = drawn
         shown = content
         isStale = false
-        legend.update(scene.cursor)
+        legend.update(scene.cursor, scene.xAxis.unit)
         if (!statistics.element.isHidden) updateStatisticsSoon()
         resizing = ResizeObserver { drawn.resize(host.clientWidth) }.also { it.observe(host) }
     }
@@ -208,8 +207,9 @@ internal class GraphCard(
 
     /** Shows the cursor and the values where it is. */
     fun updateCursor() {
+        if (!statistics.element.isHidden && statistics.isOutdated) updateStatisticsSoon()
         overlay?.update() ?: return
-        legend.update(scene.cursor)
+        legend.update(scene.cursor, scene.xAxis.unit)
     }
 
     /** Draws again what is drawn, as it is now. */

@@ -21,7 +21,7 @@ internal class LaneContent(private val graph: Graph, private val palette: Palett
     private val blocks = LaneBlocks()
     private var span = Span(0.0, 1.0)
 
-    override val height: Int get() = LANE_HEIGHT * graph.series.size + AXIS_HEIGHT
+    override val height: Int get() = heightOf(graph)
     override val axes: List<GraphAxis> get() = emptyList()
     override val limits: List<Span> get() = emptyList()
 
@@ -53,6 +53,25 @@ internal class LaneContent(private val graph: Graph, private val palette: Palett
             for (block in 0 until blocks.size) drawBlock(context, block, names, lane * index, lane - GAP * ratio)
         }
         context.restore()
+        if (runs.size > 1) drawLaneNames(context, frame, lane)
+    }
+
+    /** The names of the lanes in the room at their left, or as much as there is room for. */
+    private fun drawLaneNames(context: CanvasRenderingContext2D, frame: PlotFrame, lane: Double) {
+        val ratio = window.devicePixelRatio
+        val room = frame.left - 2 * LaneLook.MARGIN * ratio
+        context.save()
+        context.font = "${LaneLook.LETTERS * ratio}px system-ui, sans-serif"
+        context.asDynamic().textBaseline = "middle"
+        context.asDynamic().textAlign = "right"
+        context.fillStyle = palette[Shade.MUTED]
+        graph.series.forEachIndexed { index, series ->
+            var letters = series.name.length
+            fun shown() = if (letters == series.name.length) series.name else series.name.take(letters) + "…"
+            while (letters > 1 && context.measureText(shown()).width > room) letters--
+            context.fillText(shown(), frame.left - LaneLook.MARGIN * ratio, frame.top + lane * (index + 0.5))
+        }
+        context.restore()
     }
 
     private fun drawBlock(context: CanvasRenderingContext2D, block: Int, names: List<String>, top: Double, height: Double) {
@@ -81,11 +100,11 @@ internal class LaneContent(private val graph: Graph, private val palette: Palett
         context.fillText(if (fits) name else name.take(letters - 1) + "…", left + LaneLook.MARGIN * ratio, middle)
     }
 
-    private companion object {
-        const val LANE_HEIGHT = 30
-        const val AXIS_HEIGHT = 38
-        const val GAP = 3
+    internal companion object {
+        /** How tall the plot of [graph] is with its axis, in CSS pixels. */
+        fun heightOf(graph: Graph): Int = LaneLook.HEIGHT * graph.series.size + Plot.MARGINS
 
-        const val LETTER_SHARE = 0.58
+        private const val GAP = 2
+        private const val LETTER_SHARE = 0.58
     }
 }

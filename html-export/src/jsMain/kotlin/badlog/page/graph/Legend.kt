@@ -10,6 +10,7 @@ import badlog.page.dom.showText
 import badlog.page.view.Cursor
 import badlog.plot.axis.graphAxes
 import badlog.plot.color.LINE_COLORS
+import badlog.plot.cursor.comparisonText
 import badlog.plot.cursor.indexAt
 import badlog.plot.cursor.textOf
 import badlog.plot.text.exactText
@@ -21,9 +22,10 @@ import org.w3c.dom.HTMLElement
 /**
  * The lines of a graph by name and color, each with its value at the cursor, read from the samples themselves.
  *
+ * @param statesOf says how long and how often a lane was in each state.
  * @param onToggle is called with the place of a line that a person wants to hide, or to see again.
  */
-internal class Legend(private val graph: Graph, private val onToggle: (Int) -> Unit) {
+internal class Legend(private val graph: Graph, private val statesOf: (Int) -> String, private val onToggle: (Int) -> Unit) {
     // The title says it already where a graph has but one line.
     val element: HTMLElement = element("div", if (graph.series.size == 1) "legend is-single" else "legend")
     private val names = legendNames(graph)
@@ -31,14 +33,17 @@ internal class Legend(private val graph: Graph, private val onToggle: (Int) -> U
     private val units = ArrayList<HTMLElement>()
     private val entries = graph.series.mapIndexed { index, series -> addEntry(index, series) }
 
-    private fun addEntry(index: Int, series: GraphSeries): HTMLElement =
-        element.addButton("legend-entry", "", "${series.topic.name} – press to hide or show this line") { onToggle(index) }.apply {
+    private fun addEntry(index: Int, series: GraphSeries): HTMLElement {
+        val hint = "${series.topic.name} – press to hide or show this line"
+        return element.addButton("legend-entry", "", hint) { onToggle(index) }.apply {
             setAttribute("data-series", series.name)
             add("span", "swatch line-${index % LINE_COLORS}")
             add("bdi", "legend-name", names[index])
             values += add("span", "value")
             units += add("bdi", "unit graph-unit")
+            if (graph.showsStates) addEventListener("pointerenter", { title = "$hint\n${statesOf(index)}" })
         }
+    }
 
     /** Says which lines are drawn, by [isShown] for each, and by which axis. */
     fun show(isShown: BooleanArray) {
@@ -54,15 +59,21 @@ internal class Legend(private val graph: Graph, private val onToggle: (Int) -> U
     /** Lists only the lines that are [found]; all for null. */
     fun list(found: List<Boolean>?) = entries.forEachIndexed { index, entry -> entry.isHidden = found?.get(index) == false }
 
-    /** Shows the values at [cursor]. */
-    fun update(cursor: Cursor) {
+    /** Shows the values at [cursor], whose x is in [xUnit]; compared where there is a second one. */
+    fun update(cursor: Cursor, xUnit: String) {
+        val a = cursor.now.x
+        val b = cursor.now.second
         graph.series.forEachIndexed { index, series ->
-            values[index].showText(if (cursor.isPlaced) valueAt(series, cursor.x) else "")
+            val text = when {
+                a == null -> ""
+                b == null -> series.textOf(series.indexAt(a), ::numberText)
+                else -> series.comparisonText(a, b, xUnit, ::numberText)
+            }
+            values[index].showText(text)
         }
     }
 
-    private fun valueAt(series: GraphSeries, x: Double): String =
-        series.textOf(series.indexAt(x)) { if (graph.isVirtual) roundedText(it) else exactText(it) }
+    private fun numberText(number: Double) = if (graph.isVirtual) roundedText(number) else exactText(number)
 }
 
 /** What the lines of [graph] are called where they stand together. */

@@ -86,6 +86,8 @@ internal class Plot(
         return PlotFrame(box.left, box.top, box.width, box.height, now.from, now.to)
     }
 
+    private fun drawGround(plot: UPlot) = drawModes(plot.ctx, frameOf(plot), scene)
+
     private fun draw(plot: UPlot) {
         val frame = frameOf(plot)
         content.draw(plot.ctx, frame)
@@ -112,7 +114,7 @@ internal class Plot(
                 Ticks.ofY(left, plot.bbox.height / window.devicePixelRatio)
             },
         ),
-        "hooks" to json("draw" to arrayOf(::draw), "setSize" to arrayOf(onSize)),
+        "hooks" to json("drawClear" to arrayOf(::drawGround), "draw" to arrayOf(::draw), "setSize" to arrayOf(onSize)),
     )
 
     private fun axis(scale: String, size: Int, ticksOf: (UPlot) -> Ticks): dynamic {
@@ -132,12 +134,15 @@ internal class Plot(
         )
     }
 
-    private companion object {
+    internal companion object {
         // Every plot has the same margins, so that one place on x is one place on the screen in all of them.
-        const val GUTTER = 62
-        const val RIGHT = 14
-        const val TOP = 6
-        const val X_AXIS_HEIGHT = 26
-        const val MIN_WIDTH = 100
+        private const val GUTTER = 62
+        private const val RIGHT = 14
+        private const val TOP = 6
+        private const val X_AXIS_HEIGHT = 26
+        private const val MIN_WIDTH = 100
+
+        /** How much of a plot's height is above and below its frame. */
+        const val MARGINS = TOP + X_AXIS_HEIGHT
     }
 }

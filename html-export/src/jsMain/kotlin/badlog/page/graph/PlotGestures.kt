@@ -5,6 +5,7 @@ import badlog.page.dom.add
 import badlog.page.dom.isHidden
 import badlog.page.dom.showText
 import badlog.page.view.Scene
+import badlog.plot.cursor.Cursors
 import badlog.plot.gesture.DoubleClick
 import badlog.plot.gesture.DragKind
 import badlog.plot.gesture.Wheel
@@ -17,7 +18,7 @@ import org.w3c.dom.pointerevents.PointerEvent
 import kotlin.math.abs
 
 /**
- * What a mouse or fingers do over a plot: those of [DragKind] and [Wheel]. Fingers set the cursor, drag, and pinch; a vertical swipe is
+ * What a mouse or fingers do over a plot: those of [DragKind], [Wheel] and [Cursors]. Fingers pin the cursor, drag, and pinch; a vertical swipe is
  * the browser's, and scrolls the page.
  *
  * @param onZoomY hears which part of the plot's height is to fill it, as shares from its top; null where y means nothing.
@@ -41,11 +42,14 @@ internal class PlotGestures(
     private var startY = 0.0
     private var lastX = 0.0
     private var hasMoved = false
+    private var isShifted = false
+    private var beforeTap = scene.cursor.now
 
     init {
         on("pointerdown") { press(it.unsafeCast<PointerEvent>()) }
         on("pointermove") { move(it.unsafeCast<PointerEvent>()) }
         on("pointerup") { release(it.unsafeCast<PointerEvent>()) }
+        on("pointerleave") { if (drag == null) scene.cursor.change { left() } }
         on("pointercancel") { cancel(it.unsafeCast<PointerEvent>()) }
         on("wheel") { wheel(it.unsafeCast<WheelEvent>()) }
     }
@@ -76,6 +80,7 @@ internal class PlotGestures(
         startSpan = range.now
         lastX = startX
         hasMoved = false
+        isShifted = event.shiftKey
         escape.take()
     }
 
@@ -84,7 +89,7 @@ internal class PlotGestures(
         if (pinch.move(event)) return
         val kind = drag
         if (kind == null) {
-            if (event.pointerType != TOUCH) scene.cursor.place(xAt(x))
+            if (event.pointerType != TOUCH) scene.cursor.change { hovering(xAt(x)) }
             return
         }
         val y = event.clientY.toDouble()
@@ -113,7 +118,7 @@ internal class PlotGestures(
         selection.style.transform = "translateX(${from}px)"
         selection.style.width = "${to - from}px"
         selection.showText("Δ " + lengthText((to - from) / box.width * range.now.width, scene.xAxis))
-        scene.cursor.place(xWithin(x))
+        scene.cursor.change { hovering(xWithin(x)) }
     }
 
     private fun selectY(y: Double) {
@@ -143,11 +148,21 @@ internal class PlotGestures(
     }
 
     private fun tap(x: Double) {
-        if (taps.isSecond(x, window.performance.now())) {
-            range.change { reset() }
-            onReset()
-        } else {
-            scene.cursor.place(xAt(x))
+        val reach = Cursors.REACH / over.clientWidth * range.now.width
+        when {
+            isShifted -> scene.cursor.change { shiftClicked(xAt(x), reach) }
+
+            taps.isSecond(x, window.performance.now()) -> {
+                // The first of the two was no click of its own.
+                scene.cursor.change { beforeTap }
+                range.change { reset() }
+                onReset()
+            }
+
+            else -> {
+                beforeTap = scene.cursor.now
+                scene.cursor.change { clicked(xAt(x), reach) }
+            }
         }
     }
 

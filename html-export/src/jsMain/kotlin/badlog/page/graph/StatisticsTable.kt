@@ -1,25 +1,42 @@
 package badlog.page.graph
 
 import badlog.analysis.Graph
+import badlog.analysis.Span
+import badlog.analysis.StateRuns
 import badlog.analysis.statisticsOf
 import badlog.page.dom.add
 import badlog.page.dom.element
 import badlog.page.view.Scene
 import badlog.plot.color.LINE_COLORS
+import badlog.plot.cursor.Cursors
+import badlog.plot.statistics.StateTime
 import badlog.plot.statistics.Statistic
+import badlog.plot.statistics.timesOf
 import badlog.plot.text.countText
 import org.w3c.dom.HTMLElement
 
-/** What each line of a graph does over the visible part of x, in figures. */
+/** What each line of a graph does between the cursors A and B, or else over the visible part of x, in figures. */
 internal class StatisticsTable(private val graph: Graph, private val scene: Scene) {
     val element: HTMLElement = element("div", "statistics")
 
-    /** Calculates the figures for what is visible now. */
+    private val runs by lazy { graph.series.map { StateRuns(it.data, scene.range.full.to) } }
+    private var shown: Span? = null
+
+    private val wanted get() = scene.cursor.now.between ?: scene.range.now
+
+    /** Whether the figures are those of another part of x. */
+    val isOutdated: Boolean get() = shown != wanted
+
+    /** Calculates the figures for now. */
     fun update() {
-        val now = scene.range.now
+        val now = wanted
+        shown = now
         element.textContent = ""
         element.add("table") {
-            add("caption", "", "${scene.xNumber(now.from)} – ${scene.xText(now.to)}. ${Statistic.BY_TIME}")
+            val name = if (scene.cursor.now.between == null) "" else "${Cursors.BETWEEN}: "
+            val how = if (graph.showsStates) "" else " ${Statistic.BY_TIME}"
+            add("caption", "", "$name${scene.xNumber(now.from)} – ${scene.xText(now.to)}.$how")
+            if (graph.showsStates) return@add addStates(now)
             add("thead").add("tr") {
                 add("th", "", "Line")
                 for (statistic in Statistic.entries) add("th", "", statistic.title).title = statistic.hint
@@ -42,6 +59,28 @@ internal class StatisticsTable(private val graph: Graph, private val scene: Scen
                                 if (isCount) countText(statistic.of(statistics).toInt()) else statistic.textOf(statistics, graph.isVirtual),
                             )
                         }
+                    }
+                }
+            }
+        }
+    }
+
+    /** How long and how often the lane [index] was in each state over what is looked at, line by line. */
+    fun hintOf(index: Int): String = timesOf(index, wanted).joinToString("\n") { it.text(scene.xAxis) }
+
+    private fun timesOf(index: Int, span: Span): List<StateTime> =
+        runs[index].timesOf(graph.series[index].states.orEmpty(), span.from, span.to).take(StateTime.MOST)
+
+    /** How long and how often each lane was in each state. */
+    private fun HTMLElement.addStates(now: Span) {
+        add("thead").add("tr") { for (title in StateTime.TITLES) add("th", "", title) }
+        add("tbody") {
+            graph.series.forEachIndexed { index, series ->
+                timesOf(index, now).forEachIndexed { place, time ->
+                    add("tr") {
+                        add("th", "", if (place == 0) series.name else "").setAttribute("scope", "row")
+                        val cells = listOf(time.state, time.timeText(scene.xAxis), time.shareText, countText(time.count))
+                        for (cell in cells) add("td", "", cell)
                     }
                 }
             }

@@ -39,7 +39,7 @@ internal class EvidenceSection(
     private val onStep: (Int) -> Unit,
 ) {
     private var board = Board()
-    private val cards = ArrayList<GraphCard>()
+    private val drawn = ArrayList<GraphCard>()
     private lateinit var severity: HTMLElement
     private lateinit var heading: HTMLElement
     private lateinit var steps: HTMLElement
@@ -73,8 +73,8 @@ internal class EvidenceSection(
         isHidden = true
     }
 
-    /** Whether it shows a graph. */
-    val hasGraphs: Boolean get() = cards.isNotEmpty()
+    /** The graphs that it shows. */
+    val cards: List<GraphCard> get() = drawn
 
     /** Shows what was found at [place], and of [incident], where it is a part of one, all that shows it. */
     fun show(place: FindingPlace<Finding>, incident: Incident?) {
@@ -112,17 +112,17 @@ internal class EvidenceSection(
     private fun draw(wanted: Board) {
         if (!wanted.showsSame(board)) {
             board = wanted
-            for (card in cards) {
+            for (card in drawn) {
                 graphs.remove(card)
                 card.element.remove()
             }
-            cards.clear()
+            drawn.clear()
             for (spec in board.graphs) {
                 for ((graph, lines) in graphsOf(spec, scene.board.lines)) {
                     val card = GraphCard(graph, scene, look = spec, lines = lines)
                     body.appendChild(card.element)
                     graphs.add(card)
-                    cards += card
+                    drawn += card
                 }
             }
         }

@@ -13,6 +13,8 @@ import badlog.page.dom.showText
 import badlog.page.graph.GraphCard
 import badlog.page.view.Hits
 import badlog.page.view.Scene
+import badlog.plot.lane.framesOf
+import badlog.plot.lane.laneGraphOf
 import badlog.plot.search.Query
 import badlog.plot.text.countText
 import org.w3c.dom.HTMLElement
@@ -41,7 +43,8 @@ internal class FolderSection(
     private var toggle: HTMLElement? = null
     private var countLabel: HTMLElement? = null
     private lateinit var body: HTMLElement
-    private val drawn = folder.graphs.mapTo(ArrayList()) { GraphCard(it, scene, origin(it)) }
+    private val drawn = framesOf(folder.graphs) { origin(it).isNotEmpty() }.map(::laneGraphOf)
+        .mapTo(ArrayList()) { GraphCard(it, scene, origin(it)) }
     private val undrawn = listed.map { ListedGraph(it, scene) { graph -> GraphCard(graph, scene, origin(graph)) } }
     private var isSearching = false
 

@@ -3,6 +3,7 @@ package badlog.page.section
 import badlog.page.board.BoardKeys
 import badlog.page.formula.FormulaDialog
 import badlog.page.view.Scene
+import badlog.plot.cursor.Cursors
 import badlog.plot.gesture.Action
 import kotlinx.browser.document
 import org.w3c.dom.Element
@@ -15,6 +16,7 @@ internal class Keyboard(
     private val findings: FindingList,
     private val evidence: EvidenceSection,
     private val board: BoardKeys,
+    private val values: CursorPanel,
     private val formulas: FormulaDialog,
     private val help: HelpOverlay,
 ) {
@@ -42,6 +44,7 @@ internal class Keyboard(
         Action.NEXT_SAMPLE -> step(1)
         Action.TEN_SAMPLES_BACK -> step(-Action.MANY_SAMPLES)
         Action.TEN_SAMPLES_ON -> step(Action.MANY_SAMPLES)
+        Action.SECOND_CURSOR -> scene.cursor.change { withSecond() }
         Action.ZOOM_IN -> scene.range.change { zoomed(1, scene.cursor.x) }
         Action.ZOOM_OUT -> scene.range.change { zoomed(-1, scene.cursor.x) }
         Action.SHOW_ALL -> scene.range.change { reset() }
@@ -50,6 +53,7 @@ internal class Keyboard(
         Action.SHOW_ENABLED -> scene.range.change { showingEnabled(scene.enabled) }
         Action.PAN_LEFT -> scene.range.change { panned(-Action.PAN_SHARE) }
         Action.PAN_RIGHT -> scene.range.change { panned(Action.PAN_SHARE) }
+        Action.CURSOR_VALUES -> values.toggle()
         Action.NEW_FORMULA -> formulas.open()
         Action.NEXT_FINDING -> findings.step(1)
         Action.PREVIOUS_FINDING -> findings.step(-1)
@@ -59,13 +63,13 @@ internal class Keyboard(
     private fun step(count: Int) {
         val now = scene.range.now
         scene.cursor.step(count, (now.from + now.to) / 2)
-        scene.range.change { revealing(scene.cursor.x) }
+        scene.cursor.now.moving?.let { scene.range.change { revealing(it) } }
     }
 
     private fun escape() {
         search.clear()
         evidence.close()
-        scene.cursor.place(Double.NaN)
+        scene.cursor.change { Cursors() }
     }
 
     private fun isTyping(event: KeyboardEvent): Boolean {

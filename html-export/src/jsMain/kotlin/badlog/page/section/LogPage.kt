@@ -78,7 +78,8 @@ internal class LogPage(
             add("span", "", "Formula")
         }
     }
-    private val ways = listOf(search.element, navigation.choice, eventsLink.element, formulaButton)
+    private val values: CursorPanel = CursorPanel(scene, ::linesShown, ::allLines)
+    private val ways = listOf(search.element, navigation.choice, eventsLink.element, formulaButton, values.button)
     private val link = PageLink(scene, formulas, ::addFormulas, ::goWith)
     private val zoomBar = ZoomBar(scene, ways, link.element)
     private val help = HelpOverlay()
@@ -117,6 +118,7 @@ internal class LogPage(
                 appendChild(infoSection(view, about))
             }
         }
+        appendChild(values.element)
         appendChild(help.element)
         appendChild(formulaDialog.element)
         appendChild(topicDialog.element)
@@ -126,14 +128,16 @@ internal class LogPage(
     init {
         nothingFound.isHidden = true
         board.begin { layout.board ?: boardOfLarge(view, signals) ?: Board() }
+        board.onChange(values::refresh)
         BoardDrag(board, graphs, boardSection)
-        Keyboard(scene, search, findings, evidence, BoardKeys(board, graphs, boardSection), formulaDialog, help)
+        Keyboard(scene, search, findings, evidence, BoardKeys(board, graphs, boardSection), values, formulaDialog, help)
     }
 
     /** Draws the graphs, and goes to the time that the address names; to be called when [element] is on the page. */
     fun start() {
         graphs.start(boardSection.cards + folders.cards)
         link.start()
+        values.refresh()
     }
 
     /** Runs the rules that the page carries over [logged], the recording with the exporter's formulas; to be called once all is drawn. */
@@ -172,12 +176,20 @@ internal class LogPage(
         nothingFound.isHidden = query.isEmpty || !hits.isEmpty
         navigation.update(isSearching = !query.isEmpty)
         eventsLink.update()
+        values.filter(query)
         // What was found begins above the screen when the page was scrolled before, and below it when a board stands above.
         val top = content.getBoundingClientRect().top
         val isBelow = top > window.innerHeight / 2 && !inFolders.isEmpty
         if (!query.isEmpty && (top < 0 || isBelow)) content.bringIntoSight()
         return hits
     }
+
+    /** Those of the board and the evidence, or where there is neither, all of the log. */
+    private fun linesShown() = (boardSection.cards + evidence.cards).ifEmpty { folders.cards }.flatMap { it.graph.series }
+
+    private fun allLines() = folders.cards.flatMap { it.graph.series } +
+        scene.view.recording.topics.filter { it !== scene.xAxis.topic }.map(scene.view::seriesOf)
+            .filter { it.states != null || it.topic.samples.isNotEmpty() }
 
     private fun addFormula(definition: String) {
         search.clear()
@@ -235,7 +247,8 @@ internal class LogPage(
 
     private fun showEvidence(place: FindingPlace<Finding>, incident: Incident?) {
         evidence.show(place, incident)
-        if (!evidence.hasGraphs) showAnyGraph()
+        values.refresh()
+        if (evidence.cards.isEmpty()) showAnyGraph()
     }
 
     private fun removeFormula(definition: String) {

@@ -8,6 +8,7 @@ import badlog.page.dom.isHidden
 import badlog.page.graph.PlotFrame
 import badlog.page.graph.drawEventMarks
 import badlog.page.graph.drawFindingMarks
+import badlog.page.graph.drawNamedModes
 import badlog.page.graph.drawNoteMarks
 import badlog.page.view.Scene
 import badlog.page.view.findingText
@@ -20,13 +21,14 @@ import org.w3c.dom.HTMLElement
 import org.w3c.dom.pointerevents.PointerEvent
 
 /**
- * The whole recording as a strip, with its events and findings and the part that is visible; dragging moves
+ * The whole recording as a strip, with its modes, events and findings and the part that is visible; dragging moves
  * that part or one of its edges, or chooses one.
  */
 internal class Overview(private val scene: Scene) {
     private lateinit var marks: HTMLCanvasElement
     private lateinit var visible: HTMLElement
     private lateinit var cursor: HTMLElement
+    private lateinit var second: HTMLElement
     private val full = scene.range.full
     private var drag: OverviewDrag? = null
     private val escape = EscapeKey(::giveUp)
@@ -36,6 +38,7 @@ internal class Overview(private val scene: Scene) {
         marks = add("canvas", "overview-marks").unsafeCast<HTMLCanvasElement>()
         visible = add("div", "overview-visible")
         cursor = add("div", "overview-cursor")
+        second = add("div", "overview-cursor is-second")
         addEventListener("pointerdown", { press(it.unsafeCast<PointerEvent>()) })
         addEventListener("pointermove", { move(it.unsafeCast<PointerEvent>()) })
         addEventListener("pointerup", { release(it.unsafeCast<PointerEvent>()) })
@@ -59,6 +62,7 @@ internal class Overview(private val scene: Scene) {
         marks.height = height.toInt()
         val context = marks.getContext("2d").unsafeCast<CanvasRenderingContext2D>()
         val frame = PlotFrame(0.0, 0.0, width, height, full.from, full.to)
+        drawNamedModes(context, frame, scene, full)
         drawFindingMarks(context, frame, scene, full)
         drawEventMarks(context, frame, scene, full)
         drawNoteMarks(context, frame, scene, full)
@@ -69,8 +73,13 @@ internal class Overview(private val scene: Scene) {
         visible.style.left = percent(now.from)
         visible.style.width = "${now.width / full.width * 100}%"
         visible.classList.toggle("is-all", !scene.range.isZoomed)
-        cursor.isHidden = !scene.cursor.isPlaced
-        if (scene.cursor.isPlaced) cursor.style.left = percent(scene.cursor.x)
+        place(cursor, scene.cursor.now.x)
+        place(second, scene.cursor.now.second)
+    }
+
+    private fun place(line: HTMLElement, x: Double?) {
+        line.isHidden = x == null
+        if (x != null) line.style.left = percent(x)
     }
 
     private fun percent(x: Double) = "${(x - full.from) / full.width * 100}%"
@@ -104,7 +113,7 @@ internal class Overview(private val scene: Scene) {
         val x = xAt(event)
         if (!ended.hasMoved) {
             scene.range.change { ended.clicked(x) }
-            scene.cursor.place(x)
+            scene.cursor.change { pinnedAt(x) }
         }
         stop()
     }

@@ -14,6 +14,7 @@ import badlog.page.view.shortFindingText
 import badlog.page.view.textNear
 import badlog.page.view.word
 import badlog.plot.address.PageAddress
+import badlog.plot.text.differenceText
 import org.w3c.dom.HTMLElement
 
 /**
@@ -27,6 +28,9 @@ internal class ZoomBar(private val scene: Scene, ways: List<HTMLElement>, link: 
     private lateinit var range: HTMLElement
     private lateinit var width: HTMLElement
     private lateinit var cursor: HTMLElement
+    private lateinit var clock: HTMLElement
+    private lateinit var day: HTMLElement
+    private lateinit var second: HTMLElement
     private lateinit var event: HTMLElement
     private lateinit var back: HTMLElement
     private lateinit var reset: HTMLElement
@@ -37,7 +41,9 @@ internal class ZoomBar(private val scene: Scene, ways: List<HTMLElement>, link: 
             add("div", "place") {
                 add("div", "readout") {
                     cursor = add("a", "cursor-readout")
-                    cursor.title = "Link to this time"
+                    clock = add("output", "clock-readout").apply { title = "Phase, and time since the robot was enabled" }
+                    day = add("output", "day-readout").apply { title = "Time of day" }
+                    second = add("output", "second-readout")
                     event = add("output", "event-readout")
                 }
                 add("div", "range-readout") {
@@ -68,6 +74,12 @@ internal class ZoomBar(private val scene: Scene, ways: List<HTMLElement>, link: 
     /** Draws what it draws with the colors of now. */
     fun repaint() = overview.drawMarks()
 
+    /** A link to what is pinned; on the way to it the pointer moves over other times. */
+    private fun showLink(pinned: Double?) {
+        cursor.title = if (pinned == null) "Click a graph to pin the cursor, and link to its time" else "Link to this time"
+        if (pinned == null) cursor.removeAttribute("href") else cursor.setAttribute("href", PageAddress(moment = pinned).toText())
+    }
+
     private fun zoom(steps: Int) = scene.range.change { zoomed(steps, scene.cursor.x) }
 
     private fun update() {
@@ -79,10 +91,16 @@ internal class ZoomBar(private val scene: Scene, ways: List<HTMLElement>, link: 
         reset.isDisabled = !scene.range.isZoomed
         val x = scene.cursor.x
         cursor.isHidden = !scene.cursor.isPlaced
+        clock.isHidden = !scene.cursor.isPlaced
+        day.isHidden = !scene.cursor.isPlaced
+        second.isHidden = scene.cursor.now.second == null
         event.isHidden = true
         if (!scene.cursor.isPlaced) return
         cursor.showText(scene.xText(x))
-        cursor.setAttribute("href", PageAddress(moment = x).toText())
+        clock.showText(scene.clocks.matchAt(x).orEmpty())
+        day.showText(scene.clocks.dayAt(x).orEmpty())
+        showLink(scene.cursor.now.pinned)
+        scene.cursor.now.second?.let { second.showText("B ${scene.xText(it)} · ${differenceText(x, it, scene.xAxis)}") }
         val findings = scene.newsAt(x)
         event.className = "event-readout" + if (findings.isEmpty()) "" else " is-${findings[0].word}"
         if (findings.isNotEmpty()) {

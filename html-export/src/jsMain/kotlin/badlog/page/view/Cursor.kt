@@ -1,9 +1,10 @@
 package badlog.page.view
 
 import badlog.plot.cursor.CursorSteps
+import badlog.plot.cursor.Cursors
 
 /**
- * The one place on the x axis at which every graph shows its values.
+ * The places on the x axis at which every graph shows its values.
  *
  * @param clocks every x at which there is a sample.
  */
@@ -11,24 +12,27 @@ internal class Cursor(clocks: List<DoubleArray>) {
     private val steps = CursorSteps(clocks)
     private val listeners = ArrayList<() -> Unit>()
 
-    /** Where it stands; NaN when it is nowhere. */
-    var x: Double = Double.NaN
+    /** Where they stand. */
+    var now: Cursors = Cursors()
         private set
 
-    val isPlaced: Boolean get() = !x.isNaN()
+    /** Where values are read; NaN for nowhere. */
+    val x: Double get() = now.x ?: Double.NaN
+
+    val isPlaced: Boolean get() = now.x != null
 
     /** Calls [listener] after each change. */
     fun onChange(listener: () -> Unit) {
         listeners += listener
     }
 
-    /** Puts it at [position], or nowhere. */
-    fun place(position: Double) {
-        if (position == x || (position.isNaN() && x.isNaN())) return
-        x = position
-        for (listener in listeners) listener()
+    /** Puts them where [step] leads to. */
+    fun change(step: Cursors.() -> Cursors) {
+        val before = now
+        now = before.step()
+        if (now != before) for (listener in listeners) listener()
     }
 
-    /** Moves it by [count] samples, back when negative; to the one nearest to [start] when it is nowhere. */
-    fun step(count: Int, start: Double) = place(if (isPlaced) steps.from(x, count) else steps.nearest(start))
+    /** Moves the one that keys move by [count] samples, back when negative; to the one nearest to [start] when it is nowhere. */
+    fun step(count: Int, start: Double) = change { moved(steps.nearest(start)) { steps.from(it, count) } }
 }

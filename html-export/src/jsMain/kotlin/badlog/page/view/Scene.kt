@@ -10,9 +10,11 @@ import badlog.plot.range.Viewport
 import badlog.plot.search.Trait
 import badlog.plot.text.placeText
 import badlog.plot.text.withUnit
+import badlog.plot.timeline.Clocks
 import badlog.plot.timeline.EventTimeline
 import badlog.plot.timeline.FindingPlace
 import badlog.plot.timeline.FindingTimeline
+import badlog.plot.timeline.ModeTimeline
 import badlog.rules.Finding
 import kotlin.math.abs
 
@@ -49,6 +51,12 @@ internal class Scene(val view: LogView, val palette: Palette, val board: PageBoa
     /** The note that is pointed at when the cursor is at [x], or null. */
     fun noteAt(x: Double): Note? = notes.minByOrNull { abs(it.x - x) }?.takeIf { abs(it.x - x) <= range.now.width * REACH }
 
+    /** When it was in which mode. */
+    val modes: ModeTimeline by lazy { ModeTimeline.of(view) }
+
+    /** The clocks besides the x axis. */
+    val clocks: Clocks by lazy { Clocks(view, modes) }
+
     /** The event that is pointed at when the cursor is at [x], or null. */
     fun eventAt(x: Double): Event? = events.nearest(x, range.now.width * REACH)
 
@@ -74,7 +82,7 @@ internal class Scene(val view: LogView, val palette: Palette, val board: PageBoa
         if (!x.isFinite() || xAxis.range == null) return
         val place = x.coerceIn(range.full.from, range.full.to)
         range.change { revealing(place) }
-        cursor.place(place)
+        cursor.change { pinnedAt(place) }
     }
 
     /** Shows what is around [from] to [to], and takes the cursor to [from]. */

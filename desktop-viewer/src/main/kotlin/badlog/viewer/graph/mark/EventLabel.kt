@@ -21,10 +21,10 @@ import badlog.viewer.graph.scene.GraphScene
 import badlog.viewer.theme.LocalPalette
 import kotlin.math.abs
 
-/** The text of the note or the event that the cursor is near to, at its place along the top. */
+/** The text of the note or the event that the pointer is near to, or else the cursor, at its place along the top. */
 @Composable
 internal fun EventLabel(scene: GraphScene) {
-    val event by remember(scene) { derivedStateOf { scene.view.cursor?.let { saidNear(scene, it) } } }
+    val event by remember(scene) { derivedStateOf { scene.view.cursors.pointed?.let { saidNear(scene, it) } } }
     val shown = event ?: return
     val palette = LocalPalette.current
     BoxWithConstraints(Modifier.fillMaxWidth().padding(start = GraphScene.LEFT_GUTTER, end = scene.rightGutter)) {

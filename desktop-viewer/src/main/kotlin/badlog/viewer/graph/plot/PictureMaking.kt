@@ -13,9 +13,6 @@ import kotlin.math.ceil
 /** How many lines and lanes one graph draws; nobody can tell more apart. */
 internal const val MAX_LINES = 64
 
-/** How high a lane is, in dp, where there is room. */
-internal const val LANE_HEIGHT = 22
-
 /** Finds out all that is to be drawn for [request]. Takes a while: not for the window's thread. */
 internal fun makePicture(request: PlotRequest, curves: CurveCache): PlotPicture {
     val (states, numbers) = shownLines(request.spec, request).partition { it.signal.states != null }
@@ -59,7 +56,7 @@ private fun lanesHeight(request: PlotRequest, lanes: Int, hasLines: Boolean): Fl
     val room = request.height.toFloat()
     return when {
         lanes == 0 -> 0f
-        hasLines -> minOf(lanes * LANE_HEIGHT * request.density, room / 2)
+        hasLines -> minOf(lanes * LaneLook.HEIGHT * request.density, room / 2)
         else -> room
     }
 }

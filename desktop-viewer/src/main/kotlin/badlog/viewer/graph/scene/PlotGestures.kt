@@ -2,33 +2,39 @@ package badlog.viewer.graph.scene
 
 import androidx.compose.ui.geometry.Offset
 import badlog.analysis.Span
+import badlog.plot.cursor.Cursors
 import badlog.plot.gesture.DragKind
 import badlog.plot.gesture.Wheel
 import badlog.viewer.board.GraphBoard
 import badlog.viewer.playback.Player
 import badlog.viewer.view.AxisView
 import badlog.viewer.view.PlotGesture
-import kotlin.math.abs
 
 /** What the pointer does over the graphs, in places on the axes rather than pixels. */
 internal class PlotGestures(private val view: AxisView, private val board: GraphBoard, private val player: Player) {
     private val wheel = Wheel()
 
+    private var beforeClick = Cursors()
+
     /** The pointer passes over [x]: the cursor goes along unless it is pinned, or runs by itself. */
     fun hover(x: Double) {
-        if (!view.isCursorPinned && !player.state.isPlaying) view.placeCursor(x.within(view.viewport.full))
+        if (view.isCursorPinned || !player.state.isPlaying) view.changeCursors { hovering(x.within(view.viewport.full)) }
     }
 
-    /** A click at [x] pins the cursor there; one on the pinned cursor, at most [reach] beside it, lets it go. */
-    fun click(x: Double, reach: Double) {
-        val cursor = view.cursor
-        val isOnCursor = view.isCursorPinned && cursor != null && abs(cursor - x) <= reach
-        view.placeCursor(x.within(view.viewport.full), isPinned = !isOnCursor)
+    /** The pointer leaves the graphs. */
+    fun leave() = view.changeCursors { left() }
+
+    /** A click at [x]; [reach] is how far beside a cursor it is still on it. */
+    fun click(x: Double, reach: Double, shift: Boolean) {
+        val place = x.within(view.viewport.full)
+        beforeClick = view.cursors
+        view.changeCursors { if (shift) shiftClicked(place, reach) else clicked(place, reach) }
     }
 
     /** A double click shows everything, of graph [id] all of y too. */
     fun doubleClick(id: Int?) {
-        view.unpinCursor()
+        // The first of the two was no click of its own.
+        view.changeCursors { beforeClick }
         view.change { reset() }
         if (id != null) board.change { withYRange(id, null) }
     }

@@ -14,6 +14,7 @@ import androidx.compose.ui.input.pointer.isSecondaryPressed
 import androidx.compose.ui.input.pointer.isShiftPressed
 import androidx.compose.ui.input.pointer.isTertiaryPressed
 import androidx.compose.ui.input.pointer.pointerInput
+import badlog.plot.cursor.Cursors
 import badlog.plot.gesture.DoubleClick
 import badlog.plot.gesture.DragKind
 
@@ -48,7 +49,8 @@ private class PlotPointer(
         when (event.type) {
             PointerEventType.Press -> press(event, change)
             PointerEventType.Move, PointerEventType.Enter -> move(change)
-            PointerEventType.Release -> release(change)
+            PointerEventType.Exit -> if (pressedAt == null) gestures.leave()
+            PointerEventType.Release -> release(event, change)
             PointerEventType.Scroll -> scroll(event, change)
             else -> Unit
         }
@@ -87,24 +89,25 @@ private class PlotPointer(
         change.consume()
     }
 
-    private fun release(change: PointerInputChange) {
+    private fun release(event: PointerEvent, change: PointerInputChange) {
         if (pressedAt == null) return
         pressedAt = null
         if (isDragging) {
             gestures.end()
         } else if (kind != DragKind.SELECT) {
-            click(change)
+            click(change, event.keyboardModifiers.isShiftPressed)
         }
         isDragging = false
         change.consume()
     }
 
-    private fun click(change: PointerInputChange) {
+    private fun click(change: PointerInputChange, shift: Boolean) {
         val at = change.position
-        if (clicks.isSecond((at.x / scope.density).toDouble(), change.uptimeMillis.toDouble())) {
+        if (!shift && clicks.isSecond((at.x / scope.density).toDouble(), change.uptimeMillis.toDouble())) {
             gestures.doubleClick(id)
         } else {
-            gestures.click(xAt(at), REACH * scope.density / scope.size.width * scene.view.viewport.visible.width)
+            val reach = Cursors.REACH * scope.density / scope.size.width * scene.view.viewport.visible.width
+            gestures.click(xAt(at), reach, shift)
         }
     }
 
@@ -124,8 +127,4 @@ private class PlotPointer(
     }
 
     private fun yAt(at: Offset): Double = yAt(at.y, scope.size.height.toFloat())
-
-    private companion object {
-        const val REACH = 5f
-    }
 }

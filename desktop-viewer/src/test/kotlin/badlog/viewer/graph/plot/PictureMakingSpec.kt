@@ -125,7 +125,7 @@ class PictureMakingSpec : FunSpec({
         alone.plotHeight shouldBe 0f
         alone.lanes.single().blocks.let { blocks -> List(blocks.size) { blocks.left[it] to blocks.right[it] } } shouldBe listOf(0.0 to 50.0, 50.0 to 100.0)
         val mixed = picture(recordings, listOf("Gear", "V"), Span(0.0, 4.0))
-        mixed.plotHeight shouldBe 28f
+        mixed.plotHeight shouldBe 32f
         readingOf(mixed, mixed.lanes.single().line, 1.9) shouldBe "LOW"
         readingOf(mixed, mixed.lines.single().line, 1.9) shouldBe "3 V"
     }

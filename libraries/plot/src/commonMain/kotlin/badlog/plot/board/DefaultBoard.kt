@@ -2,6 +2,8 @@ package badlog.plot.board
 
 import badlog.analysis.Graph
 import badlog.analysis.LogView
+import badlog.plot.lane.framesOf
+import badlog.plot.lane.statesTitle
 import badlog.plot.outline.everChanges
 
 /**
@@ -16,27 +18,13 @@ public fun defaultBoard(view: LogView): Board {
         val graphsOfFolder = folder.graphs.filter { graph ->
             graph.series.any { it.isDerived || it.topic !== view.xAxis.topic } && (!hasChanges || changes(graph))
         }
-        runsOf(graphsOfFolder).map { graphs ->
+        framesOf(graphsOfFolder).map { graphs ->
             val first = graphs.first().asBoardGraph().copy(id = ++id)
             if (graphs.size == 1) return@map first
-            val title = listOf(folder.name, "States").filter { it.isNotEmpty() }.joinToString("/")
-            first.copy(title = title, lines = graphs.flatMap { it.asBoardGraph().lines }.distinct())
+            first.copy(title = statesTitle(folder.name), lines = graphs.flatMap { it.asBoardGraph().lines }.distinct())
         }
     }
     return Board(specs)
 }
 
-/** Each graph by itself, but neighbors that show states together. */
-private fun runsOf(graphs: List<Graph>): List<List<Graph>> {
-    val runs = ArrayList<MutableList<Graph>>()
-    for (graph in graphs) {
-        val last = runs.lastOrNull()
-        val continues = last != null && last.first().showsStates && last.size < MAX_LANES
-        if (graph.showsStates && continues) last += graph else runs += mutableListOf(graph)
-    }
-    return runs
-}
-
 private fun changes(graph: Graph) = graph.series.any { it.topic.times == null || everChanges(it.topic) }
-
-private const val MAX_LANES = 16

@@ -52,6 +52,12 @@ public enum class Shade(private val light: Int, private val dark: Int) {
     /** Behind notes. */
     NOTE_SOFT(0xEAF1F8, 0x1D2936),
 
+    /** Behind graphs while the robot is under its own control. */
+    AUTONOMOUS(0xE08E00, 0xE8C04A),
+
+    /** Behind graphs while a driver controls it. */
+    TELEOP(0x0B62C4, 0x5AA9FF),
+
     /** Of a lane that is off. */
     STATE_OFF(0xE4E8ED, 0x2A333E),
 

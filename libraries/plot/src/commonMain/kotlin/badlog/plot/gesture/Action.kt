@@ -20,6 +20,9 @@ public enum class Action(public val group: String, public val meaning: String, p
     /** The cursor goes on by ten samples. */
     TEN_SAMPLES_ON("Graphs", "Cursor ten samples on", KeyStroke("→", shift = true)),
 
+    /** A second cursor is put where the first one is, and moved from then on; or taken away. */
+    SECOND_CURSOR("Graphs", "Second cursor, for the arrow keys to move; again: away with it", KeyStroke("B")),
+
     /** Less of x is shown, around the cursor where it is in sight. */
     ZOOM_IN("Graphs", "Zoom in", KeyStroke("+")),
 
@@ -43,6 +46,9 @@ public enum class Action(public val group: String, public val meaning: String, p
 
     /** Later x is shown. */
     PAN_RIGHT("Graphs", "Move to the right", KeyStroke("]")),
+
+    /** The values of many topics at the cursor are shown, or no longer. */
+    CURSOR_VALUES("Graphs", "Values at the cursor: open or close", KeyStroke("V")),
 
     /** The graph goes on the board, or off it. */
     PIN("Board", "Put the graph on the board, or take it off", KeyStroke("P")),
@@ -129,6 +135,8 @@ public val GRAPH_GESTURES: List<HelpLine> = listOf(
     HelpLine("On the graphs", "Shift+drag", "Pans."),
     HelpLine("On the graphs", "Alt+drag", "Zooms y of this graph."),
     HelpLine("On the graphs", "Double click", "Shows everything again."),
+    HelpLine("On the graphs", "Click", "Pins the cursor; on the cursor, lets it go."),
+    HelpLine("On the graphs", "Shift+click", "Sets a second cursor: difference and slope of each line, and statistics between both."),
     HelpLine("On the overview", "Drag", "Moves the visible range, or one of its edges; beside it, selects a new one."),
     HelpLine("On the overview", "Click", "Moves the visible range there."),
 )

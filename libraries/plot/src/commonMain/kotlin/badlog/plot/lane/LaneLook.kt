@@ -26,6 +26,9 @@ public enum class LaneTone {
 
 /** What all lanes have in common, in pixels as they look: of the page, or of the window's density. */
 public object LaneLook {
+    /** How high a lane is, with the room to the next. */
+    public const val HEIGHT: Int = 18
+
     /** How wide the shortest state is. */
     public const val MIN_BLOCK: Double = 1.5
 

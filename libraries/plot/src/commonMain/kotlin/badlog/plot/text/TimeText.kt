@@ -1,6 +1,5 @@
 package badlog.plot.text
 
-import badlog.analysis.EnabledSpan
 import badlog.analysis.Units
 import badlog.analysis.XAxis
 import kotlin.math.abs
@@ -9,15 +8,13 @@ import kotlin.math.abs
 public fun placeText(x: Double, axis: XAxis, width: Double): String = // Between two rows there is nothing to see that decimals could tell.
     if (x.isNaN()) NO_NUMBER else fixedText(x, if (axis.isIndex) 0 else decimalsFor(width))
 
-/** Where the cursor stands: `93.740 s · 1:31.7 since enabled`, the latter where [enabled] says when that was. */
-public fun cursorText(x: Double, axis: XAxis, width: Double, enabled: List<EnabledSpan>): String {
+/** Where the cursor stands: `93.740 s · Teleop 1:31`, where [clocks] are what other clocks show there; without any, in minutes. */
+public fun cursorText(x: Double, axis: XAxis, width: Double, clocks: String): String {
     val place = withUnit(placeText(x, axis, width), axis.unit)
     val seconds = Units.secondsIn(axis.unit)
-    if (seconds == null || !x.isFinite()) return place
-    val start = enabled.firstOrNull()?.span?.from
     return when {
-        start != null && x >= start -> "$place · ${minutesText((x - start) * seconds)} since enabled"
-        abs(x * seconds) >= SECONDS -> "$place · ${minutesText(x * seconds)}"
+        clocks.isNotEmpty() -> "$place · $clocks"
+        seconds != null && x.isFinite() && abs(x * seconds) >= SECONDS -> "$place · ${minutesText(x * seconds)}"
         else -> place
     }
 }
@@ -28,6 +25,12 @@ public fun lengthText(length: Double, axis: XAxis): String {
     val name = if (axis.isIndex) "$number rows" else number
     val seconds = Units.secondsIn(axis.unit)?.let { length * it } ?: 0.0
     return if (seconds >= SECONDS) "$name · ${minutesText(seconds)}" else name
+}
+
+/** From one place on [axis] to another: `Δ 1.5 s`, with a minus where that is back. */
+public fun differenceText(from: Double, to: Double, axis: XAxis): String {
+    val sign = if (to < from) "-" else ""
+    return "Δ $sign${lengthText(abs(to - from), axis)}"
 }
 
 /** `1:33.7`, `1:02:05.0`: [seconds] in minutes, and hours where there are any. */

@@ -1,8 +1,10 @@
 package badlog.plot.color
 
+import badlog.plot.timeline.RobotMode
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeUnique
 import io.kotest.matchers.doubles.shouldBeGreaterThan
+import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import kotlin.math.pow
 
@@ -16,6 +18,16 @@ private fun contrast(one: Int, other: Int): Double {
         0.2126 * red + 0.7152 * green + 0.0722 * blue
     }
     return (brightness.max() + 0.05) / (brightness.min() + 0.05)
+}
+
+/** [share] of [color] over [ground]. */
+private fun mixed(color: Int, ground: Int, share: Double): Int {
+    var mixed = 0
+    for (shift in listOf(16, 8, 0)) {
+        val part = ((color shr shift) and 0xFF) * share + ((ground shr shift) and 0xFF) * (1 - share)
+        mixed = mixed or (part.toInt() shl shift)
+    }
+    return mixed
 }
 
 class ShadeSpec : FunSpec({
@@ -40,15 +52,20 @@ class ShadeSpec : FunSpec({
 
         test("the state of a lane can be read in every color, in the $theme theme") {
             for (index in 0 until LINE_COLORS) {
-                val ground = Shade.SURFACE.of(isDark)
-                val share = stateOpacity(isDark)
-                var mixed = 0
-                for (shift in listOf(16, 8, 0)) {
-                    val part = ((lineColor(index, isDark) shr shift) and 0xFF) * share + ((ground shr shift) and 0xFF) * (1 - share)
-                    mixed = mixed or (part.toInt() shl shift)
-                }
-                contrast(Shade.STATE_TEXT.of(isDark), mixed) shouldBeGreaterThan 4.5
+                val ground = mixed(lineColor(index, isDark), Shade.SURFACE.of(isDark), stateOpacity(isDark))
+                contrast(Shade.STATE_TEXT.of(isDark), ground) shouldBeGreaterThan 4.5
             }
+        }
+
+        test("the shading of the modes can be told apart, and leaves text and lines readable, in the $theme theme") {
+            val grounds = RobotMode.entries.map { mixed(modeShade(it).of(isDark), Shade.SURFACE.of(isDark), modeOpacity(isDark)) }
+            grounds.shouldBeUnique()
+            for (ground in grounds) {
+                contrast(Shade.TEXT.of(isDark), ground) shouldBeGreaterThan 7.0
+                for (index in 0 until LINE_COLORS) contrast(lineColor(index, isDark), ground) shouldBeGreaterThan 2.0
+            }
+            // Blue against yellow, which those tell apart who do not tell green from red.
+            (grounds[0] and 0xFF) shouldBeLessThan (grounds[1] and 0xFF) - 15
         }
 
         test("no two of the lines' colors are the same, and all are seen on a graph, in the $theme theme") {

@@ -1,8 +1,6 @@
 package badlog.plot.text
 
-import badlog.analysis.EnabledSpan
 import badlog.analysis.LogView
-import badlog.analysis.Span
 import badlog.analysis.XAxis
 import badlog.bag.BagParser
 import io.kotest.core.spec.style.FunSpec
@@ -29,10 +27,10 @@ class TimeTextSpec : FunSpec({
         minutesText(1e300) shouldBe "1e300"
     }
 
-    test("the cursor shows its place and how long the robot was enabled then") {
-        cursorText(93.7, seconds, 160.0, listOf(EnabledSpan(Span(2.0, 150.0), false))) shouldBe "93.70 s · 1:31.7 since enabled"
-        cursorText(93.7, seconds, 160.0, emptyList()) shouldBe "93.70 s · 1:33.7"
-        cursorText(9.0, seconds, 160.0, emptyList()) shouldBe "9.00 s"
+    test("the cursor shows its place and what other clocks show there, or else minutes") {
+        cursorText(93.7, seconds, 160.0, "Teleop 1:31") shouldBe "93.70 s · Teleop 1:31"
+        cursorText(93.7, seconds, 160.0, "") shouldBe "93.70 s · 1:33.7"
+        cursorText(9.0, seconds, 160.0, "") shouldBe "9.00 s"
     }
 
     test("between two rows of an index there are no decimals, and a length of it counts rows") {
@@ -44,5 +42,6 @@ class TimeTextSpec : FunSpec({
     test("a length has its unit, and from a minute on the minutes") {
         lengthText(12.5, seconds) shouldBe "12.5 s"
         lengthText(90.0, seconds) shouldBe "90 s · 1:30.0"
+        differenceText(5.0, 3.5, seconds) shouldBe "Δ -1.5 s"
     }
 })

@@ -1,0 +1,112 @@
+package badlog.viewer.inspector
+
+import androidx.compose.foundation.VerticalScrollbar
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxHeight
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.lazy.LazyColumn
+import androidx.compose.foundation.lazy.items
+import androidx.compose.foundation.lazy.rememberLazyListState
+import androidx.compose.foundation.rememberScrollbarAdapter
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.produceState
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.runtime.snapshotFlow
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.dp
+import badlog.plot.cursor.CursorValues
+import badlog.plot.search.Query
+import badlog.plot.text.cursorText
+import badlog.plot.text.unitText
+import badlog.viewer.board.GraphBoard
+import badlog.viewer.recording.OpenRecording
+import badlog.viewer.recording.Signal
+import badlog.viewer.recording.valueText
+import badlog.viewer.theme.LocalPalette
+import badlog.viewer.theme.SearchField
+import badlog.viewer.view.AxisView
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.flow.conflate
+import kotlinx.coroutines.flow.map
+import kotlinx.coroutines.withContext
+
+/** What the topics of the graphs, or those that a search finds, are at the cursor; what just changed first. */
+@Composable
+internal fun CursorPanel(board: GraphBoard, view: AxisView, open: OpenRecording, modifier: Modifier) {
+    var query by remember { mutableStateOf("") }
+    val rows by produceState(emptyList<CursorRow>(), open) {
+        var asked = emptyList<Signal>()
+        var values = CursorValues(emptyList(), open.view.xAxis)
+        snapshotFlow { cursorSignals(open, board, query) to view.cursor }.conflate().map { (signals, x) ->
+            withContext(Dispatchers.Default) {
+                if (signals != asked) values = CursorValues(signals.map { it.line }, open.view.xAxis)
+                asked = signals
+                cursorRows(signals, values, x)
+            }
+        }.collect { value = it }
+    }
+    val state = rememberLazyListState()
+    val axis = open.view.xAxis
+    Column(modifier) {
+        SearchField(query, "Search topics", Modifier.fillMaxWidth().padding(8.dp)) { query = it }
+        val x = view.cursor
+        if (x == null) {
+            PanelHint("Point at a graph, or click it.")
+        } else {
+            Text(
+                cursorText(x, axis, view.viewport.visible.width, open.clocks.textAt(x)),
+                Modifier.padding(horizontal = 12.dp, vertical = 2.dp),
+                color = LocalPalette.current.muted,
+            )
+        }
+        Box(Modifier.fillMaxSize()) {
+            LazyColumn(Modifier.fillMaxSize(), state) { items(rows) { CursorLine(it) } }
+            VerticalScrollbar(rememberScrollbarAdapter(state), Modifier.align(Alignment.CenterEnd).fillMaxHeight())
+        }
+    }
+}
+
+/** A line of the panel: the [name] of a topic, its value, and whether that just [hasChanged]. */
+internal data class CursorRow(val name: String, val text: String, val hasChanged: Boolean)
+
+/** The topics whose name or unit [query] finds; while nothing is searched for, those of the graphs of [board]. */
+internal fun cursorSignals(open: OpenRecording, board: GraphBoard, query: String): List<Signal> {
+    val wanted = Query(query)
+    if (wanted.isEmpty) return board.state.graphs.flatMap { it.lines }.distinct().mapNotNull(open::signal)
+    return open.signals.filter { (it.hasFigures || it.states != null) && wanted.matches("${it.name} ${unitText(it.unit)}") }
+}
+
+/** What [signals] are at [x], in the order of [values]. */
+internal fun cursorRows(signals: List<Signal>, values: CursorValues, x: Double?): List<CursorRow> =
+    values.at(x ?: Double.NaN).map { value ->
+        val signal = signals[value.line]
+        CursorRow(signal.name, if (x == null) "" else valueText(signal, x), value.hasChanged)
+    }
+
+@Composable
+private fun CursorLine(row: CursorRow) {
+    val palette = LocalPalette.current
+    Row(
+        Modifier.fillMaxWidth()
+            .background(if (row.hasChanged) palette.accentSoft else Color.Transparent)
+            .padding(start = 12.dp, end = 14.dp, top = 1.dp, bottom = 1.dp),
+        horizontalArrangement = Arrangement.spacedBy(8.dp),
+    ) {
+        Text(row.name, Modifier.weight(1f), color = palette.muted, maxLines = 1, overflow = TextOverflow.StartEllipsis)
+        Text(row.text, Modifier.weight(0.8f), fontWeight = FontWeight.Medium, maxLines = 1, overflow = TextOverflow.Ellipsis)
+    }
+}

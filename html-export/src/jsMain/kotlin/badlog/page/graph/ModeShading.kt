@@ -1,0 +1,48 @@
+package badlog.page.graph
+
+import badlog.analysis.Span
+import badlog.page.view.Scene
+import badlog.plot.color.Shade
+import badlog.plot.color.modeOpacity
+import badlog.plot.color.modeShade
+import badlog.plot.timeline.ModeBands
+import kotlinx.browser.window
+import org.w3c.dom.CanvasRenderingContext2D
+
+/** Shades where in [span] the robot was enabled, by its mode; to be called before what stands upon it is drawn. */
+internal fun drawModes(context: CanvasRenderingContext2D, frame: PlotFrame, scene: Scene, span: Span = scene.range.now) {
+    if (scene.modes.spans.isEmpty()) return
+    bands.place(scene.modes, span, frame.width)
+    context.save()
+    context.globalAlpha = modeOpacity(scene.palette.isDark)
+    for (i in 0 until bands.size) {
+        context.fillStyle = scene.palette[modeShade(bands.modeOf(i))]
+        context.fillRect(frame.left + bands.leftOf(i), frame.top, bands.rightOf(i) - bands.leftOf(i), frame.height)
+    }
+    context.restore()
+}
+
+/** The same, with the name of each mode where there is room. */
+internal fun drawNamedModes(context: CanvasRenderingContext2D, frame: PlotFrame, scene: Scene, span: Span) {
+    drawModes(context, frame, scene, span)
+    if (scene.modes.spans.isEmpty()) return
+    val ratio = window.devicePixelRatio
+    context.save()
+    context.font = "${LETTERS * ratio}px system-ui, sans-serif"
+    context.asDynamic().textBaseline = "middle"
+    context.fillStyle = scene.palette[Shade.MUTED]
+    for (i in 0 until bands.size) {
+        val name = bands.modeOf(i).title
+        val room = bands.rightOf(i) - bands.leftOf(i) - 2 * MARGIN * ratio
+        if (context.measureText(name).width <= room) {
+            context.fillText(name, frame.left + bands.leftOf(i) + MARGIN * ratio, frame.top + frame.height / 2)
+        }
+    }
+    context.restore()
+}
+
+/** One for all plots, which are drawn one after another. */
+private val bands by lazy { ModeBands() }
+
+private const val LETTERS = 11.0
+private const val MARGIN = 5.0

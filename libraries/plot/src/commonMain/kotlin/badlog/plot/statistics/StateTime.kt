@@ -1,0 +1,59 @@
+package badlog.plot.statistics
+
+import badlog.analysis.StateRuns
+import badlog.analysis.XAxis
+import badlog.plot.text.fixedText
+import badlog.plot.text.roundedText
+import badlog.plot.text.withUnit
+
+/**
+ * How long and how often a lane was in a state.
+ *
+ * @property state what it is called.
+ * @property time how much of x, in its unit.
+ * @property share the part of the time in any state, from 0 to 1; NaN where that is no time.
+ * @property count how many times it was entered, or was there already at the begin.
+ */
+public class StateTime(public val state: String, public val time: Double, public val share: Double, public val count: Int) {
+    /** [time] with the unit of [axis]. */
+    public fun timeText(axis: XAxis): String = if (axis.isIndex) "${roundedText(time)} rows" else withUnit(roundedText(time), axis.unit)
+
+    /** [share] in percent; `–` for none. */
+    public val shareText: String get() = withUnit(fixedText(share * 100, 1), "%")
+
+    /** All in a line: `true 4.2 s (2.7 %), 3 times`. */
+    public fun text(axis: XAxis): String = "$state ${timeText(axis)} ($shareText), $count ${if (count == 1) "time" else "times"}"
+
+    public companion object {
+        /** What stands above the lane's name and [state], [time], [share] and [count] in a table. */
+        public val TITLES: List<String> = listOf("Lane", "State", "Time", "Share", "Times")
+
+        /** So many states of a lane are listed; nobody reads more. */
+        public const val MOST: Int = 12
+    }
+}
+
+/** How long and how often each of [states], the names of these runs' states, was there from [from] to [to]; the longest first, none that was not. */
+public fun StateRuns.timesOf(
+    states: List<String>,
+    from: Double = Double.NEGATIVE_INFINITY,
+    to: Double = Double.POSITIVE_INFINITY,
+): List<StateTime> {
+    val times = HashMap<Int, Double>()
+    val counts = HashMap<Int, Int>()
+    for (run in firstReaching(from) until this.states.size) {
+        if (this.from[run] > to) {
+            if (isOrdered) break else continue
+        }
+        val time = minOf(this.to[run], to) - maxOf(this.from[run], from)
+        // What only touches the range was not in it.
+        if (time < 0 || (time == 0.0 && this.to[run] > this.from[run] && from < to)) continue
+        val state = this.states[run]
+        times[state] = (times[state] ?: 0.0) + time
+        counts[state] = (counts[state] ?: 0) + 1
+    }
+    val all = times.values.sum()
+    return times.map { (state, time) ->
+        StateTime(states.getOrElse(state) { "?" }, time, if (all > 0) time / all else Double.NaN, counts.getValue(state))
+    }.sortedWith(compareBy({ -it.time }, { it.state }))
+}

@@ -1,0 +1,66 @@
+package badlog.plot.timeline
+
+import badlog.analysis.Span
+import kotlin.math.floor
+
+/** The bands that shade when the robot was enabled, from left to right. The arrays are kept from one drawing to the next. */
+public class ModeBands {
+    private var left = DoubleArray(FIRST_BANDS)
+    private var right = DoubleArray(FIRST_BANDS)
+    private var modes = IntArray(FIRST_BANDS)
+
+    /** How many there are. */
+    public var size: Int = 0
+        private set
+
+    /** Where band [index] begins, in pixels from the left. */
+    public fun leftOf(index: Int): Double = left[index]
+
+    /** Where it ends. */
+    public fun rightOf(index: Int): Double = right[index]
+
+    /** Which mode it is of. */
+    public fun modeOf(index: Int): RobotMode = RobotMode.entries[modes[index]]
+
+    /**
+     * Finds the bands for what [timeline] has in [span], over [width] pixels. Costs no more than there are pixels, however often the robot
+     * was enabled; what is shorter than a pixel gets one.
+     */
+    public fun place(timeline: ModeTimeline, span: Span, width: Double) {
+        size = 0
+        if (!(span.width > 0) || !(width >= 1)) return
+        var index = timeline.firstReaching(span.from)
+        while (index < timeline.spans.size && timeline.spans[index].span.from <= span.to) {
+            val one = timeline.spans[index]
+            val from = ((one.span.from - span.from) / span.width * width).coerceIn(0.0, width - 1)
+            val to = ((one.span.to - span.from) / span.width * width).coerceIn(from + 1, width)
+            add(from, to, one.mode)
+            index++
+            // The others that end in the same pixel would not be seen.
+            if (to - from <= 1) index = maxOf(index, timeline.firstReaching(span.from + (floor(from) + 1) * span.width / width))
+        }
+    }
+
+    private fun add(from: Double, to: Double, mode: RobotMode) {
+        val last = size - 1
+        // One that touches the band before goes on with it, or begins where that ends.
+        if (last >= 0 && modes[last] == mode.ordinal && from - right[last] < 1) {
+            right[last] = maxOf(right[last], to)
+            return
+        }
+        val start = if (last >= 0) maxOf(from, right[last]) else from
+        if (start >= to) return
+        if (size == left.size) {
+            left = left.copyOf(size * 2)
+            right = right.copyOf(size * 2)
+            modes = modes.copyOf(size * 2)
+        }
+        left[size] = start
+        right[size] = to
+        modes[size++] = mode.ordinal
+    }
+
+    private companion object {
+        const val FIRST_BANDS = 8
+    }
+}
