@@ -10,8 +10,10 @@ public fun stableOrder(keys: DoubleArray, indices: IntArray = IntArray(keys.size
     val size = from.size.toLong()
     var width = 1L
     while (width < size) {
-        for (start in 0 until size step 2 * width) {
+        var start = 0L
+        while (start < size) {
             merge(from, to, keys, start.toInt(), minOf(start + width, size).toInt(), minOf(start + 2 * width, size).toInt())
+            start += 2 * width
         }
         to = from.also { from = to }
         width *= 2

@@ -139,7 +139,7 @@ public class JsonReader private constructor(private val text: String) {
         val hasLeadingZero = digits.length > 1 && digits[0] == '0' && digits[1] in '0'..'9'
         if (digits.isEmpty() || digits[0] !in '0'..'9' || hasLeadingZero) return false
         val point = digits.indexOf('.')
-        if (point >= 0 && digits.getOrNull(point + 1) !in '0'..'9') return false
+        if (point >= 0 && (point + 1 == digits.length || digits[point + 1] !in '0'..'9')) return false
         val bytes = digits.encodeToByteArray()
         return DecimalReader().read(bytes, 0, bytes.size)
     }

@@ -8,8 +8,8 @@ import io.kotest.matchers.longs.shouldBeLessThanOrEqual
 import java.nio.file.Files
 
 internal class PageSizeSpec : FunSpec({
-    test("a log of two lines, program, styles, frame and built-in rules together are at most 300,000 bytes") {
+    test("a log of two lines, program, styles, frame and built-in rules together are at most 280,000 bytes") {
         val page = TestPages.of("Time,A\n0,1\n".encodeToByteArray(), "two.csv", PageAdditions(rules = RuleSet.BUILT_IN))
-        Files.size(page) shouldBeLessThanOrEqual 300_000L
+        Files.size(page) shouldBeLessThanOrEqual 280_000L
     }
 })

@@ -59,7 +59,7 @@ private fun numberIn(text: String, mark: String): Double {
     var at = found + mark.length
     while (at < text.length) {
         val begin = at
-        if (text[begin] !in DIGITS && !isFraction(text, begin)) {
+        if (!isDigit(text, begin) && !isFraction(text, begin)) {
             at++
             continue
         }
@@ -72,21 +72,19 @@ private fun numberIn(text: String, mark: String): Double {
     return Double.NaN
 }
 
-private fun isFraction(text: String, at: Int) = text[at] == '.' && text.getOrNull(at + 1) in DIGITS
+private fun isFraction(text: String, at: Int) = text[at] == '.' && isDigit(text, at + 1)
+
+private fun isDigit(text: String, at: Int) = at < text.length && text[at] in '0'..'9'
 
 /** Behind the digits that stand at [from], with their points and the exponent that Java writes to small numbers. */
 private fun endOfNumber(text: String, from: Int): Int {
     var until = from
-    while (until < text.length && (text[until] in DIGITS || isFraction(text, until))) until++
+    while (until < text.length && (isDigit(text, until) || isFraction(text, until))) until++
     if (text.getOrNull(until) != 'E' && text.getOrNull(until) != 'e') return until
     var end = if (text.getOrNull(until + 1) == '-' || text.getOrNull(until + 1) == '+') until + 2 else until + 1
-    if (text.getOrNull(end) !in DIGITS) return until
-    while (text.getOrNull(end) in DIGITS) end++
+    if (!isDigit(text, end)) return until
+    while (isDigit(text, end)) end++
     return if (isWithinWord(text, end)) until else end
 }
 
 private fun isWithinWord(text: String, at: Int) = text.getOrNull(at)?.let { isLetterOrDigit(it) || it == '_' } == true
-
-private operator fun CharRange.contains(character: Char?): Boolean = character != null && character in this
-
-private val DIGITS = '0'..'9'

@@ -10,4 +10,4 @@ public fun modeShade(mode: RobotMode): Shade = when (mode) {
 }
 
 /** How much of its color the shading behind a graph has: seen at a glance, and quieter than the lines upon it. */
-public fun modeOpacity(isDark: Boolean): Double = if (isDark) 0.16 else 0.12
+public fun modeOpacity(isDark: Boolean): Double = if (isDark) 0.11 else 0.08

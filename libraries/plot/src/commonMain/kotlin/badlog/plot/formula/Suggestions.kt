@@ -1,7 +1,6 @@
 package badlog.plot.formula
 
 import badlog.expression.signals.Vocabulary
-import badlog.plot.search.Query
 import badlog.text.isLetterOrDigit
 
 /**
@@ -21,12 +20,13 @@ public class Suggestions(public val from: Int, public val until: Int, public val
             // A name may have blanks: all that may belong to it is tried first, then the last word alone.
             for (start in listOf(lastBreak(typed), typed.lastIndexOf(' ') + 1)) {
                 val begun = typed.substring(start).trimStart()
-                val query = Query(begun.trim('"', '`'))
-                if (query.isEmpty) continue
-                val found = vocabulary.signals.map { it.name }.filter(query::matches)
+                // No search: what excludes and separates there calculates here.
+                val words = begun.trim('"', '`').split(' ').filter { it.isNotEmpty() }
+                if (words.isEmpty()) continue
+                val found = vocabulary.signals.map { it.name }.filter { name -> words.all { name.contains(it, ignoreCase = true) } }
                 if (found.isEmpty()) continue
                 val others = found.filterNot { it.equals(begun, ignoreCase = true) }
-                return Suggestions(cursor - begun.length, cursor, others.sortedBy { rank(it, query.words[0]) }.take(MAX_NAMES))
+                return Suggestions(cursor - begun.length, cursor, others.sortedBy { rank(it, words[0]) }.take(MAX_NAMES))
             }
             return Suggestions(cursor, cursor, emptyList())
         }

@@ -46,6 +46,7 @@ class FormulaSpec : FunSpec({
         names("P = System/Battery Voltage - cur") shouldBe listOf("PDP/Total Current")
         names("P = system/battery voltage") shouldBe emptyList()
         names("P = 2 when volt") shouldBe listOf("System/Battery Voltage")
+        names("P = -volt") shouldBe emptyList()
         names("P = \"Tot") shouldBe listOf("PDP/Total Current")
         val found = Suggestions.of("P = 2 * (tot) ", 12, vocabulary)
         (found.from to found.until) shouldBe (9 to 12)
