@@ -3,6 +3,7 @@ package badlog.cli
 import badlog.cli.command.ExitCode
 import badlog.file.readRecording
 import badlog.formats.LOG_FORMATS
+import badlog.recording.ProblemKind
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
@@ -102,7 +103,10 @@ class BrokenFilesSpec : FunSpec({
                     listOf("merge", log, good, "--append", "-o", out),
                 )) {
                     val ended = badlog(*command.toTypedArray(), "--force")
-                    if (ended.code != ExitCode.NOTHING) readRecording(Path.of(command.last().toString()), LOG_FORMATS).isSalvaged shouldBe false
+                    if (ended.code == ExitCode.NOTHING) continue
+                    val written = readRecording(Path.of(command.last().toString()), LOG_FORMATS)
+                    // A lone record that is left of a log may have a wrong time, which shows only beside the records of another log.
+                    written.copy(problems = written.problems.filter { it.kind != ProblemKind.WILD_TIMES }).isSalvaged shouldBe false
                 }
             }
         }
