@@ -1,5 +1,7 @@
 package badlog.bag
 
+import badlog.text.CR
+import badlog.text.LF
 import badlog.text.TAB
 
 /** What the first lines from the titles on look like; the rows that follow show whether a line of titles is damaged or only odd. */
@@ -30,6 +32,10 @@ internal class FirstLines(private val pending: PendingBytes, private val cellRea
     var hasRows = false
         private set
 
+    /** Whether they are the bytes of a picture, an archive or a program: damage leaves more text than that. */
+    var isBinary = false
+        private set
+
     /** Looks at the lines from the pending byte on; false where more of them are needed, and [isEnd] does not say that there are none. */
     fun look(isEnd: Boolean): Boolean {
         lines.clear()
@@ -53,6 +59,8 @@ internal class FirstLines(private val pending: PendingBytes, private val cellRea
             // A line that ends at a NUL goes on there.
             at = if (next == end) end + 1 else next
         }
+        val controls = (pending.start until at).count { isControl(bytes[it]) }
+        isBinary = controls >= MIN_CONTROLS && controls * MIN_TEXT > at - pending.start
         findWidth()
         return true
     }
@@ -91,8 +99,15 @@ internal class FirstLines(private val pending: PendingBytes, private val cellRea
         private const val CLEARLY = 3
         private const val MOST_CELLS = 1 shl 16
 
+        /** Of bytes by chance every ninth is a control character; of text with a few damaged places not one in [MIN_TEXT]. */
+        private const val MIN_TEXT = 20
+        private const val MIN_CONTROLS = 16
+
         /** Whether there are bytes that no text has. */
         fun hasControls(bytes: ByteArray, from: Int, until: Int): Boolean =
             (from until until).any { bytes[it] in 1..31 && bytes[it].toInt() != TAB }
+
+        // Not NUL, of which a loss of power may leave thousands.
+        private fun isControl(byte: Byte) = byte in 1..31 && byte.toInt() != TAB && byte.toInt() != LF && byte.toInt() != CR
     }
 }

@@ -153,7 +153,7 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
         val width = clearWidth(0)
         val isDamaged = width > 1 && titles.size != width
         val mayBeBinary = mayBeUtf16 || FirstLines.hasControls(pending.bytes, pending.start, lineEnd)
-        if (mayBeBinary && !firstLines.hasRows) return refuse(if (mayBeUtf16) UTF_16 else BINARY)
+        if (firstLines.isBinary || (mayBeBinary && !firstLines.hasRows)) return refuse(if (mayBeUtf16) UTF_16 else BINARY)
         reportEncoding()
         if (titles.size == 1 && width <= 1) otherSeparator(titles[0])?.let { return refuse(it) }
         if (isDamaged && firstLines.hasRows) {
@@ -216,13 +216,7 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
             if (!known.isDoubtful[i]) continue
             val name = matched.columnNames[i]
             val other = titles.getOrNull(i)?.takeIf { it != name }
-            val reason = if (other ==
-                null
-            ) {
-                "the line of titles is damaged"
-            } else {
-                "line ${pending.line} has “$other” there"
-            }
+            val reason = if (other == null) "the line of titles is damaged" else "line ${pending.line} has “$other” there"
             problems.add(
                 ProblemKind.NAME_IN_DOUBT,
                 "Column ${i + 1} is shown as “$name”, but it may be another one: $reason.",
@@ -257,10 +251,7 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
     }
 
     private fun decode(from: Int, until: Int): String = decoder.decode(pending.bytes, from, until).also {
-        if (decoder.wasNotUtf8) {
-            sawOtherText =
-                true
-        }
+        if (decoder.wasNotUtf8) sawOtherText = true
     }
 
     private fun reportEncoding() {

@@ -7,6 +7,7 @@ import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
+import kotlin.random.Random
 
 private val NAMES = List(30) { if (it == 0) "Time" else "Folder ${it % 4}/Topic $it" }
 
@@ -145,6 +146,14 @@ class DamagedHeaderSpec : FunSpec({
     test("what has no rows of text is refused") {
         for (bytes in listOf("\u0001\u0002\u0003\n\u0004\n", "PK\u0003\u0004,\u0007\nab,\u0001,\n", "\u007fELF\u0002\n\u0001,2\n")) {
             parse(bytes).kinds() shouldContainExactly listOf(ProblemKind.NOT_A_RECORDING)
+        }
+    }
+
+    test("a picture that lies among the logs is refused, whatever of its bytes looks like rows") {
+        for (seed in 0 until 300) {
+            val bytes = "\u0000PNG\r\n\u001a\n".encodeToByteArray() + Random(seed).nextBytes(20_000)
+            bytes[0] = 0x89.toByte()
+            parse(bytes).kinds() shouldContain ProblemKind.NOT_A_RECORDING
         }
     }
 })

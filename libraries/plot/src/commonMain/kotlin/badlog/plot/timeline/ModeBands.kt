@@ -37,7 +37,7 @@ public class ModeBands {
             add(from, to, one.mode)
             index++
             // The others that end in the same pixel would not be seen.
-            if (to - from <= 1) index = maxOf(index, timeline.firstReaching(span.from + (floor(from) + 1) * span.width / width))
+            if (to <= from + 1) index = maxOf(index, timeline.firstReaching(span.from + (floor(from) + 1) * span.width / width))
         }
     }
 

@@ -62,6 +62,14 @@ class ModeTimelineSpec : FunSpec({
         bands.size shouldBe 0
     }
 
+    test("spans of less than a pixel share one, also where its place has more digits than a number holds") {
+        val bands = ModeBands()
+        // 1.003 + 1 rounds to a number that is further than 1 from 1.003.
+        val spans = List(40) { ModeSpan(Span(1.003 + it * 0.001, 1.003 + it * 0.001 + 0.0005), RobotMode.entries[it % 2]) }
+        bands.place(ModeTimeline(spans, 1.0), Span(0.0, 10.0), 10.0)
+        bands.size shouldBe 1
+    }
+
     test("however often a robot is enabled, bands are no more than pixels, in order, and none of what is seen is lost") {
         val bands = ModeBands()
         checkAll(Arb.list(Arb.numericDouble(0.001, 3.0), 0..300), Arb.int(1..50), Arb.numericDouble(-5.0, 100.0), Arb.numericDouble(0.01, 300.0)) { gaps, width, from, length ->
