@@ -1,0 +1,90 @@
+"""Inflates a gzip file, and keeps all that can be inflated of it.
+
+A robot's file may lack its trailer or be cut anywhere, may be several gzip members in a row, and may end in NULs or other remains.
+Check sums are not looked at: a wrong one would not bring anything back.
+"""
+
+from __future__ import annotations
+
+import zlib
+
+# The end of the empty block by which a flush brings the stream to a whole byte.
+_FLUSH_MARK = b"\x00\x00\xff\xff"
+_PIECE = 1 << 16
+_TRAILER = 8
+
+_CHECK, _EXTRA, _NAME, _COMMENT = 2, 4, 8, 16
+
+
+def is_gzip(data: bytes) -> bool:
+    """Whether a file that begins so is compressed with gzip, whatever its name."""
+    return data.startswith(b"\x1f\x8b")
+
+
+def inflate(data: bytes, most: int) -> tuple[bytes, bool]:
+    """What the file holds, up to about `most` bytes, and whether something is missing.
+
+    A stream that its writer flushed but never closed, as the original badlog leaves it, lacks nothing.
+    """
+    parts: list[bytes] = []
+    size = 0
+    at = 0
+    saw_body = False
+    while at < len(data) and size < most:
+        body = _body_after(data, at)
+        if body is None:
+            # Remains after the last member; a file that is no more than a beginning has none.
+            return b"".join(parts), not saw_body
+        saw_body = True
+        inflater = zlib.decompressobj(-zlib.MAX_WBITS)
+        at = body
+        while at < len(data) and not inflater.eof and size < most:
+            piece = data[at : at + _PIECE]
+            before = inflater.copy()
+            try:
+                parts.append(inflater.decompress(piece))
+            except zlib.error:
+                parts.append(_until_fault(before, piece))
+                return b"".join(parts), True
+            size += len(parts[-1])
+            at += len(piece)
+        if not inflater.eof:
+            return b"".join(parts), size < most and (at == body or not data.endswith(_FLUSH_MARK))
+        at += _TRAILER - len(inflater.unused_data)
+    return b"".join(parts), not saw_body
+
+
+def _until_fault(inflater: zlib._Decompress, piece: bytes) -> bytes:
+    """What `piece` holds before the byte at which it cannot be inflated further."""
+    inflated = bytearray()
+    try:
+        for byte in piece:
+            left = bytes([byte])
+            # By single bytes, because what a failing call had inflated is lost.
+            while True:
+                inflated += inflater.decompress(left, 1)
+                left = inflater.unconsumed_tail
+                if not left:
+                    break
+    except zlib.error:
+        pass
+    return bytes(inflated)
+
+
+def _body_after(data: bytes, start: int) -> int | None:
+    """Where the deflated bytes of the member begin whose header (RFC 1952) begins at `start`; None where there is no whole header."""
+    if data[start : start + 3] != b"\x1f\x8b\x08" or len(data) < start + 10:
+        return None
+    flags = data[start + 3]
+    at = start + 10
+    if flags & _EXTRA:
+        at += 2 + int.from_bytes(data[at : at + 2], "little")
+    for flag in (_NAME, _COMMENT):
+        if flags & flag:
+            end = data.find(b"\0", at)
+            if end < 0:
+                return None
+            at = end + 1
+    if flags & _CHECK:
+        at += 2
+    return at if at <= len(data) else None

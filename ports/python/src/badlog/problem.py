@@ -1,0 +1,130 @@
+"""What can be wrong with a log, as data: a damaged file opens, and says what it lost."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from enum import Enum, IntEnum
+
+__all__ = ["Problem", "ProblemKind", "Severity"]
+
+
+class Severity(IntEnum):
+    """How much a problem matters to someone who reads the recording."""
+
+    NOTE = 0
+    """Nothing is lost or doubtful; for information."""
+    WARNING = 1
+    """Everything was kept, but some of it was read in a way that its writer may not have meant."""
+    ERROR = 2
+    """Something of the file is lost."""
+
+
+_ERRORS = frozenset(
+    "NOT_A_RECORDING EMPTY_FILE GZIP_CUT HEADER_UNREADABLE TITLES_DAMAGED ROW_CUT LAST_CELL_CUT NUL_HOLE TOO_MANY_ROWS ROW_LONG".split()
+)
+_NOTES = frozenset(
+    "BLANK_LINE BYTE_ORDER_MARK CARRIAGE_RETURNS EMPTY_CELLS TRUTH_VALUES NOT_FINITE UNUSUAL_NAME UNKNOWN_ATTRIBUTE "
+    "DUPLICATE_ATTRIBUTE X_REPEATS UNUSUAL_JOIN INTEGRAL_OVER_GAPS".split()
+)
+
+
+class ProblemKind(str, Enum):
+    """What can be wrong with a bag. The rules behind each kind are in `docs/bag-format.md`."""
+
+    NOT_A_RECORDING = "NOT_A_RECORDING"
+    EMPTY_FILE = "EMPTY_FILE"
+    GZIP_CUT = "GZIP_CUT"
+    HEADER_UNREADABLE = "HEADER_UNREADABLE"
+    TITLES_DAMAGED = "TITLES_DAMAGED"
+    NAME_IN_DOUBT = "NAME_IN_DOUBT"
+    NO_ROWS = "NO_ROWS"
+    ROW_CUT = "ROW_CUT"
+    LAST_CELL_CUT = "LAST_CELL_CUT"
+    NUL_HOLE = "NUL_HOLE"
+    LINES_JOINED = "LINES_JOINED"
+    QUOTES_REPAIRED = "QUOTES_REPAIRED"
+    TOO_MANY_ROWS = "TOO_MANY_ROWS"
+    ROW_SHORT = "ROW_SHORT"
+    ROW_LONG = "ROW_LONG"
+    BLANK_LINE = "BLANK_LINE"
+    BYTE_ORDER_MARK = "BYTE_ORDER_MARK"
+    CARRIAGE_RETURNS = "CARRIAGE_RETURNS"
+    NOT_UTF8 = "NOT_UTF8"
+    DECIMAL_COMMA = "DECIMAL_COMMA"
+    EMPTY_CELLS = "EMPTY_CELLS"
+    TEXT_IN_NUMBERS = "TEXT_IN_NUMBERS"
+    TRUTH_VALUES = "TRUTH_VALUES"
+    NOT_FINITE = "NOT_FINITE"
+    TOPIC_WITHOUT_COLUMN = "TOPIC_WITHOUT_COLUMN"
+    COLUMN_WITHOUT_TOPIC = "COLUMN_WITHOUT_TOPIC"
+    DUPLICATE_TOPIC = "DUPLICATE_TOPIC"
+    UNUSUAL_NAME = "UNUSUAL_NAME"
+    UNKNOWN_ATTRIBUTE = "UNKNOWN_ATTRIBUTE"
+    DUPLICATE_ATTRIBUTE = "DUPLICATE_ATTRIBUTE"
+    UNFIT_ATTRIBUTE = "UNFIT_ATTRIBUTE"
+    SECOND_X_AXIS = "SECOND_X_AXIS"
+    X_BACKWARDS = "X_BACKWARDS"
+    X_REPEATS = "X_REPEATS"
+    X_GAPS = "X_GAPS"
+    X_WILD = "X_WILD"
+    UNUSUAL_JOIN = "UNUSUAL_JOIN"
+    INTEGRAL_OVER_GAPS = "INTEGRAL_OVER_GAPS"
+
+    @property
+    def severity(self) -> Severity:
+        """How much a problem of this kind matters."""
+        if self.value in _ERRORS:
+            return Severity.ERROR
+        return Severity.NOTE if self.value in _NOTES else Severity.WARNING
+
+    def __str__(self) -> str:
+        return self.value
+
+
+@dataclass(frozen=True)
+class Problem:
+    """Something that was wrong in a file, where, and how it was handled."""
+
+    kind: ProblemKind
+    message: str
+    """One sentence."""
+    line: int | None = None
+    """The physical line of the file, from 1, or None where the problem has no line."""
+    topic: str | None = None
+    """The name of the topic concerned, or None."""
+    count: int = 1
+    """How often it was met; `line` and `message` speak of the first."""
+
+    @property
+    def severity(self) -> Severity:
+        """How much it matters."""
+        return self.kind.severity
+
+    def __str__(self) -> str:
+        place = "" if self.line is None else f"line {self.line}: "
+        return f"{self.severity.name.lower()}: {place}{self.message}"
+
+
+class ProblemList:
+    """Collects problems in bounded memory: of each kind and topic the first ten are kept, the others counted."""
+
+    _LISTED = 10
+
+    def __init__(self) -> None:
+        self._problems: list[Problem] = []
+        self._seen: dict[tuple[ProblemKind, str | None], int] = {}
+        self._overflow: dict[tuple[ProblemKind, str | None], Problem] = {}
+
+    def add(self, kind: ProblemKind, message: str, line: int | None = None, topic: str | None = None, count: int = 1) -> None:
+        key = (kind, topic)
+        times = self._seen.get(key, 0) + 1
+        self._seen[key] = times
+        if times <= self._LISTED:
+            self._problems.append(Problem(kind, message, line, topic, count))
+        else:
+            first = self._overflow.get(key) or Problem(kind, message, line, topic, 0)
+            self._overflow[key] = replace(first, count=first.count + count)
+
+    def to_list(self) -> list[Problem]:
+        """The problems in the order in which they were added, then one for each kind that went on."""
+        return self._problems + list(self._overflow.values())

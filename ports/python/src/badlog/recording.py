@@ -1,0 +1,265 @@
+"""What was read from one log."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from enum import Enum
+from typing import TYPE_CHECKING
+
+from badlog._samples import Numbers, Samples
+from badlog.problem import Problem, ProblemKind, Severity
+
+if TYPE_CHECKING:
+    import pandas
+    import polars
+    import pyarrow
+
+__all__ = ["CellCounts", "Event", "Recording", "RecordingFormat", "Topic", "TopicKind", "Value"]
+
+UNITLESS = "ul"
+
+
+class RecordingFormat(str, Enum):
+    """The format that a recording was read from."""
+
+    BAG = "bag"
+    """A line of JSON, then CSV."""
+    CSV = "csv"
+    """CSV alone: a bag without units, attributes and values."""
+
+
+class TopicKind(str, Enum):
+    """What the cells of a topic turned out to be."""
+
+    EMPTY = "empty"
+    """No cell holds anything."""
+    NUMERIC = "numeric"
+    """Numbers."""
+    BOOLEAN = "boolean"
+    """Only `true` and `false`, kept as 1 and 0."""
+    STATE = "state"
+    """Mostly texts, in at least half of the rows: what state something is in."""
+    EVENT = "event"
+    """Mostly texts, in fewer than half of the rows: what happened."""
+
+
+@dataclass(frozen=True)
+class Value:
+    """A name and a text that were known when the log began, such as the match number."""
+
+    name: str
+    text: str
+
+
+@dataclass(frozen=True)
+class Event:
+    """A text with a time."""
+
+    x: float
+    """The x of its row: that of the topic with the attribute `xaxis`, else the row's index."""
+    topic: str
+    text: str
+
+
+@dataclass(frozen=True)
+class CellCounts:
+    """How many cells of a topic held what. All but `gaps` add up to the number of rows."""
+
+    numbers: int
+    """Finite numbers."""
+    not_finite: int
+    """`NaN` and infinities that were written as such."""
+    truth_values: int
+    """`true` and `false`."""
+    texts: int
+    """Any other text."""
+    empty: int
+    """Nothing, `null`, or a cell that its row lacks."""
+    gaps: int
+    """Into how many runs of neighboring rows the cells without a number fall."""
+
+    @property
+    def total(self) -> int:
+        """The number of cells."""
+        return self.numbers + self.not_finite + self.truth_values + self.texts + self.empty
+
+    @property
+    def kind(self) -> TopicKind:
+        """What a topic with such cells is."""
+        numeric = self.numbers + self.not_finite + self.truth_values
+        if numeric == 0 and self.texts == 0:
+            return TopicKind.EMPTY
+        if self.texts > numeric:
+            return TopicKind.STATE if self.texts * 2 >= self.total else TopicKind.EVENT
+        return TopicKind.BOOLEAN if self.truth_values == numeric else TopicKind.NUMERIC
+
+
+@dataclass(frozen=True)
+class Topic:
+    """A named, united, attributed stream of samples, one for each row."""
+
+    name: str
+    """The full name, unique in its recording; `/` makes folders."""
+    unit: str
+    """The unit as the file gives it; `ul` and the empty text mean none."""
+    attributes: tuple[str, ...]
+    """The attributes as the file gives them, in its order."""
+    counts: CellCounts
+    """What the cells held."""
+    _samples: Samples = field(repr=False, compare=False)
+    _text_rows: Sequence[int] = field(repr=False, compare=False)
+    _text_ids: Sequence[int] = field(repr=False, compare=False)
+    _dictionary: Sequence[str] = field(repr=False, compare=False)
+    _written_nans: list[int] = field(repr=False, compare=False)
+
+    @property
+    def samples(self) -> Numbers:
+        """One number for each row, NaN where there is none; a read-only array of NumPy, or an `array('d')` without NumPy."""
+        return self._samples.whole()
+
+    @property
+    def texts(self) -> list[tuple[int, str]]:
+        """The cells that hold a text: the row, from 0, and the text."""
+        return [(row, self._dictionary[id]) for row, id in zip(self._text_rows, self._text_ids)]
+
+    @property
+    def kind(self) -> TopicKind:
+        """What the cells turned out to be."""
+        return self.counts.kind
+
+    @property
+    def is_sparse(self) -> bool:
+        """Whether fewer than half of the rows have a number, and those mostly stand alone.
+
+        Such a topic is sampled at times of its own: its empty cells are not gaps, they just have no sample.
+        """
+        without_number = self.counts.empty + self.counts.texts
+        with_number = self.counts.total - without_number
+        return without_number > with_number and with_number < 2 * self.counts.gaps
+
+    def __len__(self) -> int:
+        return self.counts.total
+
+    def to_arrow(self) -> pyarrow.Array | pyarrow.ChunkedArray:
+        """The cells as an array of Arrow: doubles, booleans, or a dictionary of texts, with null for a gap."""
+        from badlog import _tables
+
+        return _tables.column_of(self)
+
+
+class Recording:
+    """What was read from one log: everything that could be kept, and the problems met on the way.
+
+    `recording["Arm/Angle"]` is a topic; iterating gives the topics' names, as with a `dict`.
+    """
+
+    def __init__(
+        self,
+        format: RecordingFormat,
+        header_line: str | None,
+        values: list[Value],
+        topics: list[Topic],
+        row_count: int,
+        problems: list[Problem],
+        path: str | None = None,
+    ) -> None:
+        self.format = format
+        self.header_line = header_line
+        """The JSON of the file's first line as it stands there, or None where it has none."""
+        self.values = values
+        """The values, in the order of the file."""
+        self.topics = topics
+        """The topics, in the order in which they are shown."""
+        self.row_count = row_count
+        """How many samples each topic has."""
+        self.problems = problems
+        """What was wrong in the file."""
+        self.path = path
+        """The file it was read from, if it was one."""
+        self._by_name = {topic.name: topic for topic in topics}
+
+    def __getitem__(self, name: str) -> Topic:
+        try:
+            return self._by_name[name]
+        except KeyError:
+            raise KeyError(f"The log has no topic “{name}”; it has {len(self.topics)}, see recording.topics.") from None
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._by_name
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._by_name)
+
+    def __len__(self) -> int:
+        return len(self.topics)
+
+    def __repr__(self) -> str:
+        name = "" if self.path is None else f"{os.path.basename(self.path)}: "
+        return f"<badlog.Recording {name}{len(self.topics)} topics, {self.row_count} rows, {len(self.problems)} problems>"
+
+    def value(self, name: str, default: str = "") -> str:
+        """The text of the first value of that name, or `default` without one."""
+        return next((value.text for value in self.values if value.name == name), default)
+
+    @property
+    def units(self) -> dict[str, str]:
+        """The unit of each topic that has one, by name."""
+        return {topic.name: topic.unit for topic in self.topics if topic.unit not in ("", UNITLESS)}
+
+    @property
+    def is_readable(self) -> bool:
+        """False for bytes that are not a log at all, so that there is nothing but `problems`."""
+        return all(problem.kind is not ProblemKind.NOT_A_RECORDING for problem in self.problems)
+
+    @property
+    def is_salvaged(self) -> bool:
+        """True when something of the file is lost: one of `problems` is an error."""
+        return any(problem.severity is Severity.ERROR for problem in self.problems)
+
+    @property
+    def x_axis(self) -> Topic | None:
+        """The first topic with the attribute `xaxis`, if it has numbers."""
+        axis = next((topic for topic in self.topics if "xaxis" in topic.attributes), None)
+        has_numbers = axis is not None and axis.kind in (TopicKind.NUMERIC, TopicKind.BOOLEAN, TopicKind.STATE)
+        return axis if has_numbers and axis is not None and axis.counts.total > axis.counts.texts + axis.counts.empty else None
+
+    @property
+    def events(self) -> list[Event]:
+        """The texts of all topics that are events or have the attribute `log`, in the order of the rows."""
+        axis = self.x_axis
+        found = [
+            (row, topic.name, text)
+            for topic in self.topics
+            if topic.kind is TopicKind.EVENT or "log" in topic.attributes
+            for row, text in topic.texts
+        ]
+        found.sort(key=lambda event: event[0])
+        x = None if axis is None else axis.samples
+        return [Event(float(row if x is None else x[row]), name, text) for row, name, text in found]
+
+    @property
+    def attribute_problems(self) -> list[Problem]:
+        """What is odd about the topics' attributes; it is found when they are applied, not when the file is read."""
+        from badlog._attributes import attribute_problems
+
+        return attribute_problems(self)
+
+    def to_arrow(self) -> pyarrow.Table:
+        """A table of Arrow, a column for each topic; units, attributes and values are in its metadata. See `docs/python.md`."""
+        from badlog import _tables
+
+        return _tables.table_of(self)
+
+    def to_pandas(self, index: str | None = None) -> pandas.DataFrame:
+        """A data frame, a column for each topic; units and values are in its `attrs`. `index` names the topic that is the index."""
+        from badlog import _tables
+
+        return _tables.pandas_of(self, index)
+
+    def to_polars(self) -> polars.DataFrame:
+        """A data frame of Polars, a column for each topic. Polars keeps no metadata: see `units`."""
+        from badlog import _tables
+
+        return _tables.polars_of(self)

@@ -1,0 +1,180 @@
+"""Files and folders, compressed and damaged, and what a recording answers."""
+
+from __future__ import annotations
+
+import gzip
+import io
+import math
+import random
+import re
+import zlib
+from pathlib import Path
+
+import pytest
+
+import badlog
+from badlog import ProblemKind, reading
+
+ROOT = Path(__file__).parents[3]
+SAMPLES = ROOT / "samples"
+HEADER = b'{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"Events","attrs":["log"]}],"values":[{"name":"Match","value":"8"}]}\n'
+BAG = HEADER + b"Time,Events\n0.5,\n1.0,armed\n1.5,\n"
+
+
+def kinds_of(recording: badlog.Recording) -> list[str]:
+    return [problem.kind.value for problem in recording.problems]
+
+
+def test_a_path_bytes_and_an_open_file_give_the_same(tmp_path: Path) -> None:
+    path = tmp_path / "log"
+    path.write_bytes(BAG)
+    for recording in (badlog.read(path), badlog.read(str(path)), badlog.read(BAG), badlog.read(io.BytesIO(BAG))):
+        assert recording.row_count == 3
+        assert list(recording["Time"].samples) == [0.5, 1.0, 1.5]
+        assert recording.problems == []
+
+
+def test_a_recording_answers_by_name() -> None:
+    recording = badlog.read(BAG)
+    assert list(recording) == ["Time", "Events"]
+    assert "Time" in recording and "Speed" not in recording
+    assert recording.units == {"Time": "s"}
+    assert recording.value("Match") == "8"
+    assert recording.value("Event", "none") == "none"
+    assert recording.x_axis is recording["Time"]
+    assert recording.events == [badlog.Event(1.0, "Events", "armed")]
+    with pytest.raises(KeyError, match="no topic “Speed”; it has 2"):
+        recording["Speed"]
+
+
+def test_a_missing_file_is_the_systems_error(tmp_path: Path) -> None:
+    with pytest.raises(FileNotFoundError):
+        badlog.read(tmp_path / "none.bag")
+
+
+def test_a_gzip_file_is_inflated_whatever_its_name(tmp_path: Path) -> None:
+    path = tmp_path / "log.bag"
+    path.write_bytes(gzip.compress(BAG))
+    assert badlog.read(path).row_count == 3
+    assert kinds_of(badlog.read(path)) == []
+
+
+def test_a_gzip_stream_that_was_flushed_and_never_closed_is_whole() -> None:
+    packer = zlib.compressobj(wbits=31)
+    flushed = packer.compress(BAG) + packer.flush(zlib.Z_SYNC_FLUSH)
+    assert kinds_of(badlog.read(flushed)) == []
+
+
+def test_gzip_members_follow_one_another_and_remains_do_no_harm() -> None:
+    both = gzip.compress(BAG[:100]) + gzip.compress(BAG[100:]) + bytes(40)
+    recording = badlog.read(both)
+    assert recording.row_count == 3
+    assert kinds_of(recording) == []
+
+
+@pytest.mark.parametrize("cut", [12, 40, 90])
+def test_of_a_cut_gzip_file_all_is_read_that_inflates(cut: int) -> None:
+    rows = b"".join(b"%d.5,\n" % row for row in range(500))
+    whole = gzip.compress(HEADER + b"Time,Events\n" + rows)
+    recording = badlog.read(whole[:-cut])
+    assert kinds_of(recording)[0] == "GZIP_CUT"
+    assert 0 < recording.row_count < 500
+    assert recording.is_salvaged
+
+
+def test_a_gzip_file_damaged_in_the_middle_gives_what_stands_before() -> None:
+    rows = b"".join(b"%d.5,%d\n" % (row, row * row % 9973) for row in range(3000))
+    damaged = bytearray(gzip.compress(HEADER + b"Time,Events\n" + rows))
+    damaged[len(damaged) // 2 : len(damaged) // 2 + 40] = b"\xff" * 40
+    recording = badlog.read(damaged)
+    assert "GZIP_CUT" in kinds_of(recording)
+    assert recording.row_count > 1000
+
+
+def test_no_more_rows_are_read_than_wanted() -> None:
+    recording = badlog.read(BAG, max_rows=2)
+    assert recording.row_count == 2
+    assert kinds_of(recording) == ["TOO_MANY_ROWS"]
+
+
+def test_what_is_not_a_log_says_so() -> None:
+    recording = badlog.read(b"WPILOG\x00\x01")
+    assert not recording.is_readable
+    assert recording.topics == []
+    assert "badlog convert" in recording.problems[0].message
+
+
+def test_a_folder_is_read_in_order_and_only_its_logs(tmp_path: Path) -> None:
+    (tmp_path / "b").mkdir()
+    (tmp_path / ".git").mkdir()
+    for name in ("b/2.bag.gz", "a.bag", ".git/x.bag", "notes.txt"):
+        (tmp_path / name).write_bytes(gzip.compress(BAG) if name.endswith(".gz") else BAG)
+    (tmp_path / "prose.csv").write_text("only\nwords\nhere\n")
+    found = [Path(str(recording.path)).relative_to(tmp_path).as_posix() for recording in badlog.read_folder(tmp_path)]
+    assert found == ["a.bag", "b/2.bag.gz"]
+    with pytest.raises(NotADirectoryError, match="is not a folder"):
+        badlog.read_folder(tmp_path / "a.bag")
+
+
+def test_the_samples_of_the_project_open() -> None:
+    recordings = {Path(str(recording.path)).name: recording for recording in badlog.read_folder(SAMPLES)}
+    assert recordings["qualification-42.bag"].row_count == 7794
+    assert recordings["practice.bag"].is_salvaged
+    assert len(recordings["qualification-57.bag.gz"].events) > 0
+
+
+@pytest.mark.skipif(not reading._has_arrow(), reason="pyarrow or numpy is not installed")
+def test_arrow_and_python_read_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("badlog._rows._LEAST_ARROW_BYTES", 200)
+    random_source = random.Random(1)
+    cells = [b"1.25", b"-0", b"", b"null", b"NULL", b"nan", b"-nan", b"inf", b"1e400", b"true", b"False", b" 7 ", b"text", b'"1,5"', b'"a, ""b"""']
+    cells += [b"\xe9", b"+5", b"5.", b".5", b"1_0", b"0x10", b"\t", b"nan(1)", b'""', b"1e-400", b"#N/A", b"n/a", b"1d", b"\xc3\xa9"]
+    for _ in range(150):
+        few = random_source.sample(cells, random_source.choice([1, 2, 5]))
+        rows = []
+        for i in range(random_source.choice([3, 60, 400])):
+            row = [b"%d.5" % i] + [random_source.choice(few) if random_source.random() < 0.2 else b"%d" % i for _ in range(3)]
+            if random_source.random() < 0.005:
+                row = row[: random_source.randrange(6)]
+            rows.append(b",".join(row) + random_source.choice([b"\n", b"\r\n"]))
+        data = b"A,B,C,D\n" + b"".join(rows)
+        by_arrow = reading.parse(data, 10**6, True)
+        by_python = reading.parse(data, 10**6, False)
+        assert sorted(map(str, by_arrow.problems)) == sorted(map(str, by_python.problems))
+        for one, other in zip(by_arrow.topics, by_python.topics):
+            assert one == other
+            assert list(map(repr, one.samples.tolist())) == list(map(repr, other.samples.tolist()))
+            assert one.texts == other.texts
+            assert one._written_nans == other._written_nans
+
+
+def test_no_damage_raises() -> None:
+    random_source = random.Random(2)
+    seeds = [bag.read_bytes() for bag in sorted((ROOT / "core" / "conformance").glob("*.bag"))]
+    tokens = [b'"', b"\n", b"\r", b",", b"\0\0", b"\xff\xfe", b"{", b"nan", b"1e400", b"\x1f\x8b\x08", b"1,5", b"\xe9"]
+    for _ in range(1500):
+        data = bytearray(random_source.choice(seeds))
+        for _ in range(random_source.choice([1, 3, 10])):
+            at = random_source.randrange(len(data) + 1)
+            if random_source.random() < 0.6:
+                data[at:at] = random_source.choice(tokens)
+            else:
+                del data[at : at + random_source.choice([1, 5, 60])]
+        recording = badlog.read(data)
+        assert all(len(topic) == recording.row_count for topic in recording.topics)
+        assert all(isinstance(problem.kind, ProblemKind) for problem in recording.problems + recording.attribute_problems)
+
+
+def test_the_kinds_of_problems_and_their_severities_are_those_of_the_guide() -> None:
+    guide = (ROOT / "docs" / "bag-format.md").read_text(encoding="utf-8")
+    told = set(re.findall(r"`([A-Z0-9_]+)` (error|warning|note)", guide))
+    assert told == {(kind.value, kind.severity.name.lower()) for kind in ProblemKind}
+
+
+def test_the_version_is_that_of_the_project() -> None:
+    properties = (ROOT / "gradle.properties").read_text(encoding="utf-8")
+    assert f"version={badlog.__version__}\n" in properties
+
+
+def test_a_cell_that_is_not_a_number_is_nan_in_the_samples() -> None:
+    assert math.isnan(badlog.read(b"a,b\n1,\n2,3\n")["b"].samples[0])
