@@ -159,7 +159,7 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
     }
 
     internal companion object {
-        private const val PATIENCE_NANOSECONDS = 15_000_000_000
+        private const val PATIENCE_NANOSECONDS = 60_000_000_000
         private const val POLL_MILLISECONDS = 15L
         private const val POINTER_MILLISECONDS = 10L
         private const val MAX_TEXT = 1000

@@ -107,7 +107,7 @@ class DiskTroubleSpec : FunSpec({
                     repeat(10) { log.row() }
                     filler.delete()
                     // The header is written before any row.
-                    eventually(10.seconds) { log.state shouldBe LogState.LOGGING }
+                    eventually(60.seconds) { log.state shouldBe LogState.LOGGING }
                     repeat(10) { log.row() }
                 }
             }

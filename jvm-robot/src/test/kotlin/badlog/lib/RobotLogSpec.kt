@@ -100,7 +100,7 @@ class RobotLogSpec : FunSpec({
             val robot = Robot(folder).apply { attached = true }
             RobotLog.start(robot.options).use { log ->
                 log.drive(200)
-                eventually(5.seconds) {
+                eventually(60.seconds) {
                     log.periodic()
                     log.log.state shouldBe LogState.LOGGING
                 }
@@ -191,7 +191,7 @@ class RobotLogSpec : FunSpec({
                     log.drive(400)
                     log.log.state shouldBe LogState.LOGGING
                     robot.free = 5_000_000
-                    eventually(8.seconds) { log.log.state shouldBe LogState.CLOSED }
+                    eventually(60.seconds) { log.log.state shouldBe LogState.CLOSED }
                     log.drive(50)
                 }
             } shouldContain "less than 5 MiB"

@@ -19,6 +19,7 @@ import badlog.viewer.panels.MainView
 import badlog.viewer.recordingOf
 import badlog.viewer.settings.UserFolders
 import badlog.viewer.statistics.StatisticsChoice
+import badlog.viewer.waiting.waitFor
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
@@ -48,7 +49,7 @@ class ComparedRecordingsSpec : FunSpec({
     test("a checked recording is read and drawn after the open one, until it is unchecked") {
         val viewer = onWindow { viewerOf() }
         onWindow { viewer.compared.toggle(other) }
-        eventually(5.seconds) { onWindow { viewer.compared.drawn.map { it.recording.file } } shouldContainExactly listOf(open.file, other) }
+        eventually(60.seconds) { onWindow { viewer.compared.drawn.map { it.recording.file } } shouldContainExactly listOf(open.file, other) }
         onWindow { viewer.compared.toggle(other) }
         onWindow { viewer.compared.state } shouldBe Comparison()
     }
@@ -69,7 +70,7 @@ class ComparedRecordingsSpec : FunSpec({
             viewer.compared.toggle(home.resolve("missing.bag"))
             viewer.compared.toggle(file("picture.bag", "\u0089PNG\r\n\u001a\n\u0000\u0000"))
         }
-        eventually(5.seconds) {
+        eventually(60.seconds) {
             onWindow { viewer.compared.state.checked } shouldBe emptyList()
             onWindow { viewer.notices.all.map { it.isError } } shouldBe listOf(true, true)
         }
@@ -90,9 +91,9 @@ class ComparedRecordingsSpec : FunSpec({
             onNodeWithContentDescription("Offset of other.bag").performKeyInput { pressKey(Key.Enter) }
             runOnIdle { viewer.compared.drawn[1].offset shouldBe -2.5 }
             viewer.panels.change { copy(main = MainView.STATISTICS) }
-            waitUntil { onAllNodesWithText("9").fetchSemanticsNodes().isNotEmpty() }
+            waitFor { onAllNodesWithText("9").fetchSemanticsNodes().isNotEmpty() }
             onNodeWithContentDescription("Save the table as CSV").performClick()
-            waitUntil { viewer.notices.all.isNotEmpty() }
+            waitFor { viewer.notices.all.isNotEmpty() }
         }
         Files.readString(saved) shouldContain "Log,Date,File,A max\r\nopen.bag,"
     }

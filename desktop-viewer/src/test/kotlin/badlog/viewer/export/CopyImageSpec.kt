@@ -8,6 +8,7 @@ import badlog.plot.range.Viewport
 import badlog.viewer.app.Viewer
 import badlog.viewer.export.figure.copyImage
 import badlog.viewer.settings.UserFolders
+import badlog.viewer.waiting.waitFor
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
@@ -40,7 +41,7 @@ class CopyImageSpec : FunSpec({
             viewer.current.replace(recording)
             viewer.view.show(recording.span)
             viewer.figures.copy(defaultBoard(recording.view).graphs.take(1)) { clipboard }
-            waitUntil(timeoutMillis = 20_000) { viewer.notices.all.isNotEmpty() }
+            waitFor { viewer.notices.all.isNotEmpty() }
             viewer.notices.all.single().text shouldContain "“Arm/Angle”"
             imageOn(clipboard).getWidth(null) shouldBe 1800
         }

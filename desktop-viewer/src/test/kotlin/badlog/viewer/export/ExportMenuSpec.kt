@@ -18,6 +18,7 @@ import badlog.viewer.compare.Comparison
 import badlog.viewer.files.ChosenFiles
 import badlog.viewer.library.LibraryState
 import badlog.viewer.settings.UserFolders
+import badlog.viewer.waiting.waitForNotice
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeEmpty
@@ -55,10 +56,6 @@ class ExportMenuSpec : FunSpec({
         onNodeWithContentDescription(entry).performClick()
     }
 
-    fun ComposeUiTest.waitUntilSaid(viewer: Viewer, text: String) {
-        waitUntil(timeoutMillis = 20_000) { viewer.notices.all.any { text in it.text } }
-    }
-
     test("without a log, every entry that needs one is off and says why") {
         window(null, hasLog = false) { _, _ ->
             onNodeWithText("Export").performClick()
@@ -75,7 +72,7 @@ class ExportMenuSpec : FunSpec({
         val page = home.resolve("page.html")
         window(page) { viewer, _ ->
             choose("Export", "Export the page of this log…")
-            waitUntilSaid(viewer, "Saved $page")
+            waitForNotice(viewer, "Saved $page")
             Files.readString(page).lowercase() shouldStartWith "<!doctype html>"
         }
     }
@@ -85,7 +82,7 @@ class ExportMenuSpec : FunSpec({
         window(folder) { viewer, _ ->
             viewer.compared.change { Comparison(checked = listOf(log, home.resolve("gone.bag"))) }
             choose("Export", "Export the pages of 2 checked logs…")
-            waitUntilSaid(viewer, "gone.bag")
+            waitForNotice(viewer, "gone.bag")
             viewer.notices.all.map { it.text } shouldContain "Saved ${folder.resolve("match.bag.html")}."
         }
     }
@@ -97,7 +94,7 @@ class ExportMenuSpec : FunSpec({
         window(folder) { viewer, _ ->
             viewer.library.change { LibraryState(logs) }
             choose("Export", "Export the pages of all logs…")
-            waitUntilSaid(viewer, "Saved 2 pages in $folder")
+            waitForNotice(viewer, "Saved 2 pages in $folder")
         }
     }
 
@@ -110,7 +107,7 @@ class ExportMenuSpec : FunSpec({
             onNodeWithContentDescription("File: SVG").performClick()
             onNodeWithContentDescription("Width: 600").performClick()
             onNodeWithContentDescription("Save the figure").performClick()
-            waitUntilSaid(viewer, "Saved $file")
+            waitForNotice(viewer, "Saved $file")
             val svg = Files.readString(file)
             svg shouldContain "width=\"600.0\""
             svg shouldContain "Arm/Angle"
@@ -123,7 +120,7 @@ class ExportMenuSpec : FunSpec({
         window(home.resolve("picture")) { viewer, _ ->
             choose("Export", "Figure for a report…")
             onNodeWithContentDescription("Save the figure").performClick()
-            waitUntilSaid(viewer, "Saved ${home.resolve("picture.png")}")
+            waitForNotice(viewer, "Saved ${home.resolve("picture.png")}")
             ImageIO.read(home.resolve("picture.png").toFile()).width shouldBe 1800
         }
     }
@@ -133,7 +130,7 @@ class ExportMenuSpec : FunSpec({
         window(file) { viewer, _ ->
             viewer.view.select(Span(1.0, 1.1))
             choose("Export", "The selection as CSV…")
-            waitUntilSaid(viewer, "Wrote 6 rows to $file")
+            waitForNotice(viewer, "Wrote 6 rows to $file")
             Files.readAllLines(file).size shouldBe 7
         }
     }
@@ -151,7 +148,7 @@ class ExportMenuSpec : FunSpec({
         val there = Files.writeString(home.resolve("there.csv"), "mine")
         window(home.resolve("there")) { viewer, _ ->
             choose("Export", "The visible range as CSV…")
-            waitUntilSaid(viewer, "there.csv exists already")
+            waitForNotice(viewer, "there.csv exists already")
             Files.readString(there) shouldBe "mine"
         }
     }

@@ -22,7 +22,7 @@ class FailuresSpec : FunSpec({
         val log = FailureLog(tempdir().toPath().resolve("cache"))
         val scope = Failures(log, notices).guarded(MainScope())
         repeat(2) { scope.launch { error("a defect") }.join() }
-        eventually(10.seconds) { notices.all.single().text shouldContain log.file.toString() }
+        eventually(60.seconds) { notices.all.single().text shouldContain log.file.toString() }
         scope.isActive shouldBe true
         Files.readString(log.file) shouldContain "a defect"
     }
@@ -32,7 +32,7 @@ class FailuresSpec : FunSpec({
         val file = tempdir().toPath().resolve("file")
         Files.writeString(file, "where a folder should be")
         Failures(FailureLog(file.resolve("cache")), notices).hear(IllegalStateException())
-        eventually(10.seconds) { notices.all.single().isError shouldBe true }
+        eventually(60.seconds) { notices.all.single().isError shouldBe true }
     }
 
     test("a task that is given up before it has begun leaves no trace") {

@@ -54,10 +54,10 @@ class LogFindingsSpec : FunSpec({
         over { viewer ->
             viewer.scope.launch { viewer.findings.run() }
             change { viewer.current.replace(counted(folder)) }
-            eventually(10.seconds) { viewer.findings.state.list?.all?.map { it.rule } shouldBe listOf("Half") }
+            eventually(60.seconds) { viewer.findings.state.list?.all?.map { it.rule } shouldBe listOf("Half") }
             writeRules(folder, ruleText("Other", "A > 70"))
             change { viewer.findings.runAgain() }
-            eventually(10.seconds) { viewer.findings.state.list?.all?.map { it.rule } shouldBe listOf("Other") }
+            eventually(60.seconds) { viewer.findings.state.list?.all?.map { it.rule } shouldBe listOf("Other") }
         }
     }
 
@@ -74,7 +74,7 @@ class LogFindingsSpec : FunSpec({
                 change { viewer.current.replace(counted(folder, rows = step + 1)) }
                 delay(50.milliseconds)
             }
-            eventually(10.seconds) { findings.state.list?.trouble shouldBe "20 rows" }
+            eventually(60.seconds) { findings.state.list?.trouble shouldBe "20 rows" }
             runs.get() shouldBeLessThan 4
         }
     }
@@ -97,10 +97,10 @@ class LogFindingsSpec : FunSpec({
             }
             viewer.scope.launch { findings.run() }
             change { viewer.current.replace(counted(home.resolve("slow"))) }
-            began.await(10, TimeUnit.SECONDS) shouldBe true
+            began.await(60, TimeUnit.SECONDS) shouldBe true
             change { viewer.current.replace(counted(home.resolve("other"))) }
-            interrupted.await(10, TimeUnit.SECONDS) shouldBe true
-            eventually(10.seconds) { findings.state.list?.trouble shouldBe "quick" }
+            interrupted.await(60, TimeUnit.SECONDS) shouldBe true
+            eventually(60.seconds) { findings.state.list?.trouble shouldBe "quick" }
         }
     }
 })

@@ -23,6 +23,7 @@ import badlog.viewer.graph.viewerOf
 import badlog.viewer.graph.waitForPictures
 import badlog.viewer.recordingOf
 import badlog.viewer.theme.Theme
+import badlog.viewer.waiting.waitFor
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
@@ -60,12 +61,12 @@ class FormulaDialogSpec : FunSpec({
             onNodeWithContentDescription(field).performKeyInput { pressKey(Key.Enter) }
             onNodeWithText("Makes the topic “Power”.").assertExists()
             onNodeWithContentDescription(field).performKeyInput { pressKey(Key.Enter) }
-            waitUntil(timeoutMillis = 5000) { viewer.current.recording?.signal("Power") != null }
-            waitUntil(timeoutMillis = 5000) { viewer.compared.state.loaded.values.single().signal("Power") != null }
+            waitFor { viewer.current.recording?.signal("Power") != null }
+            waitFor { viewer.compared.state.loaded.values.single().signal("Power") != null }
             viewer.formulas.sheet shouldBe null
             viewer.board.state.graphs.last().lines.single() shouldBe "Power"
             viewer.compared.state.loaded.values.single().signal("Power").shouldNotBeNull().series.y[1] shouldBe 6.0
-            waitUntil(timeoutMillis = 5000) { onAllNodesWithContentDescription("Topic Power").fetchSemanticsNodes().isNotEmpty() }
+            waitFor { onAllNodesWithContentDescription("Topic Power").fetchSemanticsNodes().isNotEmpty() }
             waitForPictures(viewer)
             savePicture("formula-drawn")
 
@@ -73,7 +74,7 @@ class FormulaDialogSpec : FunSpec({
             waitForIdle()
             onNodeWithContentDescription(field).performTextReplacement("Half = System/Battery Voltage / 2")
             onNodeWithContentDescription("Keep the formula (Enter)").performClick()
-            waitUntil(timeoutMillis = 5000) { viewer.current.recording?.signal("Half") != null }
+            waitFor { viewer.current.recording?.signal("Half") != null }
             viewer.current.recording?.signal("Power") shouldBe null
             viewer.board.state.graphs.last().title shouldBe "Half"
 
@@ -81,7 +82,7 @@ class FormulaDialogSpec : FunSpec({
             viewer.formulas.edit(viewer.formulas.definitions.single())
             waitForIdle()
             onNodeWithContentDescription("Remove this formula").performClick()
-            waitUntil(timeoutMillis = 5000) { viewer.current.recording?.signal("Half") == null }
+            waitFor { viewer.current.recording?.signal("Half") == null }
             viewer.formulas.definitions shouldBe emptyList()
             viewer.board.state.graphs.size shouldBe graphs - 1
         }

@@ -18,6 +18,7 @@ import badlog.viewer.recording.OpenRecording
 import badlog.viewer.settings.UserFolders
 import badlog.viewer.theme.Theme
 import badlog.viewer.theme.ViewerTheme
+import badlog.viewer.waiting.waitFor
 import kotlinx.coroutines.MainScope
 import org.jetbrains.skia.EncodedImageFormat
 import org.jetbrains.skia.Image
@@ -63,7 +64,7 @@ internal fun TestGraphs(viewer: Viewer, theme: Theme = Theme.LIGHT) {
 /** Waits until what is to be seen of [viewer] is drawn. */
 @OptIn(ExperimentalTestApi::class)
 internal fun DesktopComposeUiTest.waitForPictures(viewer: Viewer) {
-    waitUntil(timeoutMillis = 20_000) { viewer.graphs.plots.areReady(viewer.compared.drawn, viewer.view.viewport.visible) }
+    waitFor { viewer.graphs.plots.areReady(viewer.compared.drawn, viewer.view.viewport.visible) }
     waitForIdle()
 }
 

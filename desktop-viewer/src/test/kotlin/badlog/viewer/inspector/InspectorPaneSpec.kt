@@ -21,6 +21,7 @@ import badlog.viewer.recordingOf
 import badlog.viewer.settings.UserFolders
 import badlog.viewer.theme.Theme
 import badlog.viewer.theme.ViewerTheme
+import badlog.viewer.waiting.waitFor
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe
@@ -42,14 +43,14 @@ class InspectorPaneSpec : FunSpec({
         viewer.view.change { showing(50_000.0, 50_010.0) }
         runDesktopComposeUiTest(320, 600) {
             setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
-            waitUntil(timeoutMillis = 5000) { onAllNodesWithText("event 3").fetchSemanticsNodes().isNotEmpty() }
+            waitFor { onAllNodesWithText("event 3").fetchSemanticsNodes().isNotEmpty() }
             onNodeWithContentDescription("Event at 3: event 3").performClick()
             runOnIdle {
                 viewer.view.cursor shouldBe 3.0
                 (3.0 in viewer.view.viewport.visible) shouldBe true
             }
             viewer.view.placeCursor(77_777.4)
-            waitUntil { onAllNodesWithText("event 77777").fetchSemanticsNodes().isNotEmpty() }
+            waitFor { onAllNodesWithText("event 77777").fetchSemanticsNodes().isNotEmpty() }
             onNodeWithContentDescription("Event at 77777: event 77777").assertIsSelected()
             onNodeWithContentDescription("Search events").performTextInput("event 99999")
             onNodeWithText("1 of 100 000 events").assertExists()
@@ -84,10 +85,10 @@ class InspectorPaneSpec : FunSpec({
         viewer.board.replace(Board().withGraph(listOf("A")))
         runDesktopComposeUiTest(320, 600) {
             setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
-            waitUntil { onAllNodesWithText("Visible range").fetchSemanticsNodes().isNotEmpty() }
+            waitFor { onAllNodesWithText("Visible range").fetchSemanticsNodes().isNotEmpty() }
             onAllNodesWithText("1.5 V").fetchSemanticsNodes().size shouldBe 2
             viewer.view.select(Span(1.0, 2.0))
-            waitUntil { onAllNodesWithText("Selection").fetchSemanticsNodes().isNotEmpty() }
+            waitFor { onAllNodesWithText("Selection").fetchSemanticsNodes().isNotEmpty() }
             onNodeWithText("1.5 V").assertDoesNotExist()
             onAllNodesWithText("4 V").fetchSemanticsNodes().size shouldBe 1
         }

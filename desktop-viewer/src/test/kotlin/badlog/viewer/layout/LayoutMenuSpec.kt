@@ -16,6 +16,8 @@ import badlog.viewer.export.armBag
 import badlog.viewer.export.recordingOf
 import badlog.viewer.files.ChosenFiles
 import badlog.viewer.settings.UserFolders
+import badlog.viewer.waiting.waitFor
+import badlog.viewer.waiting.waitForNotice
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe
@@ -31,10 +33,6 @@ class LayoutMenuSpec : FunSpec({
     fun ComposeUiTest.choose(entry: String) {
         onNodeWithText("Layout").performClick()
         onNodeWithContentDescription(entry).performClick()
-    }
-
-    fun ComposeUiTest.waitUntilSaid(viewer: Viewer, text: String) {
-        waitUntil(timeoutMillis = 20_000) { viewer.notices.all.any { text in it.text } }
     }
 
     test("without a log there is nothing to arrange") {
@@ -56,16 +54,16 @@ class LayoutMenuSpec : FunSpec({
             viewer.view.show(recording.span)
             setContent { ViewerScreen(viewer) }
             choose("Save the layout as…")
-            waitUntilSaid(viewer, "Saved the layout to $file")
+            waitForNotice(viewer, "Saved the layout to $file")
             choose("Default graphs")
             waitForIdle()
             viewer.board.state shouldBe defaultBoard(recording.view)
             choose("Open a layout…")
-            waitUntil(timeoutMillis = 20_000) { viewer.board.state.graphs.size == 1 }
+            waitFor { viewer.board.state.graphs.size == 1 }
             viewer.board.state.graphs.single().title shouldBe "Arm/Current"
             files.file = log
             choose("Open a layout…")
-            waitUntilSaid(viewer, "match.bag is not a layout")
+            waitForNotice(viewer, "match.bag is not a layout")
         }
     }
 })

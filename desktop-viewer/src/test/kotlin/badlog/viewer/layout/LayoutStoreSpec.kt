@@ -14,6 +14,7 @@ import badlog.viewer.library.LibraryState
 import badlog.viewer.panels.Panels
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.settings.UserFolders
+import badlog.viewer.waiting.waitFor
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldHaveSize
@@ -34,7 +35,7 @@ class LayoutStoreSpec : FunSpec({
             viewer.board.replace(viewer.layouts.graphsOf(recording))
             viewer.view.show(recording.span)
             viewer.current.replace(recording)
-            waitUntil(timeoutMillis = 5000) { viewer.board.state.graphs.isNotEmpty() }
+            waitFor { viewer.board.state.graphs.isNotEmpty() }
             waitForIdle()
             then(viewer)
             viewer.layouts.saveNow()

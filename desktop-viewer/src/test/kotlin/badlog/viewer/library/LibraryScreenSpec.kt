@@ -26,6 +26,7 @@ import badlog.viewer.library.index.put
 import badlog.viewer.library.index.putSamples
 import badlog.viewer.panels.MainView
 import badlog.viewer.settings.UserFolders
+import badlog.viewer.waiting.waitFor
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldContainExactly
@@ -44,7 +45,7 @@ class LibraryScreenSpec : FunSpec({
             setContent { ViewerScreen(viewer) }
             viewer.scope.launch { viewer.newest.run() }
             viewer.library.open(folder)
-            waitUntil(timeoutMillis = 30_000) {
+            waitFor {
                 viewer.library.state.hasLooked && viewer.library.state.reading == null &&
                     (viewer.current.recording != null || viewer.library.state.newest == null)
             }
@@ -65,7 +66,7 @@ class LibraryScreenSpec : FunSpec({
             onNodeWithText("Qualification 42", substring = true).assertExists()
             onNodeWithText("16 Mar 2024, 10:41 · 2:36 · 6.73 V").assertExists()
             onNodeWithContentDescription("Log practice.bag").performClick()
-            waitUntil(timeoutMillis = 30_000) { viewer.current.recording?.file?.fileName.toString() == "practice.bag" }
+            waitFor { viewer.current.recording?.file?.fileName.toString() == "practice.bag" }
             onNodeWithContentDescription("Log practice.bag").assertIsSelected()
         }
     }
@@ -76,7 +77,7 @@ class LibraryScreenSpec : FunSpec({
             shown(viewer) shouldContainExactly listOf("Qualification 42")
             onNodeWithText("1 of 4 logs").assertExists()
             onNodeWithContentDescription("Search logs").performKeyInput { pressKey(Key.Enter) }
-            waitUntil(timeoutMillis = 30_000) { viewer.current.recording?.file?.fileName.toString() == "qualification-42.bag" }
+            waitFor { viewer.current.recording?.file?.fileName.toString() == "qualification-42.bag" }
             onNodeWithContentDescription("Search logs").performTextInput(" nothing")
             onNodeWithText("List all logs").performClick()
             shown(viewer).size shouldBe 4
@@ -120,7 +121,7 @@ class LibraryScreenSpec : FunSpec({
             val second = viewer.library.state.visible[1].file
             viewer.library.state.selected shouldBe second
             table.performKeyInput { pressKey(Key.Enter) }
-            waitUntil(timeoutMillis = 30_000) { viewer.current.recording?.file == second }
+            waitFor { viewer.current.recording?.file == second }
             viewer.panels.state.main shouldBe MainView.GRAPHS
         }
     }
@@ -175,7 +176,7 @@ class LibraryScreenSpec : FunSpec({
         onFolder(sampleFolder()) { viewer ->
             viewer.library.change { copy(selected = viewer.library.state.visible[1].file) }
             libraryCommands(viewer.library, viewer.panels, viewer.opener).single { it.keys.single().key == Key.PageUp }.action()
-            waitUntil(timeoutMillis = 30_000) { viewer.current.recording?.file == viewer.library.state.visible[0].file }
+            waitFor { viewer.current.recording?.file == viewer.library.state.visible[0].file }
         }
     }
 })

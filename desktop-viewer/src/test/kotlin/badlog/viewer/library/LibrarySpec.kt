@@ -36,7 +36,7 @@ import java.util.concurrent.TimeUnit
 import kotlin.time.Duration.Companion.seconds
 
 class LibrarySpec : FunSpec({
-    val longest = 20.seconds
+    val longest = 60.seconds
 
     fun newViewer(home: Path = tempdir().toPath()) = Viewer(MainScope(), UserFolders(home, home))
 

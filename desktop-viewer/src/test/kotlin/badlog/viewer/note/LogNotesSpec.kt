@@ -15,6 +15,7 @@ import badlog.viewer.recording.OpenRecording
 import badlog.viewer.settings.UserFolders
 import badlog.viewer.theme.Theme
 import badlog.viewer.theme.ViewerTheme
+import badlog.viewer.waiting.waitFor
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe
@@ -43,21 +44,21 @@ class LogNotesSpec : FunSpec({
             val viewer = viewer(scope)
             setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
             scope.launch { viewer.notes.run() }
-            waitUntil { viewer.notes.state.log == log.toAbsolutePath() }
+            waitFor { viewer.notes.state.log == log.toAbsolutePath() }
             viewer.view.placeCursor(42.0)
             onNodeWithContentDescription("Write a note at the cursor (M)").performClick()
             onNodeWithContentDescription("Text of the note").performTextInput("hit by 254")
             onNodeWithContentDescription("Keep the note (Enter)").performClick()
-            waitUntil { viewer.notes.draft == null }
+            waitFor { viewer.notes.draft == null }
             NotesFile.read(log) shouldBe listOf(Note(42.0, "hit by 254"))
             onNodeWithText("hit by 254").assertExists()
             onNodeWithText("Change").performClick()
             onNodeWithContentDescription("Text of the note").performTextInput("again ")
             onNodeWithContentDescription("Keep the note (Enter)").performClick()
-            waitUntil { viewer.notes.draft == null }
+            waitFor { viewer.notes.draft == null }
             NotesFile.read(log).single().text.length shouldBe "again hit by 254".length
             onNodeWithText("Remove").performClick()
-            waitUntil { viewer.notes.state.notes.isEmpty() }
+            waitFor { viewer.notes.state.notes.isEmpty() }
             Files.exists(NotesFile.of(log)) shouldBe false
             scope.coroutineContext[Job]?.cancel()
         }
@@ -70,7 +71,7 @@ class LogNotesSpec : FunSpec({
             val viewer = viewer(scope)
             setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
             scope.launch { viewer.notes.run() }
-            waitUntil { viewer.notes.state.isDamaged }
+            waitFor { viewer.notes.state.isDamaged }
             viewer.notes.write(1.0)
             viewer.notes.draft shouldBe null
             scope.coroutineContext[Job]?.cancel()

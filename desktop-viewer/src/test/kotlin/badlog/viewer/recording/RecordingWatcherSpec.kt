@@ -57,9 +57,9 @@ class RecordingWatcherSpec : FunSpec({
         val viewer = Viewer(scope, UserFolders(home, home)).apply { formulas.replaceAll(listOf("Twice = 2 * A/Voltage")) }
         try {
             withContext(Dispatchers.Main) { viewer.loader.open(file) }
-            eventually(20.seconds) { viewer.current.recording?.signal("Twice")?.series?.y?.last() shouldBe 4.0 }
+            eventually(60.seconds) { viewer.current.recording?.signal("Twice")?.series?.y?.last() shouldBe 4.0 }
             Files.writeString(file, bag(6))
-            eventually(20.seconds) { viewer.current.recording?.signal("Twice")?.series?.y?.last() shouldBe 10.0 }
+            eventually(60.seconds) { viewer.current.recording?.signal("Twice")?.series?.y?.last() shouldBe 10.0 }
         } finally {
             scope.cancel()
         }
@@ -75,18 +75,18 @@ class RecordingWatcherSpec : FunSpec({
         fun size() = viewer.current.recording.shouldNotBeNull().view.recording.sampleCount
         try {
             withContext(Dispatchers.Main) { viewer.loader.open(file) }
-            eventually(20.seconds) { size() }
+            eventually(60.seconds) { size() }
             val before = size()
             // What is cut is cut inside a record.
             Files.write(file, whole.copyOf(whole.size - 3))
-            eventually(20.seconds) {
+            eventually(60.seconds) {
                 size() shouldBe 99
                 viewer.current.recording.shouldNotBeNull().view.recording.problems.shouldBeEmpty()
             }
             (before in 1..98) shouldBe true
             viewer.view.viewport.visible.to shouldBe 98.0
             Files.write(file, whole)
-            eventually(20.seconds) { size() shouldBe 100 }
+            eventually(60.seconds) { size() shouldBe 100 }
         } finally {
             scope.cancel()
         }

@@ -18,6 +18,7 @@ import badlog.viewer.note.WrittenNotes
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.theme.Theme
 import badlog.viewer.theme.ViewerTheme
+import badlog.viewer.waiting.waitFor
 import badlog.wpilog.largeLog
 import badlog.wpilog.parseLog
 import io.kotest.core.spec.style.FunSpec
@@ -44,7 +45,7 @@ class LargeLogSpec : FunSpec({
         runDesktopComposeUiTest(300, 700) {
             setContent { ViewerTheme(Theme.LIGHT) { TestTopics(viewer) } }
             onNodeWithContentDescription("Search topics").performTextInput("frontleft speed")
-            waitUntil {
+            waitFor {
                 onAllNodesWithContentDescription("Topic /Chassis/ActualFrontLeftModuleState/speed").fetchSemanticsNodes().isNotEmpty()
             }
             val before = viewer.board.state.graphs
@@ -75,7 +76,7 @@ class LargeLogSpec : FunSpec({
         runDesktopComposeUiTest(300, 700) {
             setContent { ViewerTheme(Theme.LIGHT) { TestTopics(viewer) } }
             onNodeWithContentDescription("Search topics").performTextInput("camera 27/inputsave")
-            waitUntil { onAllNodesWithContentDescription("Topic NT:/photonvision/camera 27/inputSaveImgCmd").fetchSemanticsNodes().isNotEmpty() }
+            waitFor { onAllNodesWithContentDescription("Topic NT:/photonvision/camera 27/inputSaveImgCmd").fetchSemanticsNodes().isNotEmpty() }
             onNodeWithText("no samples").assertExists()
         }
     }

@@ -21,6 +21,7 @@ import badlog.viewer.recordingOf
 import badlog.viewer.settings.UserFolders
 import badlog.viewer.theme.Theme
 import badlog.viewer.theme.ViewerTheme
+import badlog.viewer.waiting.waitFor
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldContainExactly
@@ -42,7 +43,7 @@ class TopicPaneSpec : FunSpec({
         val viewer = viewerOf(arm)
         runDesktopComposeUiTest(240, 600) {
             setContent { ViewerTheme(Theme.LIGHT) { TestTopics(viewer) } }
-            waitUntil { onAllNodesWithText("Speed").fetchSemanticsNodes().isNotEmpty() }
+            waitFor { onAllNodesWithText("Speed").fetchSemanticsNodes().isNotEmpty() }
             onNodeWithContentDescription("Topic Arm/Speed").performClick()
             onNodeWithContentDescription("Topic Arm/Angle").performClick()
             runOnIdle { drawn(viewer) shouldContainExactly listOf(listOf("Arm/Speed"), listOf("Arm/Angle")) }
@@ -55,7 +56,7 @@ class TopicPaneSpec : FunSpec({
         val viewer = viewerOf(arm)
         runDesktopComposeUiTest(240, 600) {
             setContent { ViewerTheme(Theme.LIGHT) { TestTopics(viewer) } }
-            waitUntil { onAllNodesWithText("Speed").fetchSemanticsNodes().isNotEmpty() }
+            waitFor { onAllNodesWithText("Speed").fetchSemanticsNodes().isNotEmpty() }
             onRoot().performKeyInput { keyDown(Key.CtrlLeft) }
             onNodeWithContentDescription("Topic Drive/Left").performMouseInput { click() }
             onNodeWithContentDescription("Topic Arm/Angle").performMouseInput { click() }
@@ -73,7 +74,7 @@ class TopicPaneSpec : FunSpec({
         val viewer = viewerOf(arm)
         runDesktopComposeUiTest(240, 600) {
             setContent { ViewerTheme(Theme.LIGHT) { TestTopics(viewer) } }
-            waitUntil { onAllNodesWithText("30 V").fetchSemanticsNodes().isNotEmpty() }
+            waitFor { onAllNodesWithText("30 V").fetchSemanticsNodes().isNotEmpty() }
             onNodeWithText("1 event").assertExists()
             viewer.view.placeCursor(1.4)
             onNodeWithText("20 V").assertExists()
@@ -86,7 +87,7 @@ class TopicPaneSpec : FunSpec({
         val viewer = viewerOf(arm)
         runDesktopComposeUiTest(240, 600) {
             setContent { ViewerTheme(Theme.LIGHT) { TestTopics(viewer) } }
-            waitUntil { onAllNodesWithText("Log").fetchSemanticsNodes().isNotEmpty() }
+            waitFor { onAllNodesWithText("Log").fetchSemanticsNodes().isNotEmpty() }
             onNodeWithContentDescription("Topic Log").performClick()
             runOnIdle {
                 viewer.panels.state.inspector shouldBe InspectorTab.EVENTS
@@ -102,10 +103,10 @@ class TopicPaneSpec : FunSpec({
         val viewer = viewerOf(recordingOf(bagOf(listOf("Time|xaxis") + names, listOf("0," + names.joinToString(",") { "1" }))))
         runDesktopComposeUiTest(240, 600) {
             setContent { ViewerTheme(Theme.LIGHT) { TestTopics(viewer) } }
-            waitUntil { onAllNodesWithText("Folder 0").fetchSemanticsNodes().isNotEmpty() }
+            waitFor { onAllNodesWithText("Folder 0").fetchSemanticsNodes().isNotEmpty() }
             onNodeWithContentDescription("Topic $long").assertExists()
             onNodeWithContentDescription("Search topics").performTextInput("topic 4242")
-            waitUntil { viewer.topics.state.query == "topic 4242" && onAllNodesWithText("Folder 0").fetchSemanticsNodes().isEmpty() }
+            waitFor { viewer.topics.state.query == "topic 4242" && onAllNodesWithText("Folder 0").fetchSemanticsNodes().isEmpty() }
             onNodeWithContentDescription("Topic Folder 42/Topic 4242").assertExists()
         }
     }

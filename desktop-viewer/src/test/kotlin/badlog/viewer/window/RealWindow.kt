@@ -224,7 +224,7 @@ internal class RealWindow(home: Path, opened: Path, width: Int = 1400, height: I
     }
 
     private companion object {
-        const val WAIT_MILLIS = 20_000L
+        const val WAIT_MILLIS = 60_000L
         const val POLL_MILLIS = 20L
 
         /** So long a person holds what is dragged, before and after it is carried. */
