@@ -82,6 +82,9 @@ private fun List<JsonMember>.without(vararg known: String): Map<String, String> 
  * Line 1 of a bag, without its newline: JSON on one line, in ASCII apart from the names' own characters. A header that
  * [readHeader] returned comes out with everything it had.
  *
+ * A topic's name is written as the line of titles can hold it, so that both lines agree: a newline becomes a space, a NUL and half
+ * of a surrogate pair U+FFFD.
+ *
  * Written without a JSON library, because a robot writes it before its first loop and has 256 MB for everything.
  *
  * @param asOriginal true to write the very bytes that the original badlog wrote: a topic's unit stands before its name,
@@ -101,7 +104,7 @@ private class HeaderText(private val asOriginal: Boolean) {
 
     private fun append(topic: BagTopic) = jsonObject(topic.unknown) {
         if (asOriginal) member("unit") { quoted(topic.unit) }
-        member("name") { quoted(topic.name) }
+        member("name") { quoted(RowWriter.titleOf(topic.name)) }
         if (!asOriginal) member("unit") { quoted(topic.unit) }
         member("attrs") { array(topic.attributes, ::quoted) }
     }

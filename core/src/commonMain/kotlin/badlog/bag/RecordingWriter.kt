@@ -111,14 +111,10 @@ internal fun headerLineOf(recording: Recording): String {
     }
     val values = recording.values.map { value -> own.values.find { it.value == value } ?: BagValue(value) }
     val header = BagHeader(topics, values, own.unknown)
-    val isTrue = header == own && topics.all { isText(it.name) }
-    return if (line != null && isTrue && isOneLine(line)) line else headerText(header)
+    return if (line != null && header == own && isOneLine(line)) line else headerText(header)
 }
 
 private fun isOneLine(line: String) = line.startsWith('{') && line.none { isLineEnd(it.code) }
-
-/** False for a lone half of a surrogate pair, which JSON can name but no line of titles can hold. */
-private fun isText(name: String) = name.encodeToByteArray().decodeToString() == name
 
 /** Writes the cells of one topic, row by row, in ascending order. */
 internal class TopicCells(private val topic: Topic) {

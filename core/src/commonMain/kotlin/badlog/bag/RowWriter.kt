@@ -39,14 +39,9 @@ public class RowWriter {
         cells = 0
     }
 
-    /**
-     * Writes the two header lines. The topics' order is that of the cells of every row. A newline in a topic's name, which
-     * would break the line of titles, becomes a space, and a NUL U+FFFD.
-     */
-    public fun header(header: BagHeader): RowWriter {
-        val topics = header.topics.map { it.copy(name = titleOf(it.name)) }
-        return line(headerText(header.copy(topics = topics))).titles(topics.map { it.name })
-    }
+    /** Writes the two header lines, [headerText] and the titles. The topics' order is that of the cells of every row. */
+    public fun header(header: BagHeader, asOriginal: Boolean = false): RowWriter =
+        line(headerText(header, asOriginal)).titles(header.topics.map { it.name })
 
     /** Writes a line as it is; [text] has no line end. */
     internal fun line(text: String): RowWriter {
@@ -214,6 +209,9 @@ public class RowWriter {
         private const val REPLACEMENT = 0xFFFD
 
         /** The title of a topic named [name]: the same but for what a line of titles cannot hold. */
-        fun titleOf(name: String): String = name.replace('\n', ' ').replace('\r', ' ').replace(NUL.toChar(), REPLACEMENT.toChar())
+        fun titleOf(name: String): String = RowWriter().run {
+            encode(name.replace('\n', ' ').replace('\r', ' '), quotesDoubled = false)
+            bytes.decodeToString(0, size)
+        }
     }
 }

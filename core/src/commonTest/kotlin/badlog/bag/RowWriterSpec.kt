@@ -1,8 +1,10 @@
 package badlog.bag
 
 import badlog.number.FiveDigitFormat
+import badlog.recording.ProblemKind
 import badlog.recording.Value
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb
 import io.kotest.property.arbitrary.double
@@ -32,6 +34,17 @@ class RowWriterSpec : FunSpec({
         val header = BagHeader(listOf(BagTopic("a\nb"), BagTopic("c")))
         val recording = parse(RowWriter().header(header).number(1.0).number(2.0).endRow().written())
         recording.topics.map { it.name } shouldBe listOf("a b", "c")
+    }
+
+    test("both header lines have the same name, whatever it holds") {
+        for (name in listOf("a\r\nb", "\u0000", "a\u0000b", "\uD83E", "a\uDD16b", "\uD83E\uDD16")) {
+            val header = BagHeader(listOf(BagTopic(name, "s"), BagTopic("c", "V")))
+            for (asOriginal in listOf(false, true)) {
+                val recording = parse(RowWriter().header(header, asOriginal).number(1.0).number(2.0).endRow().written())
+                recording.topics.map { it.unit } shouldBe listOf("s", "V")
+                recording.problems.filter { it.kind != ProblemKind.UNUSUAL_NAME }.shouldBeEmpty()
+            }
+        }
     }
 
     test("a cleared writer starts anew") {

@@ -188,7 +188,7 @@ public class BadLog private constructor(private val session: LogSession) : AutoC
         internal fun start(session: LogSession): BadLog {
             val before = current
             if (before != null && before.state != LogState.CLOSED) {
-                sayAboutBadLog("A log was started while there was one already; that one was closed.")
+                StandardError.say("A log was started while there was one already; that one was closed.")
                 before.close()
             }
             return BadLog(session).also { current = it }

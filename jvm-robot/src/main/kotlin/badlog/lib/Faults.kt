@@ -3,7 +3,7 @@ package badlog.lib
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * Where everything goes that went wrong in a robot's loop: counted each time, said once on standard error, and noted as
+ * Where everything goes that went wrong in a robot's loop: counted each time, said once by [StandardError], and noted as
  * an event in the log if that has [room] for events. Never throws.
  *
  * Texts are made only when they are said: what goes wrong in each loop is not to make garbage in each.
@@ -49,7 +49,7 @@ internal class Faults(val counters: Counters) {
     }
 
     fun say(message: String) {
-        sayAboutBadLog(message)
+        StandardError.say(message)
         note(message)
     }
 
@@ -69,9 +69,6 @@ internal class Faults(val counters: Counters) {
         const val MAX_MESSAGES = 100
     }
 }
-
-/** Writes [message] to standard error as badlog's. */
-internal fun sayAboutBadLog(message: String) = System.err.println("badlog: $message")
 
 /** [cause] in one line. Its own text may throw, too. */
 internal fun describe(cause: Throwable): String = try {

@@ -78,9 +78,12 @@ internal object LogName {
     fun isProvisional(name: String): Boolean = name.startsWith(PROVISIONAL)
 
     /** A file of that [name] in [folder] that does not exist. */
-    fun free(folder: File, name: String, ending: String): File = generateSequence(1) { it + 1 }
-        .map { File(folder, if (it == 1) name + ending else "${name}_$it$ending") }
-        .first { !it.exists() }
+    fun free(folder: File, name: String, ending: String): File {
+        var file = File(folder, name + ending)
+        var number = 1
+        while (file.exists()) file = File(folder, "${name}_${++number}$ending")
+        return file
+    }
 
     // The field's system names events; that it will not contain a slash is no reason to believe it.
     private fun safe(text: String) = text.filter { it.isLetterOrDigit() || it == '-' }

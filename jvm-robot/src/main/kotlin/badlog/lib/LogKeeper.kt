@@ -74,6 +74,8 @@ internal class LogKeeper(private val session: LogSession, private val options: R
             "Logging stopped: less than 5 MiB are free in ${folder.path}. " +
                 "Copy old logs to a laptop, then delete them here."
         }
+        // With it, because no other row may come.
+        if (session.state != LogState.SETTING_UP) session.log()
         session.close()
     }
 

@@ -19,6 +19,10 @@ internal class LogSession(private val flushesEachRow: Boolean) {
     private var syncThread: SyncThread? = null
     private var syncs = true
 
+    /** Whether a row is being put together: who calls then, holding the lock, is the program's own formatter. Guarded by the lock. */
+    private var isInRow = false
+    private var closesAfterRow = false
+
     val faults: Faults = Faults(Counters())
     val text: NumberText = NumberText(faults)
 
@@ -101,6 +105,7 @@ internal class LogSession(private val flushesEachRow: Boolean) {
         try {
             for (topic in topics) topic.sample()
             synchronized(lock) {
+                if (isInRow) return ignored("updateTopics()")
                 text.commit()
                 for (topic in topics) topic.commit()
             }
@@ -111,9 +116,10 @@ internal class LogSession(private val flushesEachRow: Boolean) {
 
     fun log() {
         synchronized(lock) {
-            if (phase != LogState.LOGGING) return ignored("log()")
+            if (phase != LogState.LOGGING || isInRow) return ignored("log()")
             val sink = sink
             if (sink == null) faults.counters.rowsMissed.incrementAndGet() else writeRow(sink)
+            if (closesAfterRow) close()
         }
     }
 
@@ -121,10 +127,13 @@ internal class LogSession(private val flushesEachRow: Boolean) {
         val began = System.nanoTime()
         if (sink.isRefusing(began)) return sink.missRow()
         try {
+            isInRow = true
             for (topic in topics) topic.write(sink.row)
+            isInRow = false
             sink.endRow(began)
         } catch (failure: Throwable) {
             // Such as too little memory for a text: this row is lost, the robot goes on.
+            isInRow = false
             sink.dropRow()
             faults.sayOnce("row") { "A row of the log was lost: ${describe(failure)}." }
         }
@@ -132,7 +141,7 @@ internal class LogSession(private val flushesEachRow: Boolean) {
 
     fun flush() {
         synchronized(lock) {
-            if (phase == LogState.LOGGING) sink?.flush()
+            if (phase == LogState.LOGGING && !isInRow) sink?.flush()
         }
     }
 
@@ -166,6 +175,10 @@ internal class LogSession(private val flushesEachRow: Boolean) {
     fun close() {
         synchronized(lock) {
             if (phase == LogState.CLOSED) return
+            if (isInRow) {
+                closesAfterRow = true
+                return
+            }
             phase = LogState.CLOSED
             sink?.finish()
             val thread = syncThread
@@ -186,10 +199,10 @@ internal class LogSession(private val flushesEachRow: Boolean) {
     }
 
     private fun ignored(call: String) = faults.callIgnored(call) {
-        if (phase == LogState.CLOSED) {
-            "$call is ignored, because the log was closed."
-        } else {
-            "$call is ignored until finishInitialization() is called."
+        when (phase) {
+            LogState.CLOSED -> "$call is ignored, because the log was closed."
+            LogState.SETTING_UP -> "$call is ignored until finishInitialization() is called."
+            else -> "$call is ignored while a row is put together; do not call it in what you give to setDoubleToStringFunction()."
         }
     }
 
@@ -210,17 +223,25 @@ internal class LogSession(private val flushesEachRow: Boolean) {
 
 /** Closes a log when its program ends in an orderly way, so that rows that wait are written. */
 internal class CloseOnExit(private val session: LogSession) : Thread("badlog close") {
-    override fun run() = session.close()
+    override fun run() {
+        session.close()
+        // A program that ends because of what is said should not take it along.
+        StandardError.awaitSaid(SAID_MILLIS)
+    }
 
     fun register() = unlessExiting { Runtime.getRuntime().addShutdownHook(this) }
 
     fun unregister() = unlessExiting { Runtime.getRuntime().removeShutdownHook(this) }
 
-    private fun unlessExiting(action: () -> Unit) {
+    private inline fun unlessExiting(action: () -> Unit) {
         try {
             action()
         } catch (_: IllegalStateException) {
             // The program is ending already.
         }
+    }
+
+    private companion object {
+        const val SAID_MILLIS = 250
     }
 }

@@ -3,7 +3,6 @@ package badlog.lib
 import badlog.bag.BagHeader
 import badlog.bag.BagValue
 import badlog.bag.RowWriter
-import badlog.bag.headerText
 import badlog.recording.Value
 
 /** The topics and values of a log while it is set up, each under a name of its own. Guarded by the log's lock. */
@@ -26,11 +25,8 @@ internal class Namespace {
 
     /** Line 1 and line 2 of the file. */
     fun headerLines(): ByteArray {
-        val json = headerText(BagHeader(topics.map { it.description }, values), asOriginal = true)
-        val titles = RowWriter()
-        for (topic in topics) titles.text(topic.name)
-        titles.endRow()
-        return (json + "\n").encodeToByteArray() + titles.bytes.copyOf(titles.size)
+        val lines = RowWriter().header(BagHeader(topics.map { it.description }, values), asOriginal = true)
+        return lines.bytes.copyOf(lines.size)
     }
 
     private fun claim(name: String) {
@@ -40,6 +36,6 @@ internal class Namespace {
             )
         }
         val odd = name.firstOrNull { !it.isLetterOrDigit() && it != ' ' && it != '_' && it != '/' } ?: return
-        sayAboutBadLog("The name \"$name\" has the character '$odd'; letters, digits, spaces, _ and / are safer.")
+        StandardError.say("The name \"$name\" has the character '$odd'; letters, digits, spaces, _ and / are safer.")
     }
 }

@@ -1,6 +1,9 @@
 package badlog.lib
 
+import badlog.recording.ProblemKind
+import badlog.robots.NullArguments
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import java.io.File
@@ -50,6 +53,53 @@ class DeviationSpec : FunSpec({
         } finally {
             Locale.setDefault(before)
         }
+    }
+
+    test("line ends are \\n anywhere; the original asked the machine") {
+        inFolder { folder ->
+            val file = logged(folder, { BadLog.createTopic("A", "ul", { 1.0 }) }) { it.row() }
+            file.readText() shouldContain "]}\nA\n1.0000\n"
+            file.readText().contains('\r') shouldBe false
+        }
+    }
+
+    test("what a line of titles cannot hold is replaced in both header lines; the original broke the file") {
+        for (name in listOf("a\nb", "a\rb", "a\r\nb", "\n", "a\u0000b", "\uD83E", "a\uDD16b", "x\uD83E", "\u0000")) {
+            inFolder { folder ->
+                standardErrorOf {
+                    val file = logged(folder, {
+                        BadLog.createTopicSubscriber(name, "s", DataInferMode.LAST, "xaxis", "hide")
+                        BadLog.createTopic("Other", "V", { 2.0 })
+                    }) { log ->
+                        BadLog.publish(name, 1.5)
+                        log.row()
+                    }
+                    recordingIn(file).run {
+                        topics.map { it.unit to it.attributes } shouldBe listOf("s" to listOf("xaxis", "hide"), "V" to emptyList())
+                        topics[0].samples.toList() shouldBe listOf(1.5)
+                        problems.map { it.kind }.filter { it != ProblemKind.UNUSUAL_NAME }.shouldBeEmpty()
+                    }
+                }
+            }
+        }
+    }
+
+    test("NUL and half of a surrogate pair are U+FFFD in a cell") {
+        inFolder { folder ->
+            val file = logged(folder, { BadLog.createTopicStr("Text", "ul", { "a\u0000b\uD83E" }) }) { it.row() }
+            rowsIn(file) shouldBe listOf("a\uFFFDb\uFFFD")
+        }
+    }
+
+    test("a supplier or an array of attributes that is null is refused when its topic is created; the original threw in the loop") {
+        inFolder { folder ->
+            logged(folder, { NullArguments.createAll() shouldBe 5 }) { it.row() }
+        }
+    }
+
+    test("publishing before init is ignored; the original threw") {
+        BadLog.publish("Nowhere", 1.0)
+        BadLog.publish("Nowhere", "text")
     }
 
     test("null is a gap; the original wrote \"null\" or threw") {

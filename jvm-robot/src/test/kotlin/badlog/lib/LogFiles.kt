@@ -9,6 +9,9 @@ import java.io.PrintStream
 import java.nio.file.Files
 import java.util.zip.GZIPInputStream
 
+/** More than enough for the thread that says what went wrong. */
+internal const val SAID_MILLIS = 10_000
+
 /** Runs [test] with an empty folder, which is deleted afterwards. */
 inline fun <T> inFolder(test: (File) -> T): T {
     val folder = Files.createTempDirectory("badlog").toFile()
@@ -21,13 +24,15 @@ inline fun <T> inFolder(test: (File) -> T): T {
 }
 
 /** What [action] writes to standard error. */
-inline fun standardErrorOf(action: () -> Unit): String {
+internal inline fun standardErrorOf(action: () -> Unit): String {
     val before = System.err
+    StandardError.awaitSaid(SAID_MILLIS)
     val captured = ByteArrayOutputStream()
     System.setErr(PrintStream(captured, true, "UTF-8"))
     try {
         action()
     } finally {
+        StandardError.awaitSaid(SAID_MILLIS)
         System.setErr(before)
     }
     return captured.toString("UTF-8")

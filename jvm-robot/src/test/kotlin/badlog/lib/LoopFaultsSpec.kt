@@ -5,6 +5,13 @@ import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import java.io.File
+import java.io.OutputStream
+import java.io.PrintStream
+import java.util.concurrent.CountDownLatch
+import kotlin.concurrent.thread
+
+/** What takes longer never ends. */
+private const val LONG_MILLIS = 20_000L
 
 class LoopFaultsSpec : FunSpec({
     test("a supplier that throws leaves a gap, is counted, said once, and an event in the log") {
@@ -108,6 +115,105 @@ class LoopFaultsSpec : FunSpec({
                 rowsIn(file) shouldBe listOf(",,three")
             }
             said shouldContain "no ones"
+        }
+    }
+
+    test("a standard error that nobody reads stops neither the loop nor the memory") {
+        val before = System.err
+        val isRead = CountDownLatch(1)
+        val full = object : OutputStream() {
+            override fun write(byte: Int) = isRead.await()
+        }
+        StandardError.awaitSaid(SAID_MILLIS)
+        try {
+            System.setErr(PrintStream(full, true, "UTF-8"))
+            inFolder { folder ->
+                val robot = thread {
+                    val file = logged(folder, { BadLog.createTopic("Bad", "ul", { throw IllegalStateException() }) }) { log ->
+                        for (i in 1..3) {
+                            BadLog.publish("Unknown $i", 1.0)
+                            log.row()
+                        }
+                    }
+                    rowsIn(file).size shouldBe 3
+                }
+                robot.join(LONG_MILLIS)
+                robot.isAlive shouldBe false
+                repeat(1000) { StandardError.say("message $it") }
+                StandardError.awaitSaid(1) shouldBe false
+            }
+        } finally {
+            isRead.countDown()
+            StandardError.awaitSaid(SAID_MILLIS) shouldBe true
+            System.setErr(before)
+        }
+    }
+
+    test("a standard error that throws does not end what is said") {
+        val before = System.err
+        val said = standardErrorOf {
+            val captured = System.err
+            System.setErr(object : PrintStream(captured) {
+                override fun println(text: String?) = error("no console")
+            })
+            StandardError.say("one")
+            StandardError.awaitSaid(SAID_MILLIS)
+            System.setErr(captured)
+            StandardError.say("two")
+        }
+        System.err shouldBe before
+        said shouldBe "badlog: two" + System.lineSeparator()
+    }
+
+    test("a formatter that logs, updates, flushes or closes in the middle of a row does not tear it") {
+        for (compress in listOf(false, true)) {
+            inFolder { folder ->
+                var calls = 0
+                val said = standardErrorOf {
+                    BadLog.init("$folder/a.bag", compress, true).use { log ->
+                        BadLog.createTopic("A", "ul", { 1.0 })
+                        BadLog.createTopic("B", "ul", { calls.toDouble() })
+                        log.finishInitialization()
+                        log.setDoubleToStringFunction {
+                            log.log()
+                            log.updateTopics()
+                            log.flush()
+                            calls++
+                            if (calls == 5) log.close()
+                            "$it"
+                        }
+                        repeat(3) { log.row() }
+                        log.state shouldBe LogState.CLOSED
+                        // Six in formatters, and two calls after the end.
+                        log.counters().callsIgnored shouldBe 12
+                        log.counters().rowsWritten shouldBe 3
+                    }
+                }
+                val file = File(folder, if (compress) "a.bag.gz" else "a.bag").readBytes()
+                val bag = (if (compress) inflated(file) else file).decodeToString()
+                bag.lines().drop(2) shouldBe listOf("1.0,0.0", "1.0,2.0", "1.0,4.0", "")
+                said shouldContain "log() is ignored while a row is put together"
+            }
+        }
+    }
+
+    test("a formatter that starts another log ends the first after its row") {
+        inFolder { folder ->
+            var isSecond = false
+            standardErrorOf {
+                val file = logged(folder, {
+                    BadLog.createTopic("A", "ul", { 1.0 })
+                    BadLog.createTopic("B", "ul", { 2.0 })
+                }) { log ->
+                    log.setDoubleToStringFunction {
+                        if (!isSecond) BadLog.init("$folder/second.bag").close()
+                        isSecond = true
+                        "$it"
+                    }
+                    repeat(2) { log.row() }
+                }
+                rowsIn(file) shouldBe listOf("1.0,2.0")
+            }
         }
     }
 

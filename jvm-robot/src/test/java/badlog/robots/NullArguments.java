@@ -1,0 +1,31 @@
+package badlog.robots;
+
+import badlog.lib.BadLog;
+import badlog.lib.DataInferMode;
+import java.util.List;
+
+/** Creates topics with what Kotlin has no word for: null in place of a supplier or of an array of attributes. */
+public final class NullArguments {
+    private NullArguments() {
+    }
+
+    /** How many creators refuse it. */
+    public static int createAll() {
+        String[] noArray = null;
+        List<Runnable> creators = List.of(
+            () -> BadLog.createTopic("A", "ul", null),
+            () -> BadLog.createTopicStr("B", "ul", null),
+            () -> BadLog.createTopicDouble("C", "ul", null),
+            () -> BadLog.createTopic("D", "ul", () -> 1.0, noArray),
+            () -> BadLog.createTopicSubscriber("E", "ul", DataInferMode.LAST, noArray));
+        int refused = 0;
+        for (Runnable creator : creators) {
+            try {
+                creator.run();
+            } catch (NullPointerException expected) {
+                refused++;
+            }
+        }
+        return refused;
+    }
+}
