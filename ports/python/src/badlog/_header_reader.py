@@ -173,7 +173,7 @@ class HeaderReader:
                 return self._skip_to(begin, lines[0].end)
         if lines and len(titles) == width and (lines[0].texts == 0 or (self.line is not None and lines[0].numbers > 0)):
             return self._take_untitled(width)
-        known = ColumnTitles.of([], titles, width) if is_damaged else ColumnTitles.certain(titles)
+        known = ColumnTitles.of([], titles, width) if is_damaged else ColumnTitles.certain(list(titles))
         # A hole has taken the rest of the line, which may have had more titles.
         if following == line_end and first_lines.has_rows:
             known.is_doubtful = [True] * len(known.titles)

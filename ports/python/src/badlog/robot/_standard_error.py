@@ -1,0 +1,61 @@
+"""Says what went wrong on standard error, by a thread of its own.
+
+Where standard error is a pipe that nobody reads, writing to it may never return, and a robot's loop cannot wait for that.
+"""
+
+from __future__ import annotations
+
+import atexit
+import queue
+import sys
+import threading
+import time
+
+_MAX_WAITING = 200
+_EXIT_SECONDS = 0.25
+
+_waiting: queue.Queue[str] = queue.Queue(_MAX_WAITING)
+_lock = threading.Lock()
+_is_started = False
+
+
+def say(message: str) -> None:
+    """Says the message soon, as badlog's. Messages that come while too many wait are left out. Never raises."""
+    global _is_started
+    try:
+        _waiting.put_nowait(message)
+    except queue.Full:
+        return
+    with _lock:
+        if _is_started:
+            return
+        try:
+            threading.Thread(target=_say_all, name="badlog messages", daemon=True).start()
+            _is_started = True
+            # A program that ends at once because of what is said should not take it along.
+            atexit.register(await_said, _EXIT_SECONDS)
+        except RuntimeError:
+            # The system has no thread for this, or the program is ending; the next message tries again.
+            return
+
+
+def await_said(seconds: float) -> bool:
+    """Waits until all is said, but no longer than that; returns whether it is."""
+    end = time.monotonic() + seconds
+    while _waiting.unfinished_tasks > 0:
+        if time.monotonic() > end:
+            return False
+        time.sleep(0.001)
+    return True
+
+
+def _say_all() -> None:
+    while True:
+        message = _waiting.get()
+        try:
+            print(f"badlog: {message}", file=sys.stderr, flush=True)
+        except Exception:
+            # A program may have put a stream of its own there, or none.
+            pass
+        finally:
+            _waiting.task_done()

@@ -1,0 +1,91 @@
+"""Brings what was written to the disk, four times a second, so that a cut of power takes no more than that."""
+
+from __future__ import annotations
+
+import os
+import threading
+from collections.abc import Callable
+from pathlib import Path
+
+from badlog.robot._faults import Faults, describe
+from badlog.robot._sink import LogFile, RowSink
+
+_INTERVAL_SECONDS = 0.25
+
+
+class SyncThread(threading.Thread):
+    """Writes the rows that wait, syncs, and notices when the file was deleted; at last it closes the file.
+
+    It holds no lock while it waits for a sync.
+    """
+
+    def __init__(self, file: LogFile, sink: RowSink, faults: Faults, syncs: bool, flush: Callable[[], None]) -> None:
+        super().__init__(name="badlog sync", daemon=True)
+        self._file = file
+        self._sink = sink
+        self._faults = faults
+        self._flush = flush
+        self._times_missing = 0
+        self._stopped = threading.Event()
+        self.syncs = syncs
+        """Whether it brings rows to the disk; it does the rest anyway."""
+
+    def run(self) -> None:
+        if self.syncs:
+            _sync_folder(self._file.path.absolute().parent)
+        self._sync()
+        self._look_for_file()
+        while not self._stopped.wait(_INTERVAL_SECONDS):
+            self._flush()
+            self._sync()
+            self._look_for_file()
+        self._sync()
+        self._file.close(self._faults)
+
+    def finish(self) -> None:
+        """Ends the thread soon, without waiting for it."""
+        self._stopped.set()
+
+    def _sync(self) -> None:
+        if not self.syncs or not self._sink.is_dirty:
+            return
+        # Before the sync, so that what is written meanwhile is not missed.
+        self._sink.is_dirty = False
+        try:
+            self._file.output.sync()
+        except OSError as failure:
+            reason = describe(failure)
+            self._faults.count("failed_syncs")
+            self._faults.say_once(
+                "sync",
+                lambda: f"The log {self._file.path} could not be synced to the disk: {reason}. A power cut may cost more than the last "
+                "quarter of a second.",
+            )
+
+    def _look_for_file(self) -> None:
+        # Once is not enough: it may be on its way to another name.
+        self._times_missing = 0 if self._file.path.exists() else self._times_missing + 1
+        is_missing = self._times_missing > 1
+        if is_missing:
+            self._faults.say_once(
+                "missing",
+                lambda: f"The log {self._file.path} was deleted, or its disk was removed, while it was written. What is logged from now "
+                "on is lost; start the robot program again to begin a new log.",
+            )
+        # Said before it is seen: who sees the log fail can read why.
+        self._file.is_missing = is_missing
+
+
+def _sync_folder(folder: Path) -> None:
+    """Brings the names of the folder's files to the disk: without this, a cut of power could take a new file's very name."""
+    try:
+        handle = os.open(folder, os.O_RDONLY)
+    except OSError:
+        # Not every system lets one open a folder; those that do not keep names safe by themselves.
+        return
+    try:
+        os.fsync(handle)
+    except OSError:
+        pass
+    finally:
+        os.close(handle)
