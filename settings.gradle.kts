@@ -33,6 +33,8 @@ include(":report")
 include(":replay")
 include(":terminal")
 
+include(":cpp")
+
 include(":samples")
 include(":architecture")
 include(":benchmarks:jvm")
@@ -40,6 +42,7 @@ include(":benchmarks:node")
 include(":benchmarks:robot")
 
 project(":architecture").projectDir = file("gradle/architecture")
+project(":cpp").projectDir = file("ports/cpp")
 project(":expression").projectDir = file("libraries/expression")
 project(":files").projectDir = file("libraries/files")
 project(":formats").projectDir = file("libraries/formats")

@@ -24,4 +24,5 @@ public fun main(arguments: Array<String>) {
     folder.mkdirs()
     folder.listFiles().orEmpty().filter { isConformanceFile(it.name) && it.name !in files }.forEach(File::delete)
     for ((name, bytes) in files) folder.resolve(name).writeBytes(bytes)
+    folder.resolve(NUMBER_CORPUS).apply { parentFile.mkdirs() }.writeText(numberCorpus())
 }

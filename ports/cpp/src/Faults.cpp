@@ -1,0 +1,97 @@
+#include "Faults.h"
+
+#include "EventTexts.h"
+#include "Guarded.h"
+#include "StandardError.h"
+#include "Topics.h"
+
+namespace badlog {
+namespace {
+
+// A program that makes up names must not fill the memory with them.
+constexpr size_t MAX_MESSAGES = 100;
+
+void IgnoreFailure(std::string_view) {
+    // Without memory for a message, the counters have to do.
+}
+
+}  // namespace
+
+LogCounters Counters::Snapshot() const {
+    LogCounters snapshot;
+    snapshot.rowsWritten = rowsWritten;
+    snapshot.rowsMissed = rowsMissed;
+    snapshot.bytesWritten = bytesWritten;
+    snapshot.slowestRowNanos = slowestRow;
+    snapshot.slowWrites = slowWrites;
+    snapshot.failedSyncs = failedSyncs;
+    snapshot.cellsMissed = cellsMissed;
+    snapshot.callsIgnored = callsIgnored;
+    snapshot.eventsDropped = eventsDropped;
+    return snapshot;
+}
+
+void Faults::CellMissed(Topic& topic, std::string_view what, std::string_view detail) noexcept {
+    counters.cellsMissed++;
+    if (topic.isFaultSaid.exchange(true)) return;
+    Guarded(
+        [&] {
+            Say("The topic \"" + topic.Name() + "\" " + std::string{what} + std::string{detail} +
+                ", so its cell is empty. Further gaps of this topic are only counted.");
+        },
+        IgnoreFailure);
+}
+
+void Faults::CallIgnored(std::string_view about, std::string_view why) noexcept {
+    if (!IsCountedNew(m_ignoredCalls, about)) return;
+    Guarded([&] { Say(std::string{about} + " " + std::string{why}); }, IgnoreFailure);
+}
+
+void Faults::PublishIgnored(std::string_view name) noexcept {
+    if (!IsCountedNew(m_ignoredNames, name)) return;
+    Guarded(
+        [&] {
+            Say("What is published to \"" + std::string{name} +
+                "\" is ignored: CreateTopicSubscriber() made no topic of that name.");
+        },
+        IgnoreFailure);
+}
+
+void Faults::SayOnce(std::string_view about, std::string_view message) noexcept {
+    if (!IsNew(about)) return;
+    Guarded(
+        [&] {
+            const std::lock_guard lock{m_mutex};
+            m_said.emplace(about);
+        },
+        IgnoreFailure);
+    Say(message);
+}
+
+bool Faults::IsNew(std::string_view about) noexcept {
+    const std::lock_guard lock{m_mutex};
+    return m_said.find(about) == m_said.end();
+}
+
+void Faults::Note(std::string_view text) noexcept {
+    if (auto* const texts = room.load()) texts->Add(text);
+}
+
+void Faults::Say(std::string_view message) noexcept {
+    SayOnStandardError(message);
+    Note(message);
+}
+
+bool Faults::IsCountedNew(Names& before, std::string_view about) noexcept {
+    counters.callsIgnored++;
+    bool isNew = false;
+    Guarded(
+        [&] {
+            const std::lock_guard lock{m_mutex};
+            isNew = before.size() < MAX_MESSAGES && before.find(about) == before.end() && before.emplace(about).second;
+        },
+        IgnoreFailure);
+    return isNew;
+}
+
+}  // namespace badlog

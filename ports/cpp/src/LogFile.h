@@ -1,0 +1,52 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+namespace badlog {
+
+/** A file that only grows, by one write for each Append. A failed Append leaves nothing behind. */
+class LogFile {
+public:
+    /** Creates or empties the file, and its folders; see IsOpen and Failure. */
+    explicit LogFile(std::string path);
+    ~LogFile();
+    LogFile(const LogFile&) = delete;
+    LogFile& operator=(const LogFile&) = delete;
+
+    const std::string& Path() const { return m_path; }
+    bool IsOpen() const { return m_descriptor >= 0; }
+    /** Why it could not be opened. */
+    std::error_code Failure() const { return m_failure; }
+    /** How many bytes were appended. */
+    int64_t Length() const { return m_length; }
+
+    /** An error if not all bytes could be written; then none are, and the next call may try again. */
+    std::error_code Append(std::string_view bytes);
+    /** Waits until everything is on the disk. To be called by no thread that has anything else to do. */
+    std::error_code Sync();
+    /** Brings the names of its folder's files to the disk: a cut of power could take a new file's very name. */
+    void SyncFolder();
+    /** Whether it is there still, though it can be written to anyway. */
+    bool Exists() const;
+    std::error_code Close();
+
+    /** Whether it was found to be there no more. */
+    std::atomic<bool> isMissing{false};
+
+private:
+    std::error_code Open();
+    std::error_code CutTornEnd();
+
+    std::string m_path;
+    std::string m_folder;
+    std::error_code m_failure;
+    int m_descriptor = -1;
+    int64_t m_length = 0;
+    bool m_isTorn = false;
+};
+
+}  // namespace badlog

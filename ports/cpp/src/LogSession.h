@@ -1,0 +1,78 @@
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "Faults.h"
+#include "LogFile.h"
+#include "Namespace.h"
+#include "NumberText.h"
+#include "RowSink.h"
+#include "SyncThread.h"
+#include "Topics.h"
+#include "badlog/BadLog.h"
+
+namespace badlog {
+
+/**
+ * One log from its set-up to its end.
+ *
+ * Two locks, so that nobody waits who need not: one is held while a row is put together and written, each SubscribedTopic has
+ * its own for what is published to it, and none is held while suppliers are asked.
+ */
+class LogSession : public std::enable_shared_from_this<LogSession> {
+public:
+    explicit LogSession(LogOptions options) : m_flushesEachRow{options.flushesEachRow}, m_isSyncing{options.isSyncing} {}
+
+    Faults faults;
+    NumberText text{faults};
+
+    /** Creates the file; said once if that fails. */
+    void Open(std::string_view path);
+
+    /** Adds a topic that is not there yet; false, and said, if it cannot. */
+    bool Add(std::shared_ptr<Topic> topic);
+    bool AddValue(std::string_view name, std::string_view value);
+    bool FinishSetup();
+
+    void Update();
+    void Log();
+    void Flush();
+    /** The topic to publish to, or null if the call is to be ignored. */
+    SubscribedTopic* Publishing(std::string_view name);
+    void SetSyncing(bool isSyncing);
+    void Close();
+
+    LogState State() const;
+
+private:
+    bool IsSettingUp(std::string_view name);
+    void PrepareRows();
+    void WriteRow();
+    void FlushWaiting();
+    void Ignored(const char* call);
+
+    const bool m_flushesEachRow;
+    // A formatter of the program's own is called while it is held, and may call this again.
+    mutable std::recursive_mutex m_mutex;
+    Namespace m_namespace;
+    std::vector<Topic*> m_topics;
+    /** By name. Not changed after the set-up, so that publishing needs no lock. */
+    std::vector<std::pair<std::string_view, SubscribedTopic*>> m_subscribers;
+    std::unique_ptr<LogFile> m_file;
+    std::unique_ptr<RowSink> m_sink;
+    std::shared_ptr<SyncThread> m_syncThread;
+    std::atomic<LogState> m_phase{LogState::SETTING_UP};
+    std::atomic<bool> m_isSampling{false};
+    bool m_isSyncing;
+    /** Whether a row is being put together: who calls then, holding the lock, is the program's own formatter. */
+    bool m_isInRow = false;
+    bool m_closesAfterRow = false;
+};
+
+}  // namespace badlog

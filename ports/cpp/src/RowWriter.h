@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string_view>
+
+namespace badlog {
+
+/**
+ * Writes the lines of a bag into a buffer of its own, cell by cell: texts quoted as RFC 4180 asks, in UTF-8, each row ended by
+ * one newline. Once the buffer has grown to the longest row, nothing is allocated.
+ */
+class RowWriter {
+public:
+    /** What was written since the last Clear. */
+    std::string_view Bytes() const { return {m_bytes.get(), m_size}; }
+    size_t Size() const { return m_size; }
+
+    /** Makes room for so many bytes more; false where there is no memory for it. */
+    bool Reserve(size_t more);
+
+    void Number(double value);
+    void Microseconds(double value);
+    void Integer(int64_t value);
+    void Truth(bool value) { Text(value ? "true" : "false"); }
+    void Text(std::string_view text);
+    /** A cell without anything: a gap. */
+    void Empty() { BeginCell(); }
+
+    /** Ends the row; false, and the row is dropped, where there was not memory enough for it. */
+    bool EndRow();
+    /** Forgets the cells written since the last row ended. */
+    void DropRow();
+    /** Forgets all that was written. */
+    void Clear();
+
+private:
+    void BeginCell();
+    void Encode(std::string_view text, bool doublesQuotes);
+    void Put(char byte) { m_bytes[m_size++] = byte; }
+
+    std::unique_ptr<char[]> m_bytes;
+    size_t m_capacity = 0;
+    size_t m_size = 0;
+    size_t m_rowStart = 0;
+    size_t m_cells = 0;
+    bool m_isTooLong = false;
+};
+
+}  // namespace badlog

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace badlog {
+
+/** What stands for bytes that are not UTF-8, and for NUL, which in a bag is a sign of damage. */
+constexpr std::string_view REPLACEMENT = "\xEF\xBF\xBD";
+
+/** A character of a text, and how many bytes it takes there. */
+struct Character {
+    uint32_t code;
+    size_t length;
+    /** False where the bytes are not UTF-8. */
+    bool isValid;
+};
+
+/** The character that begins at an index of a text. */
+Character CharacterAt(std::string_view text, size_t index);
+
+/** Whether Java takes it for whitespace of any sort. */
+bool IsWhitespace(uint32_t code);
+
+/** Whether the first or the last character of a text is whitespace. */
+bool HasOuterWhitespace(std::string_view text);
+
+/** Whether there is nothing but whitespace. */
+bool IsBlank(std::string_view text);
+
+/** The text without whitespace at its ends. */
+std::string_view Trimmed(std::string_view text);
+
+}  // namespace badlog

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "badlog/BadLog.h"
+
+/** A folder of its own, deleted at the end. */
+class Folder {
+public:
+    Folder();
+    ~Folder();
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+    std::string operator/(const std::string& name) const { return m_path + "/" + name; }
+
+private:
+    std::string m_path;
+};
+
+/** All bytes of a file. */
+std::string Read(const std::string& path);
+
+/** The lines of a bag behind its two header lines, the last one, which is empty, left out. */
+std::vector<std::string> RowsIn(const std::string& path);
+
+/** Logs into a new file: `create` makes topics, `loop` is what the robot does. Returns the file's bytes. */
+std::string Logged(const std::function<void()>& create, const std::function<void(badlog::BadLog&)>& loop);
+
+/** The rows of what Logged returns. */
+std::vector<std::string> Rows(const std::string& bag);
+
+/** What an action says on standard error. */
+std::string StandardErrorOf(const std::function<void()>& action);
+
+void Row(const badlog::BadLog& log);

@@ -1,0 +1,20 @@
+#pragma once
+
+namespace frc {
+
+/** As much of WPILib as the guide's robot needs. */
+class TimedRobot {
+public:
+    virtual ~TimedRobot() = default;
+    virtual void RobotPeriodic() {}
+};
+
+/** Runs three loops. */
+template <typename Robot>
+int StartRobot() {
+    Robot robot;
+    for (int loop = 0; loop < 3; loop++) robot.RobotPeriodic();
+    return 0;
+}
+
+}  // namespace frc
