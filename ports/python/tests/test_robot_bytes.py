@@ -68,7 +68,6 @@ def test_quick_numbers_are_those_of_exact_arithmetic() -> None:
         assert abs(Fraction(text) - Fraction(value)) <= unit / 2 + abs(Fraction(value)) / 2**52
 
 
-@pytest.mark.skipif(not NUMBERS.exists(), reason="core/conformance has no numbers")
 def test_the_numbers_of_the_corpus_have_its_texts() -> None:
     tried = 0
     for line in NUMBERS.read_text().splitlines():
