@@ -36,6 +36,7 @@ class RowRepair:
         self._ends_in_newline = ends_in_newline
         self._splitter = RowSplitter()
         self._numbers_before: list[bool] = []
+        self._end_in_sight = _end_in_sight(cursor.data)
         self.row: list[Cell] | None = None
         """The row that the last call of `repair` found, if it found one."""
         self.lines_passed = 0
@@ -90,6 +91,9 @@ class RowRepair:
         data = cursor.data
         at = second_line
         holds_rows = False
+        # The row, which grows by a line at a time; the other splitter looks at each line by itself.
+        whole = RowSplitter()
+        whole.split(data, start, line_end_in(data, start, second_line), Quotes.STRICT)
         for lines in range(2, _MAX_LINES + 1):
             end = line_end_in(data, at, cursor.end)
             if end - start > _MAX_BYTES:
@@ -103,13 +107,17 @@ class RowRepair:
                 return None if holds_rows else self._tail(start, end, self._ends_in_newline)
             if data[end] == 0:
                 return None
-            count = self._splitter.split(data, start, end, Quotes.STRICT)
+            count = whole.extend(data, end)
             following = after_line_end(data, end)
-            if not self._splitter.is_open:
-                if self._splitter.is_malformed or count != self._wanted:
+            if not whole.is_open:
+                if whole.is_malformed or count != self._wanted:
                     return None
                 self.lines_passed = lines
+                self._splitter = whole
                 return self._take(True, following)
+            if whole.is_malformed and start < self._end_in_sight:
+                # It stays so, and the end of the file is too far away to cut it.
+                return None
             at = following
         return None
 
@@ -281,6 +289,16 @@ class RowRepair:
 
     def _quotation(self, start: int, until: int) -> str:
         return f"“{excerpt(self._cursor.data[start:until], _QUOTED_BYTES)}”"
+
+
+def _end_in_sight(data: bytes) -> int:
+    """From where on the end of the file may be seen by looking ahead."""
+    at = len(data)
+    for _ in range(_MAX_LINES + 2):
+        at = data.rfind(b"\n", 0, at)
+        if at < 0:
+            return 0
+    return max(at, len(data) - _MAX_BYTES)
 
 
 def _is_end_of_row(piece: bytes) -> bool:

@@ -30,6 +30,7 @@ class RowSplitter:
         """Whether the bytes ended inside quotes."""
         self.is_malformed = False
         """Whether a quote stood where RFC 4180 has none."""
+        self._quotes = Quotes.STRICT
 
     @property
     def is_proper(self) -> bool:
@@ -43,18 +44,36 @@ class RowSplitter:
         self.quoted = []
         self.is_open = False
         self.is_malformed = False
-        at = start
+        self._quotes = quotes
+        return self._split_on(data, start, until)
+
+    def extend(self, data: bytes, until: int) -> int:
+        """Goes on with a row that ended in an open quote, as `split` of all of it would find it; returns how many cells."""
+        self.is_open = False
+        self.quoted.pop()
+        end = self._close_cell(data, self.starts.pop(), self.ends.pop(), until)
+        return self._split_after(data, end, until)
+
+    def _split_on(self, data: bytes, at: int, until: int) -> int:
         while True:
-            if quotes is not Quotes.LITERAL and at < until and data[at] == _QUOTE:
-                at = self._quoted_cell(data, at, until, quotes)
+            if self._quotes is not Quotes.LITERAL and at < until and data[at] == _QUOTE:
+                at = self._close_cell(data, at + 1, at + 1, until)
             else:
                 at = self._plain_cell(data, at, until)
             if at >= until:
-                break
+                return len(self.starts)
             at += 1
             if at == until:
+                # A comma at the end: a cell follows it.
                 self._add(at, at, False)
-                break
+                return len(self.starts)
+
+    def _split_after(self, data: bytes, end: int, until: int) -> int:
+        """Splits what follows a cell that ends at `end`."""
+        if end + 1 < until:
+            return self._split_on(data, end + 1, until)
+        if end + 1 == until:
+            self._add(until, until, False)
         return len(self.starts)
 
     def _plain_cell(self, data: bytes, start: int, until: int) -> int:
@@ -66,20 +85,21 @@ class RowSplitter:
         self._add(start, end, False)
         return end
 
-    def _quoted_cell(self, data: bytes, start: int, until: int, quotes: Quotes) -> int:
-        at = data.find(b'"', start + 1, until)
+    def _close_cell(self, data: bytes, start: int, at: int, until: int) -> int:
+        """Looks from `at` on for the end of the quoted cell that begins at `start`; returns where its quotes end."""
+        at = data.find(b'"', at, until)
         while at >= 0:
             following = data[at + 1] if at + 1 < until else _COMMA
             if following == _COMMA:
-                self._add(start + 1, at, True)
+                self._add(start, at, True)
                 return at + 1
-            if following == _QUOTE and quotes is Quotes.STRICT:
+            if following == _QUOTE and self._quotes is Quotes.STRICT:
                 at += 1
             else:
                 self.is_malformed = True
             at = data.find(b'"', at + 1, until)
         self.is_open = True
-        self._add(start + 1, until, True)
+        self._add(start, until, True)
         return until
 
     def merge_torn_quotes(self, data: bytes, wanted: int) -> int:
