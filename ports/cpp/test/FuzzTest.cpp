@@ -95,7 +95,7 @@ TEST_CASE("whatever names, values, texts and events are, lines and cells are in 
         REQUIRE(IsText(bag));
         const auto header = bag.substr(0, bag.find('\n'));
         REQUIRE(header.find("]}") != std::string::npos);
-        for (const char byte : header) REQUIRE((byte < 0 || byte >= ' '));
+        for (const char byte : header) REQUIRE(static_cast<unsigned char>(byte) >= ' ');
         const auto rows = Cells(bag.substr(header.size() + 1));
         REQUIRE(rows.size() == ROWS + 1);
         for (const auto& row : rows) REQUIRE(row.size() == 2);

@@ -1,12 +1,15 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
+#include <iostream>
+#include <sstream>
 #include <string>
 
 #include "LogFiles.h"
 
-// The robot of docs/robot-cpp.md, whose main CMakeLists.txt renames, and whose folder it replaces by "guide".
+// The programs of docs/robot-cpp.md, whose main functions CMakeLists.txt renames; it replaces the robot's folder by "guide".
 int RunGuideRobot();
+int RunGuideReader(int, char** arguments);
 
 TEST_CASE("the guide's robot logs, each start into a file of its own") {
     const auto before = std::filesystem::current_path();
@@ -15,9 +18,23 @@ TEST_CASE("the guide's robot logs, each start into a file of its own") {
     CHECK(RunGuideRobot() == 0);
     CHECK(RunGuideRobot() == 0);
     std::filesystem::current_path(before);
+    // The robot never closes its log, as real ones do not.
+    StandardErrorOf([] { badlog::BadLog::Init("/dev/null").Close(); });
     const auto rows = RowsIn(folder / "guide/robot.bag");
     REQUIRE(rows.size() == 3);
     CHECK(rows[0] == "1.500000,1.5000,false,45.000,arm leaves home");
     CHECK(rows[2] == "1.500000,4.5000,false,45.000,");
     CHECK(Read(folder / "guide/robot_2.bag") == Read(folder / "guide/robot.bag"));
+}
+
+TEST_CASE("the guide's reader says what is in a bag") {
+    std::string program = "reader";
+    std::string path = BADLOG_ROOT "/core/conformance/cut-row.bag";
+    char* arguments[] = {program.data(), path.data()};
+    std::ostringstream said;
+    auto* const before = std::cout.rdbuf(said.rdbuf());
+    CHECK(RunGuideReader(2, arguments) == 0);
+    std::cout.rdbuf(before);
+    CHECK(said.str().find(" numbers in s\n") != std::string::npos);
+    CHECK(said.str().find("A row is cut off after") != std::string::npos);
 }

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "badlog/Recording.h"
+
+namespace badlog::reader {
+
+/** A topic as the line of JSON describes it. */
+struct BagTopic {
+    std::string name;
+    std::string unit = "ul";
+    std::vector<std::string> attributes;
+};
+
+/** What the line of JSON says, in its order. */
+struct BagHeader {
+    std::vector<BagTopic> topics;
+    std::vector<RecordedValue> values;
+
+    std::vector<std::string> Names() const;
+};
+
+/** The header, or nothing when the line is not one whole JSON object. */
+std::optional<BagHeader> ReadHeader(std::string_view line);
+
+}  // namespace badlog::reader

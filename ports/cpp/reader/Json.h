@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace badlog::reader {
+
+/** A value of a JSON text: its JSON as it stands there, and what it is. */
+struct JsonValue {
+    std::string json;
+    std::optional<std::string> text;
+    std::optional<std::vector<JsonValue>> items;
+    std::optional<std::vector<std::pair<std::string, JsonValue>>> members;
+
+    /** The last of an object's members of that key, or null. */
+    const JsonValue* Member(std::string_view key) const;
+};
+
+/**
+ * The JSON object that a text is, or nothing when it is not exactly one. As RFC 8259 has it, with one indulgence: control
+ * characters may stand in strings as they are.
+ */
+std::optional<JsonValue> ReadJsonObject(std::string_view text);
+
+}  // namespace badlog::reader

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "Cell.h"
+#include "Column.h"
+#include "Cursor.h"
+#include "ProblemList.h"
+#include "RowSplitter.h"
+
+namespace badlog::reader {
+
+/**
+ * Takes one row after another: quoted, cut, torn, too short and too long ones, too. One rule stands above the others: a line
+ * that is a complete row by itself is never swallowed by a damaged one before it.
+ */
+class RowReader {
+public:
+    /** `endsInNewline` says that every whole row of this file ends in a newline, so that a last row without one is cut. */
+    RowReader(Cursor& cursor, std::vector<Column>& columns, ProblemList& problems, bool endsInNewline);
+
+    int64_t rowCount = 0;
+    /** Whether what follows is not a row at all and is not read. */
+    bool gaveUp = false;
+
+    /** Reads from the cursor, the start of a line, on; returns where the next row begins. */
+    size_t Read();
+
+private:
+    using Next = std::optional<size_t>;
+
+    size_t Repair();
+    Next QuotedLines(size_t start, size_t secondLine);
+    bool HasSameNumbers() const;
+    bool ReadWithOddQuotes(size_t start, size_t end, bool mayBeOpen);
+    Next JoinedLines(size_t start, size_t newline, size_t secondLine);
+    bool IsTextTornAt(size_t newline, size_t following) const;
+    bool ContinuesText(size_t start, size_t end);
+    bool IsCompleteRow(size_t start, size_t until);
+    size_t TakeUneven(size_t start, size_t end, size_t following);
+    size_t Tail(size_t start, size_t until, bool isCut);
+    void DropLastCell();
+    size_t Take(bool undouble, size_t following);
+    Cell CellOf(size_t index, bool undouble) const;
+    CellKind KindOf(size_t index) const;
+    std::string Quotation(size_t start, size_t until) const;
+    size_t GiveUp(std::string_view kind, std::string message);
+
+    Cursor& m_cursor;
+    std::vector<Column>& m_columns;
+    const size_t m_wanted;
+    ProblemList& m_problems;
+    const bool m_endsInNewline;
+    RowSplitter m_splitter;
+    std::vector<bool> m_numbersBefore;
+    /** The row that was found, if one was. */
+    std::optional<std::vector<Cell>> m_row;
+    /** How many physical lines were gone through. */
+    int64_t m_linesPassed = 0;
+};
+
+}  // namespace badlog::reader
