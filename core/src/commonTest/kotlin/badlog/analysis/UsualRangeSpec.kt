@@ -13,7 +13,7 @@ class UsualRangeSpec : FunSpec({
     val match = DoubleArray(5000) { it * 0.02 }
     fun with(vararg wild: Pair<Int, Double>) = UsualRange(match.copyOf().also { for ((row, x) in wild) it[row] = x })
 
-    test("a wild position is left out, wherever it stands and in whatever direction, and is told") {
+    test("a wild position is left out, wherever it stands and in whatever direction, and is reported") {
         for (row in listOf(0, 1, 777, 4999)) {
             for (x in listOf(18_446_744_073_692.0, -1e300, 1.7e9)) {
                 val range = with(row to x)

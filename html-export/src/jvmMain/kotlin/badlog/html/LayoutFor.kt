@@ -12,7 +12,7 @@ import java.nio.file.Path
 /**
  * The layout with which a page of [log] begins, see [FolderLayout.of]. Reads the log, where there is a layout for a type of matches.
  *
- * @param signals what topics are called there that tell the type.
+ * @param signals the names of the topics that say the type.
  * @param top the folder up to which a layout is looked for; null for that of the log alone.
  */
 public fun layoutFor(log: Path, signals: SignalVocabulary, top: Path? = null): FolderLayout =

@@ -68,7 +68,7 @@ internal class AxisSpec : PageSpec({
         }
     }
 
-    browserTest("one wild x leaves the others to be seen, and is told with its number") {
+    browserTest("one wild x leaves the others to be seen, and is reported with its number") {
         val bag = bagOf(listOf(TIME, BagTopic("A")), 1001) { row, column ->
             if (column == 1) {
                 row % 7

@@ -22,7 +22,7 @@ import org.w3c.dom.HTMLElement
  * list opens when a person asks for it, or when a search finds something in it.
  *
  * @param draw adds a graph to its folder.
- * @param onDraw is told of each that was added.
+ * @param onDraw is called with each that was added.
  */
 internal class FoldedTopics(outline: LogOutline, private val scene: Scene, draw: (Graph) -> GraphCard, onDraw: (GraphCard) -> Unit) {
     private val constants = FoldedList("Never change", "constants") {

@@ -18,7 +18,7 @@ import org.w3c.dom.HTMLElement
  *
  * @param fileKey identifies the file.
  * @param outline what is drawn at first, and what is only listed.
- * @param onDraw is told of each graph that is drawn because a person asked for it, [onLeave] of each that goes.
+ * @param onDraw is called with each graph that is drawn because a person asked for it, [onLeave] with each that goes.
  * @param origin what calculated a graph, if it was not logged; else empty.
  */
 internal class FolderList(

@@ -23,7 +23,7 @@ import org.w3c.dom.HTMLElement
  * A folder: its values, its event logs, its graphs. All but the root folder can be closed.
  *
  * @param origin what calculated a graph, if it was not logged; else empty.
- * @param listed graphs of it that are drawn when somebody asks for them, each as [onDraw] is told.
+ * @param listed graphs of it that are drawn when somebody asks for them; [onDraw] is called with each then, [onLeave] with each that goes.
  * @param hook the program that all in it comes from; null for a folder of the recording.
  * @param isClosed whether it is closed to begin with.
  * @param onToggle is called when a person opens or closes it.

@@ -264,7 +264,7 @@ class FunctionsSpec : FunSpec({
         test("the answer to $text is “$answer”") { parsed(text).answer(SIGNALS).toString() shouldBe answer }
     }
 
-    test("where the log does not tell when the robot was enabled, nobody knows, and the reason is told") {
+    test("where the log does not say when the robot was enabled, the answer is unknown, with the reason") {
         val silent = SampleSignals(SIGNALS.vocabulary.signals.associateWith { SIGNALS.series(it.name) }, enabled = null)
         fun answer(text: String) = parsed(text, silent.vocabulary).answer(silent)
         for (text in listOf("total(enabled)", "count(i > 1 and enabled)", "max(v when enabled)", "total(enabled) / 60")) {

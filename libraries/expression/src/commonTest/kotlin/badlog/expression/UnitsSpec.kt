@@ -47,7 +47,7 @@ class UnitsSpec : FunSpec({
         }
     }
 
-    test("a number that was converted is told in the unit that it has become") {
+    test("a number that was converted is given in the unit that it has become") {
         val signals = signals()
         parsed("max(Voltage) > max(Rail)", signals.vocabulary).answer(signals).toString() shouldBe
             "yes, max(Voltage) = 12 V at 0 s, max(Rail) = 11.5 V at 2 s"

@@ -89,7 +89,7 @@ internal class RuleRun(view: LogView, private val file: String, private val isEv
         }
     }
 
-    // A share is told in percent, which needs no word for its unit.
+    // A share is given in percent, which needs no word for its unit.
     private fun textOf(quantity: Quantity) =
         (if (quantity.unit == FRACTION) quantity.copy(value = PERCENT * quantity.value, unit = "%") else quantity).text
 

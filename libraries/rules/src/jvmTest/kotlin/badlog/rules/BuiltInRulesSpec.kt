@@ -175,7 +175,7 @@ class BuiltInRulesSpec : FunSpec({
         rules.over(view, "test.bag").findings.map { it.rule } shouldContain "Clock set back"
     }
 
-    test("each text of an error is told, however often others come") {
+    test("each text of an error is reported, however often others come") {
         val match = TestMatch()
         val errors = (0..4).map { 20.0 + it to "ERROR: brownout" }
         match.event("messages", 10.0 to "WARN: CAN timeout; Elevator (ID 5)", *errors.toTypedArray())

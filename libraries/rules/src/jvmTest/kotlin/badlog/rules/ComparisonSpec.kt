@@ -80,7 +80,7 @@ class ComparisonSpec : FunSpec({
         texts(logs(20) + log(Random(1), 3 to 12.0)).last().shouldBeEmpty()
     }
 
-    test("the resistance of the battery is told with its uncertainty, and has to be beyond it") {
+    test("the resistance of the battery is given with its uncertainty, and has to be beyond it") {
         val found = RuleSet.BUILT_IN.compared(logs(12) + log(Random(1), 4 to 26.0)).last().findings.single()
         found.text shouldContain "Battery and wiring had 26 ± 0.8 mΩ, "
         val unsure = LogFigures(MatchKind.MATCH, KEYS, USUAL.copyOf().also { it[4] = 26.0 }, 9.0)

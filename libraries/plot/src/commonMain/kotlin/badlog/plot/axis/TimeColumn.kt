@@ -6,7 +6,7 @@ import badlog.recording.RecordingFormat
 import badlog.recording.Topic
 
 /**
- * The column that tells the time of a recording that names no x axis: the first one called time or timestamp, if it has a number in each
+ * The column that has the time of a recording that names no x axis: the first one called time or timestamp, if it has a number in each
  * row and never falls. Null where there is none, and where the recording has an x axis.
  */
 public fun Recording.timeColumn(): Topic? {

@@ -52,7 +52,7 @@ class QuerySpec : FunSpec({
         Query("Left -right \"top speed\" is:state | arm").words shouldBe listOf("left", "top speed", "arm")
     }
 
-    test("what a topic is, is told by its samples") {
+    test("what a topic is follows from its samples") {
         val view = bagView(listOf("Time|xaxis", "Number", "Still", "Mode", "Nothing"), listOf("0,1,5,auto,", "1,2,5,teleop,"))
         val traits = view.recording.topics.associate { it.name to view.seriesOf(it).traits }
         traits["Number"] shouldBe setOf(Trait.NUMBER)
