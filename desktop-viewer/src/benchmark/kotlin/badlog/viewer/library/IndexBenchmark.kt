@@ -29,7 +29,6 @@ fun main(args: Array<String>) {
         val home = Files.createTempDirectory("index-benchmark")
         try {
             measure("cold", folder, home)
-            println("peak memory of the process: ${peakMegabytes()} MB")
             ProcessBuilder(sameProcess() + listOf(folder.toString(), home.toString())).inheritIO().start().waitFor()
         } finally {
             home.toFile().deleteRecursively()
@@ -42,7 +41,7 @@ fun main(args: Array<String>) {
 private fun sameProcess(): List<String> {
     val java = ManagementFactory.getRuntimeMXBean()
     return listOf(Path.of(System.getProperty("java.home"), "bin", "java").toString()) + java.inputArguments +
-        listOf("-cp", java.classPath, "badlog.viewer.library.state.IndexBenchmarkKt")
+        listOf("-cp", java.classPath, "badlog.viewer.library.IndexBenchmarkKt")
 }
 
 private fun measureLooks(folder: Path) {
@@ -61,7 +60,21 @@ private fun measure(name: String, folder: Path, home: Path) = runBlocking {
     val entries = indexing.queue.state().entries
     val cpuMillis = (cpu.processCpuTime - cpuBefore) / 1_000_000
     println("$name: ${entries.size} logs, ${entries.sumOf { it.topics.size }} topics in $took, $cpuMillis ms of processor time")
+    println("  most memory of the process so far: ${peakMegabytes()} MB")
+    measureFindings(indexing)
     job.cancelAndJoin()
+}
+
+/** The rules run over all logs as soon as these are listed. A log in which nothing happens is left out. */
+private suspend fun measureFindings(indexing: Indexing) {
+    val before = indexing.queue.state().entries.count { it.found != null }
+    val began = TimeSource.Monotonic.markNow()
+    while (indexing.queue.state().entries.any { it.isReadable && !it.isGray && it.found == null }) delay(20)
+    val found = indexing.queue.state().entries.count { it.found != null } - before
+    val took = began.elapsedNow()
+    val each = (took / maxOf(found, 1)).toString(DurationUnit.MILLISECONDS)
+    println("  findings of $found logs in ${took.toString(DurationUnit.SECONDS, 1)}, $each each")
+    println("  most memory of the process so far: ${peakMegabytes()} MB")
 }
 
 /** What the system has counted, as Linux tells it; elsewhere it is not known. */

@@ -132,10 +132,15 @@ internal fun libraryCommands(library: Library, panels: WindowPanels, opener: Log
 /** What the keyboard does with the list of topics. */
 internal fun topicCommands(topics: TopicListing, panels: WindowPanels): List<Command> = listOf(
     Command("Topics", "Search the topics; then ↓ and Enter draw one", listOf(KeyPress(Key.F, "F", ctrl = true))) {
-        panels.change { copy(topics = true, main = MainView.GRAPHS, front = FrontPart.TOPICS) }
-        topics.change { copy(searchesAsked = searchesAsked + 1) }
+        askForTopics(topics, panels)
     },
 )
+
+/** Puts the keyboard into the search field of the topics. */
+internal fun askForTopics(topics: TopicListing, panels: WindowPanels) {
+    panels.change { copy(topics = true, main = MainView.GRAPHS, front = FrontPart.TOPICS) }
+    topics.change { copy(searchesAsked = searchesAsked + 1) }
+}
 
 /** Puts the keyboard into the search field of the logs. */
 private fun askForSearch(library: Library, panels: WindowPanels) {

@@ -6,6 +6,7 @@ import badlog.plot.gesture.HelpLine
 /** What the pointer does: over graphs most of it as on an exported page. */
 internal val GESTURES = GRAPH_GESTURES + listOf(
     HelpLine("On the graphs", "Click in a legend", "Hides the line, or shows it again."),
+    HelpLine("On the graphs", "Drag a title", "Moves the graph; onto another one, draws it there."),
     HelpLine("On the graphs", "Right click a title", "Opens a menu: only this graph, its height, its limits of y."),
     HelpLine("On the graphs", "Ctrl+drag", "Selects a part, as a drag with the right button does."),
     HelpLine("On the graphs", "Middle button", "Pans, as a drag of the axis does."),

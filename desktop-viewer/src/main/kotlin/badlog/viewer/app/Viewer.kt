@@ -6,6 +6,7 @@ import androidx.compose.runtime.snapshots.Snapshot
 import badlog.plot.board.Board
 import badlog.plot.range.Viewport
 import badlog.plot.timeline.EventTimeline
+import badlog.viewer.axis.AxisChoice
 import badlog.viewer.board.GraphBoard
 import badlog.viewer.compare.ComparedRecordings
 import badlog.viewer.export.cut.CutSaver
@@ -44,6 +45,7 @@ import badlog.viewer.statistics.TableSaver
 import badlog.viewer.task.LongTasks
 import badlog.viewer.task.Notices
 import badlog.viewer.topic.TopicListing
+import badlog.viewer.topic.foldersOf
 import badlog.viewer.view.AxisView
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.launch
@@ -70,7 +72,10 @@ internal class Viewer(
     val current = CurrentRecording()
     val view = AxisView()
     val board = GraphBoard()
-    val compared = ComparedRecordings(current, tasks, { library.state.folder }, definitions = { formulas.definitions })
+    private val overTime = { axis.state == true }
+    val compared: ComparedRecordings =
+        ComparedRecordings(current, tasks, { library.state.folder }, definitions = { formulas.definitions }, overTime)
+    val axis: AxisChoice = AxisChoice(current, compared, board, view)
     val formulas: FormulaStore = FormulaStore(current, compared, board, notices)
     val events = FilteredEvents(current)
     val topics = TopicListing()
@@ -78,19 +83,22 @@ internal class Viewer(
     val player = Player(current, view)
     val findings = LogFindings(current, view, board, folder = { library.state.folder }, ::awaitDrawn)
     val notes = LogNotes(current, notices)
-    val layouts = LayoutStore(folders, library, current, board, view, compared, formulas, panels, notices)
+    val layouts = LayoutStore(folders, library, current, board, view, compared, axis, formulas, panels, notices)
     val layoutFiles = LayoutFiles(layouts, library, current, files, tasks, notices)
     val pages = PageSaver(scope, current, compared, formulas, library, files, tasks, notices)
     val figures = FigureSaver(scope, current, compared, view, events, findings, files, tasks, notices)
     val cuts = CutSaver(current, view, files, tasks, notices)
     val tables = TableSaver(files, tasks, notices)
-    val graphs = GraphScene(current, board, view, compared, events, findings, notes, player, settings, figures::copy)
+    val graphs = GraphScene(current, board, view, compared, events, findings, notes, player, settings, figures::copy, ::askForTopics, axis)
     private val watcher = RecordingWatcher(
         notices,
-        read = { shown, isGrowing -> OpenRecording.read(shown.file, library.state.folder, { formulas.definitions }, isGrowing) },
+        read = { shown, isGrowing ->
+            OpenRecording.read(shown.file, library.state.folder, { formulas.definitions }, overTime, isGrowing)
+        },
         update = ::showGrown,
     )
-    val loader = RecordingLoader(scope, tasks, watcher, { library.state.folder }, definitions = { formulas.definitions }, ::show)
+    val loader =
+        RecordingLoader(scope, tasks, watcher, { library.state.folder }, definitions = { formulas.definitions }, overTime, ::show)
     val opener = LogOpener(library, loader, files, notices)
     val newest = NewestLog(library, current, loader, opener, notices, isInUse = ::isInUse)
     val logActions = LibraryActions(
@@ -128,16 +136,26 @@ internal class Viewer(
 
     /** Shows [opened], which was just read, in one step for all who look. */
     fun show(opened: OpenRecording) = Snapshot.withMutableSnapshot {
-        // The folder's formulas may have come while the file was read. They are calculated on the window's thread then, which is rare
-        // and better than graphs that change as soon as they are seen.
-        val recording = if (opened.definitions == formulas.definitions) opened else opened.withFormulas(formulas.definitions)
+        // Formulas and the axis may have come while the file was read, or formulas lie beside it. They are calculated on the window's thread
+        // then, which is rare and better than graphs that change as soon as they are seen.
+        val definitions = layouts.formulasFor(opened)
+        val over = opened.overTime(overTime())
+        val recording = if (over.definitions == definitions) over else over.withFormulas(definitions)
         current.replace(recording)
+        formulas.replaceAll(definitions)
+        topics.change { listing(foldersOf(recording.signals)) }
         compared.share(recording)
         board.replace(layouts.graphsOf(recording))
         view.show(recording.span)
         panels.change { copy(front = FrontPart.GRAPHS) }
         library.select(recording.file)
         recording.layout.problem?.let(notices::complain)
+    }
+
+    /** Puts the keyboard into the search of the topics, which are added to graph [id] from then on. */
+    private fun askForTopics(id: Int) {
+        topics.change { adding(id) }
+        askForTopics(topics, panels)
     }
 
     /** Opens what was dropped onto the window: a layout, or else folders and logs. */

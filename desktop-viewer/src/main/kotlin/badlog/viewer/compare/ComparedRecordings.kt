@@ -14,12 +14,14 @@ import java.nio.file.Path
  *
  * @param library gives the folder of logs.
  * @param definitions gives the formulas to calculate in each.
+ * @param overTime says whether each is drawn over its time, see [OpenRecording.overTime].
  */
 internal class ComparedRecordings(
     private val current: CurrentRecording,
     private val tasks: LongTasks,
     private val library: () -> Path?,
     private val definitions: () -> List<String>,
+    private val overTime: () -> Boolean,
 ) : Part<Comparison>(Comparison()) {
     private val jobs = HashMap<Path, Job>()
 
@@ -67,7 +69,7 @@ internal class ComparedRecordings(
     }
 
     private fun load(file: Path) {
-        val read = { progress: (Float) -> Unit -> OpenRecording.read(file, library(), definitions, progress = progress) }
+        val read = { progress: (Float) -> Unit -> OpenRecording.read(file, library(), definitions, overTime, progress = progress) }
         val job = tasks.run("Reading ${file.fileName} to compare", read) { change { withLoaded(it) } }
         jobs[file] = job
         job.invokeOnCompletion {

@@ -35,6 +35,9 @@ internal class FormulaStore(
     var sheet: FormulaSheet? by mutableStateOf(null)
         private set
 
+    /** Those that a person took away: what lies beside the logs does not bring them back. */
+    private val removed = HashSet<String>()
+
     /** Opens the sheet for a new one, with [names] of the open recording in it; nothing happens without a recording. */
     fun write(names: List<String> = emptyList()) {
         val open = current.recording ?: return
@@ -55,20 +58,29 @@ internal class FormulaStore(
 
     /** Adds [definition], whose topic is called [name], and draws it. */
     fun add(definition: String, name: String) {
+        removed -= definition
         definitions = (definitions + definition).distinct()
         board.change { withGraph(listOf(name)) }
     }
 
     /** Puts [definition], whose topic is called [name], in the place of [before]; what drew that draws this. */
     fun replace(before: String, definition: String, name: String) {
+        removed += before
         definitions = definitions.map { if (it == before) definition else it }.distinct()
         nameIn(before)?.let { board.change { renamed(it, name) } }
     }
 
     /** Takes [definition] away, also from the graphs. */
     fun remove(definition: String) {
+        removed += definition
         definitions = definitions - definition
         nameIn(definition)?.let { board.change { withoutSignal(it) } }
+    }
+
+    /** Them, and those of [others] whose topics they do not define, and which no person took away. */
+    fun with(others: List<String>): List<String> {
+        val names = definitions.mapTo(HashSet(), ::nameIn)
+        return definitions + others.filter { it !in removed && nameIn(it) !in names }
     }
 
     /** Has [definitions] from now on, in the open recording at once. */

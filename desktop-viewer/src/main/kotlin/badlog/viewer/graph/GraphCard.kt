@@ -53,7 +53,8 @@ internal fun GraphCard(scene: GraphScene, spec: BoardGraph, height: Int) {
                     scene,
                     spec,
                     maxLines = if (height < ROOMY) 1 else MAX_HEADER_LINES,
-                    Modifier.receivesSignals(scene) { names -> scene.board.change { withGraph(names, before = spec.id) } },
+                    Modifier.takesGraph(scene.drag, spec.id)
+                        .receivesSignals(scene) { names -> scene.board.change { withGraph(names, before = spec.id) } },
                 )
             }
             GraphPlot(

@@ -42,7 +42,7 @@ internal fun GraphColumn(scene: GraphScene) {
     val graphs = scene.board.state.graphs
     val recordings = scene.recordings
     SideEffect { scene.plots.keep(graphs.mapTo(HashSet()) { it.id } + OVERVIEW, recordings) }
-    BoxWithConstraints(Modifier.fillMaxSize().changesHeights(scene)) {
+    BoxWithConstraints(Modifier.fillMaxSize().changesHeights(scene).dragsGraphs(scene.drag, LocalPalette.current)) {
         val scroll = scene.list
         ShowWantedGraph(scene.board, scroll)
         val lanes = remember(graphs, scene.recordings) { graphs.map { lanesOf(it, scene) } }
@@ -58,6 +58,7 @@ internal fun GraphColumn(scene: GraphScene) {
         EventLabel(scene)
         FindingLabel(scene, Modifier.align(Alignment.BottomStart))
         SelectionChip(scene, maxWidth)
+        DraggedGraph(scene, constraints.maxHeight)
     }
 }
 

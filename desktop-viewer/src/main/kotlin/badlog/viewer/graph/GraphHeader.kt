@@ -12,6 +12,8 @@ import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.input.pointer.PointerIcon
+import androidx.compose.ui.input.pointer.pointerHoverIcon
 import androidx.compose.ui.text.SpanStyle
 import androidx.compose.ui.text.buildAnnotatedString
 import androidx.compose.ui.text.font.FontWeight
@@ -23,6 +25,7 @@ import badlog.plot.board.BoardGraph
 import badlog.viewer.graph.plot.drawnLines
 import badlog.viewer.graph.scene.GraphScene
 import badlog.viewer.theme.LocalPalette
+import java.awt.Cursor
 
 /** What a graph is called, and what its lines are; no more than [maxLines] of text. */
 @Composable
@@ -51,7 +54,7 @@ internal fun GraphHeader(scene: GraphScene, spec: BoardGraph, maxLines: Int, mod
 private fun GraphTitle(title: String) {
     val palette = LocalPalette.current
     val folder = title.substringBeforeLast('/', "").takeLast(MAX_FOLDER_LETTERS)
-    Row {
+    Row(Modifier.pointerHoverIcon(PointerIcon(Cursor(Cursor.MOVE_CURSOR)))) {
         Text(
             buildAnnotatedString {
                 if (folder.isNotEmpty()) withStyle(SpanStyle(color = palette.muted)) { append("$folder / ") }

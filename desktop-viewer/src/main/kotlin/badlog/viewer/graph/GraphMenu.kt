@@ -8,6 +8,7 @@ import badlog.plot.axis.AxisSide
 import badlog.plot.board.Board
 import badlog.plot.board.BoardGraph
 import badlog.plot.board.GraphHeight
+import badlog.viewer.compare.shortLabel
 import badlog.viewer.graph.scene.GraphScene
 import badlog.viewer.menu.ClosesByEscape
 import badlog.viewer.menu.MenuLine
@@ -20,7 +21,6 @@ internal class GraphAction(val label: String, val isOn: Boolean = false, val run
 /** What can be done with [spec], in groups. */
 internal fun graphActions(scene: GraphScene, spec: BoardGraph): List<List<GraphAction>> {
     val board = scene.board
-    val above = board.state.graphs.let { graphs -> graphs.getOrNull(graphs.indexOfFirst { it.id == spec.id } - 1) }
     return listOf(
         listOfNotNull(
             GraphAction("Keep this graph on the board") { board.keep(spec.id) }.takeIf { board.isEvidence(spec.id) },
@@ -36,11 +36,22 @@ internal fun graphActions(scene: GraphScene, spec: BoardGraph): List<List<GraphA
             GraphAction("Share the y limits", spec.sharesY) { board.change { withSharedY(spec.id, !spec.sharesY) } },
         ),
         listOfNotNull(
+            GraphAction("Add topics…") { scene.addTopics(spec.id) },
             GraphAction("A graph for each line") { board.change { separated(spec.id) } }.takeIf { spec.lines.size > 1 },
-            above?.let { GraphAction("Draw it in the graph above") { board.change { joined(it.id, spec.id) } } },
         ),
+        board.state.graphs.filter { it.id != spec.id }.take(MOST_OFFERED).map { other ->
+            GraphAction("Add to ${quoted(other)}") { board.change { joined(other.id, spec.id) } }
+        },
     ).filter { it.isNotEmpty() }
 }
+
+/** So many graphs are offered to add something to: more would not fit a small window. */
+internal const val MOST_OFFERED = 10
+
+/** The title of [graph] as a line of a menu has it. */
+internal fun quoted(graph: BoardGraph): String = "“${shortLabel(graph.title, TITLE_LETTERS)}”"
+
+private const val TITLE_LETTERS = 36
 
 /** Keeps what is seen of y in [spec] whatever x is visible, or no longer. */
 private fun fixY(scene: GraphScene, spec: BoardGraph) {

@@ -12,6 +12,7 @@ import androidx.compose.ui.input.pointer.PointerEventPass
 import androidx.compose.ui.input.pointer.PointerEventType
 import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.platform.LocalFocusManager
+import badlog.viewer.axis.AxisOffer
 import badlog.viewer.graph.mark.FindingStrip
 import badlog.viewer.graph.scene.GraphScene
 import badlog.viewer.playback.PlayerFrames
@@ -32,6 +33,7 @@ internal fun GraphPane(scene: GraphScene, modifier: Modifier = Modifier, isOpeni
     }
     Column(modifier.background(LocalPalette.current.surface).takesKeyboard()) {
         GraphToolbar(scene)
+        AxisOffer(scene.axis)
         Overview(scene)
         Box(
             Modifier.weight(1f).fillMaxWidth().receivesSignals(scene) { names ->

@@ -4,10 +4,12 @@ import androidx.compose.foundation.background
 import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.widthIn
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
@@ -58,12 +60,12 @@ internal fun InspectorPane(
 ) {
     val tab = panels.state.inspector ?: return
     Column(modifier.background(LocalPalette.current.surface)) {
-        Row(
+        // In a small window the panel is narrower than all that stands here.
+        FlowRow(
             Modifier.fillMaxWidth().padding(start = 12.dp, end = 4.dp, top = 4.dp, bottom = 4.dp),
-            horizontalArrangement = Arrangement.spacedBy(2.dp),
-            verticalAlignment = Alignment.CenterVertically,
+            itemVerticalAlignment = Alignment.CenterVertically,
         ) {
-            Text(tab.title, Modifier.weight(1f), fontWeight = FontWeight.SemiBold, maxLines = 1)
+            Text(tab.title, Modifier.widthIn(min = TITLE), fontWeight = FontWeight.SemiBold, maxLines = 1)
             for (other in InspectorTab.entries) {
                 ToolButton("Show ${other.title.lowercase()}", other.icon, isOn = other == tab) {
                     panels.change { inspecting(other) }
@@ -88,6 +90,8 @@ internal fun InspectorPane(
         }
     }
 }
+
+private val TITLE = 76.dp
 
 /** What stands in a panel that has nothing to show. */
 @Composable

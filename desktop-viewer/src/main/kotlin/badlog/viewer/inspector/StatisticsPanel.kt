@@ -151,5 +151,5 @@ private fun Cell(cell: StatCell, modifier: Modifier, nameWidth: Int = NAME) {
     }
 }
 
-private const val NAME = 54
+private const val NAME = 66
 private const val WIDE_NAME = 130

@@ -24,6 +24,7 @@ import kotlinx.serialization.json.jsonObject
  * @property selection the part of x that was marked in it, or null.
  * @property compared what lies over the open recording.
  * @property panels which parts of the window are open; null for as they are.
+ * @property overTime whether logs that name no x axis are drawn over their column of the time; null where nobody has said.
  * @property formulas the definitions of topics that are calculated from others.
  */
 @Serializable
@@ -35,6 +36,7 @@ internal data class Layout(
     val selection: LayoutSpan? = null,
     val compared: LayoutComparison = LayoutComparison(),
     val panels: LayoutPanels? = null,
+    val overTime: Boolean? = null,
     val formulas: List<String> = emptyList(),
 ) {
     companion object {

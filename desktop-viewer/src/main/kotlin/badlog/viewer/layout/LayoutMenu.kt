@@ -4,6 +4,8 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.input.key.Key
 import badlog.file.writeAtomically
 import badlog.plot.board.FolderLayout
+import badlog.recording.PathName
+import badlog.viewer.axis.AxisChoice
 import badlog.viewer.files.FileChoice
 import badlog.viewer.files.askToWrite
 import badlog.viewer.files.fileNameOf
@@ -20,16 +22,21 @@ import java.nio.file.Path
 
 /** The menu that saves how the window is arranged, and arranges it so again. */
 @Composable
-internal fun LayoutMenu(current: CurrentRecording, layouts: LayoutStore, files: LayoutFiles) {
+internal fun LayoutMenu(current: CurrentRecording, layouts: LayoutStore, files: LayoutFiles, axis: AxisChoice) {
     Menu("Layout", "Layout: graphs, ranges and panels", Icons.Layout) {
         val why = "Open a log first.".takeIf { current.recording == null }
-        listOf(
+        listOfNotNull(
             MenuEntry("Default graphs", "As the log's attributes define", why) { layouts.showDefaultGraphs() },
             MenuEntry("Save the layout as…", "A file for another folder, or for a teammate", why, SAVE_LAYOUT.text) { files.save() },
             MenuEntry("Save as the folder’s default…", "${FolderLayout.NAME}: windows and pages begin with it", why) {
                 files.saveDefault()
             },
             MenuEntry("Open a layout…", "Topics that this log lacks are hidden", why) { files.open() },
+            current.recording?.timeColumn?.let { column ->
+                val isOver = axis.state == true
+                val name = if (isOver) "row numbers" else "“${PathName.baseNameOf(column.name)}”"
+                MenuEntry("Draw over $name", "For all logs of the folder that name no x axis") { axis.choose(!isOver) }
+            },
         )
     }
 }

@@ -5,8 +5,8 @@ import badlog.analysis.Span
 import badlog.plot.board.Board
 import badlog.plot.board.BoardLayout
 import badlog.plot.board.FittedBoard
-import badlog.plot.board.FolderLayout
 import badlog.plot.formula.joined
+import badlog.viewer.axis.AxisChoice
 import badlog.viewer.board.GraphBoard
 import badlog.viewer.compare.ComparedRecordings
 import badlog.viewer.formula.FormulaStore
@@ -37,6 +37,7 @@ internal class LayoutStore(
     private val board: GraphBoard,
     private val view: AxisView,
     private val compared: ComparedRecordings,
+    private val axis: AxisChoice,
     private val formulas: FormulaStore,
     private val panels: WindowPanels,
     private val notices: Notices,
@@ -67,6 +68,7 @@ internal class LayoutStore(
                 selection = view.selection?.let(::layoutSpan),
                 compared = layoutOf(compared.state, library.state.folder),
                 panels = layoutOf(panels.state),
+                overTime = axis.state,
                 formulas = formulas.definitions,
             )
         }
@@ -88,6 +90,12 @@ internal class LayoutStore(
         return fitted.board
     }
 
+    /** The formulas to calculate in [recording]: also those of the layout beside it, where nobody has arranged the graphs of this folder. */
+    fun formulasFor(recording: OpenRecording): List<String> {
+        val isArranged = saved?.graphs != null || !isInFolder(recording)
+        return if (isArranged) formulas.definitions else formulas.with(recording.layout.layout?.formulas.orEmpty())
+    }
+
     /**
      * Arranges the window as [layout] says, as far as the open recording has what it names; what is hidden is said. Its formulas are
      * added to those that there are.
@@ -95,6 +103,7 @@ internal class LayoutStore(
     fun apply(layout: Layout) {
         layout.panels?.let { wanted -> panels.change { panelsOf(wanted, this) } }
         formulas.replaceAll(joined(formulas.definitions, layout.formulas))
+        layout.overTime?.let(axis::choose)
         restoreComparison(layout.compared)
         applyGraphs(layout)
         applyRange(layout)
@@ -115,8 +124,10 @@ internal class LayoutStore(
         // A few kilobytes of the user's own: read at once, so that the folder's first recording is shown as it was arranged.
         saved = opened?.let(layouts::read)
         if (opened == null) return@collectLatest
-        // A folder that nobody has arranged yet has the formulas of the layout that lies there.
-        formulas.replaceAll(saved?.formulas ?: FolderLayout.of(opened.resolve(FolderLayout.NAME)).layout?.formulas.orEmpty())
+        axis.change { null }
+        saved?.overTime?.let(axis::choose)
+        formulas.replaceAll(saved?.formulas.orEmpty())
+        current.recording?.let { formulas.replaceAll(formulasFor(it)) }
         var wanted = saved
         wanted?.let(::restore)
         snapshotFlow { arrangement() }.collectLatest {
@@ -128,9 +139,9 @@ internal class LayoutStore(
 
     /** Saves at once what else would be saved in a moment: the window is about to go. */
     fun saveNow() {
-        val (place, layout) = change()?.withTheirs() ?: return
+        val (place, layout) = change() ?: return
         try {
-            layouts.write(place, layout)
+            layouts.write(place, written(place, layout))
         } catch (_: IOException) {
             // There is no window any more to say it in.
         }
@@ -144,14 +155,16 @@ internal class LayoutStore(
         view.selection,
         compared.state,
         panels.state,
+        axis.state,
         formulas.definitions,
     )
 
     private suspend fun save() {
-        val (place, layout) = change()?.withTheirs() ?: return
-        saved = layout
+        val (place, layout) = change() ?: return
+        val written = written(place, layout)
+        saved = layout.copy(formulas = written.formulas)
         try {
-            withContext(Dispatchers.IO) { layouts.write(place, layout) }
+            withContext(Dispatchers.IO) { layouts.write(place, written) }
         } catch (e: IOException) {
             notices.complain("The layout cannot be saved: ${e.message}")
         }
@@ -172,15 +185,15 @@ internal class LayoutStore(
         return if (layout == saved) null else place to layout
     }
 
-    /** What another window over the same folder has done to the formulas since this one last read or wrote them, is done here, too. */
-    private fun Pair<Path, Layout>.withTheirs(): Pair<Path, Layout> {
-        val (place, layout) = this
-        val before = saved?.formulas.orEmpty()
-        val theirs = layouts.read(place)?.formulas ?: return this
-        val gone = before - theirs.toSet()
-        val formulasOfBoth = (layout.formulas - gone.toSet() + (theirs - before.toSet())).distinct()
-        if (formulasOfBoth != formulas.definitions) formulas.replaceAll(formulasOfBoth)
-        return place to layout.copy(formulas = formulasOfBoth)
+    /**
+     * What to write of [mine], which this window shows over the folder of [place]: what it has not changed stays as another window has written
+     * it. What that has done to the formulas is done here, too.
+     */
+    private fun written(place: Path, mine: Layout): Layout {
+        val theirs = layouts.read(place) ?: return mine
+        val both = merged(mine, saved ?: Layout(Layout.VERSION), theirs)
+        if (both.formulas != formulas.definitions) formulas.replaceAll(both.formulas)
+        return both
     }
 
     private fun restore(layout: Layout) {

@@ -168,8 +168,13 @@ private fun RowPreview(entry: LogEntry, previews: Previews, palette: Palette) {
 }
 
 private fun cellText(entry: LogEntry, column: LogColumn, folder: Path?): String = when {
+    // A log of no match has its name where people look first; a small window shows no other column of names.
+    column == LogColumn.EVENT && entry.match.event == null && entry.match.number == null -> entry.fileName
+
     column != LogColumn.FILE -> column.text(entry).orEmpty()
+
     folder != null && entry.file.startsWith(folder) -> folder.relativize(entry.file).toString()
+
     else -> entry.file.toString()
 }
 

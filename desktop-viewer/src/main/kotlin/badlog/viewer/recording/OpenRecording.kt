@@ -7,7 +7,9 @@ import badlog.analysis.Span
 import badlog.analysis.enabledSpans
 import badlog.file.readRecording
 import badlog.formats.LOG_FORMATS
+import badlog.plot.axis.over
 import badlog.plot.axis.overItsTime
+import badlog.plot.axis.timeColumn
 import badlog.plot.board.Board
 import badlog.plot.board.FolderLayout
 import badlog.plot.board.fittedTo
@@ -19,6 +21,7 @@ import badlog.plot.range.Viewport
 import badlog.plot.timeline.Clocks
 import badlog.plot.timeline.EventTimeline
 import badlog.plot.timeline.ModeTimeline
+import badlog.recording.Topic
 import badlog.rules.BUILT_IN
 import badlog.rules.FolderRules
 import badlog.rules.RuleSet
@@ -40,13 +43,15 @@ import java.nio.file.Path
  * @property definitions those of the formulas that are calculated in it.
  * @property vocabulary what its topics are called.
  * @property layout the layout that lies beside it.
+ * @param rows the same over its rows, where it is drawn over its time because a person wants that.
  */
 internal class OpenRecording(
     val file: Path,
-    read: LogView,
+    private val read: LogView,
     val definitions: List<String> = emptyList(),
     val vocabulary: SignalVocabulary = RuleSet.BUILT_IN.signals,
     val layout: FolderLayout = FolderLayout.NONE,
+    private val rows: LogView? = null,
 ) {
     /** What the file holds. */
     val logged: LogView = read.withSignals(vocabulary)
@@ -117,7 +122,18 @@ internal class OpenRecording(
 
     /** The same file with the formulas [definitions] instead. Takes its time. */
     fun withFormulas(definitions: List<String>): OpenRecording =
-        OpenRecording(file, logged, definitions, vocabulary, layout).also { it.prepare() }
+        OpenRecording(file, logged, definitions, vocabulary, layout, rows).also { it.prepare() }
+
+    /** What has the time in it, where it names no x axis; null where there is no such column, or nothing to choose. */
+    val timeColumn: Topic? by lazy { (rows ?: read).recording.timeColumn() }
+
+    /** The same over its [timeColumn], or over its rows; itself where it is so, or has no such column. Takes its time. */
+    fun overTime(isWanted: Boolean): OpenRecording {
+        val column = timeColumn
+        if (column == null || isWanted == (rows != null)) return this
+        val changed = if (isWanted) LogView.of(read.recording.over(column)) else rows ?: read
+        return OpenRecording(file, changed, definitions, vocabulary, layout, if (isWanted) read else null).also { it.prepare() }
+    }
 
     /** Finds out now what the first frame needs, so that the window's thread does not have to. */
     private fun prepare() {
@@ -132,6 +148,7 @@ internal class OpenRecording(
          *
          * @param library the folder of logs, see [FolderRules.of]; null for that of [file] alone.
          * @param definitions gives, once it is read, the formulas to calculate in it.
+         * @param overTime says, once it is read, whether it is drawn over its time where it names no x axis, see [OpenRecording.overTime].
          * @param isGrowing whether what follows the last line end is left out, as a row that is half written.
          * @param progress hears how much is done, from 0 to 1.
          * @throws IOException with a sentence for the person, when it is not a recording.
@@ -140,6 +157,7 @@ internal class OpenRecording(
             file: Path,
             library: Path? = null,
             definitions: () -> List<String> = { emptyList() },
+            overTime: () -> Boolean = { false },
             isGrowing: Boolean = false,
             progress: (Float) -> Unit = {},
         ): OpenRecording {
@@ -149,7 +167,8 @@ internal class OpenRecording(
             if (!recording.isReadable) throw IOException("${file.fileName}: ${recording.problems.last().message}")
             val vocabulary = FolderRules.of(file, library).rules.signals
             val layout = FolderLayout.of(file, library) { vocabulary.matchOf(recording).type }
-            return OpenRecording(file, LogView.of(recording.overItsTime()), definitions(), vocabulary, layout).also { it.prepare() }
+            val opened = OpenRecording(file, LogView.of(recording.overItsTime()), definitions(), vocabulary, layout)
+            return opened.overTime(overTime()).also { it.prepare() }
         }
     }
 }

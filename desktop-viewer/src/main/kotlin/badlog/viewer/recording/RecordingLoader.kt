@@ -17,6 +17,7 @@ import java.nio.file.Path
  * @param watcher keeps what was opened as its file is.
  * @param library gives the folder of logs.
  * @param definitions gives the formulas to calculate in a recording.
+ * @param overTime says whether they are drawn over their time, see [OpenRecording.overTime].
  * @param show shows what was read.
  */
 internal class RecordingLoader(
@@ -25,6 +26,7 @@ internal class RecordingLoader(
     private val watcher: RecordingWatcher,
     private val library: () -> Path?,
     private val definitions: () -> List<String>,
+    private val overTime: () -> Boolean,
     private val show: (OpenRecording) -> Unit,
 ) {
     private var reading: Job? = null
@@ -39,7 +41,10 @@ internal class RecordingLoader(
         val path = file.toAbsolutePath().normalize()
         reading?.cancel()
         val folder = library()
-        val job = tasks.run("Opening ${path.fileName}", { progress -> Stamped.read(path, folder, definitions, progress) }) { read ->
+        val work = { progress: (Float) -> Unit ->
+            Stamped.read(path) { OpenRecording.read(path, folder, definitions, overTime, progress = progress) }
+        }
+        val job = tasks.run("Opening ${path.fileName}", work) { read ->
             show(read.recording)
             watching?.cancel()
             watching = scope.launch { watcher.watch(read.recording, read.stamp) }
@@ -51,10 +56,10 @@ internal class RecordingLoader(
 
     private class Stamped(val recording: OpenRecording, val stamp: FileStamp) {
         companion object {
-            fun read(file: Path, library: Path?, definitions: () -> List<String>, progress: (Float) -> Unit): Stamped {
+            fun read(file: Path, read: () -> OpenRecording): Stamped {
                 // Before it is read: what is written meanwhile is a change.
                 val stamp = FileStamp.of(file) ?: FileStamp(0, 0)
-                return Stamped(OpenRecording.read(file, library, definitions, progress = progress), stamp)
+                return Stamped(read(), stamp)
             }
         }
     }

@@ -26,11 +26,24 @@ internal data class Settings(
 ) {
     /** Remembers that [folder] was opened. */
     fun opened(folder: String): Settings = copy(recentFolders = (listOf(folder) + (recentFolders - folder)).take(MAX_RECENT))
-
-    companion object {
-        private const val MAX_RECENT = 10
-    }
 }
+
+/** What two windows have made of the settings: what [mine] has not changed since [before] is as in [theirs]. */
+internal fun merged(mine: Settings, before: Settings, theirs: Settings): Settings {
+    fun <T> of(property: (Settings) -> T) = property(if (property(mine) == property(before)) theirs else mine)
+    val recent = of(Settings::recentFolders)
+    return Settings(
+        theme = of(Settings::theme),
+        recentFolders = (recent + theirs.recentFolders).distinct().take(MAX_RECENT),
+        previewTopic = of(Settings::previewTopic),
+        graphHeight = of(Settings::graphHeight),
+        fitsGraphs = of(Settings::fitsGraphs),
+        window = of(Settings::window),
+        panes = of(Settings::panes),
+    )
+}
+
+private const val MAX_RECENT = 10
 
 /** Where a window is on the screen, in dp, and whether it fills it. */
 @Serializable

@@ -25,23 +25,27 @@ internal class SettingsFile(private val file: Path) {
     }
 
     /** What was kept. */
-    fun read(): Settings = try {
+    fun read(): Settings = readWhole() ?: Settings()
+
+    private fun readWhole(): Settings? = try {
         json.decodeFromString(Files.readString(file))
     } catch (_: IOException) {
-        Settings()
+        null
     } catch (_: SerializationException) {
-        Settings()
+        null
     } catch (_: IllegalArgumentException) {
-        Settings()
+        null
     }
 
     /**
-     * Keeps [settings]; replaces what was kept only by a whole file.
+     * Keeps what of [settings] was changed since they were [before]; the rest stays as another window has kept it. Replaces what was kept
+     * only by a whole file.
      *
      * @throws IOException when it cannot be written.
      */
-    fun write(settings: Settings) {
-        writeAtomically(file) { it.write(json.encodeToString(Settings.serializer(), settings).encodeToByteArray()) }
+    fun write(settings: Settings, before: Settings) {
+        val both = readWhole()?.let { merged(settings, before, it) } ?: settings
+        writeAtomically(file) { it.write(json.encodeToString(Settings.serializer(), both).encodeToByteArray()) }
     }
 
     companion object {
@@ -58,11 +62,14 @@ internal class SettingsFile(private val file: Path) {
  */
 internal class SettingsStore(private val file: SettingsFile, private val notices: Notices, private val kept: Settings = Settings()) :
     Part<Settings>(kept) {
+    private var written = kept
+
     /** Writes each change a moment after it was made, until cancelled. */
     @OptIn(FlowPreview::class)
     suspend fun autosave() = snapshotFlow { state }.dropWhile { it == kept }.debounce(QUIET_MILLIS).collectLatest { settings ->
         try {
-            withContext(Dispatchers.IO) { file.write(settings) }
+            withContext(Dispatchers.IO) { file.write(settings, written) }
+            written = settings
         } catch (e: IOException) {
             notices.complain("Your settings cannot be saved (${e.message}); make room on the disk of your home folder.")
         }
@@ -71,7 +78,7 @@ internal class SettingsStore(private val file: SettingsFile, private val notices
     /** Writes at once what else would be written in a moment: the window is about to go. */
     fun saveNow() {
         try {
-            file.write(state)
+            file.write(state, written)
         } catch (_: IOException) {
             // There is no window any more to say it in.
         }

@@ -1,6 +1,6 @@
 package badlog.viewer.topic
 
-import badlog.plot.board.Board
+import badlog.plot.board.BoardGraph
 import badlog.plot.outline.withCounterparts
 import badlog.viewer.board.GraphBoard
 import badlog.viewer.panels.InspectorTab
@@ -14,6 +14,26 @@ import badlog.viewer.recording.Signal
 /** Whether [signal] is a list of what happened, which no line draws. */
 internal fun OpenRecording.isEvents(signal: Signal): Boolean =
     !signal.isDerived && !signal.isEmpty && signal.topic.samples.isEmpty() && signal.states == null
+
+/** The graph to which a click on a topic adds it; null where it has a graph of its own. */
+internal fun targetOf(board: GraphBoard, topics: TopicListing): BoardGraph? =
+    topics.state.target?.let { id -> board.state.graphs.find { it.id == id } }
+
+/** Draws [signal] in the graph of [targetOf], or no longer; where there is none, in a graph of its own, see [toggleDrawn]. */
+internal fun toggleIn(
+    current: CurrentRecording,
+    board: GraphBoard,
+    events: FilteredEvents,
+    topics: TopicListing,
+    panels: WindowPanels,
+    signal: Signal,
+) {
+    val target = targetOf(board, topics)
+    if (target == null || signal.isEmpty || current.recording?.isEvents(signal) == true) {
+        return toggleDrawn(current, board, events, panels, signal)
+    }
+    board.change { if (signal.name in target.lines) withoutLine(target.id, signal.name) else withLine(target.id, signal.name) }
+}
 
 /**
  * Gives [signal] a graph of its own, with what is target or actual of the same thing; goes to that where it is out of sight, or else takes

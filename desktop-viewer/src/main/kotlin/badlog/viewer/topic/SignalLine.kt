@@ -53,6 +53,8 @@ import badlog.plot.board.Board
 import badlog.viewer.board.GraphBoard
 import badlog.viewer.formula.FormulaStore
 import badlog.viewer.formula.formulaMenu
+import badlog.viewer.graph.MOST_OFFERED
+import badlog.viewer.graph.quoted
 import badlog.viewer.graph.signalTransfer
 import badlog.viewer.panels.WindowPanels
 import badlog.viewer.recording.CurrentRecording
@@ -73,6 +75,7 @@ import kotlinx.coroutines.withContext
  * selected where it is one of them.
  *
  * @param place of the color of its line in the first graph that draws it, null when none does.
+ * @param showsValue whether there is room for its value beside its name.
  */
 @OptIn(ExperimentalComposeUiApi::class)
 @Composable
@@ -88,10 +91,12 @@ internal fun SignalLine(
     row: SignalRow,
     rows: List<TopicRow>,
     place: Int?,
+    showsValue: Boolean,
 ) {
     val palette = LocalPalette.current
     val signal = row.signal
     val isSelected = signal.name in topics.state.selected
+    val isInTarget = targetOf(board, topics)?.lines?.contains(signal.name) == true
     var held by remember { mutableStateOf(PointerKeyboardModifiers()) }
     val interactions = remember { MutableInteractionSource() }
     val isHovered by interactions.collectIsHoveredAsState()
@@ -101,7 +106,7 @@ internal fun SignalLine(
                 .fillMaxWidth()
                 .height(26.dp)
                 .background(
-                    if (isSelected) {
+                    if (isSelected || isInTarget) {
                         palette.accentSoft
                     } else if (isHovered) {
                         palette.raised
@@ -117,12 +122,12 @@ internal fun SignalLine(
                     when {
                         held.isShiftPressed -> topics.change { selectedTo(signal.name, rows) }
                         held.isCtrlPressed || held.isMetaPressed -> topics.change { toggled(signal.name) }
-                        else -> toggleDrawn(current, board, events, panels, signal)
+                        else -> toggleIn(current, board, events, topics, panels, signal)
                     }
                 }
                 .semantics {
                     contentDescription = "Topic ${signal.name}"
-                    selected = isSelected
+                    selected = isSelected || isInTarget
                 }
                 .padding(start = indentOf(row.depth), end = 12.dp),
             horizontalArrangement = Arrangement.spacedBy(6.dp),
@@ -141,7 +146,7 @@ internal fun SignalLine(
                 ToolButton("Add ${signal.name} to the last graph", Icons.Add) {
                     board.change { withLinesInLast(listOf(signal.name)) }
                 }
-            } else {
+            } else if (showsValue) {
                 SignalValue(view, open, signal)
             }
         }
@@ -167,7 +172,11 @@ private fun menuOf(board: GraphBoard, formulas: FormulaStore, topics: TopicListi
             topics.change { toggled(row.signal.name) }
         },
         ContextMenuItem("New formula with $these…") { formulas.write(names) },
-    ) + row.signal.definition?.let { formulaMenu(formulas, it) }.orEmpty()
+    ) + board.state.graphs.take(MOST_OFFERED).map { graph ->
+        ContextMenuItem("Add $these to ${quoted(graph)}") {
+            board.change { names.fold(this) { all, name -> all.withLine(graph.id, name) } }
+        }
+    } + row.signal.definition?.let { formulaMenu(formulas, it) }.orEmpty()
 }
 
 /** What sort of signal it is, or the color of its line where one is drawn at [place] of a graph. */

@@ -4,7 +4,7 @@ import androidx.compose.foundation.VerticalScrollbar
 import androidx.compose.foundation.background
 import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Arrangement
-import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxHeight
@@ -87,7 +87,7 @@ internal fun TopicPane(
         val rows by produceState<List<TopicRow>?>(null, open, list.query, list.folded, found) {
             value = open?.let { withContext(Dispatchers.Default) { topicRows(it.signals, list.query, list.folded, it.empty, found) } }
         }
-        val draw = { name: String -> open?.signal(name)?.let { toggleDrawn(current, board, events, panels, it) } }
+        val draw = { name: String -> open?.signal(name)?.let { toggleIn(current, board, events, topics, panels, it) } }
         val focus = rememberAskedFocus(list.searchesAsked)
         val keyed = Modifier.focusRequester(focus).onPreviewKeyEvent { hearsKeys(it, topics, rows.orEmpty()) { name -> draw(name) } }
         Row(Modifier.fillMaxWidth().padding(start = 8.dp, end = 4.dp), verticalAlignment = Alignment.CenterVertically) {
@@ -96,6 +96,7 @@ internal fun TopicPane(
             }
             ToolButton("New formula… (${Action.NEW_FORMULA.shortcut})", Icons.Formula, isEnabled = open != null) { formulas.write() }
         }
+        TargetLine(board, topics)
         when {
             open == null -> Hint("Open a log to see its topics.")
             open.signals.isEmpty() -> Hint("This log has no topics with samples.")
@@ -149,7 +150,8 @@ private fun Rows(
     val places = remember(graphs, recordings) { graphs.placesOfLines().mapValues { it.value * recordings } }
     val state = rememberLazyListState()
     KeepInSight(state, listed.indexOfFirst { it is SignalRow && it.signal.name == topics.state.marked })
-    Box(modifier.fillMaxSize()) {
+    BoxWithConstraints(modifier.fillMaxSize()) {
+        val showsValues = maxWidth >= ROOMY
         LazyColumn(Modifier.fillMaxSize(), state) {
             items(listed, key = { it.key }, contentType = { it is FolderRow }) { row ->
                 when (row) {
@@ -159,7 +161,7 @@ private fun Rows(
 
                     is SignalRow -> {
                         val place = places[row.signal.name]
-                        SignalLine(current, board, view, events, formulas, topics, panels, open, row, listed, place)
+                        SignalLine(current, board, view, events, formulas, topics, panels, open, row, listed, place, showsValues)
                     }
                 }
             }
@@ -210,5 +212,8 @@ internal fun withMatches(text: String, query: String, palette: Palette): Annotat
         if (isFound[index]) withStyle(SpanStyle(palette.accent, background = palette.accentSoft)) { append(char) } else append(char)
     }
 }
+
+/** In a narrower pane a value would leave no room for the name. */
+private val ROOMY = 190.dp
 
 private const val MAX_DEPTH = 6

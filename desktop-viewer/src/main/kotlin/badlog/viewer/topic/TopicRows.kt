@@ -29,6 +29,16 @@ internal fun topicRows(
     return rows
 }
 
+/** The paths of all folders that [signals] are in. */
+internal fun foldersOf(signals: List<Signal>): Set<String> {
+    val folders = HashSet<String>()
+    for (signal in signals) {
+        val parts = signal.folder.split('/').filter { it.isNotEmpty() }
+        parts.indices.mapTo(folders) { parts.take(it + 1).joinToString("/") }
+    }
+    return folders
+}
+
 private class TopicFolder(val path: String, val title: String) {
     val signals = ArrayList<Signal>()
     private val folders = HashMap<String, TopicFolder>()

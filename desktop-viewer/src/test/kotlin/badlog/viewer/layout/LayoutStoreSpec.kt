@@ -5,6 +5,7 @@ import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.analysis.Span
 import badlog.plot.board.Board
+import badlog.plot.board.BoardLayout
 import badlog.plot.board.defaultBoard
 import badlog.plot.range.Viewport
 import badlog.viewer.app.Viewer
@@ -116,6 +117,50 @@ class LayoutStoreSpec : FunSpec({
             viewer.board.replace(Board().withGraph(listOf("Arm/Angle")))
             viewer.layouts.saveNow()
             viewer.formulas.definitions shouldBe listOf("A = 3")
+        }
+    }
+
+    test("two windows over one folder keep each other's graphs") {
+        val home = tempdir().toPath()
+        val one = recordingOf(armBag(50), home.resolve("one.bag"))
+        val theirs = Board().withGraph(listOf("Arm/Current"))
+        started(home, home, one) { viewer ->
+            FolderLayouts(home.resolve("layouts")).write(home, Layout(Layout.VERSION, theirs))
+            viewer.panels.change { Panels(topics = false) }
+        }
+        hasArranged(home, home)?.graphs shouldBe theirs
+        hasArranged(home, home)?.panels?.topics shouldBe false
+    }
+
+    test("a layout for a type of matches brings its formulas, once, where nobody arranged the graphs") {
+        val home = tempdir().toPath()
+        val folder = Files.createDirectories(home.resolve("logs"))
+        val log = Files.writeString(folder.resolve("one.bag"), armBag(50).replace("Match Number", "Match Type").replace("\"8\"", "\"Practice\""))
+        val layout = BoardLayout(Board().withGraph(listOf("Twice")), formulas = listOf("Twice = 2 * Arm/Angle", "Spare = 1"))
+        Files.writeString(folder.resolve("practice.badlog-layout.json"), layout.toJson())
+        val viewer = Viewer(MainScope(), UserFolders(home, home))
+        runDesktopComposeUiTest(100, 100) {
+            setContent { LaunchedEffect(Unit) { viewer.layouts.autosave() } }
+            viewer.library.change { LibraryState(folder) }
+            waitForIdle()
+            viewer.show(OpenRecording.read(log, folder))
+            viewer.formulas.definitions shouldBe layout.formulas
+            viewer.board.state.graphs.single().lines shouldBe listOf("Twice")
+            viewer.formulas.remove("Spare = 1")
+            viewer.show(OpenRecording.read(log, folder))
+            viewer.formulas.definitions shouldBe listOf("Twice = 2 * Arm/Angle")
+            viewer.board.replace(Board().withGraph(listOf("Arm/Angle")))
+            viewer.layouts.saveNow()
+            viewer.formulas.replaceAll(emptyList())
+        }
+        val later = Viewer(MainScope(), UserFolders(home, home))
+        runDesktopComposeUiTest(100, 100) {
+            setContent { LaunchedEffect(Unit) { later.layouts.autosave() } }
+            later.library.change { LibraryState(folder) }
+            waitForIdle()
+            later.formulas.replaceAll(emptyList())
+            later.show(OpenRecording.read(log, folder))
+            later.formulas.definitions shouldBe emptyList()
         }
     }
 

@@ -14,9 +14,9 @@ class SettingsFileSpec : FunSpec({
     test("what is kept is read again, and replaced as a whole") {
         val folder = tempdir().toPath()
         val file = SettingsFile(folder.resolve("user/settings.json"))
-        file.write(settings)
+        file.write(settings, Settings())
         file.read() shouldBe settings
-        file.write(settings.copy(theme = Theme.LIGHT))
+        file.write(settings.copy(theme = Theme.LIGHT), settings)
         file.read().theme shouldBe Theme.LIGHT
         Files.list(folder.resolve("user")).use { it.count() } shouldBe 1
     }
@@ -35,10 +35,18 @@ class SettingsFileSpec : FunSpec({
         file.read() shouldBe Settings(graphHeight = 90)
     }
 
+    test("of two windows each keeps what it changed, and no less of the other's") {
+        val file = SettingsFile(tempdir().toPath().resolve("settings.json"))
+        file.write(settings, Settings())
+        file.write(settings.copy(theme = Theme.LIGHT).opened("/first"), settings)
+        file.write(settings.copy(graphHeight = 120).opened("/second"), settings)
+        file.read() shouldBe settings.copy(theme = Theme.LIGHT, graphHeight = 120, recentFolders = listOf("/second", "/logs", "/first"))
+    }
+
     test("settings that cannot be written leave nothing behind") {
         val folder = tempdir().toPath()
         Files.createDirectories(folder.resolve("settings.json/in the way"))
-        shouldThrow<IOException> { SettingsFile(folder.resolve("settings.json")).write(settings) }
+        shouldThrow<IOException> { SettingsFile(folder.resolve("settings.json")).write(settings, Settings()) }
         Files.list(folder).use { it.count() } shouldBe 1
     }
 })

@@ -23,4 +23,20 @@ class DrawTopicsSpec : FunSpec({
         click()
         viewer.board.state.graphs.map { it.id } shouldBe listOf(1)
     }
+
+    test("topics that are added to a graph are clicked into it and out again, until that ends") {
+        val viewer = viewerOf(recordingOf(bagOf(10) { 1.0 }))
+        val signal = checkNotNull(viewer.current.recording?.signal("A/Voltage"))
+        viewer.board.replace(Board(listOf(BoardGraph(7, "B", listOf("B")))))
+        fun click() = toggleIn(viewer.current, viewer.board, viewer.events, viewer.topics, viewer.panels, signal)
+        viewer.graphs.addTopics(7)
+        viewer.topics.state.searchesAsked shouldBe 1
+        click()
+        viewer.board.state.graphs.map { it.lines } shouldBe listOf(listOf("B", "A/Voltage"))
+        click()
+        viewer.board.state.graphs.map { it.lines } shouldBe listOf(listOf("B"))
+        viewer.topics.change { adding(null) }
+        click()
+        viewer.board.state.graphs.map { it.lines } shouldBe listOf(listOf("B"), listOf("A/Voltage"))
+    }
 })

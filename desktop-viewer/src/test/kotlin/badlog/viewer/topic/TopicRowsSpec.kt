@@ -31,6 +31,18 @@ class TopicRowsSpec : FunSpec({
         text(topicRows(signals, "DRIVE le", setOf("Drive"))) shouldContainExactly listOf("Drive/ 1", "  Left")
     }
 
+    test("the folders of a large log begin closed, and stay as a person left them; those of a small one begin open") {
+        val small = TopicList().listing(foldersOf(signals))
+        small.folded shouldBe emptySet()
+        val large = signalsOf(*Array(30) { "Module $it/Inner//Speed" }, "Arm/Angle")
+        foldersOf(large).size shouldBe 61
+        val list = small.listing(foldersOf(large))
+        text(topicRows(large, "", list.folded)).take(3) shouldContainExactly listOf("Arm/ 1", "  Angle", "Module 0/ 1")
+        list.folded.size shouldBe 60
+        val opened = list.toggledFolder("Module 0")
+        opened.listing(foldersOf(large)).folded shouldBe opened.folded
+    }
+
     test("each word must be in the name or its folders") {
         topicRows(signals, "wrist angle", emptySet()).filterIsInstance<SignalRow>().map { it.signal.name } shouldContainExactly
             listOf("arm/Wrist/Angle")

@@ -7,12 +7,13 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe
 import java.awt.event.KeyEvent
+import java.nio.file.Files
 
 class CompareWindowSpec : FunSpec({
     test("two matches that are checked lie over each other, and a table has their figures").config(
         enabledOrReasonIf = { needsDisplay },
     ) {
-        val folder = tempdir().toPath().also { it.putSamples() }
+        val folder = Files.createDirectories(tempdir().toPath().resolve("Mill Creek")).also { it.putSamples() }
         RealWindow(tempdir().toPath(), folder.resolve("qualification-42.bag")).use { window ->
             window.awaitState("the match, and all logs") { it.current.recording != null && it.library.state.entries.size == 4 && it.library.state.reading == null }
             window.click("Compare qualification-42.bag")
@@ -23,7 +24,7 @@ class CompareWindowSpec : FunSpec({
             window.awaitState("the alignment") { it.compared.state.alignment == Alignment.ENABLED }
             window.awaitGraphs()
             window.point("Plot Arm/Angle", 0.5, 0.5)
-            window.picture("compare")
+            window.picture("compare", guide = "viewer-compare")
 
             window.press(KeyEvent.VK_S)
             window.awaitState("the statistics") { it.panels.state.main == MainView.STATISTICS }

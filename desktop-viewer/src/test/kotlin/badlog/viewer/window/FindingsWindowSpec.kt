@@ -1,7 +1,9 @@
 package badlog.viewer.window
 
+import badlog.viewer.theme.Theme
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldContainAll
 import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 import java.awt.event.KeyEvent
@@ -9,6 +11,24 @@ import java.nio.file.Path
 import kotlin.math.abs
 
 class FindingsWindowSpec : FunSpec({
+    test("why a match browned out takes two clicks, and all that shows it is on the screen of a small laptop").config(enabledOrReasonIf = { needsDisplay }) {
+        RealWindow(tempdir().toPath(), Path.of("../samples/qualification-42.bag"), width = 1366, height = 768).use { window ->
+            window.awaitState("its findings") { viewer -> viewer.findings.state.list?.all?.any { it.rule == "Browned out" } == true }
+            window.awaitGraphs()
+            window.click(window.look { viewer -> "Findings: ${viewer.findings.state.list?.all?.size}" })
+            window.click("Finding, error: Browned out")
+            window.awaitState("the brownout") { viewer -> viewer.view.cursor?.let { abs(it - 93.7096) < 1e-3 } == true }
+            window.awaitState("what shows it, all on the screen") { viewer -> viewer.board.inSight.orEmpty().containsAll(viewer.board.evidence.graphs.map { it.id }) }
+            window.look { viewer -> viewer.board.evidence.graphs.flatMap { it.lines } } shouldContainAll
+                listOf("System/Battery Voltage", "PDP/Total Current", "Drivetrain/Left Output")
+            window.awaitGraphs()
+            window.picture("evidence", guide = "viewer-findings")
+            window.look { viewer -> viewer.settings.change { copy(theme = Theme.DARK) } }
+            window.awaitGraphs()
+            window.picture("evidence-dark", guide = "viewer-dark")
+        }
+    }
+
     test("a match says by itself that it browned out, and a formula over it stays").config(enabledOrReasonIf = { needsDisplay }) {
         val home = tempdir().toPath()
         val match = Path.of("../samples/qualification-42.bag")
@@ -28,6 +48,9 @@ class FindingsWindowSpec : FunSpec({
             window.awaitText("error: Browned out")
             window.awaitGraphs()
             window.picture("findings")
+            window.press(KeyEvent.VK_1, KeyEvent.VK_CONTROL)
+            window.awaitText("Search events")
+            window.picture("brownout", guide = "viewer-recording")
 
             window.click("Plot Match Time")
             window.press(KeyEvent.VK_F)

@@ -17,7 +17,7 @@ class LibraryWindowSpec : FunSpec({
     test("a folder shows its newest log, its logs as rows and as a table, and the sheet of keys").config(
         enabledOrReasonIf = { needsDisplay },
     ) {
-        val folder = tempdir().toPath().also { it.putSamples() }
+        val folder = Files.createDirectories(tempdir().toPath().resolve("Mill Creek")).also { it.putSamples() }
         RealWindow(tempdir().toPath(), folder).use { window ->
             window.awaitState("all logs, and one of them") { it.library.state.entries.size == 4 && it.current.recording != null }
             window.awaitGraphs()
@@ -29,7 +29,8 @@ class LibraryWindowSpec : FunSpec({
             window.awaitText("Table of logs")
             window.picture("table-dark")
             window.click("Theme: dark")
-            window.picture("table")
+            window.awaitState("what the rules found") { viewer -> viewer.library.state.entries.all { it.found != null || it.isGray } }
+            window.picture("table", guide = "viewer-logs")
             window.press(KeyEvent.VK_T)
             window.awaitState("the graphs") { it.panels.state.main == MainView.GRAPHS }
             window.press(KeyEvent.VK_F1)

@@ -49,7 +49,7 @@ internal class RealWindow(home: Path, opened: Path, width: Int = 1400, height: I
     init {
         // As if the window had been in the corner the last time: elsewhere, without a window manager, Java may mistake its place.
         val settings = home.resolve("settings.json")
-        if (!Files.exists(settings)) SettingsFile(settings).write(Settings(window = WindowPlace(0, 0, width, height, false)))
+        if (!Files.exists(settings)) SettingsFile(settings).write(Settings(window = WindowPlace(0, 0, width, height, false)), Settings())
         robot.mouseMove(FAR, FAR)
     }
 
@@ -175,12 +175,16 @@ internal class RealWindow(home: Path, opened: Path, width: Int = 1400, height: I
     /** Waits until every graph in sight is drawn. */
     fun awaitGraphs() = awaitState("the graphs") { it.graphs.plots.areReady(it.compared.drawn, it.view.viewport.visible) }
 
-    /** Keeps a picture of the window under build/screenshots, and returns it. */
-    fun picture(name: String): BufferedImage {
+    /**
+     * Keeps a picture of the window under build/screenshots, and returns it. With the environment variable `BADLOG_WRITE_GUIDE` it is also written
+     * into docs, as the picture [guide] of the guides.
+     */
+    fun picture(name: String, guide: String? = null): BufferedImage {
         Thread.sleep(PICTURE_MILLIS)
         val picture = robot.createScreenCapture(Rectangle(window.locationOnScreen, window.size))
         val folder = Files.createDirectories(Path.of("build/screenshots"))
         ImageIO.write(picture, "png", folder.resolve("$name.png").toFile())
+        if (guide != null && System.getenv("BADLOG_WRITE_GUIDE") != null) writeGuidePicture(picture, guide)
         return picture
     }
 

@@ -92,6 +92,8 @@ class TroubleWindowSpec : FunSpec({
                 window.picture(file.fileName.toString().removeSuffix(".bag"))
                 window.look { viewer -> viewer.notices.all.filter { it.isError }.map { it.text } }.shouldBeEmpty()
             }
+            window.click("Folder Folder 0")
+            window.awaitText("Topic Folder 0/Topic 3")
             window.point("Topic Folder 0/Topic 3", 0.5, 0.5)
             window.wheel(400)
             window.picture("many-topics-scrolled")

@@ -4,12 +4,24 @@ import badlog.recording.Value
 import badlog.viewer.loggedTexts
 import badlog.viewer.loggedTopic
 import badlog.viewer.wpilogOf
+import badlog.wpilog.largeLog
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe
 import java.nio.file.Files
 
 class WpilogWindowSpec : FunSpec({
+    test("a log of 700 topics begins with closed folders and what can be looked through").config(enabledOrReasonIf = { needsDisplay }) {
+        val file = Files.createDirectories(tempdir().toPath().resolve("Mill Creek")).resolve("FRC_20240316_104100.wpilog")
+        Files.write(file, largeLog())
+        RealWindow(tempdir().toPath(), file, width = 1366, height = 768).use { window ->
+            window.awaitText("Folder Chassis")
+            window.look { it.topics.state.folded.contains("Chassis") } shouldBe true
+            window.awaitGraphs()
+            window.picture("large-log", guide = "viewer-large")
+        }
+    }
+
     test("a WPILOG is shown as a bag is, and followed while it grows").config(enabledOrReasonIf = { needsDisplay }) {
         val values = listOf(Value("Event Name", "OHCL"), Value("Match Number", "7"), Value("Match Type", "Qualification"))
         fun bytes(seconds: Int) = wpilogOf(

@@ -6,6 +6,7 @@ import badlog.page.graph.GraphCard
 import badlog.page.graph.VisibleGraphs
 import badlog.page.view.PageBoard
 import badlog.plot.board.asBoardGraph
+import badlog.plot.board.isDroppedInto
 import badlog.plot.gesture.DragKind
 import kotlinx.browser.document
 import kotlinx.browser.window
@@ -67,7 +68,7 @@ internal class BoardDrag(private val board: PageBoard, private val graphs: Visib
         val own = section.itemOf(card.element)
         val onBoard = below?.closest("#board") != null
         val (item, share) = section.itemAt(y)?.takeIf { onBoard } ?: (null to 0.0)
-        val isOnGraph = item != null && item !== own && share in INTO
+        val isOnGraph = item != null && item !== own && isDroppedInto(share)
         when {
             item != null && isOnGraph -> mark(item.element, "drop-into") { join(card, own, item.spec.id) }
 
@@ -127,8 +128,5 @@ internal class BoardDrag(private val board: PageBoard, private val graphs: Visib
         const val EDGE_TOP = 120
         const val EDGE_BOTTOM = 40
         const val SCROLL = 16.0
-
-        /** The part of a graph's height on which something is dropped into it, rather than above or below. */
-        val INTO = 0.2..0.8
     }
 }

@@ -8,6 +8,7 @@ import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.dom.isNarrow
 import badlog.page.dom.showText
+import badlog.plot.outline.MANY_FOLDERS
 import badlog.plot.text.countText
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLSelectElement
@@ -51,7 +52,7 @@ internal class FolderNavigation(private val folders: FolderList) {
         choice.textContent = ""
         choice.add("option", "", if (isNarrow) "Folders" else "Go to folder…")
         for (section in folders.sections) choice.add("option", "", section.shortCaption)
-        val isOpen = folders.sections.size <= MANY
+        val isOpen = folders.sections.size <= MANY_FOLDERS
         for (folder in FolderTree.of(folders.sections)) tree.addFolder(folder, isOpen)
     }
 
@@ -109,10 +110,5 @@ internal class FolderNavigation(private val folders: FolderList) {
             toggle.setAttribute("aria-expanded", isShown.toString())
             body.isHidden = !isShown
         }
-    }
-
-    private companion object {
-        /** More folders than these are a tree that a person opens. */
-        const val MANY = 24
     }
 }

@@ -3,7 +3,7 @@ package badlog.viewer.export.figure
 import badlog.analysis.PixelColumns
 import badlog.analysis.Span
 import badlog.analysis.Units
-import badlog.plot.axis.YLimits
+import badlog.plot.axis.limitsFor
 import badlog.plot.board.BoardGraph
 import badlog.plot.curve.Curve
 import badlog.plot.curve.Scale
@@ -101,7 +101,6 @@ internal class FigureBuilder(
             val strokes = Strokes().apply { trace(curve, Scale(0.0, 1.0, 1.0, start = offset), Scale.NONE) }
             FigureLine(source.label, hexOf(Palette.LIGHT.line(source.color)), strokes)
         }
-        val limits = YLimits().apply { fit(least, most, graph.includesZero) }
         val wanted = graph.yRange?.takeIf { isFirst && it.width > 0 }
         val unit = sources.first().signal.unit
         val title = if (isFirst) graph.title else namesIn(sources)
@@ -109,7 +108,7 @@ internal class FigureBuilder(
         return FigureFrame(
             title = plainLine(title, frameLetters),
             yTitle = if (Units.isNone(unit)) "" else plainLine(unit, UNIT_LETTERS),
-            y = wanted ?: Span(limits.from, limits.to),
+            y = wanted ?: limitsFor(least, most, graph.includesZero),
             isFilled = graph.isFilled,
             hasLegend = recordings.size > 1 || !saysItAll,
             lines = lines,

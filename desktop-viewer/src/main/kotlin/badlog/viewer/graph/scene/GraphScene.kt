@@ -11,6 +11,7 @@ import androidx.compose.ui.unit.dp
 import badlog.analysis.Units
 import badlog.plot.board.BoardGraph
 import badlog.plot.timeline.EventTimeline
+import badlog.viewer.axis.AxisChoice
 import badlog.viewer.board.GraphBoard
 import badlog.viewer.compare.ComparedRecordings
 import badlog.viewer.compare.DrawnRecording
@@ -31,6 +32,7 @@ import kotlinx.coroutines.flow.first
  * What all graphs of a window share.
  *
  * @property copy puts the picture of graphs onto the clipboard.
+ * @property addTopics asks for topics to draw in the graph with this id.
  */
 internal class GraphScene(
     val current: CurrentRecording,
@@ -43,6 +45,8 @@ internal class GraphScene(
     val player: Player,
     val settings: SettingsStore,
     val copy: (List<BoardGraph>) -> Unit,
+    val addTopics: (Int) -> Unit,
+    val axis: AxisChoice,
 ) {
     /** The pictures of the graphs. */
     val plots = Plots()
@@ -50,6 +54,9 @@ internal class GraphScene(
 
     /** How far the graphs are scrolled. */
     val list = LazyListState()
+
+    /** The graph that is dragged to another place, if any. */
+    val drag = GraphDrag(board, list)
 
     /** What is drawn. */
     val recordings: List<DrawnRecording> get() = compared.drawn

@@ -3,38 +3,6 @@ package badlog.plot.axis
 import badlog.analysis.Span
 import kotlin.math.abs
 
-/** The part of the y axis that a plot shows, so that what is seen in it fills it. */
-public class YLimits {
-    /** The lowest value that is shown. */
-    public var from: Double = 0.0
-        private set
-
-    /** The highest value that is shown. */
-    public var to: Double = 1.0
-        private set
-
-    /** What a person wants to see instead of what fits; null for that. */
-    public var chosen: Span? = null
-
-    /** Chooses what lies between [from] and [to], shares of what is shown now from its top; nothing where that is nothing. */
-    public fun choose(from: Double, to: Double) {
-        val height = this.to - this.from
-        if (to > from) chosen = Span(this.to - to * height, this.to - from * height)
-    }
-
-    /** Shows what is [chosen], or else makes room for [least] to [most], both NaN when there is nothing to see, and for 0 when [includesZero]. */
-    public fun fit(least: Double, most: Double, includesZero: Boolean) {
-        chosen?.let {
-            from = it.from
-            to = it.to
-            return
-        }
-        val fitted = limitsFor(least, most, includesZero)
-        from = fitted.from
-        to = fitted.to
-    }
-}
-
 /**
  * The limits of y that make room for [least] to [most], both NaN when there is nothing to see, and for 0 when it [includesZero]: what is
  * seen fills them.

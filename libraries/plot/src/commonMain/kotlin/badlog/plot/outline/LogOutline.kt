@@ -119,6 +119,9 @@ private fun foldersOf(view: LogView, drawn: List<Graph>, listed: List<Graph>): L
 /** So many graphs are no more than a person looks through. */
 public const val MANY: Int = 60
 
+/** More folders than these are a tree that begins closed. */
+public const val MANY_FOLDERS: Int = 24
+
 /** So many graphs a large log begins with: a board above them has 24 at most. */
 private const val MOST = MANY - 24
 private const val OTHER = 3

@@ -1,0 +1,82 @@
+package badlog.viewer.graph.scene
+
+import androidx.compose.foundation.lazy.LazyListState
+import androidx.compose.runtime.derivedStateOf
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.geometry.Offset
+import badlog.plot.board.BoardGraph
+import badlog.plot.board.dropped
+import badlog.viewer.board.GraphBoard
+
+/**
+ * A graph that is dragged by its title: to another place of the board, or into another graph. To be used on the window's thread only.
+ *
+ * @param list the graphs as they are scrolled.
+ */
+internal class GraphDrag(private val board: GraphBoard, private val list: LazyListState) {
+    private var pressed: Int? = null
+    private var start = Offset.Zero
+    private var id: Int? by mutableStateOf(null)
+
+    /** Where the pointer is, in pixels from the top left corner of what is seen of the graphs. */
+    var pointer: Offset by mutableStateOf(Offset.Zero)
+        private set
+
+    /** The graph that is dragged; null for none. */
+    val graph: BoardGraph? get() = id?.let { dragged -> board.state.graphs.find { it.id == dragged } }
+
+    /** Over which graph it is, beyond the first and the last that of them; null while nothing is dragged. */
+    val target: DropTarget? by derivedStateOf { if (id == null) null else targetAt(pointer.y) }
+
+    /** The pointer is pressed at [place]. */
+    fun pressAt(place: Offset) {
+        pressed = null
+        start = place
+    }
+
+    /** The title of graph [id] is what it was pressed on. */
+    fun take(id: Int) {
+        pressed = id
+    }
+
+    /** The pointer goes to [place], while it is pressed; a drag is what goes further than [reach]. Returns whether it is one. */
+    fun move(place: Offset, reach: Float): Boolean {
+        val taken = pressed ?: return false
+        if (id == null && (place - start).getDistance() < reach) return false
+        id = taken
+        pointer = place
+        return true
+    }
+
+    /** The pointer is let go. Returns whether something was dragged. */
+    fun release(): Boolean {
+        val dragged = id
+        val onto = target
+        cancel()
+        if (dragged != null && onto != null) board.change { dropped(dragged, onto.id, onto.share) }
+        return dragged != null
+    }
+
+    /** Leaves the graph where it was. */
+    fun cancel() {
+        pressed = null
+        id = null
+    }
+
+    private fun targetAt(y: Float): DropTarget? {
+        val cards = list.layoutInfo.visibleItemsInfo.filter { it.key is Int }
+        val card = cards.firstOrNull { y < it.offset + it.size } ?: cards.lastOrNull() ?: return null
+        return DropTarget(card.key as Int, card.offset, card.size, ((y - card.offset) / card.size).toDouble().coerceIn(0.0, 1.0))
+    }
+}
+
+/**
+ * A graph over which another one is dragged.
+ *
+ * @property top where it begins, in pixels from the top of what is seen of the graphs.
+ * @property height how many pixels high it is.
+ * @property share how far below its top the pointer is, from 0 to 1.
+ */
+internal class DropTarget(val id: Int, val top: Int, val height: Int, val share: Double)

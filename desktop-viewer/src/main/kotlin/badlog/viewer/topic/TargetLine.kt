@@ -1,0 +1,36 @@
+package badlog.viewer.topic
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.dp
+import badlog.viewer.board.GraphBoard
+import badlog.viewer.graph.quoted
+import badlog.viewer.menu.ClosesByEscape
+import badlog.viewer.theme.LocalPalette
+import badlog.viewer.theme.ToolButton
+
+/** Says, above the list of topics, to which graph a click adds one, and ends that; nothing where each has a graph of its own. */
+@Composable
+internal fun TargetLine(board: GraphBoard, topics: TopicListing) {
+    val wanted = topics.state.target ?: return
+    val target = targetOf(board, topics)
+    // Another graph may get the same id later.
+    LaunchedEffect(wanted, target == null) { if (target == null) topics.change { adding(null) } }
+    if (target == null) return
+    ClosesByEscape(isOpen = true) { topics.change { adding(null) } }
+    Row(
+        Modifier.fillMaxWidth().background(LocalPalette.current.accentSoft).padding(start = 12.dp, end = 4.dp),
+        verticalAlignment = Alignment.CenterVertically,
+    ) {
+        Text("Click topics to add to ${quoted(target)}", Modifier.weight(1f), maxLines = 3, overflow = TextOverflow.Ellipsis)
+        ToolButton("Stop adding topics (Esc)", text = "Done") { topics.change { adding(null) } }
+    }
+}
