@@ -105,9 +105,11 @@ RowReader::Next RowReader::QuotedLines(size_t start, size_t secondLine) {
         }
         if (end == m_cursor.End()) return holdsRows ? std::nullopt : Next{Tail(start, end, m_endsInNewline)};
         if (data[end] == '\0') return std::nullopt;
-        const auto count = m_splitter.Split(data, start, end, Quotes::STRICT);
         const auto following = AfterLineEnd(data, end);
-        if (!m_splitter.isOpen) {
+        // A line without a quote closes none.
+        const bool mayClose = m_cursor.Piece(at, end).find('"') != std::string_view::npos;
+        const auto count = mayClose ? m_splitter.Split(data, start, end, Quotes::STRICT) : 0;
+        if (mayClose && !m_splitter.isOpen) {
             if (m_splitter.isMalformed || count != m_wanted) return std::nullopt;
             m_linesPassed = lines;
             return Take(true, following);
@@ -145,12 +147,24 @@ bool RowReader::ReadWithOddQuotes(size_t start, size_t end, bool mayBeOpen) {
 RowReader::Next RowReader::JoinedLines(size_t start, size_t newline, size_t secondLine) {
     const auto data = m_cursor.data;
     auto at = secondLine;
+    // Without quotes the commas give the number of cells, and nothing has to be split again and again.
+    const auto countOf = [&](char byte, size_t from, size_t until) {
+        const auto piece = m_cursor.Piece(from, until);
+        return static_cast<size_t>(std::count(piece.begin(), piece.end(), byte));
+    };
+    auto commas = countOf(',', start, newline);
+    auto quotes = countOf('"', start, newline);
     for (int64_t lines = 2; lines <= MAX_LINES; lines++) {
         const auto end = LineEndIn(data, at, m_cursor.End());
         if (end - start > MAX_BYTES || at == m_cursor.End() || (end < m_cursor.End() && data[end] == '\0')) return std::nullopt;
         if (IsCompleteRow(at, end)) return std::nullopt;
-        const auto count = m_splitter.Split(data, start, end, Quotes::LENIENT);
-        if (count > m_wanted || m_splitter.isOpen) return std::nullopt;
+        commas += countOf(',', at, end);
+        quotes += countOf('"', at, end);
+        auto count = commas + 1;
+        if (quotes > 0 || count >= m_wanted) {
+            count = m_splitter.Split(data, start, end, Quotes::LENIENT);
+            if (count > m_wanted || m_splitter.isOpen) return std::nullopt;
+        }
         const auto after = AfterLineEnd(data, end);
         if (count == m_wanted) {
             if (!IsTextTornAt(newline, secondLine)) return std::nullopt;
