@@ -142,7 +142,7 @@ class RowReader:
         found = []
         at = start
         for line in self._cursor.data[start:until].split(b"\n")[:-1]:
-            if line.count(b",") != wanted:
+            if line.count(b",") != wanted or line in (b"", b"\r"):
                 found.append(at)
             at += len(line) + 1
         self._uneven = found[::-1]
@@ -162,9 +162,12 @@ class RowReader:
             if line.count(b",") != width - 1 or line in (b"", b"\r") or len(line) > _MAX_ROW_BYTES:
                 break
             rows += 1
+        end = start + sum(map(len, lines[:rows])) + rows
+        if rows < len(lines) and not self._uneven:
+            # Where one is, more may be: each is not to cost a look at all of the block.
+            self._find_uneven(end, start + len(block))
         if rows == 0:
             return start
-        end = start + sum(map(len, lines[:rows])) + rows
         cells = b",".join([line[:-1] if line.endswith(b"\r") else line for line in lines[:rows]]).split(b",")
         for i, column in enumerate(self._columns):
             column.add_cells(self.row_count, cells[i::width], self._cursor.line)
