@@ -145,8 +145,11 @@ public class JsonReader private constructor(private val text: String) {
     }
 
     private fun skipBlanks() {
-        while (at < text.length && text[at] in " \t\n\r") at++
+        while (at < text.length && isBlank(text[at])) at++
     }
+
+    // Faster than to look for it in a text of all of them, which counts for a page with its rules.
+    private fun isBlank(char: Char) = char == ' ' || char == '\n' || char == '\t' || char == '\r'
 
     private fun peek(): Char = if (at < text.length) text[at] else throw Malformed()
 

@@ -23,7 +23,6 @@ import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.dom.Element
 import org.w3c.dom.HTMLElement
-import kotlin.js.Promise
 
 /** Brings the page up: reads the recording, shows it, or says why it cannot be shown. Never leaves an empty page. */
 internal class Startup {
@@ -107,11 +106,8 @@ internal class Startup {
         show(shown.element)
         shown.start()
         setPageState("ready")
-        // uPlot draws in a microtask; this one comes after it.
-        Promise.resolve(Unit).then {
-            window.performance.asDynamic().mark("badlog-first-graphs")
-            shown.search(formulas.given)
-        }
+        window.performance.asDynamic().mark("badlog-first-graphs")
+        shown.search(formulas.given)
     }
 
     private fun show(element: HTMLElement) {

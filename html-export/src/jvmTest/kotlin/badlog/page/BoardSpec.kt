@@ -67,6 +67,38 @@ internal class BoardSpec : PageSpec({
         act { mouseTo(x, y).mouseDown().mouseTo(x + 6, y + 6).mouseTo(toX, toY).mouseUp() }
     }
 
+    browserTest("every graph can be added to one of the board") {
+        onPage(page) {
+            fun add(name: String) {
+                script("arguments[0].querySelector('.add-to-graph').click()", graph(name).scrollTo().card)
+                settle()
+            }
+            add("Amp")
+            texts(".notice p").single() shouldContain "The board has no other graph"
+            pin("Volt")
+            add("Amp")
+            elements(".menu button").single { it.text == "Add to “Volt”" }.click()
+            settle()
+            lines(0) shouldBe listOf("Volt", "Amp")
+            elements(".menu").size shouldBe 0
+        }
+    }
+
+    browserTest("a search shows of the board what it finds, and how many graphs that are") {
+        onPage(page) {
+            script("location.hash = '#board=Volt,Amp;Speed'")
+            settle()
+            press("/")
+            press("amp")
+            elements("#board .graph").filter { it.isDisplayed }.map { it.getDomAttribute("data-name") } shouldBe listOf("Volt")
+            elements("#board .legend-entry").filter { it.isDisplayed }.map { it.getDomAttribute("data-series") } shouldBe listOf("Amp")
+            element("#board header").text shouldContain "1 of 2 graphs found"
+            press(Keys.ESCAPE)
+            elements("#board .graph").count { it.isDisplayed } shouldBe 2
+            element("#board header").text shouldContain "2 graphs"
+        }
+    }
+
     browserTest("graphs are pinned by a button and a key, stay when the page is opened again, and every step is undone") {
         onPage(page) {
             element("#board").text shouldContain "Pin graphs"

@@ -28,10 +28,10 @@ internal class BrokenPageSpec : PageSpec({
 
     browserTest("a program that fails before it can show anything says why") {
         val page = TestPages.of(stepBag(graphs = 1))
-        OpenPage.open(page, Screen.WIDE, "Intl.NumberFormat = undefined").use {
+        OpenPage.open(page, Screen.WIDE, "window.matchMedia = undefined").use {
             it.awaitState("failed")
             it.text shouldContain "Something went wrong"
-            it.text shouldContain "NumberFormat"
+            it.text shouldContain "matchMedia"
         }
     }
 

@@ -13,6 +13,12 @@ internal const val NOTING_TEXTS: String = """
         (this.canvas.texts ??= []).push([String(text), left / ratio, (left + width) / ratio, at.y / ratio]);
         return draw.apply(this, arguments);
     };
+    const copy = CanvasRenderingContext2D.prototype.drawImage;
+    CanvasRenderingContext2D.prototype.drawImage = function (picture, ...places) {
+        const ratio = devicePixelRatio, [x, y] = places.length > 2 ? places.slice(4) : places, move = ([text, left, right, down]) => [text, left + x / ratio, right + x / ratio, down + y / ratio];
+        (this.canvas.texts ??= []).push(...(picture.texts ?? []).map(move));
+        return copy.apply(this, arguments);
+    };
     const clear = CanvasRenderingContext2D.prototype.clearRect;
     CanvasRenderingContext2D.prototype.clearRect = function () {
         this.canvas.texts = [];
@@ -31,7 +37,7 @@ internal fun OpenPage.drawnTexts(name: String): List<DrawnText> {
 
 /** The left edge of the frame of the graph [name] in its canvas. */
 internal fun OpenPage.frameLeft(name: String): Double = number(
-    "const [card] = arguments; return card.querySelector('.u-over').getBoundingClientRect().x - " +
+    "const [card] = arguments; return card.querySelector('.plot-frame').getBoundingClientRect().x - " +
         "card.querySelector('canvas').getBoundingClientRect().x",
     graph(name).card,
 )

@@ -9,8 +9,8 @@ import io.kotest.matchers.ranges.shouldBeIn
 import io.kotest.matchers.shouldBe
 
 internal class EventSpec : PageSpec({
+    val topics = listOf(TIME, BagTopic("Angle", "deg"), BagTopic("Log", attributes = listOf("log")))
     val page by lazy {
-        val topics = listOf(TIME, BagTopic("Angle", "deg"), BagTopic("Log", attributes = listOf("log")))
         TestPages.of(
             bagOf(topics, 1001) { row, column ->
                 when (column) {
@@ -33,6 +33,13 @@ internal class EventSpec : PageSpec({
         onPage(page) {
             texts(".event td.event-time").map { it.toDouble() } shouldBe listOf(1.5, 8.0)
             texts(".event td.event-text") shouldBe listOf("autonomous", "brownout")
+        }
+    }
+
+    browserTest("a log of events without any says so, instead of an empty table") {
+        onPage(TestPages.of(bagOf(topics, 101) { row, column -> if (column == 2) null else row / 10.0 })) {
+            texts(".events p") shouldBe listOf("No events.")
+            elements(".events table").count { it.isDisplayed } shouldBe 0
         }
     }
 

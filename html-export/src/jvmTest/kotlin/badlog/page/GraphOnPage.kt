@@ -40,7 +40,7 @@ internal class GraphOnPage(private val page: OpenPage, private val name: String)
     val frame: Box
         get() {
             val numbers = page.script(
-                "const b = arguments[0].querySelector('.u-over').getBoundingClientRect();" +
+                "const b = arguments[0].querySelector('.plot-frame').getBoundingClientRect();" +
                     "return [b.x, b.y, b.width, b.height]",
                 card,
             ) as List<*>
@@ -112,7 +112,7 @@ internal class GraphOnPage(private val page: OpenPage, private val name: String)
             val drawn = page.script(
                 """
                 const canvas = arguments[0].querySelector('canvas');
-                const over = arguments[0].querySelector('.u-over').getBoundingClientRect();
+                const over = arguments[0].querySelector('.plot-frame').getBoundingClientRect();
                 const box = canvas.getBoundingClientRect(), ratio = canvas.width / box.width;
                 const place = [over.x - box.x, over.y - box.y, over.width, over.height];
                 return [canvas.toDataURL().split(',')[1], ...place.map(n => Math.round(n * ratio))];

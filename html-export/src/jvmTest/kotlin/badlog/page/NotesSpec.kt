@@ -8,6 +8,7 @@ import io.kotest.matchers.ranges.shouldBeIn
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldStartWith
+import org.openqa.selenium.Keys
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -30,6 +31,19 @@ internal class NotesSpec : PageSpec({
             graph("Step 1").scrollTo()
             texts(".event-label").first() shouldBe "hit by 254 </script>"
             keepScreenshot("notes")
+        }
+    }
+
+    browserTest("a search finds notes, and hides the others") {
+        val page = pageOf(tempdir().toPath()) { NotesFile.write(it, listOf(Note(3.0, "hit by 254"), Note(7.0, "jammed"))) }
+        onPage(page) {
+            press("/")
+            press("HIT")
+            elements(".note-text").filter { it.isDisplayed }.map { it.text } shouldBe listOf("hit by 254")
+            texts("#notes header .unit") shouldBe listOf("1 of 2 notes")
+            texts(".search-count").single() shouldBe "1 note"
+            press(Keys.ESCAPE)
+            elements(".note-text").count { it.isDisplayed } shouldBe 2
         }
     }
 

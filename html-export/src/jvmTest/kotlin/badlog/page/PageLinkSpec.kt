@@ -86,6 +86,19 @@ internal class PageLinkSpec : PageSpec({
         }
     }
 
+    browserTest("a formula of a link whose name is in use is left out, and the page says so") {
+        onPage(page) {
+            press("f")
+            press("Power [W] = Voltage * Current", Keys.ENTER)
+            script("location.hash = '#f=' + 'Power = Voltage * 2'.replaceAll(' ', '+').replace('=', '~003d').replace('*', '~002a')")
+            await("the notice") { notice().isNotEmpty() }
+            notice() shouldContain "Left out “Power = Voltage * 2”"
+            script("location.hash = '#f=' + 'Power [W] = Voltage * Current'.replaceAll(' ', '+').replace('=', '~003d')")
+            settle()
+            graphNames.count { it == "Power" } shouldBe 1
+        }
+    }
+
     browserTest("a layout is saved, and dropped on the page is used") {
         var layout = ""
         onPage(page) {

@@ -40,7 +40,7 @@ public final class PageBenchmark {
         lines.add("| page of | size | first graphs | JavaScript memory | graphs on screen | zoom, median | zoom, slowest |");
         lines.add("|---|---|---|---|---|---|---|");
         List<String> boards = new ArrayList<>();
-        boards.add("| page of, with a board | graphs on screen | script of a zoom, median | zoom, median | first graphs, slowed | zoom, slowed |");
+        boards.add("| page of, with a board | graphs on screen | script of a zoom, median | zoom, median | first graphs, slowed | script of a zoom, slowed |");
         boards.add("|---|---|---|---|---|---|");
         for (Path bag : MeasuredBags.find(args.length > 3 ? args[3] : "", work.resolve("bags"))) {
             Path page = work.resolve(bag.getFileName() + ".html");
@@ -90,7 +90,7 @@ public final class PageBenchmark {
             int shown = graphsOnScreen(browser);
             browser.executeCdpCommand("Emulation.setCPUThrottlingRate", Map.of("rate", SLOWED));
             double opened = open(browser, address);
-            List<Double> slowed = zooms(browser, "badlog-zoom", BOARD_GRAPHS, 1);
+            List<Double> slowed = zooms(browser, "badlog-zoom-script", BOARD_GRAPHS, 1);
             return String.format(Locale.ROOT, "| %s | %d | %.1f ms | %.1f ms | %.2f s | %.1f ms |", bag.getFileName(), shown,
                 script.get(script.size() / 2), zooms.get(zooms.size() / 2), opened, slowed.get(slowed.size() / 2));
         } finally {
@@ -187,7 +187,7 @@ public final class PageBenchmark {
         for (int zoom = 0; zoom < ZOOMS; zoom++) {
             browser.executeScript("performance.clearMeasures()");
             // Looked up anew, for a graph that left the screen meanwhile is drawn on another element.
-            WebElement frame = graph(browser, graphs, place).findElement(By.cssSelector(".u-over"));
+            WebElement frame = graph(browser, graphs, place).findElement(By.cssSelector(".plot-frame"));
             int width = frame.getSize().getWidth();
             new Actions(browser).moveToElement(frame, -width / 4, 0).clickAndHold()
                 .moveByOffset(width / 4, 0).moveByOffset(width / 4, 0).release().perform();

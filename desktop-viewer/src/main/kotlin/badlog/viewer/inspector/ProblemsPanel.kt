@@ -28,6 +28,7 @@ import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import badlog.plot.text.placeTextOf
 import badlog.recording.Problem
 import badlog.recording.ProblemKind
 import badlog.recording.Severity
@@ -77,7 +78,7 @@ private fun ProblemLine(problem: Problem) {
         )
         Column(Modifier.weight(1f)) {
             Text(problem.message, maxLines = 8, overflow = TextOverflow.Ellipsis)
-            val place = placeOf(problem)
+            val place = placeTextOf(problem)
             if (place.isNotEmpty()) {
                 Text(place, color = palette.muted, fontSize = 12.sp, maxLines = 2, overflow = TextOverflow.Ellipsis)
             }
@@ -122,10 +123,3 @@ internal fun problemSummary(problems: List<Problem>): String {
         else -> "Complete."
     }
 }
-
-/** Where and how often [problem] was met: `line 12 · Arm/Angle · 3 times`. */
-internal fun placeOf(problem: Problem): String = listOfNotNull(
-    problem.line?.let { "line $it" },
-    problem.topic,
-    problem.count.takeIf { it > 1 }?.let { "$it times" },
-).joinToString(" · ")

@@ -35,7 +35,7 @@ public fun PageAdditions.Companion.fromJson(text: String): PageAdditions? = unle
     val json = JsonFields(JsonReader.readObject(text))
     PageAdditions(
         virtualTopics = json.list("virtual") { it.string },
-        rules = json.find("rules")?.let { RuleSet.fromJson(it.json) ?: malformed() } ?: RuleSet.NONE,
+        rules = json.find("rules")?.let { RuleSet.fromJson(it.members) ?: malformed() } ?: RuleSet.NONE,
         rulesProblem = json.find("rulesProblem")?.string,
         findings = json.list("findings", ::findingOf),
         hooks = json.list("hooks", ::hookOf),

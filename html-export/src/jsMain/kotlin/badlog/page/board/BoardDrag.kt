@@ -92,7 +92,7 @@ internal class BoardDrag(private val board: PageBoard, private val graphs: Visib
     }
 
     private fun join(card: GraphCard, own: BoardItem?, target: Int) = board.change {
-        if (own != null) joined(target, own.spec.id) else card.look.lines.fold(this) { all, line -> all.withLine(target, line) }
+        if (own != null) joined(target, own.spec.id) else withLines(target, card.look.lines)
     }
 
     private fun both(card: GraphCard, other: GraphCard) {

@@ -3,11 +3,13 @@ package badlog.page.board
 import badlog.page.dom.Icon
 import badlog.page.dom.addIconButton
 import badlog.page.dom.element
+import badlog.page.dom.isHidden
 import badlog.page.graph.GraphCard
 import badlog.page.view.Scene
 import badlog.page.view.graphsOf
 import badlog.plot.board.BoardGraph
 import badlog.plot.board.BoardLines
+import badlog.plot.search.Query
 import org.w3c.dom.HTMLElement
 
 /**
@@ -48,6 +50,12 @@ internal class BoardItem(spec: BoardGraph, private val scene: Scene, private val
     fun fits(other: BoardGraph): Boolean = lines === scene.board.lines &&
         other.copy(yRange = null, rightYRange = null, sharesY = false, hidden = emptySet()) ==
         spec.copy(yRange = null, rightYRange = null, sharesY = false, hidden = emptySet())
+
+    /** Shows of it what [query] finds. */
+    fun filter(query: Query) {
+        for (card in cards) card.element.isHidden = !card.filter(query)
+        element.isHidden = cards.all { it.element.isHidden }
+    }
 
     /** Shows [wanted], which [fits]. */
     fun show(wanted: BoardGraph) {

@@ -16,7 +16,9 @@ internal fun boardMenu(board: PageBoard, graph: BoardGraph, item: BoardItem, top
         if (place > 0) add(MenuEntry("Move up") { board.change { moved(id, -1) } })
         if (place < others.size) add(MenuEntry("Move down") { board.change { moved(id, 1) } })
         add(MenuEntry("Add topics…") { topics.open(id) })
-        for (other in others.take(MOST)) add(MenuEntry("Add to “${other.title}”") { board.change { joined(other.id, id) } })
+        for (other in others.take(PageBoard.MOST_OFFERED)) {
+            add(MenuEntry("Add to “${other.title}”") { board.change { joined(other.id, id) } })
+        }
         if (graph.lines.size > 1) add(MenuEntry("A graph for each line") { board.change { separated(id) } })
         if (numbers != null) {
             for (height in GraphHeight.entries) {
@@ -33,6 +35,3 @@ internal fun boardMenu(board: PageBoard, graph: BoardGraph, item: BoardItem, top
         add(MenuEntry("Remove") { board.change { without(id) } })
     }
 }
-
-/** So many other graphs are offered to be added to: more would not fit the screen. */
-private const val MOST = 12

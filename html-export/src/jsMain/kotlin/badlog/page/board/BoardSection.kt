@@ -13,6 +13,7 @@ import badlog.page.graph.GraphCard
 import badlog.page.graph.VisibleGraphs
 import badlog.page.view.Scene
 import badlog.plot.board.Board
+import badlog.plot.search.Query
 import badlog.plot.text.countText
 import kotlinx.browser.document
 import org.w3c.dom.HTMLElement
@@ -30,6 +31,7 @@ internal class BoardSection(
 ) {
     private val board = scene.board
     private val items = ArrayList<BoardItem>()
+    private var query = Query("")
     private lateinit var count: HTMLElement
     private lateinit var hint: HTMLElement
     private lateinit var body: HTMLElement
@@ -79,6 +81,12 @@ internal class BoardSection(
     /** Gives the keys to the graph with the id [id], else to the button that adds some. */
     fun focus(id: Int?) = items.find { it.spec.id == id }?.cards?.first()?.focus() ?: add.focus()
 
+    /** Shows of its graphs those that [query] finds. */
+    fun filter(query: Query) {
+        this.query = query
+        showFound()
+    }
+
     /** Scrolls to it. */
     fun bringIntoSight() = element.bringIntoSight()
 
@@ -100,11 +108,19 @@ internal class BoardSection(
         if (focused != null && focused != document.activeElement) focused.focus()
         for (card in cards) if (card.look.sharesY) card.redraw()
         graphs.updatePins()
-        count.showText(if (wanted.isEmpty()) "" else countText(wanted.size, "graph"))
+        showFound()
         hint.isHidden = wanted.isNotEmpty()
         clear.isDisabled = wanted.isEmpty()
         undo.isDisabled = !board.canUndo
         redo.isDisabled = !board.canRedo
+    }
+
+    private fun showFound() {
+        for (item in items) item.filter(query)
+        val all = items.size
+        val found = items.count { !it.element.isHidden }
+        val share = if (found == all) "" else "${countText(found)} of "
+        count.showText(if (all == 0) "" else share + countText(all, "graph") + if (found == all) "" else " found")
     }
 
     private fun remove(item: BoardItem) {

@@ -32,8 +32,7 @@ internal enum class Icon(private val path: String) {
     FOLDER("M2 12.5v-9h4l1.5 2H14v7z"),
     ;
 
-    /** A new picture of this icon, in the color of the text around it. */
-    fun draw(): Element {
+    private val picture by lazy {
         val picture = document.createElementNS(SVG, "svg")
         picture.setAttribute("viewBox", "0 0 16 16")
         picture.setAttribute("class", "icon")
@@ -41,8 +40,11 @@ internal enum class Icon(private val path: String) {
         val line = document.createElementNS(SVG, "path")
         line.setAttribute("d", path)
         picture.appendChild(line)
-        return picture
+        picture
     }
+
+    /** A new picture of this icon, in the color of the text around it. */
+    fun draw(): Element = picture.cloneNode(true).unsafeCast<Element>()
 
     private companion object {
         const val SVG = "http://www.w3.org/2000/svg"

@@ -17,7 +17,7 @@ import org.w3c.dom.events.KeyboardEvent
 internal class MenuEntry(val label: String, val isChecked: Boolean? = null, val action: () -> Unit)
 
 /**
- * Opens a menu with [entries] below [button], as a child of [host], which is placed and cuts nothing off. Arrows move in it; Escape and the
+ * Opens a menu with [entries] at the height of [button], as a child of [host], which is placed and cuts nothing off. Arrows move in it; Escape and the
  * focus elsewhere close it.
  */
 internal fun openMenu(button: HTMLElement, host: HTMLElement, entries: List<MenuEntry>) {
@@ -57,6 +57,9 @@ internal fun openMenu(button: HTMLElement, host: HTMLElement, entries: List<Menu
         if (next == null || !menu.contains(next)) window.setTimeout({ if (!menu.contains(document.activeElement)) close() }, 0)
     })
     button.setAttribute("aria-expanded", "true")
+    menu.style.top = "${button.getBoundingClientRect().bottom - host.getBoundingClientRect().top + GAP}px"
     host.appendChild(menu)
     menu.children.asList().first().unsafeCast<HTMLElement>().focus()
 }
+
+private const val GAP = 4

@@ -30,9 +30,14 @@ internal class Formulas(val logged: LogView, private val signals: SignalVocabula
     var view: LogView = logged
         private set
 
-    /** What the recording's topics and the calculated ones are called in formulas. */
-    var vocabulary: Vocabulary = logged.namesWith(signals).vocabulary
-        private set
+    private var named: Pair<LogView, Vocabulary>? = null
+
+    /** What the recording's topics and the calculated ones are called in formulas. Found out when somebody asks: that takes a while. */
+    val vocabulary: Vocabulary
+        get() {
+            val known = named?.takeIf { it.first === view } ?: (view to view.namesWith(signals).vocabulary).also { named = it }
+            return known.second
+        }
 
     /** Why some of what was given or remembered could not be calculated. */
     val errors: List<ExpressionError>
@@ -48,6 +53,9 @@ internal class Formulas(val logged: LogView, private val signals: SignalVocabula
 
     /** The person's definitions, in the order in which they were made. */
     val own: List<String> get() = remembered
+
+    /** Whether [definition] is one of the page, or of the person. */
+    fun has(definition: String): Boolean = formulas.any { it.definition == definition }
 
     /** The names of the topics that are calculated. */
     val names: Set<String> get() = formulas.mapNotNullTo(HashSet()) { it.topic?.name }
@@ -107,7 +115,6 @@ internal class Formulas(val logged: LogView, private val signals: SignalVocabula
         remembered += definitions
         remember()
         view = given
-        vocabulary = view.namesWith(signals).vocabulary
         extend(remembered)
     }
 
@@ -115,7 +122,6 @@ internal class Formulas(val logged: LogView, private val signals: SignalVocabula
         if (definitions.isEmpty()) return emptyList()
         val extended = view.withVirtualTopics(definitions, signals)
         view = extended.view
-        vocabulary = view.namesWith(signals).vocabulary
         formulas += formulasOf(definitions, extended)
         return extended.errors
     }

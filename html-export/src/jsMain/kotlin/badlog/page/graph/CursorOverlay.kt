@@ -48,8 +48,9 @@ internal class CursorOverlay(
     private fun pixelOf(x: Double, width: Double) = (x - scene.range.now.from) / scene.range.now.width * width
 
     private fun placeLine(line: HTMLElement, x: Double?, width: Double) {
-        line.isHidden = x == null || !isSeen(x)
-        if (x != null) line.style.transform = "translateX(${pixelOf(x, width)}px)"
+        val seen = x?.takeIf(::isSeen)
+        line.isHidden = seen == null
+        if (seen != null) line.style.transform = "translateX(${pixelOf(seen, width)}px)"
     }
 
     private fun label(x: Double, width: Double) {

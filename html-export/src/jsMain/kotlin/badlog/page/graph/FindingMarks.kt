@@ -5,10 +5,8 @@ import badlog.page.view.Scene
 import badlog.plot.color.Shade
 import badlog.plot.timeline.FindingGlyph
 import badlog.plot.timeline.FindingMarks
-import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D
-import org.w3c.dom.HTMLCanvasElement
 import kotlin.math.PI
 
 /**
@@ -17,29 +15,24 @@ import kotlin.math.PI
  */
 internal fun drawFindingMarks(context: CanvasRenderingContext2D, frame: PlotFrame, scene: Scene, span: Span = scene.range.now) {
     if (scene.findings.places.isEmpty()) return
-    context.drawImage(picture.of(scene, span, frame.width, frame.height), frame.left, frame.top)
+    picture.putOn(context, frame, scene, span)
 }
 
-/** The picture of all marks, kept until another is asked for: most graphs of a screen have the same, and some have thousands of marks. */
+/** The picture of all marks, of which there may be thousands. */
 private class MarksPicture {
-    private val canvas = document.createElement("canvas").unsafeCast<HTMLCanvasElement>()
-    private val context = canvas.getContext("2d").unsafeCast<CanvasRenderingContext2D>()
+    private val picture = KeptPicture()
     private val marks = FindingMarks()
-    private var shown = emptyList<Any>()
 
-    fun of(scene: Scene, span: Span, width: Double, height: Double): HTMLCanvasElement {
-        val ratio = window.devicePixelRatio
-        val wanted = listOf(scene.findings, span, width, height, ratio, scene.palette[Shade.SURFACE])
-        if (wanted == shown) return canvas
-        shown = wanted
-        canvas.width = width.toInt()
-        canvas.height = height.toInt()
-        marks.place(scene.findings, span, width, ratio)
-        draw(PlotFrame(0.0, 0.0, width, height, span.from, span.to), scene, ratio)
-        return canvas
+    fun putOn(target: CanvasRenderingContext2D, frame: PlotFrame, scene: Scene, span: Span) {
+        val (width, height) = frame.width to frame.height
+        picture.putOn(target, frame.left, frame.top, width, height, scene.findings, span, scene.palette[Shade.SURFACE]) { context ->
+            val ratio = window.devicePixelRatio
+            marks.place(scene.findings, span, width, ratio)
+            draw(context, PlotFrame(0.0, 0.0, width, height, span.from, span.to), scene, ratio)
+        }
     }
 
-    private fun draw(frame: PlotFrame, scene: Scene, ratio: Double) {
+    private fun draw(context: CanvasRenderingContext2D, frame: PlotFrame, scene: Scene, ratio: Double) {
         for (i in 0 until marks.runCount) {
             val severity = marks.runSeverity(i) ?: continue
             val width = marks.runTo(i) - marks.runFrom(i)

@@ -3,11 +3,14 @@ package badlog.page.graph
 import badlog.analysis.Graph
 import badlog.analysis.Span
 import badlog.page.dom.Icon
+import badlog.page.dom.MenuEntry
 import badlog.page.dom.ResizeObserver
 import badlog.page.dom.add
 import badlog.page.dom.addIconButton
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
+import badlog.page.dom.openMenu
+import badlog.page.view.PageBoard
 import badlog.page.view.Scene
 import badlog.page.view.SearchedGraph
 import badlog.plot.board.BoardGraph
@@ -53,6 +56,7 @@ internal class GraphCard(
     private var shown: PlotContent? = null
     private lateinit var resetButton: HTMLElement
     private var pinButton: HTMLElement? = null
+    private var addButton: HTMLElement? = null
 
     /** Where buttons stand that do something with it. */
     lateinit var tools: HTMLElement
@@ -76,7 +80,11 @@ internal class GraphCard(
                 }
                 statisticsButton.setAttribute("aria-expanded", "false")
                 addIconButton("save-image", Icon.IMAGE, "Save as an image") { saveImage() }
-                if (onLook == null) pinButton = addIconButton("pin", Icon.PIN, "Keep on the board (P)") { pin() }
+                if (onLook == null) {
+                    addButton = addIconButton("add-to-graph", Icon.PLUS, "Add to graph…") { addToGraph() }
+                    addButton?.setAttribute("aria-haspopup", "menu")
+                    pinButton = addIconButton("pin", Icon.PIN, "Keep on the board (P)") { pin() }
+                }
             }
         }
         host = add("div", "plot") {
@@ -95,6 +103,17 @@ internal class GraphCard(
 
     /** Puts it on the board, or takes it off there. */
     fun pin() = scene.board.change { withToggled(look) }
+
+    /** Offers the graphs of the board, to draw this one in one of them, too. */
+    private fun addToGraph() {
+        val button = addButton ?: return
+        val graphs = scene.board.now.graphs.filterNot { it.lines.containsAll(look.lines) }.take(PageBoard.MOST_OFFERED)
+        if (graphs.isEmpty()) return scene.notice.say("The board has no other graph to add this to; keep one on it first.")
+        val entries = graphs.map { other ->
+            MenuEntry("Add to “${other.title}”") { scene.board.change { withLines(other.id, look.lines) } }
+        }
+        openMenu(button, element.parentElement.unsafeCast<HTMLElement>(), entries)
+    }
 
     /** Shows whether it is on the board. */
     fun updatePin() {
@@ -138,9 +157,12 @@ internal class GraphCard(
     /** Gives it the keys. */
     fun focus() = host.focus()
 
-    /** Draws the graph if it is not drawn. */
-    fun approach() {
-        if (plot != null || host.clientWidth == 0) return
+    /** How much room there is to draw it, in CSS pixels. */
+    val room: Int get() = host.clientWidth
+
+    /** Draws the graph if it is not drawn, [width] pixels wide. */
+    fun approach(width: Int = room) {
+        if (plot != null || width == 0) return
         if (graph.series.all { series -> series.data.y.all { it.isNaN() } }) {
             showEmpty()
             return
@@ -152,7 +174,7 @@ internal class GraphCard(
         }
         host.textContent = ""
         host.style.height = "${content.height}px"
-        val drawn = Plot(scene, content, host, host.clientWidth) { overlay?.update() }
+        val drawn = Plot(scene, content, host, width)
         host.add("div", "x-title", scene.xAxis.title).title = scene.xAxis.title
         PlotGestures(drawn.over, scene, if (graph.showsStates) null else ::zoomY) { if (!resetButton.isHidden) resetY() }
         overlay = CursorOverlay(graph, scene, content, drawn)
@@ -161,7 +183,10 @@ internal class GraphCard(
         isStale = false
         legend.update(scene.cursor, scene.xAxis.unit)
         if (!statistics.element.isHidden) updateStatisticsSoon()
-        resizing = ResizeObserver { drawn.resize(host.clientWidth) }.also { it.observe(host) }
+        resizing = ResizeObserver {
+            drawn.resize(host.clientWidth)
+            overlay?.update()
+        }.also { it.observe(host) }
     }
 
     /** Gives back what drawing takes. */
@@ -170,7 +195,6 @@ internal class GraphCard(
         // Keeps its height, so that the page does not move below the reader.
         host.style.height = "${host.clientHeight}px"
         resizing?.disconnect()
-        drawn.remove()
         host.textContent = ""
         plot = null
         shown = null

@@ -25,13 +25,9 @@ internal class LaneContent(private val graph: Graph, private val palette: Palett
     override val axes: List<GraphAxis> get() = emptyList()
     override val limits: List<Span> get() = emptyList()
 
-    override fun lines(frameOf: (UPlot) -> PlotFrame): List<dynamic> = emptyList()
-
     override fun prepare(span: Span, columns: PixelColumns) {
         this.span = span
     }
-
-    override fun style(plot: UPlot) = Unit
 
     override fun heightAt(index: Int, x: Double): Double = Double.NaN
 

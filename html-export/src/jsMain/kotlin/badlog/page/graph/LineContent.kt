@@ -3,7 +3,6 @@ package badlog.page.graph
 import badlog.analysis.Graph
 import badlog.analysis.PixelColumns
 import badlog.analysis.Span
-import badlog.page.dom.json
 import badlog.page.view.Scene
 import badlog.plot.axis.AxisSide
 import badlog.plot.axis.GraphAxis
@@ -43,31 +42,6 @@ internal class LineContent(
     override var limits: List<Span> = emptyList()
         private set
 
-    override fun lines(frameOf: (UPlot) -> PlotFrame): List<dynamic> = curves.mapIndexed { index, curve ->
-        json(
-            "scale" to "y",
-            "auto" to false,
-            "show" to isShown[index],
-            "stroke" to { palette.line(index) },
-            "fill" to { if (graph.isFilled) palette.line(index) + AREA_OPACITY else null },
-            "paths" to { plot: UPlot ->
-                val frame = frameOf(plot)
-                val y = frame.scaleOf(limits[axisOf[index]])
-                strokes[index].trace(curve, frame.x, y)
-                strokesPath(strokes[index], if (graph.isFilled) frame.baselineOf(y) else null)
-            },
-            "points" to json(
-                "show" to { strokes[index].dotsSize > 0 },
-                "width" to 0,
-                "fill" to { palette.line(index) },
-                "paths" to { plot: UPlot ->
-                    val radius = if (curve.isSparse) DOT_RADIUS else LONE_RADIUS
-                    dotsPath(strokes[index], frameOf(plot), radius * window.devicePixelRatio)
-                },
-            ),
-        )
-    }
-
     override fun prepare(span: Span, columns: PixelColumns) {
         curves.forEachIndexed { index, curve -> if (isShown[index]) curve.draw(span.from, span.to, columns) }
         axes = graphAxes(graph.series.mapIndexed { index, series -> series.unit.takeIf { isShown[index] } })
@@ -83,18 +57,36 @@ internal class LineContent(
         return limitsFor(seen?.least ?: Double.NaN, seen?.most ?: Double.NaN, graph.includesZero)
     }
 
-    override fun style(plot: UPlot) {
-        curves.forEachIndexed { index, curve ->
-            val line = plot.series[index + 1]
-            line.show = isShown[index]
-            // Strokes of up to one pixel of the screen are many times as fast as wider ones.
-            line.width = if (curve.isDense) 1 / window.devicePixelRatio else LINE_WIDTH
-        }
-    }
-
     override fun draw(context: CanvasRenderingContext2D, frame: PlotFrame) {
+        val ratio = window.devicePixelRatio
+        context.save()
+        context.beginPath()
+        context.rect(frame.left, frame.top - LINE_WIDTH, frame.width, frame.height + 2 * LINE_WIDTH)
+        context.clip()
+        context.asDynamic().lineJoin = "round"
+        forEachShown { index, curve ->
+            val y = frame.scaleOf(limits[axisOf[index]])
+            strokes[index].trace(curve, frame.x, y)
+            if (graph.isFilled) {
+                context.fillStyle = palette.line(index) + AREA_OPACITY
+                drawAreas(context, strokes[index], frame.baselineOf(y))
+            }
+            context.strokeStyle = palette.line(index)
+            // Strokes of up to one pixel of the screen are many times as fast as wider ones.
+            context.lineWidth = if (curve.isDense) 1.0 else LINE_WIDTH * ratio
+            drawLines(context, strokes[index])
+        }
+        context.restore()
+        forEachShown { index, curve ->
+            context.fillStyle = palette.line(index)
+            drawDots(context, strokes[index], frame, ratio * if (curve.isSparse) DOT_RADIUS else LONE_RADIUS)
+        }
         val right = axes.indexOfFirst { it.side == AxisSide.RIGHT }
         if (right >= 0) drawRightAxis(context, frame, axes[right], limits[right], palette)
+    }
+
+    private inline fun forEachShown(work: (Int, Curve) -> Unit) {
+        for (index in curves.indices) if (isShown[index]) work(index, curves[index])
     }
 
     override fun heightAt(index: Int, x: Double): Double {

@@ -16,16 +16,10 @@ internal interface PlotContent {
     /** The part of y that each of [axes] shows. */
     val limits: List<Span>
 
-    /** The lines that uPlot draws, as its options; [frameOf] gives the place on the canvas. */
-    fun lines(frameOf: (UPlot) -> PlotFrame): List<dynamic>
-
     /** Finds what is to be seen of [span] on a screen of as many pixel columns as [columns] has. */
     fun prepare(span: Span, columns: PixelColumns)
 
-    /** Sets how uPlot draws what [prepare] found. */
-    fun style(plot: UPlot)
-
-    /** Draws what uPlot does not. */
+    /** Draws what [prepare] found. */
     fun draw(context: CanvasRenderingContext2D, frame: PlotFrame)
 
     /**

@@ -9,6 +9,9 @@ internal class PlotFrame(val left: Double, val top: Double, val width: Double, v
     val right: Double get() = left + width
     val bottom: Double get() = top + height
 
+    /** The same place, showing another part of x. */
+    fun showing(x: Span): PlotFrame = PlotFrame(left, top, width, height, x.from, x.to)
+
     /** Where [shown] stands, which fills the frame. */
     fun scaleOf(shown: Span): Scale = Scale.ofY(shown, height, top)
 

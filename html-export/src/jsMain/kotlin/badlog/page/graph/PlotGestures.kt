@@ -110,6 +110,7 @@ internal class PlotGestures(
     }
 
     private fun select(x: Double) {
+        val place = xWithin(x)
         val box = over.getBoundingClientRect()
         val from = (minOf(startX, x) - box.left).coerceIn(0.0, box.width)
         val to = (maxOf(startX, x) - box.left).coerceIn(0.0, box.width)
@@ -118,7 +119,7 @@ internal class PlotGestures(
         selection.style.transform = "translateX(${from}px)"
         selection.style.width = "${to - from}px"
         selection.showText("Δ " + lengthText((to - from) / box.width * range.now.width, scene.xAxis))
-        scene.cursor.change { hovering(xWithin(x)) }
+        scene.cursor.change { hovering(place) }
     }
 
     private fun selectY(y: Double) {

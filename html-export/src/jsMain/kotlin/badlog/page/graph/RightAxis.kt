@@ -17,7 +17,7 @@ internal fun drawRightAxis(context: CanvasRenderingContext2D, frame: PlotFrame, 
     val ticks = Ticks.ofY(shown, frame.height / ratio)
     val y = frame.scaleOf(shown)
     context.save()
-    context.font = "${LETTERS * ratio}px system-ui, -apple-system, \"Segoe UI\", Roboto, sans-serif"
+    context.font = axisFont(ratio)
     context.asDynamic().textBaseline = "middle"
     context.asDynamic().textAlign = "right"
     context.asDynamic().lineJoin = "round"
@@ -27,7 +27,7 @@ internal fun drawRightAxis(context: CanvasRenderingContext2D, frame: PlotFrame, 
     ticks.texts.forEachIndexed { i, number ->
         // The unit stands once, at the top.
         val text = if (i == ticks.texts.lastIndex && axis.unit.isNotEmpty()) "$number ${axis.unit}" else number
-        val half = LETTERS / 2 * ratio
+        val half = AXIS_LETTERS / 2 * ratio
         val middle = y.placeOf(ticks.values[i]).coerceIn(frame.top + half, frame.bottom - half)
         context.strokeText(text, frame.right - MARGIN * ratio, middle)
         context.fillText(text, frame.right - MARGIN * ratio, middle)
@@ -38,6 +38,5 @@ internal fun drawRightAxis(context: CanvasRenderingContext2D, frame: PlotFrame, 
 /** The color of the numbers of [axis], one of several: that of its line, where it has but one. */
 internal fun axisColor(axis: GraphAxis, palette: Palette): String = axis.lines.singleOrNull()?.let(palette::line) ?: palette[Shade.MUTED]
 
-private const val LETTERS = 11.0
 private const val HALO = 3.0
 private const val MARGIN = 3.0

@@ -15,11 +15,12 @@ internal class VisibleGraphs(private val scene: Scene) {
     private val cardOf = HashMap<Element, GraphCard>()
     private val near = LinkedHashSet<GraphCard>()
     private val observer = IntersectionObserver({ entries ->
-        for (entry in entries) {
-            // One that was removed may still be reported.
-            val card = cardOf[entry.target] ?: continue
-            if (entry.isIntersecting) meet(card) else part(card)
-        }
+        val isNear = LinkedHashMap<GraphCard, Boolean>()
+        // One that was removed may still be reported, and one that comes and goes twice.
+        for (entry in entries) cardOf[entry.target]?.let { isNear[it] = entry.isIntersecting }
+        val (coming, going) = isNear.keys.partition { isNear[it] == true }
+        for (card in going) part(card)
+        meet(coming)
     }, json("rootMargin" to MARGIN))
     private val zoomFrame = Frame(::drawZoom)
     private val restFrame = Frame(::drawRest)
@@ -33,16 +34,17 @@ internal class VisibleGraphs(private val scene: Scene) {
             zoomFrame.ask()
         }
         scene.cursor.onChange { cursorFrame.ask() }
-        // uPlot sends this when the window moves to a screen of another density, or is zoomed.
-        window.addEventListener("dppxchange", { repaint() })
+        followDensity()
     }
 
     /** Draws what of [cards] is on the screen at once, and from now on whatever comes near it. */
     fun start(cards: List<GraphCard>) {
-        for (card in cards) {
-            val box = card.element.getBoundingClientRect()
-            if (box.height > 0 && box.top < window.innerHeight) meet(card)
-        }
+        meet(
+            cards.filter { card ->
+                val box = card.element.getBoundingClientRect()
+                box.height > 0 && box.top < window.innerHeight
+            },
+        )
         for (card in cards) add(card)
     }
 
@@ -77,11 +79,25 @@ internal class VisibleGraphs(private val scene: Scene) {
         for (card in near) card.repaint()
     }
 
-    private fun meet(card: GraphCard) {
-        near += card
-        card.approach()
-        card.refresh()
-        card.updatePin()
+    private fun meet(cards: List<GraphCard>) {
+        // All widths are read before anything is drawn: the browser lays out the page for each that is read after something was written.
+        val widths = cards.map { it.room }
+        cards.forEachIndexed { i, card ->
+            near += card
+            card.approach(widths[i])
+            card.refresh()
+            card.updatePin()
+        }
+    }
+
+    /** Draws again when the window moves to a screen of another density, or is zoomed. */
+    private fun followDensity() {
+        val ratio = window.devicePixelRatio
+        val isSame = "(min-resolution: ${ratio - ROUNDING}dppx) and (max-resolution: ${ratio + ROUNDING}dppx)"
+        window.matchMedia(isSame).asDynamic().addEventListener("change", {
+            repaint()
+            followDensity()
+        }, json("once" to true))
     }
 
     private fun part(card: GraphCard) {
@@ -107,5 +123,8 @@ internal class VisibleGraphs(private val scene: Scene) {
 
     private companion object {
         const val MARGIN = "300px 0px"
+
+        /** So exactly do browsers compare densities. */
+        const val ROUNDING = 0.001
     }
 }

@@ -1,6 +1,7 @@
 package badlog.page.reading
 
 import badlog.bag.BagParser
+import badlog.page.dom.startWorker
 import badlog.page.embedded.About
 import badlog.page.embedded.Base64Text
 import badlog.recording.Recording
@@ -130,7 +131,7 @@ internal class PartsReading private constructor(
             val bytes = element.getAttribute("data-bytes")?.toDoubleOrNull() ?: return null
             val cores = minOf(window.navigator.hardwareConcurrency.toInt(), MAX_WORKERS)
             if (cores < 2 || !canInflateParts()) return null
-            val workers = List(cores) { ReadingWorker.start() ?: return null }
+            val workers = List(cores) { startWorker() ?: return null }
             return PartsReading(bytes, element, workers, onProgress).start()
         }
 

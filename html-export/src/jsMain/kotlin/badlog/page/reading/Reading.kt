@@ -1,5 +1,6 @@
 package badlog.page.reading
 
+import badlog.page.dom.startWorker
 import badlog.page.embedded.About
 import badlog.page.embedded.Base64Text
 import badlog.recording.Problem
@@ -19,7 +20,7 @@ import kotlin.js.Promise
 internal class Reading(private val about: About, private val element: Element, private val onProgress: (Double) -> Unit) {
     /** Starts, and promises the recording. */
     fun start(): Promise<Recording> = Promise { resolve, reject ->
-        val worker = ReadingWorker.start()
+        val worker = startWorker()
         val finish = { recording: Recording -> resolve(withCut(recording)) }
         if (worker == null) readHere(finish, reject) else readIn(worker, finish, reject)
     }

@@ -1,13 +1,8 @@
 package badlog.page.reading
 
 import badlog.page.embedded.About
-import kotlinx.browser.document
 import org.w3c.dom.DedicatedWorkerGlobalScope
 import org.w3c.dom.MessageEvent
-import org.w3c.dom.Worker
-import org.w3c.dom.url.URL
-import org.w3c.files.Blob
-import org.w3c.files.BlobPropertyBag
 
 /**
  * The worker that reads the recording, so that the page stays alive meanwhile. Its script is the page's own.
@@ -19,14 +14,6 @@ import org.w3c.files.BlobPropertyBag
 internal object ReadingWorker {
     /** Whether this script runs in the worker. */
     val isHere: Boolean get() = js("typeof document === 'undefined'").unsafeCast<Boolean>()
-
-    /** Starts it from the page, or returns null where the browser's rules for pages on a disk forbid it. */
-    fun start(): Worker? = try {
-        val script = document.getElementById("program")?.textContent.orEmpty()
-        Worker(URL.createObjectURL(Blob(arrayOf(script), BlobPropertyBag("text/javascript"))))
-    } catch (_: Throwable) {
-        null
-    }
 
     /** What the page sends first. */
     fun greeting(about: About): dynamic {

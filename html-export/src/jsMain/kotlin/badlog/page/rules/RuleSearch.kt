@@ -46,9 +46,10 @@ internal class RuleSearch(private val view: LogView, private val rules: RuleSet,
 
 /**
  * The recording of [view] with the samples alone that [rules] look at: they are copied on their way to the worker, and all of a large
- * log would need its memory twice.
+ * log would need its memory twice. Of a small one it takes longer to find out which these are.
  */
 internal fun samplesFor(rules: RuleSet, view: LogView): Recording {
+    if (view.recording.topics.sumOf { it.samples.size } < FEW_SAMPLES) return view.recording
     val names = RuleProgram(rules, LogShape.of(view)).topics
     val others = view.enabledTopics() + listOfNotNull(view.xAxis.topic)
     val topics = view.recording.topics.map { topic ->
@@ -56,5 +57,7 @@ internal fun samplesFor(rules: RuleSet, view: LogView): Recording {
     }
     return view.recording.copy(topics = topics)
 }
+
+private const val FEW_SAMPLES = 2_000_000
 
 private val NO_SAMPLES = DoubleArray(0)

@@ -4,20 +4,15 @@ import badlog.analysis.LogView
 import badlog.html.protocol.logFindingsOf
 import badlog.html.protocol.toJson
 import badlog.page.dom.json
+import badlog.page.dom.startWorker
 import badlog.page.reading.RecordingMessage
 import badlog.rules.LogFindings
 import badlog.rules.RuleSet
 import badlog.rules.fromJson
 import badlog.rules.over
 import badlog.rules.toJson
-import kotlinx.browser.document
 import org.w3c.dom.DedicatedWorkerGlobalScope
 import org.w3c.dom.MessageEvent
-import org.w3c.dom.Worker
-import org.w3c.dom.WorkerOptions
-import org.w3c.dom.url.URL
-import org.w3c.files.Blob
-import org.w3c.files.BlobPropertyBag
 
 /**
  * The worker that runs rules, so that the page stays alive meanwhile. Its script is the page's own; its name identifies it.
@@ -46,7 +41,7 @@ internal object RulesWorker {
         onFailure: (String) -> Unit,
         onForbidden: () -> Unit,
     ) {
-        val worker = start() ?: return onForbidden()
+        val worker = startWorker(NAME) ?: return onForbidden()
         worker.onerror = {
             worker.terminate()
             onForbidden()
@@ -80,13 +75,5 @@ internal object RulesWorker {
                 page.postMessage(json("failure" to (problem.message ?: problem.toString())))
             }
         }
-    }
-
-    private fun start(): Worker? = try {
-        val script = document.getElementById("program")?.textContent.orEmpty()
-        val address = URL.createObjectURL(Blob(arrayOf(script), BlobPropertyBag("text/javascript")))
-        Worker(address, json("name" to NAME).unsafeCast<WorkerOptions>())
-    } catch (_: Throwable) {
-        null
     }
 }

@@ -35,7 +35,9 @@ internal class EventTable(private val log: EventLog, private val scene: Scene) {
             add("h3", "graph-title", log.title).title = log.name
             count = add("span", "unit")
         }
+        if (log.events.isEmpty()) add("p", "unit", "No events.")
         scroll = add("div", "events-scroll") {
+            isHidden = log.events.isEmpty()
             setAttribute("tabindex", "0")
             setAttribute("role", "group")
             setAttribute("aria-label", "Events of ${log.name}")

@@ -84,6 +84,7 @@ internal class LogPage(
     private val zoomBar = ZoomBar(scene, ways, link.element)
     private val help = HelpOverlay()
     private val findings = FindingList(scene, ::showEvidence, ::pinEvidence)
+    private val notes = NoteList(scene)
     private val evidence = EvidenceSection(scene, graphs, signals, findings::stepWithin)
     private val topicDialog = TopicDialog(board)
     private val layouts = LayoutButtons(about.name, scene.notice, ::layoutNow, ::open)
@@ -106,7 +107,7 @@ internal class LogPage(
         axisChoice?.let(::appendChild)
         appendChild(ProblemStrip(view, additionProblems(formulas, additions, layout)).element)
         appendChild(findings.element)
-        appendChild(noteList(scene))
+        appendChild(notes.element)
         appendChild(zoomBar.element)
         appendChild(evidence.element)
         appendChild(boardSection.element)
@@ -171,8 +172,9 @@ internal class LogPage(
     }
 
     private fun filter(query: Query): Hits {
+        boardSection.filter(query)
         val inFolders = folders.filter(query)
-        val hits = inFolders + Hits(findings = findings.filter(query))
+        val hits = inFolders + Hits(findings = findings.filter(query), notes = notes.filter(query))
         nothingFound.isHidden = query.isEmpty || !hits.isEmpty
         navigation.update(isSearching = !query.isEmpty)
         eventsLink.update()
@@ -198,14 +200,18 @@ internal class LogPage(
         navigation.list()
     }
 
-    /** Adds those of [definitions], which a link or a layout has, that can be calculated here. */
-    private fun addFormulas(definitions: List<String>) {
-        for (definition in definitions) {
-            if (formulas.mistakeIn(definition) == null) graphs.add(folders.add(formulas.add(definition), isWanted = false))
+    /** Adds those of [definitions], which a link or a layout has, that can be calculated here, and says in sentences why others cannot. */
+    private fun addFormulas(definitions: List<String>): List<String> {
+        val problems = ArrayList<String>()
+        for (definition in definitions.filter { !formulas.has(it) }) {
+            val mistake = formulas.mistakeIn(definition)
+            if (mistake != null) problems += "Left out “$definition”: ${mistake.message}"
+            if (mistake == null) graphs.add(folders.add(formulas.add(definition), isWanted = false))
         }
-        if (definitions.isEmpty()) return
+        if (definitions.isEmpty()) return problems
         board.lines = linesNow()
         navigation.list()
+        return problems
     }
 
     private fun linesNow() = BoardLines(formulas.view, hookGraphs)
@@ -213,11 +219,11 @@ internal class LogPage(
     private fun layoutNow() = BoardLayout(board.now, scene.range.now.takeIf { scene.range.isZoomed }, formulas.own)
 
     private fun open(opened: BoardLayout) {
-        addFormulas(opened.formulas)
+        val problems = addFormulas(opened.formulas)
         val fitted = opened.board?.fittedTo { board.lines[it] != null }
         board.change { fitted?.board ?: boardOfLarge(view, signals) ?: Board() }
         opened.visible?.let { wanted -> scene.range.change { showing(wanted.from, wanted.to) } }
-        scene.notice.say(fitted?.sentence ?: "Opened the layout.")
+        scene.notice.say(*(problems + (fitted?.sentence ?: "Opened the layout.")).toTypedArray())
         boardSection.bringIntoSight()
     }
 

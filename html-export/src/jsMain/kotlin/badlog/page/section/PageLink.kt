@@ -19,13 +19,13 @@ import kotlin.js.Promise
  * What the page's address asks for, see [PageAddress]: done when the page opens, and when the address changes. And the button that copies an
  * address that asks for what is seen now.
  *
- * @param onFormulas is called with the formulas of an address.
+ * @param onFormulas is called with the formulas of an address, and says in sentences what is wrong with some of them.
  * @param onJump is called with the time to which the cursor was taken, and with the board that was shown, if any.
  */
 internal class PageLink(
     private val scene: Scene,
     private val formulas: Formulas,
-    private val onFormulas: (List<String>) -> Unit,
+    private val onFormulas: (List<String>) -> List<String>,
     private val onJump: (Double, Board?) -> Unit,
 ) {
     /** What was asked for, for as long as the reader has not looked elsewhere. */
@@ -56,12 +56,12 @@ internal class PageLink(
         val address = pageAddressOf(window.location.hash)
         followed = address
         isFollowing = true
-        onFormulas(address.formulas)
+        val problems = address.problems + onFormulas(address.formulas)
         val board = address.board?.fittedTo { scene.board.lines[it] != null }
         board?.let { scene.board.visit(it.board) }
         isFollowing = false
         go(address)
-        scene.notice.say(*(address.problems + listOfNotNull(board?.sentence)).toTypedArray())
+        scene.notice.say(*(problems + listOfNotNull(board?.sentence)).toTypedArray())
     }
 
     private fun go(address: PageAddress) {

@@ -7,6 +7,7 @@ import badlog.page.dom.addButton
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.plot.text.countText
+import badlog.plot.text.placeTextOf
 import badlog.recording.Problem
 import badlog.recording.Severity
 import org.w3c.dom.HTMLElement
@@ -90,11 +91,8 @@ internal class ProblemStrip(private val view: LogView, private val additions: Li
         add("span", "severity is-$name", name)
         add("span", "problem-text") {
             add("span", "", problem.message)
-            val places = ArrayList<String>()
-            problem.line?.let { places += "line ${countText(it)}" }
-            problem.topic?.let { places += it }
-            if (problem.count > 1) places += "${countText(problem.count)} times"
-            if (places.isNotEmpty()) add("span", "problem-place", places.joinToString(" · "))
+            val place = placeTextOf(problem)
+            if (place.isNotEmpty()) add("span", "problem-place", place)
         }
     }
 

@@ -68,4 +68,9 @@ internal class PageBoard(fileKey: String, lines: BoardLines) {
     } catch (_: BoardException) {
         null
     }
+
+    internal companion object {
+        /** So many graphs are offered to be added to: more would not fit the screen. */
+        const val MOST_OFFERED = 12
+    }
 }

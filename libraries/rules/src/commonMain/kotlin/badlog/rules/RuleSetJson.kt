@@ -1,5 +1,6 @@
 package badlog.rules
 
+import badlog.json.JsonMember
 import badlog.json.JsonReader
 import badlog.json.JsonValue
 import badlog.json.quotedJson
@@ -28,9 +29,12 @@ public fun RuleSet.toJson(): String = jsonObject(
 )
 
 /** The rules that [text] is of, or null when [RuleSet.toJson] did not write it. */
-public fun RuleSet.Companion.fromJson(text: String): RuleSet? = try {
-    val json = JsonFields(JsonReader.readObject(text))
-    val signals = json.find("signals")?.let { SignalVocabulary.fromJson(it.json) } ?: throw UnreadableJsonException()
+public fun RuleSet.Companion.fromJson(text: String): RuleSet? = fromJson(JsonReader.readObject(text))
+
+/** The rules that an object with [members] is of, or null when [RuleSet.toJson] did not write it, or there is none. */
+public fun RuleSet.Companion.fromJson(members: List<JsonMember>?): RuleSet? = try {
+    val json = JsonFields(members)
+    val signals = json.find("signals")?.let { SignalVocabulary.fromJson(it) } ?: throw UnreadableJsonException()
     val causes = json.find("causes")?.let(CauseGraph::fromJson) ?: CauseGraph.NONE
     RuleSet(json.list("aliases", ::aliasOf), json.list("rules", ::ruleOf), signals, causes)
 } catch (_: UnreadableJsonException) {

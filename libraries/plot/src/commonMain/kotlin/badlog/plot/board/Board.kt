@@ -29,10 +29,13 @@ public data class Board(public val graphs: List<BoardGraph> = emptyList()) {
     /** Adds the signal [name] to graph [id], where it is not there yet. */
     public fun withLine(id: Int, name: String): Board = change(id) { if (name in it.lines) it else it.copy(lines = it.lines + name) }
 
+    /** Adds those of the signals [names] to graph [id] that are not there yet. */
+    public fun withLines(id: Int, names: List<String>): Board = names.fold(this) { board, name -> board.withLine(id, name) }
+
     /** Adds the signals [names] to the last graph, or to a new one where there is none. */
     public fun withLinesInLast(names: List<String>): Board {
         val last = graphs.lastOrNull() ?: return withGraph(names)
-        return names.fold(this) { board, name -> board.withLine(last.id, name) }
+        return withLines(last.id, names)
     }
 
     /** Adds a graph of the signal [name], as one of [lines], or takes those away that are there, of these or of it alone. */

@@ -1,6 +1,5 @@
 package badlog.rules.signal
 
-import badlog.json.JsonReader
 import badlog.json.JsonValue
 import badlog.json.quotedJson
 import badlog.rules.json.JsonFields
@@ -18,9 +17,9 @@ public fun SignalVocabulary.toJson(): String = jsonObject(
     "linked" to jsonList(linked) { checkNotNull(patternsJson(it)) },
 )
 
-/** The vocabulary that [text] is of, or null when [SignalVocabulary.toJson] did not write it. */
-internal fun SignalVocabulary.Companion.fromJson(text: String): SignalVocabulary? = try {
-    val json = JsonFields(JsonReader.readObject(text))
+/** The vocabulary that [value] is of, or null when [SignalVocabulary.toJson] did not write it. */
+internal fun SignalVocabulary.Companion.fromJson(value: JsonValue): SignalVocabulary? = try {
+    val json = JsonFields(value.members)
     SignalVocabulary(
         json.list("signals", ::signalOf),
         json.list("units") { pair -> itemsOf(pair).let { (ending, unit) -> NamedUnit(stringOf(ending), stringOf(unit)) } },

@@ -1,0 +1,20 @@
+package badlog.plot.text
+
+import badlog.recording.Problem
+import badlog.recording.ProblemKind
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+
+class ProblemTextSpec : FunSpec({
+    test("a problem says where and how often it was met") {
+        val cut = Problem(ProblemKind.ROW_CUT, "A row is cut.", line = 12, count = 3)
+        placeTextOf(cut) shouldBe "line 12 · 3 times"
+        placeTextOf(cut.copy(topic = "Arm/Angle", count = 1)) shouldBe "line 12 · Arm/Angle"
+        placeTextOf(Problem(ProblemKind.BLANK_LINE, "A line is blank.")) shouldBe ""
+    }
+
+    test("a number that a problem begins with is not said twice") {
+        placeTextOf(Problem(ProblemKind.ROW_CUT, "27 records were dropped.", topic = "Mode", count = 27)) shouldBe "Mode"
+        placeTextOf(Problem(ProblemKind.ROW_CUT, "271 records were dropped.", count = 27)) shouldBe "27 times"
+    }
+})
