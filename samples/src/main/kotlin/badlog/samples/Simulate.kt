@@ -7,6 +7,7 @@ val SAMPLES: Map<String, () -> ByteArray> = mapOf(
     "qualification-42.bag" to ::qualification42,
     "qualification-57.bag.gz" to ::qualification57Compressed,
     "practice.bag" to ::practiceRun,
+    "wrong-turn.bag" to ::wrongTurn,
     "elevator-bench.csv" to ::elevatorBench,
 )
 

@@ -27,6 +27,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import badlog.plot.board.BoardGraph
 import badlog.viewer.graph.scene.GraphScene
+import badlog.viewer.graph.xy.XyPane
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
@@ -57,17 +58,14 @@ internal fun GraphCard(scene: GraphScene, spec: BoardGraph, height: Int) {
                         .receivesSignals(scene) { names -> scene.board.change { withGraph(names, before = spec.id) } },
                 )
             }
-            GraphPlot(
-                scene,
-                spec,
-                Modifier.weight(1f).fillMaxWidth().receivesSignals(scene) { names ->
-                    scene.board.change { names.fold(this) { graphs, name -> graphs.withLine(spec.id, name) } }
-                },
-            )
+            val plot = Modifier.weight(1f).fillMaxWidth().receivesSignals(scene) { names ->
+                scene.board.change { names.fold(this) { graphs, name -> graphs.withLine(spec.id, name) } }
+            }
+            if (spec.isXy) XyPane(scene, spec, plot) else GraphPlot(scene, spec, plot)
             HorizontalDivider()
         }
         val hasButtons = isHovered || isMenuOpen
-        if (hasButtons || spec.yRange != null || spec.sharesY) {
+        if (hasButtons || spec.yRange != null || spec.sharesY || spec.id in scene.planes) {
             GraphButtons(scene, spec, hasButtons, isMenuOpen, { isMenuOpen = it }, Modifier.align(Alignment.TopEnd))
         }
     }
@@ -84,6 +82,9 @@ private fun GraphButtons(
 ) {
     val palette = LocalPalette.current
     Row(modifier.padding(end = 12.dp).background(palette.surface.copy(alpha = 0.9f), RoundedCornerShape(5.dp))) {
+        if (spec.isXy && spec.id in scene.planes) {
+            ToolButton("Show all of it", Icons.Reset, isOn = true) { scene.planes.remove(spec.id) }
+        }
         if (spec.yRange != null) {
             ToolButton("Reset Y zoom", Icons.Reset, isOn = true) { scene.board.change { withYRange(spec.id, null) } }
         }

@@ -24,6 +24,7 @@ import androidx.compose.ui.unit.sp
 import badlog.plot.board.BoardGraph
 import badlog.viewer.graph.plot.drawnLines
 import badlog.viewer.graph.scene.GraphScene
+import badlog.viewer.graph.xy.XyLegend
 import badlog.viewer.theme.LocalPalette
 import java.awt.Cursor
 
@@ -38,6 +39,10 @@ internal fun GraphHeader(scene: GraphScene, spec: BoardGraph, maxLines: Int, mod
         maxLines = maxLines,
     ) {
         GraphTitle(spec.title)
+        if (spec.isXy) {
+            XyLegend(scene, spec)
+            return@FlowRow
+        }
         // The only signal of a graph is what the graph is called.
         val isAlone = lines.distinctBy { it.signal.name }.size == 1 && lines.first().signal.name.endsWith(plain(spec.title))
         for (line in lines.take(MAX_ENTRIES)) {

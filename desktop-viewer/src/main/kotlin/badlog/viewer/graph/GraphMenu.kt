@@ -8,6 +8,7 @@ import badlog.plot.axis.AxisSide
 import badlog.plot.board.Board
 import badlog.plot.board.BoardGraph
 import badlog.plot.board.GraphHeight
+import badlog.plot.path.xyLabelOf
 import badlog.viewer.compare.shortLabel
 import badlog.viewer.graph.scene.GraphScene
 import badlog.viewer.menu.ClosesByEscape
@@ -34,9 +35,13 @@ internal fun graphActions(scene: GraphScene, spec: BoardGraph): List<List<GraphA
         listOf(
             GraphAction("Fix the y limits", spec.yRange != null) { fixY(scene, spec) },
             GraphAction("Share the y limits", spec.sharesY) { board.change { withSharedY(spec.id, !spec.sharesY) } },
-        ),
+        ).takeUnless { spec.isXy }.orEmpty(),
         listOfNotNull(
             GraphAction("Add topics…") { scene.addTopics(spec.id) },
+            GraphAction(xyLabelOf(spec.lines, scene.current.recording?.poses.orEmpty()), spec.isXy) {
+                board.change { withXy(spec.id, !spec.isXy) }
+            }
+                .takeIf { spec.lines.size > 1 },
             GraphAction("A graph for each line") { board.change { separated(spec.id) } }.takeIf { spec.lines.size > 1 },
         ),
         board.state.graphs.filter { it.id != spec.id }.take(MOST_OFFERED).map { other ->

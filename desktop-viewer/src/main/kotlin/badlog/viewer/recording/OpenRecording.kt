@@ -17,6 +17,11 @@ import badlog.plot.board.standardBoard
 import badlog.plot.cursor.CursorSteps
 import badlog.plot.formula.Formula
 import badlog.plot.formula.formulasOf
+import badlog.plot.path.Pose
+import badlog.plot.path.XyPlot
+import badlog.plot.path.posesOf
+import badlog.plot.path.swerveModulesOf
+import badlog.plot.path.xyPlotOf
 import badlog.plot.range.Viewport
 import badlog.plot.timeline.Clocks
 import badlog.plot.timeline.EventTimeline
@@ -116,6 +121,14 @@ internal class OpenRecording(
 
     /** Until where the last value of [signal] holds; null where the samples of [signal] are joined by straight lines. */
     fun holdsUntil(signal: Signal): Double? = if (signal.holds) span.to else null
+
+    /** The poses that its topics tell. */
+    val poses: List<Pose> by lazy { posesOf(view.recording.topics) }
+
+    private val modules by lazy { swerveModulesOf(view.recording.topics) }
+
+    /** What a graph that draws [lines] shows of y over x; null where it has none of them. */
+    fun xyPlot(lines: List<String>): XyPlot? = xyPlotOf(lines, poses, modules) { signal(it)?.line }
 
     /** The signal called [name], or null when this recording has none. */
     fun signal(name: String): Signal? = byName[name]

@@ -4,9 +4,11 @@ import badlog.page.dom.MenuEntry
 import badlog.page.view.PageBoard
 import badlog.plot.board.BoardGraph
 import badlog.plot.board.GraphHeight
+import badlog.plot.path.Pose
+import badlog.plot.path.xyLabelOf
 
-/** What may be done with [graph], one of those of [board], which [item] shows; [topics] may be added to it. */
-internal fun boardMenu(board: PageBoard, graph: BoardGraph, item: BoardItem, topics: TopicDialog): List<MenuEntry> {
+/** What may be done with [graph], one of those of [board], which [item] shows; [topics] may be added to it. The log has these [poses]. */
+internal fun boardMenu(board: PageBoard, graph: BoardGraph, item: BoardItem, topics: TopicDialog, poses: List<Pose>): List<MenuEntry> {
     val id = graph.id
     val others = board.now.graphs.filter { it.id != id }
     val place = board.now.graphs.indexOfFirst { it.id == id }
@@ -25,6 +27,11 @@ internal fun boardMenu(board: PageBoard, graph: BoardGraph, item: BoardItem, top
                 val label = "Height: ${height.label.lowercase()}"
                 add(MenuEntry(label, GraphHeight.of(graph.height) == height) { board.change { resized(id, height.pixels) } })
             }
+            if (graph.lines.size > 1) {
+                add(MenuEntry(xyLabelOf(graph.lines, poses), graph.isXy) { board.change { withXy(id, !graph.isXy) } })
+            }
+        }
+        if (numbers != null && !graph.isXy) {
             add(
                 MenuEntry("Fixed y limits", isFixed) {
                     if (isFixed) board.change { withYRange(id, null) } else numbers.zoomY(0.0, 1.0)

@@ -128,5 +128,6 @@ internal class BoardSection(
         item.element.remove()
     }
 
-    private fun openMenu(item: BoardItem, button: HTMLElement) = openMenu(button, item.element, boardMenu(board, item.spec, item, topics))
+    private fun openMenu(item: BoardItem, button: HTMLElement) =
+        openMenu(button, item.element, boardMenu(board, item.spec, item, topics, scene.poses))
 }

@@ -13,6 +13,7 @@ import badlog.page.dom.openMenu
 import badlog.page.view.PageBoard
 import badlog.page.view.Scene
 import badlog.page.view.SearchedGraph
+import badlog.page.xy.XyDrawing
 import badlog.plot.board.BoardGraph
 import badlog.plot.board.asBoardGraph
 import badlog.plot.board.lineNames
@@ -46,7 +47,8 @@ internal class GraphCard(
     private val searched = SearchedGraph(graph, scene)
     private var found: List<Boolean>? = null
     private val statistics = StatisticsTable(graph, scene)
-    private val legend = Legend(graph, statistics::hintOf, ::toggle)
+    private val legend = Legend(graph, statistics::hintOf) { toggle(lines.slice(it..it)) }
+    private val xy = if (look.isXy) XyDrawing(scene, { this.look }, ::toggle) else null
     private lateinit var host: HTMLElement
     private lateinit var statisticsButton: HTMLElement
     private var plot: Plot? = null
@@ -62,6 +64,8 @@ internal class GraphCard(
     lateinit var tools: HTMLElement
         private set
 
+    private val isDrawn get() = plot != null || xy?.canvas != null
+
     /** Whether what is drawn is not what should be seen. */
     private var isStale = false
 
@@ -72,7 +76,7 @@ internal class GraphCard(
             add("h3", "graph-title", graph.title).title = hintOf(graph)
             add("bdi", "unit graph-unit", unitText(graph.unit))
             if (origin.isNotEmpty()) add("span", "origin", origin).title = hintOf(graph)
-            appendChild(legend.element)
+            appendChild(xy?.legend ?: legend.element)
             tools = add("div", "graph-tools") {
                 resetButton = addIconButton("reset-y", Icon.RESET, "Reset Y zoom") { resetY() }
                 statisticsButton = addIconButton("statistics-toggle", Icon.SUM, "Statistics of the visible range, or between the cursors") {
@@ -131,10 +135,8 @@ internal class GraphCard(
 
     private fun change(wanted: BoardGraph) = onLook?.invoke(wanted) ?: show(wanted)
 
-    private fun toggle(line: Int) {
-        val name = lines[line]
-        change(look.copy(hidden = if (name in look.hidden) look.hidden - name else look.hidden + name))
-    }
+    private fun toggle(names: List<String>) =
+        change(look.copy(hidden = if (names.any { it in look.hidden }) look.hidden - names.toSet() else look.hidden + names))
 
     /** Shows from now on only what is between [from] and [to], shares of what is shown now from its top. */
     fun zoomY(from: Double, to: Double) {
@@ -162,7 +164,12 @@ internal class GraphCard(
 
     /** Draws the graph if it is not drawn, [width] pixels wide. */
     fun approach(width: Int = room) {
-        if (plot != null || width == 0) return
+        if (isDrawn || width == 0) return
+        if (xy != null && !xy.isEmpty) {
+            xy.start(host)
+            resizing = ResizeObserver { if (room != width) repaint() }.also { it.observe(host) }
+            return
+        }
         if (graph.series.all { series -> series.data.y.all { it.isNaN() } }) {
             showEmpty()
             return
@@ -191,6 +198,10 @@ internal class GraphCard(
 
     /** Gives back what drawing takes. */
     fun leave() {
+        if (xy?.canvas != null) {
+            resizing?.disconnect()
+            xy.leave(host)
+        }
         val drawn = plot ?: return
         // Keeps its height, so that the page does not move below the reader.
         host.style.height = "${host.clientHeight}px"
@@ -205,7 +216,7 @@ internal class GraphCard(
 
     /** Draws the graph again with the colors of now. */
     fun repaint() {
-        if (plot == null) return
+        if (!isDrawn) return
         leave()
         approach()
     }
@@ -213,14 +224,14 @@ internal class GraphCard(
     /** Whether some of it is on the screen. */
     val isOnScreen: Boolean
         get() {
-            if (plot == null) return false
+            if (!isDrawn) return false
             val box = host.getBoundingClientRect()
             return box.bottom > 0 && box.top < window.innerHeight
         }
 
     /** Says that the visible range has changed. */
     fun outdate() {
-        isStale = plot != null
+        isStale = isDrawn
         if (!statistics.element.isHidden) updateStatisticsSoon()
     }
 
@@ -232,6 +243,7 @@ internal class GraphCard(
     /** Shows the cursor and the values where it is. */
     fun updateCursor() {
         if (!statistics.element.isHidden && statistics.isOutdated) updateStatisticsSoon()
+        xy?.updateCursor()
         overlay?.update() ?: return
         legend.update(scene.cursor, scene.xAxis.unit)
     }
@@ -239,6 +251,7 @@ internal class GraphCard(
     /** Draws again what is drawn, as it is now. */
     fun redraw() {
         isStale = false
+        xy?.draw()
         plot?.redraw()
         overlay?.update()
     }
@@ -263,7 +276,8 @@ internal class GraphCard(
 
     private fun saveImage() {
         approach()
-        plot?.let { saveGraphImage(graph, scene, isShown, it.canvas) }
+        val none = BooleanArray(isShown.size)
+        xy?.canvas?.let { saveGraphImage(graph, scene, none, it) } ?: plot?.let { saveGraphImage(graph, scene, isShown, it.canvas) }
     }
 
     private companion object {

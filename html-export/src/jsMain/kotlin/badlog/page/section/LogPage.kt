@@ -29,6 +29,7 @@ import badlog.plot.board.BoardLines
 import badlog.plot.board.boardOfLarge
 import badlog.plot.board.evidenceBoard
 import badlog.plot.board.fittedTo
+import badlog.plot.board.pathBoard
 import badlog.plot.formula.nameIn
 import badlog.plot.outline.outlineOf
 import badlog.plot.search.Query
@@ -128,7 +129,7 @@ internal class LogPage(
 
     init {
         nothingFound.isHidden = true
-        board.begin { layout.board ?: boardOfLarge(view, signals) ?: Board() }
+        board.begin { layout.board ?: boardOfLarge(view, signals) ?: pathBoard(view) }
         board.onChange(values::refresh)
         BoardDrag(board, graphs, boardSection)
         Keyboard(scene, search, findings, evidence, BoardKeys(board, graphs, boardSection), values, formulaDialog, help)
@@ -221,7 +222,7 @@ internal class LogPage(
     private fun open(opened: BoardLayout) {
         val problems = addFormulas(opened.formulas)
         val fitted = opened.board?.fittedTo { board.lines[it] != null }
-        board.change { fitted?.board ?: boardOfLarge(view, signals) ?: Board() }
+        board.change { fitted?.board ?: boardOfLarge(view, signals) ?: pathBoard(view) }
         opened.visible?.let { wanted -> scene.range.change { showing(wanted.from, wanted.to) } }
         scene.notice.say(*(problems + (fitted?.sentence ?: "Opened the layout.")).toTypedArray())
         boardSection.bringIntoSight()

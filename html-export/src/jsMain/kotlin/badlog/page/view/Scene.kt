@@ -6,6 +6,8 @@ import badlog.analysis.LogView
 import badlog.analysis.XAxis
 import badlog.analysis.enabledSpans
 import badlog.html.note.Note
+import badlog.plot.path.Pose
+import badlog.plot.path.posesOf
 import badlog.plot.range.Viewport
 import badlog.plot.search.Trait
 import badlog.plot.text.placeText
@@ -44,6 +46,9 @@ internal class Scene(val view: LogView, val palette: Palette, val board: PageBoa
     val cursor: Cursor = Cursor(xAxis.clocks)
     val sharedY: SharedY = SharedY(board, range)
     val notice: Notice = Notice()
+
+    /** The poses that its topics tell. */
+    val poses: List<Pose> by lazy { posesOf(view.recording.topics) }
 
     /** When the robot was enabled. */
     val enabled: List<EnabledSpan> by lazy { view.enabledSpans() }

@@ -20,6 +20,9 @@ class Schedule(private val periods: List<Period>, val end: Double) {
             154.0 + secondsAfter,
         )
 
+        /** The autonomous period of a match alone, from second 2 of the recording on. */
+        fun autonomous(end: Double) = Schedule(listOf(Period(Mode.AUTONOMOUS, 2.0, 17.0)), end)
+
         /** Practice without a field: enabled at second 1, until someone ends it. */
         fun practice(end: Double) = Schedule(listOf(Period(Mode.TELEOP, 1.0, end)), end)
     }

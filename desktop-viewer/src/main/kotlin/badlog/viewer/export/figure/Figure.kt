@@ -31,6 +31,7 @@ internal class Figure(
  * @property hasLegend whether its lines need more than its title.
  * @property lines its lines; empty where it has [lanes].
  * @property lanes its lanes, from top to bottom; empty where it has [lines].
+ * @property plane what it shows, where its lines are not over the figure's x; else null.
  */
 internal class FigureFrame(
     val title: String,
@@ -40,10 +41,20 @@ internal class FigureFrame(
     val hasLegend: Boolean,
     val lines: List<FigureLine>,
     val lanes: List<FigureLane>,
+    val plane: FigurePlane? = null,
 ) {
     /** What its legend says: each line's label, and its color. */
     val legend: List<Pair<String, String>> get() = lines.map { it.label to it.color }
 }
+
+/**
+ * The x axis of a frame that has one of its own.
+ *
+ * @property x the part of it that it shows.
+ * @property xTitle what stands below it.
+ * @property isField whether it is a field, whose meters are as long along x as along y.
+ */
+internal class FigurePlane(val x: Span, val xTitle: String, val isField: Boolean)
 
 /**
  * A line of a [FigureFrame].

@@ -79,6 +79,7 @@ internal class FigureBuilder(
 
     /** States have a frame of their own, and so has each unit: an axis shows one. */
     private fun framesOf(graph: GraphSources, columns: PixelColumns, laneColumns: Int): List<FigureFrame> {
+        if (graph.graph.isXy) return listOfNotNull(xyFrame(graph.graph, recordings, x, width))
         val (states, numbers) = graph.sources.partition { it.signal.states != null }
         val units = numbers.groupBy { it.signal.unit }.values
         return units.mapIndexed { i, lines -> lineFrame(graph.graph, lines, columns, isFirst = i == 0) } +

@@ -1,7 +1,9 @@
 package badlog.viewer.export.figure
 
+import badlog.plot.path.Field
 import badlog.viewer.theme.Palette
 import org.jetbrains.letsPlot.coord.coordCartesian
+import org.jetbrains.letsPlot.coord.coordFixed
 import org.jetbrains.letsPlot.geom.geomPath
 import org.jetbrains.letsPlot.geom.geomPoint
 import org.jetbrains.letsPlot.geom.geomRect
@@ -31,22 +33,36 @@ internal fun drawingOf(figure: Figure, options: FigureOptions): LetsPlotFigure {
 }
 
 private fun plotOf(figure: Figure, frame: FigureFrame, size: FrameSize): Plot {
-    val behind = behind(figure.marks, frame)
+    val behind = frame.plane?.let(::ground) ?: behind(figure.marks, frame)
     val lines = if (frame.lanes.isEmpty()) drawLines(behind, frame, size) else drawLanes(behind, figure, frame, size)
-    val content = above(lines, figure.marks, frame)
+    val content = if (frame.plane == null) above(lines, figure.marks, frame) else lines
+    val x = frame.plane?.x ?: figure.x
+    val limits = x.from to x.to
+    val yLimits = frame.y.from to frame.y.to
     val yBreaks = frame.lanes.indices.map { frame.lanes.size - it - 0.5 }.takeIf { it.isNotEmpty() }
     val labels = frame.lanes.map { it.label }.takeIf { it.isNotEmpty() }
     val base = content +
         scaleXContinuous(expand = NO_MARGIN) +
         scaleYContinuous(expand = NO_MARGIN, breaks = yBreaks, labels = labels) +
-        coordCartesian(xlim = figure.x.from to figure.x.to, ylim = frame.y.from to frame.y.to) +
+        (if (frame.plane?.isField == true) coordFixed(1, limits, yLimits) else coordCartesian(limits, yLimits)) +
         labs(
             title = if (size.isFirst) figure.title else frame.title,
             subtitle = frame.title.takeIf { size.isFirst },
-            x = figure.xTitle.takeIf { size.isLast }.orEmpty(),
+            x = frame.plane?.xTitle ?: figure.xTitle.takeIf { size.isLast }.orEmpty(),
             y = frame.yTitle,
         )
     return base + figureTheme(size, hasLanes = frame.lanes.isNotEmpty())
+}
+
+/** An empty frame with the outline of the field, where it is one. */
+private fun ground(plane: FigurePlane): Plot {
+    if (!plane.isField) return letsPlot()
+    val outline = mapOf("x" to listOf(0.0, 0.0, Field.LENGTH, Field.LENGTH, 0.0), "y" to listOf(0.0, Field.WIDTH, Field.WIDTH, 0.0, 0.0))
+    return letsPlot() +
+        geomPath(outline, color = hexOf(Palette.LIGHT.muted), size = STROKE, sampling = samplingNone, showLegend = false, tooltips = null) {
+            x = "x"
+            y = "y"
+        }
 }
 
 /** An empty frame with what lies behind its lines: when the robot was enabled, and where something happened. */

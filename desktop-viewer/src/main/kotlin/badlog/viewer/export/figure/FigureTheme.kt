@@ -39,7 +39,7 @@ internal fun figureTheme(size: FrameSize, hasLanes: Boolean): OptionsMap {
  * How much room one frame of a figure takes, with its texts, in points of SVG.
  *
  * @property isFirst whether the figure's title stands above it.
- * @property isLast whether the x axis stands below it.
+ * @property isLast whether its x axis stands below it.
  * @property legendRows how many rows its legend has; 0 where the title, or the legend of a frame above, says it all.
  * @property plotWidth about how wide the part with the lines is.
  * @property height how high it is in all.
@@ -50,12 +50,16 @@ internal class FrameSize(val isFirst: Boolean, val isLast: Boolean, val legendRo
         fun of(figure: Figure, index: Int, options: FigureOptions): FrameSize {
             val frame = figure.frames[index]
             val isFirst = index == 0
-            val isLast = index == figure.frames.lastIndex
+            val isLast = frame.plane != null || index == figure.frames.indexOfLast { it.plane == null }
             val plotWidth = maxOf(options.width - SIDES, MIN_SIDE)
             val isTold = figure.frames.take(index).any { it.legend == frame.legend }
             val rows = if (isTold) 0 else legendRows(frame, plotWidth)
             val lanes = maxOf(frame.lanes.size * LANE, MIN_LANES) + BELOW_LANES
-            val plot = if (frame.lanes.isEmpty()) maxOf(options.graphHeight, MIN_SIDE) else lanes
+            val plot = when {
+                frame.plane != null -> plotWidth / 2
+                frame.lanes.isEmpty() -> maxOf(options.graphHeight, MIN_SIDE)
+                else -> lanes
+            }
             val legend = if (rows > 0) LEGEND + rows * LEGEND_ROW else 0
             val atEnds = (if (isFirst) TITLE else 0) + (if (isLast) X_AXIS else 0)
             return FrameSize(isFirst, isLast, rows, plotWidth, plot + SUBTITLE + legend + atEnds)

@@ -20,6 +20,7 @@ internal class PlotState {
 internal class Plots {
     private val states = HashMap<Int, PlotState>()
     private var onScreen by mutableStateOf(emptySet<Int>())
+    private var needNone by mutableStateOf(emptySet<Int>())
 
     /** What serves all pictures. */
     val curves = CurveCache()
@@ -27,9 +28,10 @@ internal class Plots {
     /** What graph [id] has; kept while it is out of sight, so that it is there at once when it comes back. */
     fun state(id: Int): PlotState = states.getOrPut(id, ::PlotState)
 
-    /** Graph [id] comes into sight, or goes. */
-    fun show(id: Int, isOnScreen: Boolean) {
+    /** Graph [id] comes into sight, or goes; it waits for a picture where it [needsPicture]. */
+    fun show(id: Int, isOnScreen: Boolean, needsPicture: Boolean = true) {
         onScreen = if (isOnScreen) onScreen + id else onScreen - id
+        needNone = if (isOnScreen && !needsPicture) needNone + id else needNone - id
     }
 
     /**
@@ -48,7 +50,7 @@ internal class Plots {
 
     /** Whether every graph in sight has the picture of [recordings] for [visible]; false when none is in sight. */
     fun areReady(recordings: List<DrawnRecording>, visible: Span): Boolean = onScreen.isNotEmpty() && onScreen.all { id ->
-        state(id).picture?.request?.let { it.visible == visible && it.recordings == recordings } == true
+        id in needNone || state(id).picture?.request?.let { it.visible == visible && it.recordings == recordings } == true
     }
 }
 

@@ -3,6 +3,7 @@ package badlog.viewer.graph.scene
 import androidx.compose.foundation.lazy.LazyListState
 import androidx.compose.runtime.derivedStateOf
 import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateMapOf
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import androidx.compose.runtime.snapshotFlow
@@ -10,6 +11,7 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import badlog.analysis.Units
 import badlog.plot.board.BoardGraph
+import badlog.plot.path.Plane
 import badlog.plot.timeline.EventTimeline
 import badlog.viewer.axis.AxisChoice
 import badlog.viewer.board.GraphBoard
@@ -64,7 +66,10 @@ internal class GraphScene(
     /** Whether signals are being dragged over the window. */
     var isReceiving: Boolean by mutableStateOf(false)
 
-    private val hasRightAxis by derivedStateOf { board.state.graphs.any { unitsOf(it) > 1 } }
+    /** The parts of their planes that graphs of y over x show, by their ids; all of it where there is none. */
+    val planes = mutableStateMapOf<Int, Plane>()
+
+    private val hasRightAxis by derivedStateOf { board.state.graphs.any { !it.isXy && unitsOf(it) > 1 } }
 
     /** The room at the right of all graphs: for the second axis, where any has one, and the scroll bar. */
     val rightGutter: Dp get() = if (hasRightAxis) 60.dp else 12.dp

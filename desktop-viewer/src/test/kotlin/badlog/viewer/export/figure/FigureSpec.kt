@@ -31,6 +31,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 import javax.imageio.ImageIO
 import javax.xml.parsers.DocumentBuilderFactory
+import kotlin.math.abs
 import kotlin.math.sin
 
 class FigureSpec : FunSpec({
@@ -50,6 +51,19 @@ class FigureSpec : FunSpec({
         val frame = build(listOf(BoardGraph(1, "Arm/Power", listOf("Arm/Power"))), open.span, open).frames.single()
         frame.yTitle shouldBe "W"
         frame.lines.single().strokes.let { it.endOf(0) / 2 } shouldBe 500
+    }
+
+    test("a path is drawn on its field, with axes of its own, of each recording") {
+        val path = sample("wrong-turn.bag")
+        val figure = build(path.standardGraphs.graphs.take(2), Span(0.0, 12.0), path)
+        val frame = figure.frames[0]
+        frame.plane?.isField shouldBe true
+        frame.lines.map { it.label } shouldBe listOf("Vision/Pose", "Target Pose", "Drive/Pose")
+        // The points are meters again.
+        frame.lines[2].strokes.points.take(2).zip(listOf(1.6, 4.0)).all { (drawn, x) -> abs(drawn - x) < 0.02 } shouldBe true
+        textsIn(svgOf(figure, options)) shouldContainAll listOf("x (m)", "y (m)", "Path", "Drive/Pose", "Time (s)")
+        build(path.standardGraphs.graphs.take(1), Span(0.0, 12.0), path, path).frames.single().lines.size shouldBe 6
+        writeFigure(figure, FigureOptions(format = FigureFormat.PNG), Files.createDirectories(Path.of("build", "pictures")).resolve("figure-path.png"))
     }
 
     test("each unit of a graph has a frame of its own, and so have its states") {

@@ -44,12 +44,12 @@ public data class Board(public val graphs: List<BoardGraph> = emptyList()) {
         return if (own.isEmpty()) withGraph(lines) else own.fold(this) { board, graph -> board.without(graph.id) }
     }
 
-    /** Whether it has a graph of the same lines as [graph]. */
-    public fun has(graph: BoardGraph): Boolean = graphs.any { it.lines == graph.lines }
+    /** Whether it has a graph that draws the same as [graph]. */
+    public fun has(graph: BoardGraph): Boolean = graphs.any { it.drawsAs(graph) }
 
     /** Adds [graph] at the end, or takes those of the same lines away that are there. */
     public fun withToggled(graph: BoardGraph): Board =
-        if (has(graph)) copy(graphs = graphs.filterNot { it.lines == graph.lines }) else withGraphs(listOf(graph))
+        if (has(graph)) copy(graphs = graphs.filterNot { it.drawsAs(graph) }) else withGraphs(listOf(graph))
 
     /** Takes the signal [name] out of graph [id], which goes with its last line. */
     public fun withoutLine(id: Int, name: String): Board {
@@ -122,11 +122,15 @@ public data class Board(public val graphs: List<BoardGraph> = emptyList()) {
                         yRange = null,
                         rightYRange = null,
                         hidden = emptySet(),
+                        isXy = false,
                     )
                 }
             },
         )
     }
+
+    /** Draws the lines of graph [id] over its first one, or as the paths of poses that they are; over the x axis again when it does not. */
+    public fun withXy(id: Int, isXy: Boolean): Board = change(id) { it.copy(isXy = isXy) }
 
     /** Shows only [range] of y in graph [id], and [right] of the axis at its right; all of it for null. What is fixed is not shared. */
     public fun withYRange(id: Int, range: Span?, right: Span? = null): Board =
@@ -174,6 +178,7 @@ public data class Board(public val graphs: List<BoardGraph> = emptyList()) {
  * @property rightYRange the same as [yRange] of the axis at the right.
  * @property sharesY whether all graphs that share it show the same part of y of a unit; what is fixed by a range is not shared.
  * @property hidden those of [lines] that are not drawn now.
+ * @property isXy whether the lines are not drawn over the common x: those of poses are paths on a field, others are drawn over the first one.
  */
 public data class BoardGraph(
     public val id: Int,
@@ -186,7 +191,10 @@ public data class BoardGraph(
     public val rightYRange: Span? = null,
     public val sharesY: Boolean = false,
     public val hidden: Set<String> = emptySet(),
+    public val isXy: Boolean = false,
 ) {
+    internal fun drawsAs(other: BoardGraph) = lines == other.lines && isXy == other.isXy
+
     public companion object {
         /** How high a graph of numbers can be. */
         public val HEIGHTS: IntRange = 60..600

@@ -8,7 +8,7 @@ import badlog.json.quotedJson
 /**
  * A board as an object of JSON with the key `graphs`, which layout files have too. Each graph has a `title`, the names of its
  * `lines`, and where that was chosen `filled`, `zero`, `y` and `right` with `from` and `to`, `shared`, `height`, and the names of `hidden`
- * lines. An older badlog passes over what it does not know.
+ * lines; `xy` where the lines are not drawn over the common x. An older badlog passes over what it does not know.
  */
 public fun Board.toJson(): String = graphs.joinToString(",", "{\"graphs\":[", "]}") { graph ->
     buildString {
@@ -20,6 +20,7 @@ public fun Board.toJson(): String = graphs.joinToString(",", "{\"graphs\":[", "]
         appendSpan("right", graph.rightYRange)
         if (graph.sharesY) append(",\"shared\":true")
         graph.height?.let { append(",\"height\":").append(it) }
+        if (graph.isXy) append(",\"xy\":true")
         val hidden = graph.lines.filter { it in graph.hidden }
         if (hidden.isNotEmpty()) hidden.joinTo(this, ",", ",\"hidden\":[", "]", transform = ::quotedJson)
         append('}')
@@ -58,6 +59,7 @@ private fun graphOf(id: Int, graph: JsonValue): BoardGraph {
         sharesY = graph.isSet("shared", id),
         height = graph["height"]?.let { graph.number("height", id).coerceIn(HEIGHTS).toInt() },
         hidden = graph["hidden"]?.items.orEmpty().mapNotNullTo(HashSet()) { item -> item.text?.takeIf { it in names } },
+        isXy = graph.isSet("xy", id),
     )
 }
 

@@ -25,6 +25,7 @@ public fun Board.toText(): String = graphs.joinToString(";") { graph ->
         graph.rightYRange?.takeIf(::isWritable)?.let { append(",r=").append(spanText(it)) }
         if (graph.sharesY) append(",s=")
         graph.height?.let { append(",h=").append(it) }
+        if (graph.isXy) append(",p=")
         val hidden = graph.lines.indices.filter { graph.lines[it] in graph.hidden }
         if (hidden.isNotEmpty()) hidden.joinTo(this, ":", ",x=")
     }
@@ -57,6 +58,7 @@ private fun graphOf(id: Int, text: String): BoardGraph {
                 'r' -> graph = graph.copy(rightYRange = spanOf(value))
                 's' -> graph = graph.copy(sharesY = true)
                 'x' -> hidden = value.split(':').mapNotNullTo(HashSet()) { it.toIntOrNull() }
+                'p' -> graph = graph.copy(isXy = true)
                 'h' -> graph = graph.copy(height = heightOf(value))
                 else -> throw BoardException("Graph $id has “${part[0]}”, which this badlog does not know; update it to open this.")
             }

@@ -8,11 +8,14 @@ import badlog.rules.LogShape
 import badlog.rules.signal.SignalTopics
 import badlog.rules.signal.SignalVocabulary
 
-/** The graphs that a log begins with: [defaultBoard], where that is one that a person can look through, else [boardOfLarge]. */
-public fun standardBoard(view: LogView, vocabulary: SignalVocabulary): Board = boardOfLarge(view, vocabulary) ?: defaultBoard(view)
+/**
+ * The graphs that a log begins with: [pathBoard], then [defaultBoard], where that is one that a person can look through, else [boardOfLarge].
+ */
+public fun standardBoard(view: LogView, vocabulary: SignalVocabulary): Board =
+    boardOfLarge(view, vocabulary) ?: pathBoard(view).withGraphs(defaultBoard(view).graphs)
 
 /**
- * The graphs that a log begins with that has more than a person looks through, null for another one: first those of the signals of
+ * The graphs that a log begins with that has more than a person looks through, null for another one: [pathBoard], then those of the signals of
  * [vocabulary] that change: battery and current, modes, loop time, loads, outputs; then those of the others that [outlineOf] draws, of
  * several topics before those of one.
  */
@@ -30,10 +33,11 @@ public fun boardOfLarge(view: LogView, vocabulary: SignalVocabulary): Board? {
         val joint = together.filter { graph -> graph.lines.any { it in names } }
         joint + graphsOf(view, names - joint.flatMap { it.lines }.toSet(), vocabulary)
     }.distinctBy { it.lines }
+    val path = pathBoard(view)
     val shown = first.flatMapTo(HashSet()) { it.lines }
     val others = outlined.map { it.second }.filter { graph -> graph.lines.none { it in shown } }
-        .sortedByDescending { it.lines.size > 1 }.take(maxOf(0, MOST - first.size))
-    return Board((first + others).mapIndexed { i, graph -> graph.copy(id = i + 1) })
+        .sortedByDescending { it.lines.size > 1 }.take(maxOf(0, MOST - first.size - path.graphs.size))
+    return path.withGraphs(first + others)
 }
 
 private fun namesOf(signal: String, topics: SignalTopics) = topics.of(signal).map { it.topic }

@@ -39,6 +39,7 @@ public class Strokes {
         private set
 
     private var ends = IntArray(0)
+    private var size = 0
 
     /** Where in [points] stroke [index] begins. */
     public fun startOf(index: Int): Int = if (index == 0) 0 else ends[index - 1]
@@ -52,21 +53,31 @@ public class Strokes {
         isDense = curve.isDense
         min = curve.min
         max = curve.max
-        count = 0
-        dotsSize = 0
-        if (points.size < 2 * curve.size) points = DoubleArray(2 * curve.size)
-        var size = 0
+        begin()
         for (i in 0 until curve.size) {
             val value = curve.y[i]
             if (value.isNaN()) {
-                end(size)
+                lift()
                 continue
             }
-            points[size++] = x.placeOf(curve.x[i])
-            points[size++] = y.placeOf(value)
-            if (if (isSparse) !curve.isCorner(i) else isAlone(curve, i)) addDot(points[size - 2], points[size - 1])
+            add(x.placeOf(curve.x[i]), y.placeOf(value))
+            if (if (isSparse) !curve.isCorner(i) else isAlone(curve, i)) dot(points[size - 2], points[size - 1])
         }
-        end(size)
+        lift()
+    }
+
+    /** Forgets all strokes and dots. */
+    internal fun begin() {
+        count = 0
+        size = 0
+        dotsSize = 0
+    }
+
+    /** Draws on to ([x], [y]). */
+    internal fun add(x: Double, y: Double) {
+        if (size == points.size) points = points.copyOf(maxOf(FIRST_POINTS, size * 2))
+        points[size++] = x
+        points[size++] = y
     }
 
     /** Puts y where [y] says, of strokes that were traced with y as it was logged: its scale may be known only when others are traced. */
@@ -75,13 +86,22 @@ public class Strokes {
         for (i in 1 until dotsSize step 2) dots[i] = y.placeOf(dots[i])
     }
 
-    private fun end(size: Int) {
+    /** Puts everything where [x] and [y] say. */
+    public fun place(x: Scale, y: Scale) {
+        for (i in 0 until size step 2) points[i] = x.placeOf(points[i])
+        for (i in 0 until dotsSize step 2) dots[i] = x.placeOf(dots[i])
+        place(y)
+    }
+
+    /** Ends the stroke; what is added next begins another one. */
+    internal fun lift() {
         if (size == (if (count == 0) 0 else ends[count - 1])) return
         if (count == ends.size) ends = ends.copyOf(maxOf(FIRST_STROKES, count * 2))
         ends[count++] = size
     }
 
-    private fun addDot(x: Double, y: Double) {
+    /** Puts a dot at ([x], [y]). */
+    internal fun dot(x: Double, y: Double) {
         if (dotsSize == dots.size) dots = dots.copyOf(maxOf(FIRST_DOTS, dotsSize * 2))
         dots[dotsSize++] = x
         dots[dotsSize++] = y
@@ -91,6 +111,7 @@ public class Strokes {
         (index == 0 || curve.y[index - 1].isNaN()) && (index == curve.size - 1 || curve.y[index + 1].isNaN())
 
     private companion object {
+        const val FIRST_POINTS = 512
         const val FIRST_STROKES = 8
         const val FIRST_DOTS = 32
     }

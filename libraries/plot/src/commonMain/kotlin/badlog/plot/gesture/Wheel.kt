@@ -33,7 +33,7 @@ public class Wheel {
         val before = if (now - last > PAUSE) viewport.remembered() else viewport
         last = now
         return if (ctrl) {
-            before.scaled(exp(down.coerceIn(-MAX_TURN, MAX_TURN) * SPEED), x)
+            before.scaled(factorOf(down), x)
         } else {
             before.shifted(sideways / width * viewport.visible.width)
         }
@@ -42,6 +42,10 @@ public class Wheel {
     public companion object {
         /** So many CSS pixels or dp is a notch of a wheel whose turns are counted. */
         public const val NOTCH: Double = 40.0
+
+        /** How many times as much is seen after a turn [down] with Ctrl. */
+        public fun factorOf(down: Double): Double = exp(down.coerceIn(-MAX_TURN, MAX_TURN) * SPEED)
+
         private const val PAUSE = 500.0
         private const val MAX_TURN = 60.0
         private const val SPEED = 0.008

@@ -5,7 +5,7 @@ package badlog.plot.outline
  * one thing where [words] are the same and one of them [isTarget]:
  *
  * - A name is read as its words, those of its folders too: `Chassis/ActualFrontLeft/speed` is *chassis actual front left speed*.
- * - One word of [TARGETS] in it makes it a target; that word is left out: *chassis front left speed*. A name with two is neither.
+ * - One word of [TARGET_WORDS] in it makes it a target; that word is left out: *chassis front left speed*. A name with two is neither.
  * - One word of [ACTUALS] is left out of any other name. *Current* is one only before what it describes, as in *current angle*: at the
  *   end of a name it is amperes.
  *
@@ -18,7 +18,7 @@ internal class Thing private constructor(val words: List<String>, val isTarget: 
         /** What [name] is about; null where that is not clear. */
         fun of(name: String): Thing? {
             val words = wordsOf(name)
-            val targets = words.indices.filter { words[it] in TARGETS }
+            val targets = words.indices.filter { words[it] in TARGET_WORDS }
             if (targets.size > 1) return null
             val target = targets.firstOrNull()
             if (target != null) {
@@ -32,16 +32,16 @@ internal class Thing private constructor(val words: List<String>, val isTarget: 
 
         private const val CURRENT = "current"
 
-        /** What says that something was wanted. */
-        private val TARGETS = setOf(
-            "target", "targets", "setpoint", "setpoints", "goal", "goals", "desired", "reference", "ref", "commanded", "command", "cmd",
-            "demand", "demanded", "requested", "wanted", "optimized",
-        )
-
         /** What says that something came of it. */
         private val ACTUALS = setOf("actual", "actuals", "measured", "measurement", "current", "observed", "feedback", "estimated")
     }
 }
+
+/** What says that something was wanted. */
+internal val TARGET_WORDS = setOf(
+    "target", "targets", "setpoint", "setpoints", "goal", "goals", "desired", "reference", "ref", "commanded", "command", "cmd",
+    "demand", "demanded", "requested", "wanted", "optimized",
+)
 
 /** The words of [name] in lower case: parted by what is no letter or digit, by capitals, and before digits. */
 internal fun wordsOf(name: String): List<String> {

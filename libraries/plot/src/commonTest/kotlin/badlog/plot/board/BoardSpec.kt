@@ -43,6 +43,7 @@ class BoardSpec : FunSpec({
             rightYRange = range.orNull().bind(),
             sharesY = Arb.boolean().bind(),
             hidden = lines.filterTo(HashSet()) { Arb.boolean().bind() },
+            isXy = Arb.boolean().bind(),
         )
     }
     val board = arbitrary { Board(Arb.list(graph, 0..6).bind().mapIndexed { i, it -> it.copy(id = i + 1) }) }
@@ -175,6 +176,15 @@ class BoardSpec : FunSpec({
     test("a board written by a newer badlog is read but for what is not known") {
         boardOfJson("""{"graphs":[{"title":"A","lines":["A","B"],"hidden":["B","C",3],"glow":{"color":1}}]}""").graphs shouldBe
             listOf(BoardGraph(1, "A", listOf("A", "B"), hidden = setOf("B")))
+    }
+
+    test("lines over each other are another graph than the same lines over time, and have no such graphs of their own") {
+        val over = Board().withGraph(listOf("A", "B")).withXy(1, true)
+        over.has(BoardGraph(0, "A", listOf("A", "B"))) shouldBe false
+        over.has(over.graphs[0]) shouldBe true
+        over.toText() shouldBe "A,B,p="
+        over.separated(1).graphs.map { it.isXy } shouldBe listOf(false, false)
+        over.withXy(1, false).showsSame(Board().withGraph(listOf("A", "B"))) shouldBe true
     }
 
     test("what draws a signal goes with it, and takes its new name") {

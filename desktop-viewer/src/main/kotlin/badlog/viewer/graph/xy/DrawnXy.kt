@@ -1,0 +1,42 @@
+package badlog.viewer.graph.xy
+
+import badlog.analysis.Span
+import badlog.plot.board.BoardGraph
+import badlog.plot.path.Departure
+import badlog.plot.path.Plane
+import badlog.plot.path.XyPlot
+import badlog.plot.path.XyTrace
+import badlog.viewer.compare.DrawnRecording
+
+/**
+ * What one of the recordings that are drawn shows of y over x.
+ *
+ * @property index its place among those recordings, of which there are [count].
+ */
+internal class DrawnXy(val drawn: DrawnRecording, val plot: XyPlot, private val index: Int, private val count: Int) {
+    /** Where the robot left its plan. */
+    val departure: Departure? by lazy { plot.departure(drawn.recording.view) }
+
+    /** Which of the palette's colors [trace] has: as in other graphs, of several recordings the first ones tell them apart. */
+    fun colorOf(trace: XyTrace): Int = trace.color * count + index
+
+    /** What of its own x is seen where the window shows [visible]. */
+    fun own(visible: Span): Span = Span(visible.from - drawn.offset, visible.to - drawn.offset)
+
+    /** What of it is not hidden in [spec]. */
+    fun shown(spec: BoardGraph): List<XyTrace> = plot.traces.filter { trace -> trace.lines.none { it in spec.hidden } }
+}
+
+/** What each of [recordings] shows of [lines], where it has any. */
+internal fun drawnXys(lines: List<String>, recordings: List<DrawnRecording>): List<DrawnXy> = recordings.mapIndexedNotNull { i, drawn ->
+    drawn.recording.xyPlot(lines)?.let { DrawnXy(drawn, it, i, recordings.size) }
+}
+
+/** All there is to see of [xys], on [width] by [height] pixels; null for nothing. */
+internal fun wholeOf(xys: List<DrawnXy>, width: Float, height: Float): Plane? {
+    val first = xys.firstOrNull() ?: return null
+    val whole = Plane(spanOf(xys.map { it.plot.full.x }), spanOf(xys.map { it.plot.full.y }))
+    return if (first.plot.isField) whole.fitted(width.toDouble(), height.toDouble()) else whole
+}
+
+private fun spanOf(spans: List<Span>) = Span(spans.minOf { it.from }, spans.maxOf { it.to })

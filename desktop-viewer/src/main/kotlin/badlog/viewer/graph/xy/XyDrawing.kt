@@ -1,0 +1,196 @@
+package badlog.viewer.graph.xy
+
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Rect
+import androidx.compose.ui.geometry.Size
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.graphics.Path
+import androidx.compose.ui.graphics.PathEffect
+import androidx.compose.ui.graphics.PointMode
+import androidx.compose.ui.graphics.StrokeCap
+import androidx.compose.ui.graphics.drawscope.DrawScope
+import androidx.compose.ui.graphics.drawscope.Stroke
+import androidx.compose.ui.text.TextMeasurer
+import androidx.compose.ui.text.TextStyle
+import androidx.compose.ui.text.drawText
+import androidx.compose.ui.unit.sp
+import badlog.analysis.Span
+import badlog.plot.axis.Ticks
+import badlog.plot.board.BoardGraph
+import badlog.plot.curve.Strokes
+import badlog.plot.path.Field
+import badlog.plot.path.Plane
+import badlog.plot.path.PoseRole
+import badlog.plot.path.XyPlot
+import badlog.plot.path.XyTrace
+import badlog.plot.text.placeText
+import badlog.plot.text.withUnit
+import badlog.viewer.theme.Palette
+
+/** The numbers of both axes, around the frame [box]. */
+internal fun DrawScope.drawXyAxes(plane: Plane, box: Rect, plot: XyPlot, letters: TextMeasurer, palette: Palette) {
+    val style = TextStyle(color = palette.muted, fontSize = 11.sp)
+    val gap = GAP * density
+    val across = Ticks.ofX(plane.x, (box.width / density).toDouble())
+    val title = letters.measure(plot.xTitle, style)
+    val titleAt = box.right - title.size.width
+    across.texts.forEachIndexed { i, number ->
+        val text = letters.measure(number, style)
+        val at = box.left + plane.xScale(box.width.toDouble()).placeOf(across.values[i]).toFloat() - text.size.width / 2
+        if (at + text.size.width + gap < titleAt) drawText(text, topLeft = Offset(maxOf(at, 0f), box.bottom + gap / 2))
+    }
+    drawText(title, topLeft = Offset(titleAt, box.bottom + gap / 2))
+    val up = Ticks.ofY(plane.y, (box.height / density).toDouble())
+    val yTitle = letters.measure(plot.yTitle, style)
+    up.texts.forEachIndexed { i, number ->
+        val text = letters.measure(number, style)
+        val at = plane.yScale(box.height.toDouble()).placeOf(up.values[i]).toFloat() - text.size.height / 2
+        if (at >
+            yTitle.size.height
+        ) {
+            drawText(text, topLeft = Offset(box.left - gap - text.size.width, minOf(at, box.height - text.size.height)))
+        }
+    }
+    drawText(yTitle, topLeft = Offset(maxOf(0f, box.left - gap - yTitle.size.width), 0f))
+}
+
+/** The lines behind the traces: a grid, or the field. */
+internal fun DrawScope.drawXyGround(plane: Plane, plot: XyPlot, palette: Palette) {
+    val x = plane.xScale(size.width.toDouble())
+    val y = plane.yScale(size.height.toDouble())
+    val grid = palette.text.copy(alpha = GRID)
+    for (value in Ticks.ofX(plane.x, size.width.toDp().value.toDouble()).values) {
+        drawLine(grid, Offset(x.placeOf(value).toFloat(), 0f), Offset(x.placeOf(value).toFloat(), size.height))
+    }
+    for (value in Ticks.ofY(plane.y, size.height.toDp().value.toDouble()).values) {
+        drawLine(grid, Offset(0f, y.placeOf(value).toFloat()), Offset(size.width, y.placeOf(value).toFloat()))
+    }
+    if (!plot.isField) return
+    fun at(fieldX: Double, fieldY: Double) = Offset(x.placeOf(fieldX).toFloat(), y.placeOf(fieldY).toFloat())
+    val corner = at(0.0, Field.WIDTH)
+    val other = at(Field.LENGTH, 0.0)
+    drawRect(palette.muted, corner, Size(other.x - corner.x, other.y - corner.y), style = Stroke(1.5f * density))
+    drawLine(palette.muted.copy(alpha = QUIET), at(Field.LENGTH / 2, 0.0), at(Field.LENGTH / 2, Field.WIDTH), 1f * density)
+    drawLine(BLUE, at(0.0, 0.0), at(0.0, Field.WIDTH), WALL * density)
+    drawLine(RED, at(Field.LENGTH, 0.0), at(Field.LENGTH, Field.WIDTH), WALL * density)
+}
+
+/** All traces of [xy]: faint what is not [visible], and above it what is. */
+internal fun DrawScope.drawXyTraces(xy: DrawnXy, spec: BoardGraph, plane: Plane, visible: Span, palette: Palette) {
+    val own = xy.own(visible)
+    val all = Span(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY)
+    val isAll = xy.drawn.recording.span.let { it.from in own && it.to in own }
+    for (trace in xy.shown(spec)) {
+        val color = palette.line(xy.colorOf(trace))
+        if (!isAll && xy.plot.isField) drawXyTrace(trace, all, plane, color.copy(alpha = FAINT))
+        drawXyTrace(trace, own, plane, color)
+    }
+}
+
+private fun DrawScope.drawXyTrace(trace: XyTrace, span: Span, plane: Plane, color: Color) {
+    if (trace.followers.isNotEmpty()) return
+    val strokes = Strokes()
+    trace.draw(span, plane, size.width.toInt(), size.height.toInt(), strokes)
+    drawXyStrokes(strokes, color, isDashed = trace.role == PoseRole.PLANNED)
+}
+
+private fun DrawScope.drawXyStrokes(strokes: Strokes, color: Color, isDashed: Boolean) {
+    val path = Path()
+    for (i in 0 until strokes.count) {
+        for (at in strokes.startOf(i) until strokes.endOf(i) step 2) {
+            val x = strokes.points[at].toFloat()
+            val y = strokes.points[at + 1].toFloat()
+            if (at == strokes.startOf(i)) path.moveTo(x, y) else path.lineTo(x, y)
+        }
+    }
+    val dashes = if (isDashed) PathEffect.dashPathEffect(floatArrayOf(DASH * density, DASH * density * GAP_SHARE)) else null
+    drawPath(path, color, style = Stroke(LINE * density, pathEffect = dashes))
+    val dots = List(strokes.dotsSize / 2) { Offset(strokes.dots[2 * it].toFloat(), strokes.dots[2 * it + 1].toFloat()) }
+    drawPoints(dots, PointMode.Points, color, DOT * density, StrokeCap.Round)
+}
+
+/** What [xy] comes to: where the robot left its plan, or the straight line through the samples with what it says. */
+internal fun DrawScope.drawXyNotes(xy: DrawnXy, plane: Plane, visible: Span, letters: TextMeasurer, palette: Palette) {
+    val x = plane.xScale(size.width.toDouble())
+    val y = plane.yScale(size.height.toDouble())
+    fun note(text: String, at: Offset, color: Color) {
+        val measured = letters.measure(text, TextStyle(color = color, fontSize = 12.sp))
+        val left = at.x.coerceIn(0f, maxOf(0f, size.width - measured.size.width))
+        val top = at.y.coerceIn(0f, maxOf(0f, size.height - measured.size.height))
+        drawRect(palette.surface.copy(alpha = VEIL), Offset(left, top), Size(measured.size.width.toFloat(), measured.size.height.toFloat()))
+        drawText(measured, topLeft = Offset(left, top))
+    }
+    xy.departure?.let { departure ->
+        val trail = xy.plot.driven?.trail ?: return@let
+        val place = Offset(x.placeOf(trail.x[departure.index]).toFloat(), y.placeOf(trail.y[departure.index]).toFloat())
+        drawCircle(palette.warning, RING * density, place, style = Stroke(2f * density))
+        val axis = xy.drawn.recording.view.xAxis
+        val moment = withUnit(placeText(departure.time, axis, xy.drawn.recording.span.width), axis.unit)
+        note(departure.text(moment), place + Offset(RING * density, RING * density), palette.warning)
+    }
+    xy.plot.lineFit(xy.own(visible))?.let { fit ->
+        fun at(value: Double) = Offset(x.placeOf(value).toFloat(), y.placeOf(fit.offset + fit.slope * value).toFloat())
+        drawLine(palette.muted, at(plane.x.from), at(plane.x.to), LINE * density)
+        note(xy.plot.textOf(fit), Offset(size.width, 0f), palette.text)
+    }
+}
+
+/** Where everything is at [cursor]: robots with their bows, planned ones as outlines alone, what else there is as a dot. */
+internal fun DrawScope.drawXyCursor(xy: DrawnXy, spec: BoardGraph, plane: Plane, cursor: Double, palette: Palette) {
+    val time = cursor - xy.drawn.offset
+    val x = plane.xScale(size.width.toDouble())
+    val y = plane.yScale(size.height.toDouble())
+    for (trace in xy.shown(spec)) {
+        val color = palette.line(xy.colorOf(trace))
+        if (trace.followers.isNotEmpty()) {
+            drawPath(pathOf(trace.chainAt(time), plane), color, style = Stroke(LINE * density))
+            continue
+        }
+        val index = trace.indexAt(time)
+        if (index < 0) continue
+        if (xy.plot.isField && trace.role != PoseRole.SEEN) {
+            val robot = pathOf(trace.robotAt(time), plane).apply { close() }
+            if (trace.role == PoseRole.DRIVEN) drawPath(robot, color.copy(alpha = FILL))
+            drawPath(robot, color, style = Stroke(LINE * density))
+        }
+        val place = Offset(x.placeOf(trace.trail.x[index]).toFloat(), y.placeOf(trace.trail.y[index]).toFloat())
+        drawCircle(palette.surface, DOT * density, place)
+        drawCircle(color, (DOT - 1) * density, place)
+    }
+}
+
+/** What the modules of a swerve drive were told, and did, at [cursor]. */
+internal fun DrawScope.drawXyArrows(xy: DrawnXy, plane: Plane, cursor: Double, palette: Palette) {
+    for (arrow in xy.plot.arrowsAt(cursor - xy.drawn.offset)) {
+        val width = if (arrow.isTarget) TARGET_ARROW else LINE
+        drawPath(pathOf(arrow.places, plane), if (arrow.isTarget) palette.muted else palette.accent, style = Stroke(width * density))
+    }
+}
+
+private fun DrawScope.pathOf(places: DoubleArray, plane: Plane): Path {
+    val x = plane.xScale(size.width.toDouble())
+    val y = plane.yScale(size.height.toDouble())
+    val path = Path()
+    for (i in places.indices step 2) {
+        val atX = x.placeOf(places[i]).toFloat()
+        val atY = y.placeOf(places[i + 1]).toFloat()
+        if (i == 0) path.moveTo(atX, atY) else path.lineTo(atX, atY)
+    }
+    return path
+}
+
+private val BLUE = Color(0xFF2F6FDE)
+private val RED = Color(0xFFD93A3A)
+private const val GAP = 6
+private const val GRID = 0.08f
+private const val QUIET = 0.5f
+private const val WALL = 3
+private const val FAINT = 0.25f
+private const val FILL = 0.25f
+private const val VEIL = 0.85f
+private const val LINE = 1.75f
+private const val TARGET_ARROW = 3.5f
+private const val DASH = 6f
+private const val GAP_SHARE = 0.7f
+private const val DOT = 4f
+private const val RING = 9

@@ -1,0 +1,90 @@
+package badlog.viewer.graph.xy
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.Spacer
+import androidx.compose.foundation.layout.height
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.layout.width
+import androidx.compose.foundation.layout.widthIn
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.remember
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.drawBehind
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.TextStyle
+import androidx.compose.ui.text.drawText
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.rememberTextMeasurer
+import androidx.compose.ui.text.style.TextDecoration
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import badlog.plot.board.BoardGraph
+import badlog.plot.path.XyTrace
+import badlog.viewer.compare.shortLabel
+import badlog.viewer.graph.scene.GraphScene
+import badlog.viewer.theme.LocalPalette
+
+/** The traces of [spec], each with where it is at the cursor. */
+@Composable
+internal fun XyLegend(scene: GraphScene, spec: BoardGraph) {
+    val recordings = scene.recordings
+    val xys = remember(spec.lines, recordings) { drawnXys(spec.lines, recordings) }
+    if (xys.isEmpty()) Text("not in this log", color = LocalPalette.current.muted, fontSize = 12.sp)
+    for (xy in xys) for (trace in xy.plot.traces.asReversed().take(MAX_ENTRIES)) XyEntry(scene, spec, xy, trace, recordings.size > 1)
+}
+
+@Composable
+private fun XyEntry(scene: GraphScene, spec: BoardGraph, xy: DrawnXy, trace: XyTrace, isCompared: Boolean) {
+    val palette = LocalPalette.current
+    val isHidden = trace.lines.any { it in spec.hidden }
+    val toggle = { scene.board.change { trace.lines.fold(this) { board, name -> board.withLineHidden(spec.id, name, !isHidden) } } }
+    Row(
+        Modifier.clickable(role = Role.Button, onClick = toggle)
+            .semantics { contentDescription = if (isHidden) "Show ${trace.name}" else "Hide ${trace.name}" },
+        horizontalArrangement = Arrangement.spacedBy(5.dp),
+        verticalAlignment = Alignment.CenterVertically,
+    ) {
+        val color = palette.line(xy.colorOf(trace)).copy(alpha = if (isHidden) HIDDEN else 1f)
+        Spacer(Modifier.size(10.dp, 3.dp).background(color, RoundedCornerShape(2.dp)))
+        Text(
+            listOfNotNull(trace.name, if (isCompared) shortLabel(xy.drawn.name, LABEL_LETTERS) else null).joinToString(" · "),
+            Modifier.widthIn(max = 260.dp),
+            color = if (isHidden) palette.muted else palette.text,
+            fontSize = 12.sp,
+            textDecoration = if (isHidden) TextDecoration.LineThrough else null,
+            maxLines = 1,
+            overflow = TextOverflow.Ellipsis,
+        )
+        XyValue(scene, xy, trace)
+    }
+}
+
+/** Where [trace] is at the cursor. It is drawn, not laid out: the cursor moves at the speed of the mouse. */
+@Composable
+private fun XyValue(scene: GraphScene, xy: DrawnXy, trace: XyTrace) {
+    val palette = LocalPalette.current
+    val letters = rememberTextMeasurer()
+    val style = remember(palette) { TextStyle(color = palette.text, fontSize = 12.sp, fontWeight = FontWeight.Medium) }
+    Spacer(
+        Modifier.width(if (xy.plot.isField) FIELD_WIDTH else PLAIN_WIDTH).height(17.dp).drawBehind {
+            val cursor = scene.view.cursor ?: return@drawBehind
+            val text = trace.textAt(cursor - xy.drawn.offset, xy.plot.isField)
+            drawText(letters.measure(text, style, softWrap = false, maxLines = 1))
+        },
+    )
+}
+
+private val FIELD_WIDTH = 130.dp
+private val PLAIN_WIDTH = 90.dp
+private const val HIDDEN = 0.35f
+private const val MAX_ENTRIES = 8
+private const val LABEL_LETTERS = 20

@@ -1,0 +1,89 @@
+package badlog.viewer.graph.xy
+
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Spacer
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.padding
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.DisposableEffect
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clipToBounds
+import androidx.compose.ui.draw.drawBehind
+import androidx.compose.ui.geometry.Rect
+import androidx.compose.ui.graphics.graphicsLayer
+import androidx.compose.ui.input.pointer.PointerIcon
+import androidx.compose.ui.input.pointer.pointerHoverIcon
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.rememberTextMeasurer
+import androidx.compose.ui.unit.dp
+import badlog.plot.board.BoardGraph
+import badlog.viewer.graph.scene.GraphScene
+import badlog.viewer.theme.LocalPalette
+
+/** The plot of [spec], whose lines are drawn over each other or as paths on a field, with its axes. */
+@Composable
+internal fun XyPane(scene: GraphScene, spec: BoardGraph, modifier: Modifier) {
+    val palette = LocalPalette.current
+    val recordings = scene.recordings
+    val xys = remember(spec.lines, recordings) { drawnXys(spec.lines, recordings) }
+    val letters = rememberTextMeasurer(cacheSize = TEXTS)
+    var covered by remember(spec.id) { mutableStateOf<Rect?>(null) }
+    DisposableEffect(spec.id) {
+        scene.plots.show(spec.id, true, needsPicture = false)
+        onDispose { scene.plots.show(spec.id, false) }
+    }
+    fun planeOn(width: Float, height: Float) =
+        scene.planes[spec.id]?.let { if (isField(xys)) it.fitted(width.toDouble(), height.toDouble()) else it }
+            ?: wholeOf(xys, width, height)
+    Box(modifier) {
+        val frame = Modifier.fillMaxSize().padding(start = GraphScene.LEFT_GUTTER, end = scene.rightGutter, bottom = BELOW)
+        Spacer(
+            Modifier.fillMaxSize().drawBehind {
+                val left = GraphScene.LEFT_GUTTER.toPx()
+                val box = Rect(left, 0f, size.width - scene.rightGutter.toPx(), size.height - BELOW.toPx())
+                if (box.width > 0 &&
+                    box.height > 0
+                ) {
+                    planeOn(box.width, box.height)?.let { drawXyAxes(it, box, xys[0].plot, letters, palette) }
+                }
+            },
+        )
+        Box(
+            frame
+                .pointerHoverIcon(PointerIcon.Crosshair)
+                .semantics { contentDescription = "Plot ${spec.title}" }
+                .xyPointer(scene, spec.id, xys, ::planeOn) { covered = it },
+        ) {
+            Spacer(
+                Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind {
+                    val plane = planeOn(size.width, size.height) ?: return@drawBehind
+                    drawXyGround(plane, xys[0].plot, palette)
+                    for (xy in xys) drawXyTraces(xy, spec, plane, scene.view.viewport.visible, palette)
+                    for (xy in xys) drawXyNotes(xy, plane, scene.view.viewport.visible, letters, palette)
+                },
+            )
+            Spacer(
+                Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind {
+                    val plane = planeOn(size.width, size.height) ?: return@drawBehind
+                    covered?.let { drawRect(palette.accent.copy(alpha = COVERED), it.topLeft, it.size) }
+                    val cursor = scene.view.cursor ?: return@drawBehind
+                    for (xy in xys) {
+                        drawXyCursor(xy, spec, plane, cursor, palette)
+                        drawXyArrows(xy, plane, cursor, palette)
+                    }
+                },
+            )
+        }
+    }
+}
+
+internal fun isField(xys: List<DrawnXy>) = xys.firstOrNull()?.plot?.isField == true
+
+private val BELOW = 20.dp
+private const val TEXTS = 64
+private const val COVERED = 0.16f

@@ -1,0 +1,167 @@
+package badlog.viewer.graph.xy
+
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Rect
+import androidx.compose.ui.input.pointer.AwaitPointerEventScope
+import androidx.compose.ui.input.pointer.PointerEvent
+import androidx.compose.ui.input.pointer.PointerEventType
+import androidx.compose.ui.input.pointer.PointerInputChange
+import androidx.compose.ui.input.pointer.PointerType
+import androidx.compose.ui.input.pointer.isCtrlPressed
+import androidx.compose.ui.input.pointer.isMetaPressed
+import androidx.compose.ui.input.pointer.isShiftPressed
+import androidx.compose.ui.input.pointer.isTertiaryPressed
+import androidx.compose.ui.input.pointer.pointerInput
+import badlog.plot.gesture.DoubleClick
+import badlog.plot.gesture.DragKind
+import badlog.plot.gesture.Wheel
+import badlog.plot.path.Plane
+import badlog.viewer.graph.scene.GraphScene
+
+/**
+ * Lets the pointer put the cursor where the path passes it, zoom and pan over graph [id], as over other graphs.
+ *
+ * @param planeOn what is seen on so many pixels.
+ * @param onCover hears what a drag covers, in pixels; null for nothing any more.
+ */
+internal fun Modifier.xyPointer(
+    scene: GraphScene,
+    id: Int,
+    xys: List<DrawnXy>,
+    planeOn: (width: Float, height: Float) -> Plane?,
+    onCover: (Rect?) -> Unit,
+): Modifier = pointerInput(scene, id, xys) {
+    awaitPointerEventScope {
+        val pointer = XyPointer(this, scene, id, xys, planeOn, onCover)
+        while (true) pointer.hear(awaitPointerEvent())
+    }
+}
+
+private class XyPointer(
+    private val scope: AwaitPointerEventScope,
+    private val scene: GraphScene,
+    private val id: Int,
+    private val xys: List<DrawnXy>,
+    private val planeOn: (width: Float, height: Float) -> Plane?,
+    private val onCover: (Rect?) -> Unit,
+) {
+    private val clicks = DoubleClick()
+    private var pressedAt: Offset? = null
+    private var before: Plane? = null
+    private var isPan = false
+    private var isDragging = false
+
+    private val width get() = scope.size.width.toFloat()
+    private val height get() = scope.size.height.toFloat()
+    private val plane get() = planeOn(width, height)
+
+    fun hear(event: PointerEvent) {
+        val change = event.changes.first()
+        when (event.type) {
+            PointerEventType.Press -> press(event, change)
+            PointerEventType.Move, PointerEventType.Enter -> move(change)
+            PointerEventType.Exit -> if (pressedAt == null) scene.gestures.leave()
+            PointerEventType.Release -> release(event, change)
+            PointerEventType.Scroll -> scroll(event, change)
+            else -> Unit
+        }
+    }
+
+    private fun press(event: PointerEvent, change: PointerInputChange) {
+        if (change.isConsumed) return
+        pressedAt = change.position
+        before = plane
+        isDragging = false
+        isPan = event.keyboardModifiers.isShiftPressed || event.buttons.isTertiaryPressed || change.type == PointerType.Touch
+        change.consume()
+    }
+
+    private fun move(change: PointerInputChange) {
+        val start = pressedAt
+        if (start == null) {
+            timeAt(change.position)?.let(scene.gestures::hover)
+            return
+        }
+        if (!isDragging && (change.position - start).getDistance() < DragKind.MIN_DISTANCE * scope.density) return
+        isDragging = true
+        change.consume()
+        if (isPan) {
+            val plane = before ?: return
+            show(
+                plane.shifted(
+                    share(start.x - change.position.x, width) * plane.x.width,
+                    share(change.position.y - start.y, height) * plane.y.width,
+                ),
+            )
+        } else {
+            onCover(
+                Rect(
+                    minOf(start.x, change.position.x),
+                    minOf(start.y, change.position.y),
+                    maxOf(start.x, change.position.x),
+                    maxOf(start.y, change.position.y),
+                ),
+            )
+        }
+    }
+
+    private fun release(event: PointerEvent, change: PointerInputChange) {
+        val start = pressedAt ?: return
+        pressedAt = null
+        onCover(null)
+        change.consume()
+        val place = change.position
+        if (!isDragging) {
+            click(event, change)
+        } else if (!isPan) {
+            before?.part(share(start.x, width), share(start.y, height), share(place.x, width), share(place.y, height))?.let(::show)
+        }
+    }
+
+    private fun click(event: PointerEvent, change: PointerInputChange) {
+        if (clicks.isSecond((change.position.x / scope.density).toDouble(), change.uptimeMillis.toDouble())) {
+            scene.planes.remove(id)
+        } else {
+            timeAt(change.position)?.let { scene.gestures.click(it, reach = 0.0, event.keyboardModifiers.isShiftPressed) }
+        }
+    }
+
+    private fun scroll(event: PointerEvent, change: PointerInputChange) {
+        val keys = event.keyboardModifiers
+        val plane = plane ?: return
+        val down = change.scrollDelta.y.toDouble() * Wheel.NOTCH
+        if (!keys.isCtrlPressed && !keys.isMetaPressed) return
+        val x = plane.xAt(share(change.position.x, width))
+        show(plane.scaled(Wheel.factorOf(down), x, plane.yAt(share(change.position.y, height))))
+        change.consume()
+    }
+
+    private fun show(plane: Plane) {
+        val seen = if (isField(xys)) plane.fitted(width.toDouble(), height.toDouble()) else plane
+        if (seen.isDrawable) scene.planes[id] = seen
+    }
+
+    /** When the path of the first recording passed [place]; null where it is not near. */
+    private fun timeAt(place: Offset): Double? {
+        val xy = xys.firstOrNull() ?: return null
+        val plane = plane ?: return null
+        val time = xy.plot.timeAt(
+            x = plane.xAt(share(place.x, width)),
+            y = plane.yAt(share(place.y, height)),
+            pixelX = plane.x.width / width,
+            pixelY = plane.y.width / height,
+            reach = (REACH * scope.density).toDouble(),
+            visible = xy.own(scene.view.viewport.visible),
+            before = scene.view.cursor?.let { it - xy.drawn.offset },
+        )
+        return if (time.isNaN()) null else time + xy.drawn.offset
+    }
+
+    private fun share(pixels: Float, of: Float) = (pixels / of).toDouble()
+
+    private companion object {
+        /** So far beside the path the pointer still means it, in dp. */
+        const val REACH = 60
+    }
+}

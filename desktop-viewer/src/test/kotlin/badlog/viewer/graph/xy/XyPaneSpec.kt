@@ -1,0 +1,131 @@
+package badlog.viewer.graph.xy
+
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.graphics.ImageBitmap
+import androidx.compose.ui.graphics.toPixelMap
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.test.DesktopComposeUiTest
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.ScrollWheel
+import androidx.compose.ui.test.click
+import androidx.compose.ui.test.doubleClick
+import androidx.compose.ui.test.onNodeWithContentDescription
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performMouseInput
+import androidx.compose.ui.test.performMultiModalInput
+import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.plot.board.Board
+import badlog.viewer.app.Viewer
+import badlog.viewer.graph.TestGraphs
+import badlog.viewer.graph.sample
+import badlog.viewer.graph.savePicture
+import badlog.viewer.graph.viewerOf
+import badlog.viewer.graph.waitForPictures
+import badlog.viewer.theme.Palette
+import badlog.viewer.theme.Theme
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.ints.shouldBeLessThan
+import io.kotest.matchers.nulls.shouldNotBeNull
+import io.kotest.matchers.shouldBe
+
+@OptIn(ExperimentalTestApi::class)
+class XyPaneSpec : FunSpec({
+    val recording by lazy { sample("wrong-turn.bag") }
+
+    /** The path of the sample, with what is done over it. */
+    fun path(theme: Theme = Theme.LIGHT, test: DesktopComposeUiTest.(Viewer) -> Unit) = runDesktopComposeUiTest(1100, 700) {
+        val viewer = viewerOf(recording)
+        viewer.board.replace(recording.standardGraphs)
+        setContent { TestGraphs(viewer, theme) }
+        waitForPictures(viewer)
+        test(viewer)
+    }
+
+    fun DesktopComposeUiTest.plot() = onNodeWithContentDescription("Plot Path")
+
+    fun ImageBitmap.count(color: Color) = toPixelMap().buffer.count { Color(it) == color }
+
+    test("a log with poses begins with its path: driven, planned and seen, where it left the plan, and the robot at the cursor") {
+        path { viewer ->
+            viewer.board.state.graphs[0].isXy shouldBe true
+            viewer.view.placeCursor(9.4)
+            waitForIdle()
+            val picture = savePicture("path-light")
+            for (line in 0..2) picture.count(Palette.LIGHT.line(line)) shouldBeGreaterThan 100
+            picture.count(Palette.LIGHT.warning) shouldBeGreaterThan 20
+        }
+        path(Theme.DARK) { viewer ->
+            viewer.view.placeCursor(9.4)
+            waitForIdle()
+            savePicture("path-dark").count(Palette.DARK.line(0)) shouldBeGreaterThan 100
+        }
+    }
+
+    test("the pointer over the path moves the cursor to when the robot was there, a click pins it") {
+        path { viewer ->
+            val trail = recording.xyPlot(viewer.board.state.graphs[0].lines)!!.driven!!.trail
+            val index = trail.indexAt(9.0)
+            plot().performMouseInput { moveTo(placeOf(viewer, trail.x[index], trail.y[index], width, height)) }
+            viewer.view.cursor.shouldNotBeNull() shouldBe (9.0 plusOrMinus 0.3)
+            plot().performMouseInput { click() }
+            viewer.view.isCursorPinned shouldBe true
+        }
+    }
+
+    test("the wheel with Ctrl and a drag zoom into the field, which keeps its shape; a double click shows all of it") {
+        path { viewer ->
+            val id = viewer.board.state.graphs[0].id
+            plot().performMultiModalInput {
+                key { keyDown(Key.CtrlLeft) }
+                mouse {
+                    moveTo(center)
+                    scroll(-3f, ScrollWheel.Vertical)
+                }
+                key { keyUp(Key.CtrlLeft) }
+            }
+            val zoomed = viewer.graphs.planes[id].shouldNotBeNull()
+            plot().performMouseInput {
+                moveTo(Offset(width * 0.3f, height * 0.3f))
+                press()
+                moveTo(Offset(width * 0.5f, height * 0.5f))
+                release()
+            }
+            val dragged = viewer.graphs.planes[id].shouldNotBeNull()
+            (dragged.x.width < zoomed.x.width) shouldBe true
+            dragged.x.width / dragged.y.width shouldBe (zoomed.x.width / zoomed.y.width plusOrMinus 0.01)
+            plot().performMouseInput { doubleClick() }
+            (id in viewer.graphs.planes) shouldBe false
+        }
+    }
+
+    test("a trace is hidden by its legend") {
+        path { viewer ->
+            val before = savePicture("path-hidden").count(Palette.LIGHT.line(1))
+            onNodeWithContentDescription("Hide Target Pose").performClick()
+            waitForIdle()
+            savePicture("path-hidden").count(Palette.LIGHT.line(1)) shouldBeLessThan before / 2
+            viewer.board.state.graphs[0].hidden shouldBe setOf("Drive/Target Pose X", "Drive/Target Pose Y")
+        }
+    }
+
+    test("volts over amperes are dots with the battery's resistance") {
+        val match = sample("qualification-42.bag")
+        runDesktopComposeUiTest(1100, 500) {
+            val viewer = viewerOf(match)
+            viewer.board.replace(Board().withGraph(listOf("PDP/Total Current", "System/Battery Voltage")).withXy(1, true))
+            setContent { TestGraphs(viewer) }
+            waitForPictures(viewer)
+            savePicture("resistance").count(Palette.LIGHT.line(0)) shouldBeGreaterThan 1000
+        }
+    }
+})
+
+/** Where a place on the field is on a plot of [width] by [height] pixels that shows all of it. */
+private fun placeOf(viewer: Viewer, x: Double, y: Double, width: Int, height: Int): Offset {
+    val xys = drawnXys(viewer.board.state.graphs[0].lines, viewer.compared.drawn)
+    val plane = wholeOf(xys, width.toFloat(), height.toFloat())!!
+    return Offset(plane.xScale(width.toDouble()).placeOf(x).toFloat(), plane.yScale(height.toDouble()).placeOf(y).toFloat())
+}

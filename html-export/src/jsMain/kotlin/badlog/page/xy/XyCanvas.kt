@@ -1,0 +1,203 @@
+package badlog.page.xy
+
+import badlog.page.dom.add
+import badlog.page.view.Palette
+import badlog.page.view.Scene
+import badlog.plot.axis.Ticks
+import badlog.plot.color.Shade
+import badlog.plot.curve.Strokes
+import badlog.plot.path.Departure
+import badlog.plot.path.Field
+import badlog.plot.path.Plane
+import badlog.plot.path.XyPlot
+import org.w3c.dom.CanvasRenderingContext2D
+import org.w3c.dom.HTMLCanvasElement
+import org.w3c.dom.HTMLElement
+import kotlin.math.PI
+
+/** A canvas over all of [host] with a frame in it, whose pixels are those of the screen. */
+internal class XyCanvas(host: HTMLElement) {
+    val canvas: HTMLCanvasElement = host.add("canvas", "xy").unsafeCast<HTMLCanvasElement>()
+    private val ratio = pixelRatio
+    private val context = canvas.getContext("2d").unsafeCast<CanvasRenderingContext2D>()
+
+    /** How wide the frame is. */
+    val width: Double
+
+    /** How high it is. */
+    val height: Double
+
+    init {
+        canvas.width = (host.clientWidth * ratio).toInt()
+        canvas.height = (host.clientHeight * ratio).toInt()
+        width = maxOf(1.0, canvas.width - (LEFT + RIGHT) * ratio)
+        height = maxOf(1.0, canvas.height - (TOP + BOTTOM) * ratio)
+        context.translate(LEFT * ratio, TOP * ratio)
+        context.font = "${LETTERS * ratio}px system-ui, sans-serif"
+    }
+
+    /** Which share of the frame's width is at [clientX] of the window. */
+    fun shareX(clientX: Double): Double = ((clientX - canvas.getBoundingClientRect().left - LEFT) * ratio) / width
+
+    /** Which share of its height is at [clientY], from its top. */
+    fun shareY(clientY: Double): Double = ((clientY - canvas.getBoundingClientRect().top - TOP) * ratio) / height
+
+    fun clear() = context.clearRect(-LEFT * ratio, -TOP * ratio, canvas.width.toDouble(), canvas.height.toDouble())
+
+    /** Draws from now on in [color]. */
+    fun color(color: String, opacity: Double = 1.0) {
+        context.strokeStyle = color
+        context.fillStyle = color
+        context.globalAlpha = opacity
+        context.lineWidth = LINE * ratio
+    }
+
+    /** Draws the lines and dots of a trace. */
+    fun strokes(strokes: Strokes, isDashed: Boolean) = clipped {
+        context.setLineDash(if (isDashed) arrayOf(6 * ratio, 4 * ratio) else emptyArray())
+        context.beginPath()
+        for (i in 0 until strokes.count) {
+            val start = strokes.startOf(i)
+            context.moveTo(strokes.points[start], strokes.points[start + 1])
+            for (at in start + 2 until strokes.endOf(i) step 2) context.lineTo(strokes.points[at], strokes.points[at + 1])
+        }
+        context.stroke()
+        val size = DOT * ratio
+        for (i in 0 until strokes.dotsSize step 2) context.fillRect(strokes.dots[i] - size / 2, strokes.dots[i + 1] - size / 2, size, size)
+    }
+
+    /** Draws what joins [places], x and y in turn. */
+    fun chain(places: DoubleArray, seen: Plane, isClosed: Boolean, isFilled: Boolean = false) = clipped {
+        val x = seen.xScale(width)
+        val y = seen.yScale(height)
+        context.beginPath()
+        for (i in places.indices step 2) context.lineTo(x.placeOf(places[i]), y.placeOf(places[i + 1]))
+        if (isClosed) context.closePath()
+        context.stroke()
+        if (isFilled) {
+            context.globalAlpha = FILL
+            context.fill()
+            context.globalAlpha = 1.0
+        }
+    }
+
+    /** Draws a dot at ([atX], [atY]), or a ring as wide as [radius]. */
+    fun dot(atX: Double, atY: Double, seen: Plane, radius: Double? = null) = clipped {
+        context.beginPath()
+        context.arc(seen.xScale(width).placeOf(atX), seen.yScale(height).placeOf(atY), (radius ?: DOT) * ratio, 0.0, 2 * PI)
+        if (radius == null) context.fill() else context.stroke()
+    }
+
+    /** Draws the lines behind the traces, and the numbers of both axes. */
+    fun drawGround(seen: Plane, plot: XyPlot, palette: Palette) {
+        val x = seen.xScale(width)
+        val y = seen.yScale(height)
+        fun line(fromX: Double, fromY: Double, toX: Double, toY: Double) =
+            chain(doubleArrayOf(fromX, fromY, toX, toY), seen, isClosed = false)
+        val across = Ticks.ofX(seen.x, width / ratio)
+        val up = Ticks.ofY(seen.y, height / ratio)
+        color(palette[Shade.GRID])
+        context.lineWidth = ratio
+        for (value in across.values) line(value, seen.y.from, value, seen.y.to)
+        for (value in up.values) line(seen.x.from, value, seen.x.to, value)
+        color(palette[Shade.MUTED])
+        context.asDynamic().textAlign = "center"
+        val room = width - context.measureText(plot.xTitle).width - 2 * LETTERS * ratio
+        across.values.forEachIndexed { i, value ->
+            if (x.placeOf(value) < room) context.fillText(across.texts[i], x.placeOf(value), height + BASE * ratio)
+        }
+        context.asDynamic().textAlign = "right"
+        context.fillText(plot.xTitle, width, height + BASE * ratio)
+        up.values.forEachIndexed { i, value ->
+            if (y.placeOf(value) > 2 * LETTERS * ratio) context.fillText(up.texts[i], -GAP * ratio, y.placeOf(value) + LETTERS / 3 * ratio)
+        }
+        // A long title goes on over the frame.
+        context.fillText(plot.yTitle, maxOf(-GAP * ratio, context.measureText(plot.yTitle).width - LEFT * ratio), LETTERS * ratio)
+        if (!plot.isField) return
+        chain(doubleArrayOf(0.0, 0.0, Field.LENGTH, 0.0, Field.LENGTH, Field.WIDTH, 0.0, Field.WIDTH), seen, isClosed = true)
+        color(palette[Shade.MUTED], QUIET)
+        line(Field.LENGTH / 2, 0.0, Field.LENGTH / 2, Field.WIDTH)
+        color(BLUE)
+        context.lineWidth = WALL * ratio
+        line(0.0, 0.0, 0.0, Field.WIDTH)
+        color(RED)
+        context.lineWidth = WALL * ratio
+        line(Field.LENGTH, 0.0, Field.LENGTH, Field.WIDTH)
+    }
+
+    /** Draws what [plot] comes to: where the robot left its plan, or the straight line through the samples with what it says. */
+    fun drawNotes(seen: Plane, plot: XyPlot, departure: Departure?, scene: Scene) {
+        plot.lineFit(scene.range.now)?.let { fit ->
+            color(scene.palette[Shade.MUTED])
+            fun at(value: Double) = listOf(value, fit.offset + fit.slope * value)
+            chain((at(seen.x.from) + at(seen.x.to)).toDoubleArray(), seen, isClosed = false)
+            note(plot.textOf(fit), width, 0.0, scene.palette[Shade.TEXT], scene.palette)
+        }
+        val trail = plot.driven?.trail ?: return
+        if (departure == null) return
+        val atX = trail.x[departure.index]
+        val atY = trail.y[departure.index]
+        color(scene.palette[Shade.WARNING])
+        dot(atX, atY, seen, RING)
+        val place = RING * ratio
+        val text = departure.text(scene.xText(departure.time))
+        note(
+            text,
+            seen.xScale(width).placeOf(atX) + place,
+            seen.yScale(height).placeOf(atY) + place,
+            scene.palette[Shade.WARNING],
+            scene.palette,
+        )
+    }
+
+    /** Covers the part of the frame between two places, in shares of it. */
+    fun cover(fromX: Double, fromY: Double, toX: Double, toY: Double, palette: Palette) = clipped {
+        color(palette[Shade.ACCENT], FILL)
+        context.fillRect(fromX * width, fromY * height, (toX - fromX) * width, (toY - fromY) * height)
+    }
+
+    private fun note(text: String, atX: Double, atY: Double, color: String, palette: Palette) {
+        val wide = context.measureText(text).width
+        val left = atX.coerceIn(0.0, maxOf(0.0, width - wide))
+        val top = atY.coerceIn(0.0, height - NOTE * ratio)
+        color(palette[Shade.SURFACE], VEIL)
+        context.fillRect(left, top, wide, NOTE * ratio)
+        color(color)
+        context.asDynamic().textAlign = "left"
+        context.fillText(text, left, top + LETTERS * ratio)
+    }
+
+    private inline fun clipped(draw: () -> Unit) {
+        context.save()
+        context.beginPath()
+        context.rect(0.0, 0.0, width, height)
+        context.clip()
+        draw()
+        context.restore()
+    }
+
+    internal companion object {
+        // As other graphs have it.
+        private const val LEFT = 62
+        private const val RIGHT = 14
+        private const val TOP = 6
+        private const val BOTTOM = 26
+
+        /** How high a canvas of so many CSS pixels is whose frame shows all of [plane], as long along x as along y. */
+        fun heightOf(plane: Plane, width: Int): Int = ((width - LEFT - RIGHT) * plane.y.width / plane.x.width).toInt() + TOP + BOTTOM
+
+        private const val BASE = 18
+        private const val GAP = 6
+        private const val LETTERS = 11.0
+        private const val NOTE = 15
+        private const val LINE = 1.75
+        private const val DOT = 3.5
+        private const val RING = 9.0
+        private const val WALL = 3
+        private const val FILL = 0.25
+        private const val QUIET = 0.4
+        private const val VEIL = 0.85
+        private const val BLUE = "#2f6fde"
+        private const val RED = "#d93a3a"
+    }
+}

@@ -1,0 +1,165 @@
+package badlog.page.xy
+
+import badlog.analysis.Span
+import badlog.page.dom.add
+import badlog.page.dom.addButton
+import badlog.page.dom.element
+import badlog.page.dom.showText
+import badlog.page.view.Scene
+import badlog.plot.board.BoardGraph
+import badlog.plot.board.GraphHeight
+import badlog.plot.color.LINE_COLORS
+import badlog.plot.color.Shade
+import badlog.plot.curve.Strokes
+import badlog.plot.path.Plane
+import badlog.plot.path.PoseRole
+import badlog.plot.path.XyPlot
+import badlog.plot.path.XyTrace
+import badlog.plot.path.swerveModulesOf
+import badlog.plot.path.xyPlotOf
+import kotlinx.browser.window
+import org.w3c.dom.HTMLCanvasElement
+import org.w3c.dom.HTMLElement
+
+/**
+ * A graph of the board whose lines are drawn over each other, or as paths on a field.
+ *
+ * @param look how it is looked at now.
+ * @param onToggle is called with the lines that a person wants to hide, or to see again.
+ */
+internal class XyDrawing(private val scene: Scene, private val look: () -> BoardGraph, private val onToggle: (List<String>) -> Unit) {
+    /** What its traces are, each with where it is at the cursor. */
+    val legend: HTMLElement = element("div", "legend")
+
+    private val plot: XyPlot? by lazy {
+        xyPlotOf(look().lines, scene.poses, swerveModulesOf(scene.view.recording.topics)) { scene.board.lines[it] }
+    }
+    private val departure by lazy { plot?.departure(scene.view) }
+    private val values = ArrayList<HTMLElement>()
+    private var picture: XyCanvas? = null
+    private var overlay: XyCanvas? = null
+
+    /** What is seen of the plane; null for all of it. */
+    private var plane: Plane? = null
+
+    /** The picture; null while it is not drawn. */
+    val canvas: HTMLCanvasElement? get() = picture?.canvas
+
+    /** Whether there is anything to draw. */
+    val isEmpty: Boolean get() = plot == null
+
+    /** Draws it in [host]. */
+    fun start(host: HTMLElement) {
+        val plot = plot ?: return
+        host.textContent = ""
+        val most = GraphHeight.LARGE.pixels
+        val usual = if (plot.isField) minOf(most, XyCanvas.heightOf(plot.full, host.clientWidth)) else most
+        host.style.height = "${look().height ?: usual}px"
+        if (legend.childElementCount == 0) list(plot)
+        picture = XyCanvas(host)
+        overlay = XyCanvas(host).also { XyGestures(it, scene, plot, ::seen) { wanted -> show(wanted) } }
+        draw()
+    }
+
+    /** Gives back what drawing takes. */
+    fun leave(host: HTMLElement) {
+        host.textContent = ""
+        picture = null
+        overlay = null
+    }
+
+    /** Draws what is visible now. */
+    fun draw() {
+        val canvas = picture ?: return
+        val plot = plot ?: return
+        canvas.clear()
+        val seen = seen(canvas)
+        canvas.drawGround(seen, plot, scene.palette)
+        val visible = scene.range.now
+        val all = Span(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY)
+        for (trace in shown(plot)) {
+            if (trace.followers.isNotEmpty()) continue
+            if (scene.range.isZoomed && plot.isField) drawTrace(canvas, trace, all, seen, FAINT)
+            drawTrace(canvas, trace, visible, seen, 1.0)
+        }
+        canvas.drawNotes(seen, plot, departure, scene)
+        updateCursor()
+    }
+
+    /** Shows where everything is at the cursor. */
+    fun updateCursor() {
+        val canvas = overlay ?: return
+        val plot = plot ?: return
+        canvas.clear()
+        val time = scene.cursor.x
+        plot.traces.asReversed().forEachIndexed { i, trace -> values[i].showText(trace.textAt(time, plot.isField)) }
+        val seen = seen(canvas)
+        for (trace in shown(plot)) {
+            canvas.color(scene.palette.line(trace.color))
+            if (trace.followers.isNotEmpty()) {
+                canvas.chain(trace.chainAt(time), seen, isClosed = false)
+                continue
+            }
+            val index = trace.indexAt(time)
+            if (index < 0) continue
+            if (plot.isField && trace.role != PoseRole.SEEN) {
+                canvas.chain(trace.robotAt(time), seen, isClosed = true, isFilled = trace.role == PoseRole.DRIVEN)
+            }
+            canvas.dot(trace.trail.x[index], trace.trail.y[index], seen)
+        }
+        for (arrow in plot.arrowsAt(time)) {
+            canvas.color(scene.palette[if (arrow.isTarget) Shade.MUTED else Shade.ACCENT], if (arrow.isTarget) TARGET else 1.0)
+            canvas.chain(arrow.places, seen, isClosed = false)
+        }
+    }
+
+    private fun shown(plot: XyPlot) = look().hidden.let { hidden -> plot.traces.filter { trace -> trace.lines.none { it in hidden } } }
+
+    private fun drawTrace(canvas: XyCanvas, trace: XyTrace, span: Span, seen: Plane, opacity: Double) {
+        val strokes = Strokes()
+        trace.draw(span, seen, canvas.width.toInt(), canvas.height.toInt(), strokes)
+        canvas.color(scene.palette.line(trace.color), opacity)
+        canvas.strokes(strokes, isDashed = trace.role == PoseRole.PLANNED)
+    }
+
+    private fun seen(canvas: XyCanvas): Plane {
+        val wanted = plane ?: checkNotNull(plot).full
+        return if (plot?.isField == true) wanted.fitted(canvas.width, canvas.height) else wanted
+    }
+
+    private fun show(wanted: Plane?) {
+        if (wanted?.isDrawable == false) return
+        plane = wanted
+        draw()
+    }
+
+    // The one that matters most comes first.
+    private fun list(plot: XyPlot) {
+        for (trace in plot.traces.asReversed()) {
+            legend.addButton("legend-entry", "", "${trace.name} – press to hide or show this line") {
+                onToggle(trace.lines)
+                mark(plot)
+            }.apply {
+                add("span", "swatch line-${trace.color % LINE_COLORS}")
+                add("bdi", "legend-name", trace.name)
+                values += add("span", "value")
+            }
+        }
+        mark(plot)
+    }
+
+    private fun mark(plot: XyPlot) {
+        val shown = shown(plot)
+        plot.traces.asReversed().forEachIndexed { i, trace ->
+            legend.children.item(i)?.setAttribute("aria-pressed", (trace in shown).toString())
+        }
+    }
+
+    private companion object {
+        const val FAINT = 0.25
+        const val TARGET = 0.8
+    }
+}
+
+/** How many pixels of the screen one pixel of a style sheet is. */
+internal val pixelRatio: Double get() = window.devicePixelRatio

@@ -1,0 +1,120 @@
+package badlog.page.xy
+
+import badlog.page.view.Scene
+import badlog.plot.gesture.DoubleClick
+import badlog.plot.gesture.DragKind
+import badlog.plot.gesture.Wheel
+import badlog.plot.path.Plane
+import badlog.plot.path.XyPlot
+import kotlinx.browser.window
+import org.w3c.dom.events.Event
+import org.w3c.dom.events.WheelEvent
+import org.w3c.dom.pointerevents.PointerEvent
+import kotlin.math.abs
+
+/**
+ * Lets the pointer put the cursor where the path passes it, zoom and pan, as over other graphs.
+ *
+ * @param seen what is seen now.
+ * @param onShow is called with what a person wants to see; null for all of it.
+ */
+internal class XyGestures(
+    private val over: XyCanvas,
+    private val scene: Scene,
+    private val plot: XyPlot,
+    private val seen: (XyCanvas) -> Plane,
+    private val onShow: (Plane?) -> Unit,
+) {
+    private val clicks = DoubleClick()
+    private var pressed: PointerEvent? = null
+    private var before: Plane? = null
+    private var hasMoved = false
+
+    init {
+        on("pointerdown") { press(it.unsafeCast<PointerEvent>()) }
+        on("pointermove") { move(it.unsafeCast<PointerEvent>()) }
+        on("pointerup") { release(it.unsafeCast<PointerEvent>()) }
+        on("pointercancel") { pressed = null }
+        on("pointerleave") { if (pressed == null) scene.cursor.change { left() } }
+        on("wheel") { wheel(it.unsafeCast<WheelEvent>()) }
+    }
+
+    private fun on(type: String, listener: (Event) -> Unit) = over.canvas.addEventListener(type, listener)
+
+    private fun press(event: PointerEvent) {
+        if (event.button.toInt() != 0) return
+        over.canvas.setPointerCapture(event.pointerId)
+        pressed = event
+        before = seen(over)
+        hasMoved = false
+    }
+
+    private fun move(event: PointerEvent) {
+        val start = pressed
+        if (start == null) {
+            timeAt(event)?.let { scene.cursor.change { hovering(it) } }
+            return
+        }
+        if (!hasMoved && abs(event.clientX - start.clientX) + abs(event.clientY - start.clientY) < DragKind.MIN_DISTANCE) return
+        hasMoved = true
+        val plane = before ?: return
+        if (isPan(start)) {
+            onShow(plane.shifted((x(start) - x(event)) * plane.x.width, (y(event) - y(start)) * plane.y.width))
+        } else {
+            over.clear()
+            over.cover(x(start), y(start), x(event), y(event), scene.palette)
+        }
+    }
+
+    private fun release(event: PointerEvent) {
+        val start = pressed ?: return
+        pressed = null
+        if (!hasMoved) {
+            tap(event)
+        } else if (!isPan(start)) {
+            onShow(before?.part(x(start), y(start), x(event), y(event)))
+        }
+    }
+
+    private fun tap(event: PointerEvent) {
+        if (clicks.isSecond(event.clientX.toDouble(), window.performance.now())) return onShow(null)
+        timeAt(event)?.let { time -> scene.cursor.change { if (event.shiftKey) shiftClicked(time, 0.0) else clicked(time, 0.0) } }
+    }
+
+    private fun wheel(event: WheelEvent) {
+        if (!event.ctrlKey && event.asDynamic().metaKey != true) return
+        event.preventDefault()
+        val down = event.deltaY * if (event.deltaMode == WheelEvent.DOM_DELTA_LINE) LINE else 1.0
+        val plane = seen(over)
+        val atX = plane.xAt(over.shareX(event.clientX.toDouble()))
+        onShow(plane.scaled(Wheel.factorOf(down), atX, plane.yAt(over.shareY(event.clientY.toDouble()))))
+    }
+
+    // A finger moves what it touches, as on a map; a mouse draws a frame around it.
+    private fun isPan(start: PointerEvent) = start.shiftKey || start.pointerType == "touch"
+
+    private fun x(event: PointerEvent) = over.shareX(event.clientX.toDouble())
+
+    private fun y(event: PointerEvent) = over.shareY(event.clientY.toDouble())
+
+    /** When the path passed where [event] is; null where it is not near. */
+    private fun timeAt(event: PointerEvent): Double? {
+        val plane = seen(over)
+        val time = plot.timeAt(
+            x = plane.xAt(x(event)),
+            y = plane.yAt(y(event)),
+            pixelX = plane.x.width / over.width,
+            pixelY = plane.y.width / over.height,
+            reach = REACH * pixelRatio,
+            visible = scene.range.now,
+            before = scene.cursor.now.x,
+        )
+        return time.takeUnless { it.isNaN() }
+    }
+
+    private companion object {
+        /** So far beside the path the pointer still means it, in CSS pixels. */
+        const val REACH = 60
+        const val LINE = 16.0
+    }
+}

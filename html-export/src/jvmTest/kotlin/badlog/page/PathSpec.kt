@@ -1,0 +1,105 @@
+package badlog.page
+
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.doubles.shouldBeLessThan
+import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.ints.shouldBeLessThan
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.shouldNotBe
+import io.kotest.matchers.string.shouldContain
+
+/** The paths of robots, and topics over topics. */
+internal class PathSpec : PageSpec({
+    val page by lazy { TestPages.ofSample("wrong-turn.bag") }
+
+    /** How many pixels of canvas [layer] of the first path have the color of line [index]. */
+    fun OpenPage.pixels(index: Int, layer: Int = 0): Int {
+        val color = color("--line-$index")
+        return number(
+            """
+            const canvas = document.querySelectorAll('.xy')[arguments[0]]
+            const data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data
+            let count = 0
+            for (let i = 0; i < data.length; i += 4) {
+                if (data[i + 3] > 120 && Math.abs(data[i] - arguments[1]) + Math.abs(data[i + 1] - arguments[2]) + Math.abs(data[i + 2] - arguments[3]) < 60) count++
+            }
+            return count
+            """.trimIndent(),
+            layer,
+            color shr 16 and 255,
+            color shr 8 and 255,
+            color and 255,
+        ).toInt()
+    }
+
+    fun OpenPage.values() = texts("#board .legend-entry .value")
+
+    fun OpenPage.box(): List<Double> = (
+        script("const b = document.querySelector('.xy').getBoundingClientRect(); return [b.x, b.y, b.width, b.height]") as List<*>
+        ).map { (it as Number).toDouble() }
+
+    fun OpenPage.hover(across: Double, down: Double) {
+        val (x, y, width, height) = box()
+        act { mouseTo((x + width * across).toInt(), (y + height * down).toInt() + 3).mouseTo((x + width * across).toInt(), (y + height * down).toInt()) }
+    }
+
+    browserTest("a log with poses begins with its path, driven and planned, and the robot at the cursor") {
+        for (screen in listOf(Screen.WIDE, Screen.PHONE)) {
+            onPage(page, screen) {
+                texts("#board .graph-title") shouldContainExactly listOf("Path")
+                texts("#board .legend-name") shouldContainExactly listOf("Drive/Pose", "Target Pose", "Vision/Pose")
+                for (line in 0..2) pixels(line) shouldBeGreaterThan 60
+                pixels(0, layer = 1) shouldBe 0
+                hover(0.47, 0.45)
+                values()[0] shouldContain "m · "
+                pixels(0, layer = 1) shouldBeGreaterThan 60
+                keepScreenshot("path-${screen.width}")
+            }
+        }
+    }
+
+    browserTest("a click on the path pins the cursor, the wheel with Ctrl zooms, a double click shows everything") {
+        onPage(page) {
+            hover(0.47, 0.45)
+            val (x, y, width, height) = box()
+            act { mouseTo((x + width * 0.47).toInt(), (y + height * 0.45).toInt()).mouseDown().mouseUp() }
+            elements(".cursor-line.is-pinned").size shouldBeGreaterThan 0
+            val before = script("return document.querySelector('.xy').toDataURL()")
+            script(
+                "document.querySelectorAll('.xy')[1].dispatchEvent(new WheelEvent('wheel', {deltaY: -60, ctrlKey: true, clientX: arguments[0], clientY: arguments[1]}))",
+                x + width / 2,
+                y + height / 2,
+            )
+            settle()
+            script("return document.querySelector('.xy').toDataURL()") shouldNotBe before
+            act { mouseTo((x + width * 0.5).toInt(), (y + height * 0.5).toInt()).mouseDown().mouseUp().mouseDown().mouseUp() }
+            script("return document.querySelector('.xy').toDataURL()") shouldBe before
+        }
+    }
+
+    browserTest("a trace is hidden by its legend, and that is remembered") {
+        onPage(page) {
+            val planned = pixels(1)
+            elements("#board .legend-entry")[1].click()
+            settle()
+            pixels(1) shouldBeLessThan planned / 2
+            reload()
+            pixels(1) shouldBeLessThan planned / 2
+        }
+    }
+
+    browserTest("two topics of the board are drawn over each other by its menu") {
+        onPage(TestPages.ofSample("qualification-42.bag")) {
+            script("location.hash = '#board=PDP/Total+Current,System/Battery+Voltage,p='")
+            reload()
+            texts("#board .graph-title") shouldContainExactly listOf("PDP/Total Current")
+            pixels(0) shouldBeGreaterThan 500
+            keepScreenshot("resistance")
+            click("#board .graph-menu")
+            elements("#board .menu button").first { "XY plot" in it.text }.click()
+            settle()
+            elements(".xy").size shouldBe 0
+            number("return document.querySelectorAll('#board canvas').length") shouldBeLessThan 2.5
+        }
+    }
+})

@@ -1,0 +1,59 @@
+package badlog.plot.path
+
+import badlog.analysis.Span
+import badlog.plot.curve.Scale
+
+/**
+ * The part of a plane that is shown.
+ *
+ * @property x from left to right.
+ * @property y from bottom to top.
+ */
+public data class Plane(public val x: Span, public val y: Span) {
+    /** The same and as much around it that a pixel is as long along x as along y, on [width] by [height] pixels. */
+    public fun fitted(width: Double, height: Double): Plane {
+        val pixel = maxOf(x.width / width, y.width / height)
+        return Plane(around(x, pixel * width), around(y, pixel * height))
+    }
+
+    /** [factor] times as much of it, leaving ([atX], [atY]) where it stands. */
+    public fun scaled(factor: Double, atX: Double, atY: Double): Plane = Plane(scaled(x, factor, atX), scaled(y, factor, atY))
+
+    /** What is [right] further to the right and [up] further up. */
+    public fun shifted(right: Double, up: Double): Plane = Plane(Span(x.from + right, x.to + right), Span(y.from + up, y.to + up))
+
+    /** The part between two points, each a share of the width from the left and of the height from the top. */
+    public fun part(oneX: Double, oneY: Double, otherX: Double, otherY: Double): Plane =
+        Plane(Span(xAt(minOf(oneX, otherX)), xAt(maxOf(oneX, otherX))), Span(yAt(maxOf(oneY, otherY)), yAt(minOf(oneY, otherY))))
+
+    /** The x at this [share] of the width, from the left. */
+    public fun xAt(share: Double): Double = x.from + share * x.width
+
+    /** The y at this [share] of the height, from the top. */
+    public fun yAt(share: Double): Double = y.to - share * y.width
+
+    /** Whether numbers are fine enough to draw it. */
+    public val isDrawable: Boolean get() = isDrawable(x) && isDrawable(y)
+
+    /** Where its x stands on [width] pixels. */
+    public fun xScale(width: Double): Scale = Scale(x.from, x.to, width, farthest = FARTHEST * width)
+
+    /** Where its y stands on [height] pixels. */
+    public fun yScale(height: Double): Scale = Scale.ofY(y, height)
+
+    private fun around(span: Span, width: Double): Span {
+        val middle = (span.from + span.to) / 2
+        return Span(middle - width / 2, middle + width / 2)
+    }
+
+    private fun scaled(span: Span, factor: Double, at: Double) = Span(at + (span.from - at) * factor, at + (span.to - at) * factor)
+
+    private fun isDrawable(span: Span) = span.width > FINEST * maxOf(1.0, span.from, -span.from) && span.width < COARSEST
+
+    private companion object {
+        // As for y: numbers far out of sight would be too large to draw with.
+        const val FARTHEST = 50.0
+        const val FINEST = 1e-9
+        const val COARSEST = 1e12
+    }
+}

@@ -1,0 +1,75 @@
+package badlog.plot.path
+
+import badlog.analysis.GraphSeries
+import badlog.analysis.Series
+import badlog.analysis.Span
+import badlog.plot.cursor.lastAtOrBefore
+
+/**
+ * Where something was over time: sample `i` is `(x[i], y[i])` at [times]`[i]`.
+ *
+ * @property times when; usually ascending.
+ * @property x NaN where it is not known, as [y] is then or not.
+ */
+public class Trail(public val times: DoubleArray, public val x: DoubleArray, public val y: DoubleArray) {
+    private val clock = Series(times, x)
+
+    /** How many samples there are, gaps included. */
+    public val size: Int get() = times.size
+
+    /** From the least to the most of x where both are finite; null without any. */
+    public val xSpan: Span? by lazy { spanOf(x) }
+
+    /** The same of y. */
+    public val ySpan: Span? by lazy { spanOf(y) }
+
+    /** The last sample at or before [time]; -1 for none. */
+    public fun indexAt(time: Double): Int = if (time.isNaN()) -1 else clock.lastAtOrBefore(time)
+
+    /** The first sample of [visible]; all from there until [endOf] are in it, unless the clock goes back somewhere. */
+    public fun startOf(visible: Span): Int = if (clock.isOrdered) clock.firstAtOrAfter(visible.from) else 0
+
+    /** The sample after the last of [visible]. */
+    public fun endOf(visible: Span): Int = if (clock.isOrdered) clock.firstAfter(visible.to) else size
+
+    /** Whether sample [index] is a place. */
+    public fun isPlace(index: Int): Boolean = x[index].isFinite() && y[index].isFinite()
+
+    private fun spanOf(values: DoubleArray): Span? {
+        var least = Double.POSITIVE_INFINITY
+        var most = Double.NEGATIVE_INFINITY
+        for (i in values.indices) {
+            if (!isPlace(i)) continue
+            if (values[i] < least) least = values[i]
+            if (values[i] > most) most = values[i]
+        }
+        return if (least <= most) Span(least, most) else null
+    }
+}
+
+/**
+ * The samples of [x] over those of [y] at the same time, each times [scale]. Where they do not share their times, there is a sample at each
+ * time of either, with what the other one said last.
+ */
+public fun trailOf(x: GraphSeries, y: GraphSeries, scale: Double = 1.0): Trail {
+    val a = x.data
+    val b = y.data
+    fun scaled(values: DoubleArray) = if (scale == 1.0) values else DoubleArray(values.size) { values[it] * scale }
+    if (a.x === b.x || a.x.contentEquals(b.x)) return Trail(a.x, scaled(a.y), scaled(b.y))
+    val times = DoubleArray(a.size + b.size)
+    val ax = DoubleArray(times.size)
+    val by = DoubleArray(times.size)
+    var size = 0
+    var i = 0
+    var j = 0
+    while (i < a.size || j < b.size) {
+        val time = minOf(if (i < a.size) a.x[i] else Double.POSITIVE_INFINITY, if (j < b.size) b.x[j] else Double.POSITIVE_INFINITY)
+        while (i < a.size && a.x[i] <= time) i++
+        while (j < b.size && b.x[j] <= time) j++
+        if (i == 0 || j == 0) continue
+        times[size] = time
+        ax[size] = a.y[i - 1] * scale
+        by[size++] = b.y[j - 1] * scale
+    }
+    return Trail(times.copyOf(size), ax.copyOf(size), by.copyOf(size))
+}

@@ -1,0 +1,166 @@
+package badlog.plot.path
+
+import badlog.analysis.GraphSeries
+import badlog.analysis.LogView
+import badlog.analysis.Span
+import badlog.analysis.Units
+import badlog.analysis.enabledSpans
+import badlog.analysis.knowsAutonomous
+import badlog.analysis.knowsEnabled
+import badlog.plot.axis.limitsFor
+import badlog.plot.text.shortNames
+import kotlin.math.abs
+
+/**
+ * What a graph of y over x shows: the paths of poses on a field, or else one topic over another.
+ *
+ * @property traces what is drawn, what was seen first, then what was planned, then what was driven.
+ * @property isField whether x and y are places on a field.
+ * @property xTitle what stands below it: name and unit.
+ * @property yTitle what stands beside it.
+ */
+public class XyPlot internal constructor(
+    public val traces: List<XyTrace>,
+    public val isField: Boolean,
+    public val xTitle: String,
+    public val yTitle: String,
+    private val xUnit: String = "",
+    private val yUnit: String = "",
+    private val modules: List<ModuleLines> = emptyList(),
+) {
+    /** All there is to see. */
+    public val full: Plane by lazy {
+        if (isField) {
+            Field.around(traces.map { it.trail })
+        } else {
+            Plane(wholeOf(traces.mapNotNull { it.trail.xSpan }), wholeOf(traces.mapNotNull { it.trail.ySpan }))
+        }
+    }
+
+    /** What is driven; null for none, as where this is not a field. */
+    public val driven: XyTrace? get() = traces.findLast { it.role == PoseRole.DRIVEN && isField }
+
+    /**
+     * Where the robot of [view] left its plan while it drove by itself, or was enabled where that is not known; null for nowhere, and
+     * without a plan.
+     */
+    public fun departure(view: LogView): Departure? {
+        val spans = view.enabledSpans().filter { it.isAutonomous || !view.knowsAutonomous }.map { it.span }
+        val all = view.xAxis.range?.takeIf { !view.knowsEnabled }?.let { listOf(Span(it.start, it.endInclusive)) }
+        return departure(all ?: spans, 1 / (Units.secondsIn(view.xAxis.unit) ?: 1.0))
+    }
+
+    /** The same during [spans], on an x axis of which [second] is one second. */
+    internal fun departure(spans: List<Span>, second: Double): Departure? {
+        val planned = traces.find { it.role == PoseRole.PLANNED && it.followers.isEmpty() } ?: return null
+        return driven?.let { Departure.of(it.trail, planned.trail, spans, PATIENCE * second) }
+    }
+
+    /** What the modules of the driven robot were told, and did, at [time]: what was wanted first. */
+    public fun arrowsAt(time: Double): List<ModuleArrow> {
+        val robot = driven ?: return emptyList()
+        val index = robot.indexAt(time)
+        if (index < 0) return emptyList()
+        val heading = robot.headingAt(time).let { if (it.isNaN()) 0.0 else it }
+        return modules.flatMap { it.arrowsAt(time, robot.trail.x[index], robot.trail.y[index], heading) }.sortedByDescending { it.isTarget }
+    }
+
+    /** What the samples of [visible] come to: the straight line through those of the first trace; null where this is a field, or for none. */
+    public fun lineFit(visible: Span): LineFit? = if (isField) null else traces.firstOrNull()?.let { LineFit.of(it.trail, visible) }
+
+    /** What [fit] says, with the units of x and y. */
+    public fun textOf(fit: LineFit): String = fit.text(xUnit, yUnit)
+
+    /**
+     * When the trace that passes nearest to ([x], [y]) was there, at most [reach] away, of what is [visible]; NaN for never. Where it passed
+     * more than once, the time nearest to [before].
+     *
+     * @param pixelX how long a pixel is along x, and [pixelY] along y: distances are those on the screen.
+     */
+    public fun timeAt(x: Double, y: Double, pixelX: Double, pixelY: Double, reach: Double, visible: Span, before: Double?): Double {
+        val trail = (driven ?: traces.lastOrNull())?.trail ?: return Double.NaN
+        fun distance(i: Int): Double {
+            val right = (trail.x[i] - x) / pixelX
+            val up = (trail.y[i] - y) / pixelY
+            return right * right + up * up
+        }
+
+        val range = trail.startOf(visible) until trail.endOf(visible)
+        var least = reach * reach
+        var nearest = Double.NaN
+        for (i in range) {
+            // What is not a place is nowhere near.
+            val here = distance(i)
+            if (here < least || (here == least && nearest.isNaN())) {
+                least = here
+                nearest = trail.times[i]
+            }
+        }
+        if (before == null || nearest.isNaN()) return nearest
+        for (i in range) {
+            val isNear = distance(i) <= least + SAME_PLACE
+            if (isNear && abs(trail.times[i] - before) < abs(nearest - before)) nearest = trail.times[i]
+        }
+        return nearest
+    }
+
+    private fun wholeOf(spans: List<Span>): Span =
+        limitsFor(spans.minOfOrNull { it.from } ?: Double.NaN, spans.maxOfOrNull { it.to } ?: Double.NaN, includesZero = false)
+
+    private companion object {
+        /** So many seconds a robot may be beside its plan. */
+        const val PATIENCE = 0.3
+
+        /** So many square pixels further away is no other place. */
+        const val SAME_PLACE = 9.0
+    }
+}
+
+/**
+ * What a graph that draws [lines] by their names shows of y over x: the paths of those of [poses] of which it has x and y; without any, all
+ * others over the first of them. Null where there is nothing to draw.
+ *
+ * @param modules the modules of the robot whose path it is.
+ * @param line finds a line by its name.
+ */
+public fun xyPlotOf(
+    lines: List<String>,
+    poses: List<Pose>,
+    modules: List<SwerveModules> = emptyList(),
+    line: (String) -> GraphSeries?,
+): XyPlot? {
+    val shown = poses.filter { it.x in lines && it.y in lines }
+    if (shown.isEmpty()) return plainPlot(lines.mapNotNull { name -> line(name)?.takeIf { it.states == null } })
+    val names = shortNames(shown.map { it.list ?: it.name })
+    val traces = shown.mapIndexedNotNull { i, pose ->
+        val x = line(pose.x) ?: return@mapIndexedNotNull null
+        val y = line(pose.y) ?: return@mapIndexedNotNull null
+        val followers = if (pose.list == null) emptyList() else poses.filter { it.list == pose.list && it !== pose }
+        XyTrace(
+            names[i],
+            i,
+            pose.role,
+            trailOf(x, y, pose.meters),
+            listOf(pose.x, pose.y),
+            Heading.of(pose, line),
+            followers.mapNotNull { next -> line(next.x)?.let { a -> line(next.y)?.let { b -> trailOf(a, b, next.meters) } } },
+        )
+    }
+    val wheels = modules.mapNotNull { ModuleLines.of(it, line) }
+    return XyPlot(traces.sortedByDescending { it.role }, isField = true, "x (m)", "y (m)", "m", "m", wheels).takeIf { traces.isNotEmpty() }
+}
+
+/** What a menu calls drawing [lines] so. */
+public fun xyLabelOf(lines: List<String>, poses: List<Pose>): String =
+    if (poses.any { it.x in lines && it.y in lines }) "Path on the field" else "XY plot over the first line"
+
+private fun plainPlot(found: List<GraphSeries>): XyPlot? {
+    if (found.size < 2) return null
+    val over = found[0]
+    val names = shortNames(found.map { it.topic.name })
+    val traces = found.drop(1).mapIndexed { i, series ->
+        XyTrace(names[i + 1], i, PoseRole.SEEN, trailOf(over, series), listOf(series.topic.name))
+    }
+    fun title(series: GraphSeries, name: String) = if (Units.isNone(series.unit)) name else "$name (${series.unit})"
+    return XyPlot(traces, isField = false, title(over, names[0]), title(found[1], names[1]), over.unit, found[1].unit)
+}

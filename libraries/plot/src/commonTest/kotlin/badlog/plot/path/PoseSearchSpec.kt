@@ -1,0 +1,62 @@
+package badlog.plot.path
+
+import badlog.plot.timedTopic
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.shouldBe
+import kotlin.math.PI
+
+class PoseSearchSpec : FunSpec({
+    test("structs of poses and places are poses, a transform is not") {
+        val names = poseTopics("Drive/Pose") + poseTopics("Camera/To Robot", "struct:Transform2d") +
+            listOf("x", "y").map { poseTopic("Goal/$it", type = "struct:Translation2d") }
+        val poses = posesOf(names)
+        poses.map { it.name } shouldBe listOf("Drive/Pose", "Goal")
+        poses[0].x shouldBe "Drive/Pose/translation/x"
+        poses[0].heading shouldBe listOf("Drive/Pose/rotation/value")
+        poses[1].heading.shouldBeEmpty()
+    }
+
+    test("a pose in space heads where its quaternion says") {
+        val parts = listOf("translation/x", "translation/y", "translation/z", "rotation/q/w", "rotation/q/x", "rotation/q/y", "rotation/q/z")
+        val pose = posesOf(parts.map { poseTopic("Pose/$it", type = "struct:Pose3d") }).single()
+        pose.heading.map { it.substringAfterLast('/') } shouldBe listOf("w", "x", "y", "z")
+    }
+
+    test("three numbers of an array that is called so are a pose in degrees; others are not") {
+        fun array(name: String, count: Int) = List(count) { poseTopic("$name[$it]", type = "double[]") }
+        val poses = posesOf(array("NT:/SmartDashboard/Field/Robot", 3) + array("Joystick/axes", 3) + array("targetpose_robotspace", 6) + array("NT:/PathPlanner/currentPose", 3))
+        poses.map { it.name } shouldBe listOf("NT:/SmartDashboard/Field/Robot", "NT:/PathPlanner/currentPose")
+        poses[0].radians shouldBe (PI / 180 plusOrMinus 1e-12)
+        // PathPlanner logs radians.
+        poses[1].radians shouldBe 1.0
+        posesOf(array("limelight/botpose_wpiblue", 7)).single().run { role to heading } shouldBe (PoseRole.SEEN to listOf("limelight/botpose_wpiblue[5]"))
+    }
+
+    test("a bag's X and Y in a unit of length are a pose, with the heading of the same name") {
+        val topics = listOf("Drive/Pose X" to "m", "Drive/Pose Y" to "m", "Drive/Pose Heading" to "deg", "Target X" to "deg", "Target Y" to "deg", "plan_x" to "in", "plan_y" to "in")
+        val (pose, plan) = posesOf(topics.map { (name, unit) -> poseTopic(name, unit) })
+        listOf(pose.name, pose.x, pose.y, pose.heading.single()) shouldBe listOf("Drive/Pose", "Drive/Pose X", "Drive/Pose Y", "Drive/Pose Heading")
+        pose.role shouldBe PoseRole.DRIVEN
+        plan.meters shouldBe 0.0254
+        plan.role shouldBe PoseRole.PLANNED
+    }
+
+    test("the name says what was driven, planned and seen") {
+        fun role(name: String) = posesOf(poseTopics(name)).single().role
+        listOf("Drive/Pose", "Odometry/Robot", "PoseEstimator/EstimatedPose", "PathPlanner/currentPose").map(::role).distinct() shouldBe listOf(PoseRole.DRIVEN)
+        listOf("Drive/TargetPose", "Odometry/TrajectorySetpoint", "PathPlanner/targetPose", "Auto/Desired", "Plan").map(::role).distinct() shouldBe
+            listOf(PoseRole.PLANNED)
+        listOf("Vision/Estimate", "Camera0/Pose", "TagPoses").map(::role).distinct() shouldBe listOf(PoseRole.SEEN)
+    }
+
+    test("the elements of an array know it") {
+        val poses = posesOf(poseTopics("Trajectory[0]") + poseTopics("Trajectory[1]"))
+        poses.map { it.list to it.role } shouldBe List(2) { "Trajectory" to PoseRole.PLANNED }
+    }
+
+    test("what has no samples is not a pose") {
+        posesOf(listOf(timedTopic("X").copy(unit = "m"), timedTopic("Y").copy(unit = "m")).map { it.copy(samples = DoubleArray(0)) }).shouldBeEmpty()
+    }
+})

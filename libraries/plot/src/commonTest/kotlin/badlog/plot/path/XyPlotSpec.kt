@@ -1,0 +1,110 @@
+package badlog.plot.path
+
+import badlog.analysis.LogView
+import badlog.analysis.Span
+import badlog.plot.bagView
+import badlog.plot.timedTopic
+import badlog.plot.timedView
+import badlog.recording.Topic
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.nulls.shouldBeNull
+import io.kotest.matchers.shouldBe
+import kotlin.math.PI
+
+class XyPlotSpec : FunSpec({
+    fun LogView.plot(vararg lines: String) = xyPlotOf(lines.toList(), posesOf(recording.topics)) { name ->
+        recording.topics.find { it.name == name }?.let(::seriesOf)
+    }
+
+    fun path(name: String, vararg places: Triple<Double, Double, Double>): List<Topic> = listOf(
+        timedTopic("$name/translation/x", *places.map { it.first to it.second }.toTypedArray()),
+        timedTopic("$name/translation/y", *places.map { it.first to it.third }.toTypedArray()),
+        timedTopic("$name/rotation/value", *places.map { it.first to PI / 2 }.toTypedArray()),
+    ).map { it.copy(type = "struct:Pose2d", unit = "") }
+
+    fun timed(topics: List<Topic>) = timedView(*topics.toTypedArray())
+
+    test("a graph of a pose's x and y is its path on the field, with the robot where it was") {
+        val view = timed(path("Pose", Triple(0.0, 2.0, 3.0), Triple(1.0, 4.0, 3.0)))
+        val plot = view.plot("Pose/translation/x", "Pose/translation/y")!!
+        plot.isField shouldBe true
+        plot.full.x.run { from <= 0 && to >= Field.LENGTH } shouldBe true
+        val driven = plot.driven!!
+        driven.headingAt(0.5) shouldBe (PI / 2 plusOrMinus 1e-12)
+        driven.textAt(1.0, isField = true) shouldBe "4.00, 3.00 m · 90°"
+        driven.textAt(-1.0, isField = true) shouldBe ""
+        // It looks up the field: its bow is above its middle.
+        driven.robotAt(0.0).takeLast(2).map { (it * 100).toInt() / 100.0 } shouldBe listOf(2.0, 3.75)
+    }
+
+    test("what was seen is drawn first, and the driven path last") {
+        val names = listOf("Pose", "Target Pose", "Vision/Pose")
+        val view = timed(names.flatMap { path(it, Triple(0.0, 1.0, 1.0)) })
+        val plot = view.plot(*names.flatMap { listOf("$it/translation/x", "$it/translation/y") }.toTypedArray())!!
+        plot.traces.map { it.role } shouldBe listOf(PoseRole.SEEN, PoseRole.PLANNED, PoseRole.DRIVEN)
+        plot.traces.map { it.color } shouldBe listOf(2, 1, 0)
+    }
+
+    test("a plan that is an array is where its elements are at a moment") {
+        val view = timed(path("Trajectory[0]", Triple(0.0, 1.0, 1.0)) + path("Trajectory[1]", Triple(0.0, 2.0, 2.0), Triple(1.0, Double.NaN, Double.NaN)))
+        val plan = view.plot("Trajectory[0]/translation/x", "Trajectory[0]/translation/y")!!.traces.single()
+        plan.chainAt(0.5).toList() shouldBe listOf(1.0, 1.0, 2.0, 2.0)
+        plan.chainAt(1.0).toList() shouldBe listOf(1.0, 1.0)
+    }
+
+    test("swerve modules are arrows at the robot's corners, those that were wanted first") {
+        fun states(name: String, speed: Double) = List(4) { i ->
+            listOf(timedTopic("$name[$i]/speed", 0.0 to speed), timedTopic("$name[$i]/angle/value", 0.0 to 0.0))
+        }.flatten().map { it.copy(type = "struct:SwerveModuleState[]") }
+        val view = timed(path("Pose", Triple(0.0, 2.0, 3.0)) + states("Measured", 2.0) + states("Target", 4.0) + states("Rest", 0.0))
+        val modules = swerveModulesOf(view.recording.topics)
+        modules.map { it.isTarget } shouldBe listOf(false, true, false)
+        val plot = xyPlotOf(listOf("Pose/translation/x", "Pose/translation/y"), posesOf(view.recording.topics), modules) { name ->
+            view.recording.topics.find { it.name == name }?.let(view::seriesOf)
+        }!!
+        val arrows = plot.arrowsAt(0.0)
+        arrows.map { it.isTarget } shouldBe List(4) { true } + List(4) { false }
+        // The robot looks up the field: its front left corner is at the left above, and the arrow leads up by 4 m/s for a quarter of a second.
+        arrows[0].places.take(4).zip(listOf(1.7, 3.3, 1.7, 4.3)).forEach { (at, expected) -> at shouldBe (expected plusOrMinus 1e-9) }
+        plot.arrowsAt(-1.0) shouldBe emptyList()
+    }
+
+    test("other lines are drawn over the first one; volts over amperes say the resistance") {
+        val rows = List(50) { "$it,${it * 4},${12 - it * 4 * 0.016}" }
+        val view = bagView(listOf("Time|xaxis", "Current", "Voltage"), rows)
+        val plot = view.plot("Current", "Voltage")!!
+        plot.isField shouldBe false
+        plot.xTitle shouldBe "Current (V)"
+        val fit = plot.lineFit(Span(0.0, 50.0))!!
+        fit.slope shouldBe (-0.016 plusOrMinus 1e-9)
+        fit.text("A", "V") shouldBe "Resistance 16.0 mΩ"
+        fit.text("s", "m") shouldBe "Slope -0.0160 m/s"
+        plot.lineFit(Span(0.0, 0.5)).shouldBeNull()
+        view.plot("Current").shouldBeNull()
+        view.plot("Gone", "Voltage").shouldBeNull()
+    }
+
+    test("the pointer finds the time that is nearest to it on the path, and at a crossing the nearest to the cursor") {
+        val there = List(11) { Triple(it.toDouble(), it.toDouble(), 2.0) }
+        val back = List(11) { Triple(11.0 + it, 10.0 - it, 2.0) }
+        val view = timed(path("Pose", *(there + back).toTypedArray()))
+        val plot = view.plot("Pose/translation/x", "Pose/translation/y")!!
+        fun at(x: Double, y: Double, before: Double?) = plot.timeAt(x, y, 0.1, 0.1, reach = 20.0, Span(0.0, 30.0), before)
+        at(3.1, 2.2, null) shouldBe 3.0
+        at(3.1, 2.2, 20.0) shouldBe 18.0
+        at(3.1, 7.0, null).isNaN() shouldBe true
+    }
+
+    test("the moment from which the robot is beside its plan is found, but not that it stays where a plan has ended") {
+        val plan = List(100) { Triple(it / 10.0, minOf(it, 60) / 10.0, 2.0) }
+        val driven = List(100) { i -> Triple(i / 10.0, minOf(i, 60) / 10.0, if (i >= 40) 2 + (i - 40) / 10.0 else 2.0) }
+        val plot = timed(path("Pose", *driven.toTypedArray()) + path("Target", *plan.toTypedArray()))
+            .plot("Pose/translation/x", "Pose/translation/y", "Target/translation/x", "Target/translation/y")!!
+        val left = plot.departure(listOf(Span(0.0, 10.0)), second = 1.0)!!
+        left.time shouldBe (4.6 plusOrMinus 1e-9)
+        left.farthest shouldBe (2.0 plusOrMinus 1e-9)
+        plot.departure(listOf(Span(0.0, 4.5)), second = 1.0).shouldBeNull()
+        plot.departure(listOf(Span(7.0, 10.0)), second = 1.0).shouldBeNull()
+    }
+})
