@@ -36,7 +36,7 @@ public class RecordingWriter(private val recording: Recording, private val forma
         require(fromRow in 0..untilRow && untilRow <= recording.rowCount) {
             "There are no rows from $fromRow until $untilRow in a recording of ${recording.rowCount}."
         }
-        require(format != RecordingFormat.WPILOG) { "This writes bags and CSV, not $format." }
+        require(format.hasRows) { "This writes bags and CSV, not $format." }
         requireSamples()
         val out = RowWriter()
         header(out)

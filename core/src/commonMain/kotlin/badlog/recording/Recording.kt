@@ -39,16 +39,23 @@ public class Recording(
     public val isSalvaged: Boolean get() = problems.any { it.severity == Severity.ERROR }
 }
 
-/** The format that a [Recording] was read from. */
-public enum class RecordingFormat {
+/**
+ * The format that a [Recording] was read from.
+ *
+ * @property hasRows whether all topics share rows; else each has times of its own.
+ */
+public enum class RecordingFormat(public val hasRows: Boolean) {
     /** A JSON line, then CSV. */
-    BAG,
+    BAG(true),
 
     /** CSV alone: a bag without units, attributes and values. */
-    CSV,
+    CSV(true),
 
-    /** The log of WPILib's DataLog, in which each topic has times of its own. */
-    WPILOG,
+    /** The log of WPILib's DataLog. */
+    WPILOG(false),
+
+    /** A log of the FRC Driver Station: its records, its events, or both. */
+    DRIVER_STATION(false),
 }
 
 /**

@@ -7,8 +7,8 @@ import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import java.io.File
 
-/** A season's real log as a spreadsheet tool exported it. It is not part of the project, so the test runs where it is. */
-private val LOG = File("../../shared/data/FRC_TBD_bb075f7372c1ac20.csv")
+/** A season's real log as a spreadsheet tool exported it. It is not part of the project, so the test runs where `BADLOG_REAL_LOGS` names its folder. */
+private val LOG = File(System.getenv("BADLOG_REAL_LOGS").orEmpty(), "FRC_TBD_bb075f7372c1ac20.csv")
 
 class SpreadsheetExportSpec : FunSpec({
     test("a sparse CSV of 170 columns opens with every cell accounted for").config(

@@ -5,7 +5,6 @@ import badlog.bag.RecordingParser
 import badlog.file.GzipReader
 import badlog.formats.LOG_FORMATS
 import badlog.recording.ProblemKind
-import badlog.recording.RecordingFormat
 
 /**
  * What the first bytes of a file show before the rest is read.
@@ -35,7 +34,7 @@ internal class FileHead private constructor(val isGzip: Boolean, val hasLines: B
             val refusal = recording.problems
                 .firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING && parser.rowCount == 0 }
                 ?.message
-            return FileHead(isGzip, recording.format != RecordingFormat.WPILOG, matchTitle(recording.values), refusal)
+            return FileHead(isGzip, recording.format.hasRows, matchTitle(recording.values), refusal)
         }
     }
 }

@@ -2,6 +2,7 @@ package badlog.html
 
 import badlog.bag.RecordingParser
 import badlog.file.AtomicFile
+import badlog.file.partsOfLog
 import badlog.file.withGzipCut
 import badlog.formats.LOG_FORMATS
 import badlog.html.note.NotesException
@@ -26,7 +27,8 @@ import java.nio.file.Path
  */
 public class HtmlExporter(private val attachments: List<Path> = emptyList(), private val parts: PageParts = PageParts.bundled()) {
     /**
-     * Makes the page [output] of the file [input], a bag, a CSV file or a WPILOG, perhaps compressed with gzip. Whatever is wrong
+     * Makes the page [output] of the log [input], a bag, a CSV file, a WPILOG or a Driver Station log, perhaps compressed with gzip;
+     * of a log of two files the page has both. Whatever is wrong
      * in it is listed in the report and on the page. [output] is replaced only by a whole page; its folder is made if
      * need be.
      *
@@ -43,7 +45,8 @@ public class HtmlExporter(private val attachments: List<Path> = emptyList(), pri
         progress: Progress = Progress { _, _ -> },
     ): ExportReport {
         val page = output.toAbsolutePath().normalize()
-        val files = attachments.plusElement(input)
+        val logParts = partsOfLog(input)
+        val files = attachments + logParts
         files.forEach(::checkReadable)
         checkWritable(page, files)
         return reading(input) { Files.newInputStream(input) }.use { stream ->
@@ -51,8 +54,15 @@ public class HtmlExporter(private val attachments: List<Path> = emptyList(), pri
             val head = FileHead.of(first)
             if (head.refusal != null) throw ExportException.NotARecording(input, "$input: ${head.refusal}")
             val source = ReadGuard(input, SequenceInputStream(ByteArrayInputStream(first), stream))
-            passingOn(progress) { heard -> writing(page) { write(input, source, head, page, withNotes(additions, input), heard) } }
+            withOthers(source, logParts).use { whole ->
+                passingOn(progress) { heard -> writing(page) { write(logParts, whole, head, page, withNotes(additions, input), heard) } }
+            }
         }
+    }
+
+    /** [first], the bytes of the first of [logParts], and then those of the others. */
+    private fun withOthers(first: InputStream, logParts: List<Path>): InputStream = logParts.drop(1).fold(first) { before, part ->
+        SequenceInputStream(before, ReadGuard(part, reading(part) { Files.newInputStream(part) }))
     }
 
     private fun withNotes(additions: PageAdditions, log: Path): PageAdditions = try {
@@ -63,20 +73,22 @@ public class HtmlExporter(private val attachments: List<Path> = emptyList(), pri
     }
 
     private fun write(
-        input: Path,
+        logParts: List<Path>,
         source: InputStream,
         head: FileHead,
         page: Path,
         additions: PageAdditions,
         progress: Progress,
     ): ExportReport {
+        val input = logParts.first()
         val name = input.fileName.toString()
-        val total = Files.size(input)
+        val firstBytes = Files.size(input)
+        val total = logParts.sumOf(Files::size)
         val parser = RecordingParser(LOG_FORMATS, keepSamples = false)
         Files.createDirectories(page.parent)
         return AtomicFile(page).use { file ->
             val writer = PageWriter(file.out, parts)
-            writer.begin(head.title ?: name)
+            writer.begin(head.title ?: logParts.drop(1).firstNotNullOfOrNull(::titleIn) ?: name)
             writer.program(additions)
             val embedded = ExportThreads().use { threads ->
                 // Only so long a file is worth the work of several workers, and of the page while it is still being loaded.
@@ -97,11 +109,14 @@ public class HtmlExporter(private val attachments: List<Path> = emptyList(), pri
             recording.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }?.let { problem ->
                 throw ExportException.NotARecording(input, "$input: ${problem.message}")
             }
-            writer.end(name, embedded, head.isGzip)
+            writer.end(name, embedded, head.isGzip, logParts.getOrNull(1)?.let { SecondPart(it.fileName.toString(), firstBytes) })
             file.commit()
             ExportReport(page, recording, embedded.originalBytes, embedded.inflatedBytes)
         }
     }
+
+    private fun titleIn(file: Path): String? = reading(file) { Files.newInputStream(file).use { it.readNBytes(FileHead.BYTES) } }
+        .let(FileHead::of).title
 
     private fun attach(file: Path, writer: PageWriter, threads: ExportThreads) {
         reading(file) { Files.newInputStream(file) }.use { stream ->

@@ -4,7 +4,6 @@ import badlog.file.UnreadableFileException
 import badlog.file.readRecording
 import badlog.formats.LOG_FORMATS
 import badlog.plot.board.FolderLayout
-import badlog.recording.RecordingFormat
 import badlog.rules.signal.SignalVocabulary
 import badlog.rules.signal.matchOf
 import java.nio.file.Path
@@ -22,7 +21,7 @@ private fun matchTypeOf(log: Path, signals: SignalVocabulary): String? = try {
     val recording = readRecording(log, LOG_FORMATS, keepSamples = false)
     // A bag says it at its beginning, a log of records mostly by numbers.
     signals.matchOf(recording).type
-        ?: if (recording.format == RecordingFormat.WPILOG) signals.matchOf(readRecording(log, LOG_FORMATS)).type else null
+        ?: if (recording.format.hasRows) null else signals.matchOf(readRecording(log, LOG_FORMATS)).type
 } catch (_: UnreadableFileException) {
     // Whoever makes the page says why.
     null

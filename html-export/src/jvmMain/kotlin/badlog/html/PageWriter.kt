@@ -61,12 +61,13 @@ internal class PageWriter(private val out: OutputStream, private val parts: Page
     fun <T> attachment(name: String, embed: (Base64Stream) -> T): T =
         base64("class=\"attachment\" data-name=\"${escapeHtml(name)}\"", embed)
 
-    /** The end, about the recording that came from the file [name]. A page without it was cut. */
-    fun end(name: String, file: EmbeddedFile, isGzip: Boolean) {
+    /** The end, about the recording that came from the file [name], and [second]. A page without it was cut. */
+    fun end(name: String, file: EmbeddedFile, isGzip: Boolean, second: SecondPart? = null) {
         val cut = if (file.isCut) ",\"cut\":true" else ""
+        val more = if (second == null) "" else ",\"second\":${inScript(quotedJson(second.name))},\"firstBytes\":${second.from}"
         text(
             "<script type=\"application/json\" id=\"about\">{\"name\":${inScript(quotedJson(name))}," +
-                "\"original\":\"${if (isGzip) "gzip" else "raw"}\",\"inflatedBytes\":${file.inflatedBytes}$cut," +
+                "\"original\":\"${if (isGzip) "gzip" else "raw"}\",\"inflatedBytes\":${file.inflatedBytes}$cut$more," +
                 "\"version\":${quotedJson(BADLOG_VERSION)}}</script>\n</body>\n</html>\n",
         )
     }

@@ -6,6 +6,7 @@ import badlog.json.quotedJson
 import badlog.recording.ProblemKind
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContainAll
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.collections.shouldNotContain
 import io.kotest.matchers.nulls.shouldBeNull
@@ -122,6 +123,25 @@ class HtmlExporterSpec : FunSpec({
             page.count("script") shouldBe 5
             page.count("img") shouldBe 0
             page.html shouldNotContain "<!--"
+        }
+    }
+
+    test("a log of two files is in the page whole, with where the second begins, and is called by what that says") {
+        val head = byteArrayOf(0, 0, 0, 4, 0, 0, 0, 0, -27, -47, 3, 5, 0, 0, 0, 0, 0, 0, 0, 0)
+        val record = byteArrayOf(10, 0, 12, 0, 80, 0xDB.toByte(), 60, 0, 0, 0, 0, 0, 0, 0)
+        val text = "FMS Event Name: MILLC FMS Connected:   Qualification - 42:1, Field Time: 26/3/7 10:4:5".encodeToByteArray()
+        val events = head + head.copyOfRange(4, 20) + byteArrayOf(0, 0, 0, text.size.toByte()) + text
+        inFolder { folder ->
+            val log = folder / "2026_03_07 10_04_05 Sat.dslog"
+            log.writeBytes(head + record + record)
+            (folder / "2026_03_07 10_04_05 Sat.dsevents").writeBytes(events)
+            val report = exporter.export(log, folder / "p.html")
+            report.recording.topics.map { it.name } shouldContainAll listOf("Driver Station/Battery Voltage", "Driver Station/Events")
+            val page = ReadPage(folder / "p.html")
+            page.inflated() shouldBe head + record + record + events
+            page.title shouldBe "MILLC Qualification 42"
+            page.about.getValue("second").jsonPrimitive.content shouldBe "2026_03_07 10_04_05 Sat.dsevents"
+            page.about.getValue("firstBytes").jsonPrimitive.content shouldBe "48"
         }
     }
 

@@ -132,7 +132,7 @@ internal class ConvertTask(
         Omissions(omissions = if (repeats == 0) emptyList() else listOf(Omission(null, REPEATS, repeats)))
 
     private fun withRows(read: Recording, file: Path): WithRows {
-        val hasRows = read.format != RecordingFormat.WPILOG
+        val hasRows = read.format.hasRows
         val times = if (hasRows) null else rows.timesIn(read, file)
         val recording = if (times == null) withRowsOnly(read) else resampled(read, times)
         val leftOut = if (times == null) {

@@ -8,7 +8,6 @@ import badlog.cli.command.Outcome
 import badlog.cli.command.Task
 import badlog.cli.console.Console
 import badlog.cli.input.Failure
-import badlog.cli.input.FileName
 import badlog.cli.input.LogInput
 import badlog.cli.input.readLog
 import badlog.cli.output.LogFormat
@@ -58,7 +57,8 @@ internal class CutTask(
         } catch (e: Failure) {
             throw Failure("${input.file}: ${e.message}")
         }
-        val target = plan.place(input, FileName.of(input.file).marked("cut"), input.file.fileName.toString())
+        val name = LogFormat.nameFor(input.file, view.recording)
+        val target = plan.place(input, name.marked("cut"), name.toString())
         val format = plan.file?.let(LogFormat::ofName) ?: LogFormat.of(view.recording)
         val said = saidOf(part.spans, view.xAxis.unit)
         val leftOut = write(view.recording, part, said, format, input.file, target, progress)
@@ -68,7 +68,7 @@ internal class CutTask(
 
     private fun partOf(view: LogView): CutPart {
         val spans = choices.map { joined(it.spans(view)) }.reduce(::intersection)
-        return if (view.recording.format == RecordingFormat.WPILOG) samplePart(view, spans) else rowPart(view, spans)
+        return if (view.recording.format.hasRows) rowPart(view, spans) else samplePart(view, spans)
     }
 
     /** Where it lies, as a person reads it. */
@@ -103,10 +103,10 @@ internal class CutTask(
         val unit = view.xAxis.unit
         val lines = part.spans.take(LISTED).map { "  from ${XTime.text(it.from, unit)} to ${XTime.text(it.to, unit)}" }
         val more = if (part.spans.size > LISTED) listOf("  and ${part.spans.size - LISTED} more") else emptyList()
-        val kept = if (view.recording.format == RecordingFormat.WPILOG) {
-            "${grouped(part.sampleCount)} of ${counted(view.recording.sampleCount, "sample")}"
-        } else {
+        val kept = if (view.recording.format.hasRows) {
             "${grouped(part.rowCount.toLong())} of ${counted(view.recording.rowCount.toLong(), "row")}"
+        } else {
+            "${grouped(part.sampleCount)} of ${counted(view.recording.sampleCount, "sample")}"
         }
         val head = listOf(title, wrapped("  ", "kept $kept${leftOut.tail}", INDENT))
         return (head + lines + more + leftOut.lines + lossLines(view.problems)).joinToString("\n")

@@ -11,6 +11,7 @@ import badlog.cli.console.Console
 import badlog.cli.input.readLog
 import badlog.cli.search.signalsBeside
 import badlog.cli.text.jsonOf
+import badlog.file.LogFile
 import badlog.report.NamedTopics
 import badlog.report.UndefinedTopic
 import badlog.report.undefinedTexts
@@ -99,7 +100,7 @@ internal class InfoTask(
             val recording = readLog(input.file, progress, xTopic, numbers)
             val with = LogView.of(recording).withSignals(vocabulary).withVirtualTopics(virtualTopics, vocabulary)
             val signals = signalTopicsOf(with.view, vocabulary).all
-            val summary = LogSummary(input.file, Files.size(input.file), with.view, numbers)
+            val summary = LogSummary(input.file, LogFile.of(input.file).size, with.view, numbers)
             val text = when {
                 isJson -> ""
                 isOverview -> (if (isFirst) overview.titles() + "\n" else "") + overview.line(summary)

@@ -10,7 +10,6 @@ import badlog.cli.text.problemLines
 import badlog.cli.text.shortNumber
 import badlog.cli.text.sizeText
 import badlog.cli.text.wrapped
-import badlog.recording.RecordingFormat
 import badlog.recording.Severity
 import badlog.recording.TopicKind
 import badlog.rules.signal.SignalTopic
@@ -59,15 +58,9 @@ internal class InfoText(
     private fun summaryLines(): List<String> = buildList {
         add(printable(summary.file.toString()))
         view.title?.let { add(wrapped("  match   ", it)) }
-        add("  format  ${recording.format.name.lowercase()}, ${sizeText(summary.bytes)}")
+        add("  format  ${recording.format.name.lowercase().replace('_', ' ')}, ${sizeText(summary.bytes)}")
         val sizes = listOf(
-            if (recording.format ==
-                RecordingFormat.WPILOG
-            ) {
-                counted(recording.sampleCount, "sample")
-            } else {
-                counted(recording.rowCount.toLong(), "row")
-            },
+            if (recording.format.hasRows) counted(recording.rowCount.toLong(), "row") else counted(recording.sampleCount, "sample"),
             counted(recording.topics.size.toLong(), "topic"),
             counted(recording.values.size.toLong(), "value"),
         )

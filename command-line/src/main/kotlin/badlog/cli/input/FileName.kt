@@ -22,6 +22,9 @@ internal class FileName private constructor(val stem: String, val ending: String
     /** The same name with another ending. */
     fun with(ending: String, isGzip: Boolean = this.isGzip): String = "$stem$ending${if (isGzip) GZIP else ""}"
 
+    /** The name of a file of the same log in another format, whose ending is [ending]. */
+    fun like(ending: String): FileName = FileName(stem, ending, isGzip)
+
     /** The same name, without the end of its stem where it is longer than file systems take. */
     fun fitting(): FileName {
         // What is not a log has another ending, such as that of a page.

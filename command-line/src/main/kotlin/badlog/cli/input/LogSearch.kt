@@ -5,6 +5,7 @@ import badlog.file.LogFile
 import badlog.file.NaturalOrder
 import badlog.file.UnreadableFileException
 import badlog.file.reading
+import badlog.file.wholeLogs
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
@@ -34,7 +35,7 @@ internal class LogSearch(private val checkpoint: () -> Unit = {}) {
     /**
      * What was found.
      *
-     * @property inputs each log once, in the order of the arguments, and inside a folder in that of their names.
+     * @property inputs each log once, as the first of its files, in the order of the arguments, and inside a folder in that of their names.
      * @property failures the folders that could not be looked into.
      */
     class SearchResult(val inputs: List<LogInput>, val failures: List<UnreadableFileException>)
@@ -46,7 +47,7 @@ internal class LogSearch(private val checkpoint: () -> Unit = {}) {
     /** Looks below [paths]. To be called once. */
     fun find(paths: List<Path>): SearchResult {
         for (path in paths) if (Files.isDirectory(path)) lookInto(path) else inputs += LogInput(path, null)
-        return SearchResult(inputs.distinctBy { identityOf(it.file) }, failures)
+        return SearchResult(wholeLogs(inputs.distinctBy { identityOf(it.file) }) { it.file }, failures)
     }
 
     private fun lookInto(folder: Path) {

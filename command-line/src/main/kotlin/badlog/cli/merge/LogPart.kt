@@ -20,15 +20,20 @@ import java.nio.file.Path
  *
  * @property recording what is in it, at the times that it has in the merge.
  * @property offset how much later those are than in the file, in s.
- * @property isOfFile whether its samples stand in the file as they are, and not in rows.
+ * @property isOfFile whether its samples stand in the file as records of a WPILOG.
  */
-internal class LogPart(val file: Path, val recording: Recording, val offset: Double = 0.0, val isOfFile: Boolean = true) {
+internal class LogPart(
+    val file: Path,
+    val recording: Recording,
+    val offset: Double = 0.0,
+    val isOfFile: Boolean = recording.format == RecordingFormat.WPILOG,
+) {
     /** Its x axis. */
     val axis: XAxis = LogView.of(recording).xAxis
     private val topicOf = recording.topics.associateBy { it.name }
 
     /** Whether its samples stand in rows, not at times of their own. */
-    val hasRows: Boolean get() = recording.format != RecordingFormat.WPILOG
+    val hasRows: Boolean get() = recording.format.hasRows
 
     /** The folder of topics whose names are taken. */
     val folder: String get() = FileName.of(file).stem
@@ -56,7 +61,7 @@ internal class LogPart(val file: Path, val recording: Recording, val offset: Dou
  * @throws Failure when its x is not a time.
  */
 internal fun LogPart.withOwnTimes(): LogPart {
-    if (!hasRows) return this
+    if (!hasRows) return if (isOfFile) this else LogPart(file, recording, isOfFile = false)
     val x = xTopic ?: throw Failure("$file has no x axis, so its rows cannot be placed; name the time topic with --x.")
     val seconds = Units.secondsIn(x.unit) ?: 1.0.takeIf { Units.isNone(x.unit) }
         ?: throw Failure("$file counts x in ${x.unit}, but a WPILOG in s; these are not one clock.")

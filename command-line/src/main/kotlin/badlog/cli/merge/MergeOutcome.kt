@@ -9,7 +9,6 @@ import badlog.cli.text.grouped
 import badlog.cli.text.jsonOf
 import badlog.cli.text.shortNumber
 import badlog.cli.text.wrapped
-import badlog.recording.RecordingFormat
 import kotlinx.serialization.Serializable
 import java.nio.file.Path
 
@@ -21,7 +20,7 @@ internal fun mergeOutcome(merge: Merged, moved: MovedLogs, target: Path, leftOut
         .map { wrapped("  salvaged: ", "${it.file}; badlog info shows what is lost", INDENT) }
     val text = listOf("-> $target") + textLines(merge, leftOut) + clockLines(moved) + leftOut.lines + salvaged
     val repeated = merge.groups.sumOf { it.repeated }
-    val hasRows = recording.format != RecordingFormat.WPILOG
+    val hasRows = recording.format.hasRows
     val json = MergeJson(
         rows = recording.rowCount,
         samples = recording.sampleCount,
@@ -40,8 +39,8 @@ internal fun mergeOutcome(merge: Merged, moved: MovedLogs, target: Path, leftOut
 
 private fun textLines(merge: Merged, leftOut: Omissions): List<String> = buildList {
     val recording = merge.recording
-    val noun = if (recording.format == RecordingFormat.WPILOG) "sample" else "row"
-    val count = if (recording.format == RecordingFormat.WPILOG) recording.sampleCount else recording.rowCount.toLong()
+    val noun = if (recording.format.hasRows) "row" else "sample"
+    val count = if (recording.format.hasRows) recording.rowCount.toLong() else recording.sampleCount
     add("  " + counted(count, noun) + " of " + counted(recording.topics.size.toLong(), "topic") + leftOut.tail)
     merge.groups.forEachIndexed { index, group ->
         val how = when {

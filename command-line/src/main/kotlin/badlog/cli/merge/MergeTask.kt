@@ -14,7 +14,6 @@ import badlog.cli.input.readLog
 import badlog.cli.output.LogFormat
 import badlog.cli.output.OutputPlan
 import badlog.cli.output.writeLog
-import badlog.recording.RecordingFormat
 import badlog.report.TopicException
 import badlog.report.withX
 import badlog.terminal.Progress
@@ -67,7 +66,7 @@ internal class MergeTask(
     private fun read(input: LogInput, console: Console, outcomes: Outcomes): LogPart? {
         try {
             val recording = console.progress(input.file.fileName.toString()).use { readLog(input.file, it) }
-            val needsX = xTopic != null && recording.format != RecordingFormat.WPILOG
+            val needsX = xTopic != null && recording.format.hasRows
             return LogPart(input.file, if (needsX) recording.withX(checkNotNull(xTopic), input.file) else recording)
         } catch (e: NotALog) {
             outcomes.unreadable(input, e.message, isNoLog = true)

@@ -55,9 +55,9 @@ internal enum class LogFormat(val ending: String, private val recordingFormat: R
      * @throws Failure when it has no rows, which this format needs.
      */
     fun require(recording: Recording, target: Path) {
-        if (!hasRows || recording.format != RecordingFormat.WPILOG) return
+        if (!hasRows || recording.format.hasRows) return
         throw Failure(
-            "$target would need rows, which a WPILOG does not have; let its name end in .wpilog, and make rows of that by " +
+            "$target would need rows, which the log does not have; let its name end in .wpilog, and make rows of that by " +
                 "badlog convert --to $option.",
         )
     }
@@ -69,7 +69,12 @@ internal enum class LogFormat(val ending: String, private val recordingFormat: R
         }
 
         /** The format that is nearest to what [recording] was read from. */
-        fun of(recording: Recording): LogFormat = entries.first { it.recordingFormat == recording.format }
+        fun of(recording: Recording): LogFormat = entries.find { it.recordingFormat == recording.format } ?: WPILOG
+
+        /** What a log that is made of [recording] is called: as its [file], where it is of the format that this is written in. */
+        fun nameFor(file: Path, recording: Recording): FileName = FileName.of(file).let { name ->
+            if (entries.any { it.recordingFormat == recording.format }) name else name.like(of(recording).ending)
+        }
     }
 }
 

@@ -11,7 +11,6 @@ import badlog.recording.Loss
 import badlog.recording.Problem
 import badlog.recording.ProblemKind
 import badlog.recording.Recording
-import badlog.recording.RecordingFormat
 import badlog.recording.Severity
 import kotlinx.serialization.Serializable
 import java.nio.file.Path
@@ -32,8 +31,8 @@ internal class Damage(private val recording: Recording) {
     /** How many bytes are lost at the end, 0 when none are; null when what is lost stands elsewhere, or everywhere. */
     val bytesAtEnd: Long? = if (problems.all { it.kind in AT_END }) total.bytes else null
 
-    // A WPILOG has records instead of rows of cells.
-    private val hasRows: Boolean = recording.format != RecordingFormat.WPILOG
+    // Other logs have records instead of rows of cells.
+    private val hasRows: Boolean = recording.format.hasRows
 
     /** What to say about [file], whose clean log is [target], which has no place for [leftOut], or which needs none. */
     fun outcome(file: Path, target: Path?, leftOut: Omissions): Outcome {

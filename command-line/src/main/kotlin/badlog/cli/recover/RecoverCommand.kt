@@ -7,7 +7,6 @@ import badlog.cli.command.SubCommand
 import badlog.cli.command.Task
 import badlog.cli.console.Console
 import badlog.cli.input.Failure
-import badlog.cli.input.FileName
 import badlog.cli.input.LogInput
 import badlog.cli.input.readLog
 import badlog.cli.output.LogFormat
@@ -21,6 +20,7 @@ import badlog.cli.output.writeLog
 import badlog.file.readRecording
 import badlog.formats.LOG_FORMATS
 import badlog.recording.Recording
+import badlog.recording.RecordingFormat
 import badlog.recording.Topic
 import badlog.terminal.Progress
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
@@ -51,7 +51,8 @@ internal class RecoverTask(private val paths: List<Path>, private val plan: Outp
             val reason = recording.problems.firstOrNull()?.message.orEmpty()
             throw Failure("${input.file}: nothing can be recovered. $reason".trim())
         }
-        val target = plan.place(input, FileName.of(input.file).marked("recovered"), input.file.fileName.toString())
+        val name = LogFormat.nameFor(input.file, recording)
+        val target = plan.place(input, name.marked("recovered"), name.toString())
         val leftOut = write(input.file, recording, damage, target, progress)
         requireSame(recording, target)
         return damage.outcome(input.file, target, leftOut)
@@ -60,7 +61,7 @@ internal class RecoverTask(private val paths: List<Path>, private val plan: Outp
     private fun write(file: Path, recording: Recording, damage: Damage, target: Path, progress: Progress): Omissions {
         val format = LogFormat.of(recording)
         val lostBytes = damage.bytesAtEnd
-        if (format.hasRows) return writeLog(recording, format, target, progress = progress)
+        if (recording.format != RecordingFormat.WPILOG) return writeLog(recording, format, target, progress = progress)
         if (lostBytes != null) {
             copyBeginning(file, lostBytes, target, progress)
         } else {

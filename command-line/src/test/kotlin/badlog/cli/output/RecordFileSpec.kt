@@ -1,7 +1,6 @@
 package badlog.cli.output
 
 import badlog.cli.Logged
-import badlog.cli.ROOT
 import badlog.cli.badlog
 import badlog.cli.badlogJson
 import badlog.cli.command.ExitCode
@@ -18,12 +17,11 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldNotContain
 import java.nio.file.Path
 import kotlin.io.path.div
-import kotlin.io.path.exists
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.readBytes
 
 /** Logs of a season's robot. They are not part of the project, so the tests run where they are. */
-private val REAL_LOGS = (ROOT / "../shared/data").let { if (it.exists()) it.listDirectoryEntries("*.wpilog").sorted() else emptyList() }
+private val REAL_LOGS = System.getenv("BADLOG_REAL_LOGS")?.let { Path.of(it).listDirectoryEntries("*.wpilog").sorted() }.orEmpty()
 
 private fun heldIn(entry: RecordEntry): List<String> = List(entry.size) { "${entry.time(it)} ${entry.payload(it).toList()}" }
 

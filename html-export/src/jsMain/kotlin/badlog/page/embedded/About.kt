@@ -10,8 +10,17 @@ import kotlinx.browser.document
  * @property inflatedBytes how many bytes can be inflated from what the page carries.
  * @property isCut whether something of that gzip stream is missing.
  * @property version the version of badlog that made the page.
+ * @property second the name of the log's second file, whose bytes stand behind the first [firstBytes]; null where it is one file.
  */
-internal class About(val name: String, val isCompressed: Boolean, val inflatedBytes: Double, val isCut: Boolean, val version: String) {
+internal class About(
+    val name: String,
+    val isCompressed: Boolean,
+    val inflatedBytes: Double,
+    val isCut: Boolean,
+    val version: String,
+    val second: String?,
+    val firstBytes: Int?,
+) {
     /** Tells this file from others, for what the browser remembers of it. */
     val fileKey: String get() = "$name:$inflatedBytes"
 
@@ -30,6 +39,8 @@ internal class About(val name: String, val isCompressed: Boolean, val inflatedBy
                 inflatedBytes = (json.inflatedBytes as? Number)?.toDouble() ?: 0.0,
                 isCut = json.cut == true,
                 version = json.version as? String ?: "",
+                second = json.second as? String,
+                firstBytes = json.firstBytes as? Int,
             )
         }
     }

@@ -9,7 +9,6 @@ import badlog.page.embedded.About
 import badlog.page.embedded.CsvPart
 import badlog.page.embedded.EmbeddedFile
 import badlog.recording.Recording
-import badlog.recording.RecordingFormat
 import kotlinx.browser.document
 import org.w3c.dom.Element
 import org.w3c.dom.HTMLElement
@@ -27,10 +26,15 @@ internal class Downloads(private val about: About, recording: Element, private v
 
     val element: HTMLElement = element("div", "downloads") {
         addDownload("download", Icon.DOWNLOAD, "Download", "Save ${about.name}, byte for byte", about.name) {
-            if (about.isCompressed) Promise.resolve(file.compressed()) else file.inflated(about.inflatedBytes)
+            original().then { if (about.second == null) it else it.slice(0, about.firstBytes ?: 0) }
+        }
+        about.second?.let { second ->
+            addDownload("download-second", Icon.DOWNLOAD, second, "Save $second, byte for byte", second) {
+                original().then { it.slice(about.firstBytes ?: 0) }
+            }
         }
         val csvName = if (about.name.lowercase().endsWith(".csv")) about.name else "${about.name}.csv"
-        if (read.format != RecordingFormat.WPILOG) {
+        if (read.format.hasRows) {
             addDownload("download-csv", Icon.TABLE, "CSV", "Save the samples for a spreadsheet", csvName) { csv() }
         }
         val attachments = document.querySelectorAll("script.attachment").asList()
@@ -42,6 +46,9 @@ internal class Downloads(private val about: About, recording: Element, private v
             }.classList.add("attachment")
         }
     }
+
+    private fun original(): Promise<Blob> =
+        if (about.isCompressed) Promise.resolve(file.compressed()) else file.inflated(about.inflatedBytes)
 
     private fun csv(): Promise<Blob> = file.inflated(about.inflatedBytes, !about.isCompressed, CsvPart(read.headerLine != null)::filter)
 

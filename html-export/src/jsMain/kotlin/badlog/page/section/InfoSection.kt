@@ -33,6 +33,7 @@ private val FORMATS = mapOf(
     RecordingFormat.BAG to "bag: a JSON header, then CSV",
     RecordingFormat.CSV to "plain CSV",
     RecordingFormat.WPILOG to "WPILOG: each topic has its own times",
+    RecordingFormat.DRIVER_STATION to "log of the Driver Station",
 )
 
 private fun HTMLElement.addFact(name: String, text: String) {

@@ -11,7 +11,6 @@ import badlog.plot.text.durationText
 import badlog.plot.text.roundedText
 import badlog.plot.text.withUnit
 import badlog.recording.Recording
-import badlog.recording.RecordingFormat
 import org.w3c.dom.HTMLElement
 
 /** What file this is, with what was [logged], and what can be done with it. */
@@ -41,8 +40,8 @@ private fun factsOf(view: LogView, logged: Recording, about: About): List<String
 }
 
 /** How many samples there are, as `7,500 samples each` where all topics share rows. */
-internal fun samplesText(recording: Recording): String = if (recording.format == RecordingFormat.WPILOG) {
-    countText(recording.sampleCount.toInt(), "sample")
-} else {
+internal fun samplesText(recording: Recording): String = if (recording.format.hasRows) {
     countText(recording.rowCount, "sample") + " each"
+} else {
+    countText(recording.sampleCount.toInt(), "sample")
 }

@@ -1,6 +1,7 @@
 package badlog.html.cli
 
 import badlog.file.LogName
+import badlog.file.wholeLogs
 import badlog.html.PAGE_START
 import badlog.html.reading
 import badlog.plot.board.BoardLayout
@@ -25,6 +26,7 @@ internal class ExportPlan(private val arguments: Arguments) {
         }
         val inputs = paths.flatMap { if (Files.isDirectory(it)) logsIn(it) else listOf(Input(it, isFound = false)) }
             .distinctBy { if (Files.exists(it.file)) it.file.toRealPath() else it.file }
+            .let { inputs -> wholeLogs(inputs) { it.file } }
         val taken = inputs.mapTo(HashSet()) { keyOf(it.file) }
         return inputs.map { ExportJob(it.file, freePage(it.file, taken), it.isFound) }
     }

@@ -6,11 +6,7 @@ import java.nio.channels.FileChannel
 import java.nio.file.Path
 
 /** The bytes of an open file, in pieces. Failures become an [UnreadableFileException]. */
-internal class FilePieces(
-    private val file: Path,
-    private val channel: FileChannel,
-    private val progress: (doneBytes: Long, totalBytes: Long) -> Unit,
-) {
+internal class FilePieces(val file: Path, private val channel: FileChannel, val progress: (doneBytes: Long, totalBytes: Long) -> Unit) {
     private val bytes = ByteArray(SIZE)
 
     /** The file's size when it was opened. */

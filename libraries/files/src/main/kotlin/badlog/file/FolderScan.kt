@@ -12,7 +12,7 @@ import java.util.EnumSet
 /**
  * What a look at a folder found.
  *
- * @property files what may be logs, in no order; [NaturalOrder] is what people expect.
+ * @property files what may be logs, in no order; [NaturalOrder] is what people expect. A log of two files is there once, as the first.
  * @property unreadable the folders that could not be looked into.
  */
 public class FolderScan private constructor(public val files: List<LogFile>, public val unreadable: List<Path>) {
@@ -30,7 +30,7 @@ public class FolderScan private constructor(public val files: List<LogFile>, pub
         public fun of(folder: Path, checkpoint: () -> Unit = {}): FolderScan {
             val look = Look(folder, checkpoint)
             Files.walkFileTree(folder, EnumSet.of(FileVisitOption.FOLLOW_LINKS), MAX_DEPTH, look)
-            return FolderScan(look.files, look.unreadable)
+            return FolderScan(whole(look.files), look.unreadable)
         }
     }
 
@@ -63,6 +63,12 @@ public class FolderScan private constructor(public val files: List<LogFile>, pub
 
         override fun postVisitDirectory(folder: Path, e: IOException?): FileVisitResult = FileVisitResult.CONTINUE
     }
+}
+
+/** These files without those that are the second of a log, which count for its first. */
+private fun whole(files: List<LogFile>): List<LogFile> {
+    val seconds = files.associateBy { firstPartOf(it.path) }
+    return wholeLogs(files, LogFile::path).map { file -> seconds[file.path]?.let(file::with) ?: file }
 }
 
 /** Whether [name] may be that of a log; what is in the file decides later. */

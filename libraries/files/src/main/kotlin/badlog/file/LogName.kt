@@ -17,7 +17,9 @@ public class LogName private constructor(public val stem: String, public val end
     public companion object {
         private const val GZIP = ".gz"
         private const val CSV = ".csv"
-        private val ENDINGS = listOf(".bag", ".badbag", CSV, ".wpilog")
+        internal const val DSLOG = ".dslog"
+        internal const val DSEVENTS = ".dsevents"
+        private val ENDINGS = listOf(".bag", ".badbag", CSV, ".wpilog", DSLOG, DSEVENTS)
 
         /** The parts of [name], which is without folders. */
         public fun of(name: String): LogName {

@@ -11,7 +11,7 @@ import java.nio.file.Path
 
 /**
  * Reads [file]: a bag, a CSV file or a log of one of [formats], perhaps compressed with gzip; its content decides, never its
- * name. Whatever is wrong in it becomes a problem of the recording.
+ * name. The other [parts][partsOfLog] of the log are read with it. Whatever is wrong in it becomes a problem of the recording.
  *
  * Besides the recording, it holds pieces of the file, never the file: less than 1 MB on the calling thread, where small files and logs
  * of records are always read; else [cores] and five more pieces of 256 kB, and the numbers read from them, which take up to four times
@@ -81,11 +81,20 @@ private fun read(
     val lines = if (isLarge && !isGzip && keepSamples) reading(file) { countLines(channel, expectedBytes, cores) } else 0L
     val recording = if (isLarge && cores > 1) {
         ParsingThreads(formats, expectedBytes, keepSamples, sinks, cores, lines).use { parsing ->
-            pieces.read(isGzip, until, { parsing.isFull }, parsing::accept, parsing::finish)
+            val isFull = { parsing.isFull }
+            pieces.read(isGzip, until, isFull, parsing::accept) {
+                pieces.readOthers(isFull, parsing::accept)
+                parsing.finish()
+            }
         }
     } else {
         val parser = RecordingParser(formats, keepSamples) { BagParser(expectedBytes, keepSamples, sinks, lines) }.limited()
-        pieces.read(isGzip, until, { parser.isFull }, { bytes, size -> parser.accept(bytes, 0, size) }, parser::finish)
+        val isFull = { parser.isFull }
+        val accept = { bytes: ByteArray, size: Int -> parser.accept(bytes, 0, size) }
+        pieces.read(isGzip, until, isFull, accept) {
+            pieces.readOthers(isFull, accept)
+            parser.finish()
+        }
     }
     if (untilLastLineEnd && isOfRecords) recording.without(ProblemKind.RECORD_CUT) else recording
 }
@@ -120,6 +129,18 @@ private fun FilePieces.read(
         forEach(enough = isFull) { bytes, size -> reader.accept(bytes, 0, size) }
         val recording = finish()
         if (reader.isCut && !isFull()) recording.withGzipCut(reader.inflatedBytes) else recording
+    }
+}
+
+/** Gives the bytes of the log's other parts to [accept], inflated where need be, until it [isFull]. */
+private fun FilePieces.readOthers(isFull: () -> Boolean, accept: (ByteArray, Int) -> Unit) = partsOfLog(file).drop(1).forEach { part ->
+    reading(part) { FileChannel.open(part) }.use { channel ->
+        val pieces = FilePieces(part, channel) { _, _ -> progress(total, total) }
+        if (pieces.beginning(GzipReader.SIGNATURE_SIZE, GzipReader::isGzip)) {
+            GzipReader(accept).use { reader -> pieces.forEach(enough = isFull) { bytes, size -> reader.accept(bytes, 0, size) } }
+        } else {
+            pieces.forEach(enough = isFull, sink = accept)
+        }
     }
 }
 

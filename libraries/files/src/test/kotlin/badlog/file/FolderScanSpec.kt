@@ -25,6 +25,17 @@ class FolderScanSpec : FunSpec({
         }
     }
 
+    test("a .dslog with its .dsevents is one log of both sizes, and each alone is one, too") {
+        inFolder { folder ->
+            listOf("a/one.dslog", "a/one.dsevents", "a/two.dslog", "three.dsevents", "three.DSLOG", "Four.DSLOG", "Four.DSEVENTS", "five.dslog.gz", "five.dsevents.gz")
+                .forEach { folder.put(it) }
+            found(folder) shouldBe listOf("a/one.dslog", "a/two.dslog", "five.dslog.gz", "Four.DSLOG", "three.dsevents", "three.DSLOG")
+            val one = FolderScan.of(folder).files.single { it.name == "one.dslog" }
+            one.size shouldBe 2
+            one shouldBe LogFile.of(folder.resolve("a/one.dslog"))
+        }
+    }
+
     test("follows no link round in circles") {
         inFolder { folder ->
             folder.put("a/Q1.bag")

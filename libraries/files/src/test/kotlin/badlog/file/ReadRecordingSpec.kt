@@ -5,6 +5,9 @@ import badlog.bag.VARIED_HEADER
 import badlog.bag.VARIED_ROWS
 import badlog.bag.describe
 import badlog.bag.parse
+import badlog.driverstation.STATION_EVENTS
+import badlog.driverstation.STATION_LOG
+import badlog.driverstation.parseStation
 import badlog.formats.LOG_FORMATS
 import badlog.recording.NumberSink
 import badlog.recording.NumberSinks
@@ -24,6 +27,7 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import java.io.File
 import java.io.IOException
+import java.nio.file.Files
 import java.nio.file.Path
 import java.util.concurrent.ConcurrentHashMap
 import kotlin.io.path.writeBytes
@@ -220,8 +224,23 @@ class ReadRecordingSpec : FunSpec({
         }
     }
 
+    test("a .dslog is read with the .dsevents of its name beside it, compressed or not, and alone where there is none") {
+        inFolder { folder ->
+            val log = folder.resolve("2026_03_07 10_04_05 Sat.dslog")
+            Files.write(log, STATION_LOG.bytes)
+            describeLog(readRecording(log, LOG_FORMATS)) shouldBe describeLog(parseStation(STATION_LOG.bytes))
+            val events = Files.write(folder.resolve("2026_03_07 10_04_05 Sat.dsevents"), STATION_EVENTS.bytes)
+            val pair = describeLog(parseStation(STATION_LOG.bytes + STATION_EVENTS.bytes))
+            describeLog(readRecording(log, LOG_FORMATS)) shouldBe pair
+            describeLog(readRecording(events, LOG_FORMATS)) shouldBe describeLog(parseStation(STATION_EVENTS.bytes))
+            val packed = Files.write(folder.resolve("a.dslog.gz"), gzip(STATION_LOG.bytes))
+            Files.write(folder.resolve("a.dsevents.gz"), gzip(STATION_EVENTS.bytes))
+            describeLog(readRecording(packed, LOG_FORMATS)) shouldBe pair
+        }
+    }
+
     test("real logs, where they are, read from the disk as their bytes do") {
-        val logs = File("../../../shared/data").listFiles { file -> file.name.endsWith(".wpilog") }.orEmpty()
+        val logs = File(System.getenv("BADLOG_REAL_LOGS").orEmpty()).listFiles { file -> file.name.endsWith(".wpilog") }.orEmpty()
         for (log in logs) describeLog(readRecording(log.toPath(), LOG_FORMATS)) shouldBe describeLog(parseLog(log.readBytes()))
     }
 })

@@ -1,7 +1,8 @@
 package badlog.formats
 
+import badlog.driverstation.DriverStationFormat
 import badlog.recording.LogFormat
 import badlog.wpilog.WpilogFormat
 
 /** The formats of this library, for programs that read whatever log they are given. */
-public val LOG_FORMATS: List<LogFormat> = listOf(WpilogFormat)
+public val LOG_FORMATS: List<LogFormat> = listOf(WpilogFormat, DriverStationFormat)

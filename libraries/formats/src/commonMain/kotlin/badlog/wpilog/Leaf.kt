@@ -1,5 +1,7 @@
 package badlog.wpilog
 
+import badlog.column.SampleColumn
+
 /**
  * One value inside a record of a fixed layout.
  *

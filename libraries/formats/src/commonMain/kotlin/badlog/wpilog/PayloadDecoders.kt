@@ -1,5 +1,9 @@
 package badlog.wpilog
 
+import badlog.column.ColumnSource
+import badlog.column.SampleBlock
+import badlog.column.Timestamps
+
 /** Turns the payloads of one entry into samples. */
 internal abstract class PayloadDecoder {
     /** How many payloads did not have the bytes that the type asks for. */

@@ -1,5 +1,9 @@
 package badlog.wpilog
 
+import badlog.column.ColumnSource
+import badlog.column.SampleBlock
+import badlog.column.Timestamps
+
 /**
  * Payloads of the struct [name], or of arrays of it. Those that come before its schema wait for it, as far as there is room.
  */

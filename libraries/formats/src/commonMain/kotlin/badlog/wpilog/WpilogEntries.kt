@@ -1,5 +1,6 @@
 package badlog.wpilog
 
+import badlog.column.ColumnSource
 import badlog.recording.Loss
 import badlog.recording.ProblemKind
 import badlog.recording.ProblemList

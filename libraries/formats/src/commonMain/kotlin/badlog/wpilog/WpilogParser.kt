@@ -1,5 +1,6 @@
 package badlog.wpilog
 
+import badlog.column.ColumnSource
 import badlog.recording.LogFormat
 import badlog.recording.LogParser
 import badlog.recording.Loss

@@ -1,5 +1,6 @@
 package badlog.wpilog
 
+import badlog.column.reportTopic
 import badlog.recording.CellCounts
 import badlog.recording.ProblemKind
 import badlog.recording.ProblemList

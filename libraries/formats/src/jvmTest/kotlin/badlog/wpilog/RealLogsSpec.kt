@@ -1,6 +1,7 @@
 package badlog.wpilog
 
 import badlog.analysis.LogView
+import badlog.column.ColumnSource
 import badlog.recording.ProblemKind
 import badlog.recording.ProblemList
 import io.kotest.core.spec.style.FunSpec
@@ -15,8 +16,9 @@ import java.io.File
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
-/** Logs of a season's robot. They are not part of the project, so the test runs where they are. */
-internal val REAL_LOGS: List<File> = File("../../../shared/data").listFiles { file -> file.name.endsWith(".wpilog") }.orEmpty().sorted()
+/** Logs of a season's robot. They are not part of the project, so the test runs where `BADLOG_REAL_LOGS` names their folder. */
+internal val REAL_LOGS: List<File> =
+    File(System.getenv("BADLOG_REAL_LOGS").orEmpty()).listFiles { file -> file.name.endsWith(".wpilog") }.orEmpty().sorted()
 
 /** What a slow and simple reader finds: for each name the sizes of its payloads, and how many are from before 0. */
 private class SimpleReading(bytes: ByteArray) {

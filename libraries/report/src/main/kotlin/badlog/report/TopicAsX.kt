@@ -14,8 +14,9 @@ public class TopicException internal constructor(override val message: String) :
  * @throws TopicException when it has no such topic, or topics with times of their own, with [file], from which it was read.
  */
 public fun Recording.withX(name: String, file: Path): Recording {
-    if (format == RecordingFormat.WPILOG) {
-        throw TopicException("$file is a WPILOG, whose x axis is always the time; leave out --x, or convert it to a bag first.")
+    if (!format.hasRows) {
+        val what = if (format == RecordingFormat.WPILOG) "a WPILOG" else "a Driver Station log"
+        throw TopicException("$file is $what, whose x axis is always the time; leave out --x, or convert it to a bag first.")
     }
     val chosen = topicCalled(name, file) { "to be the x axis" }
     return copy(topics = topics.map { it.asX(it === chosen) })

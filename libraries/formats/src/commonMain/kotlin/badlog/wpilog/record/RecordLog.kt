@@ -1,9 +1,9 @@
 package badlog.wpilog.record
 
 import badlog.analysis.stableOrder
+import badlog.column.ColumnSource
 import badlog.recording.ProblemList
 import badlog.recording.Value
-import badlog.wpilog.ColumnSource
 import badlog.wpilog.ControlKind
 import badlog.wpilog.Entry
 import badlog.wpilog.MatchMetadata

@@ -1,4 +1,4 @@
-package badlog.wpilog
+package badlog.column
 
 /** Numbers that become ever more. Grows by pieces that are copied once, at the end, instead of at every growth. */
 internal class GrowingDoubles {

@@ -1,4 +1,4 @@
-package badlog.wpilog
+package badlog.column
 
 import badlog.recording.CellCounts
 import badlog.recording.TextColumn

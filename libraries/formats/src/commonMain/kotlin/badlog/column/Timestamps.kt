@@ -1,4 +1,4 @@
-package badlog.wpilog
+package badlog.column
 
 import badlog.analysis.stableOrder
 

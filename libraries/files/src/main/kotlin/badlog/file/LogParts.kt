@@ -1,0 +1,28 @@
+package badlog.file
+
+import java.nio.file.Files
+import java.nio.file.Path
+
+/**
+ * The files that hold the log [file], in the order in which their bytes are read: mostly it alone. A `.dslog` of the Driver Station
+ * mostly has a `.dsevents` of the same name beside it.
+ */
+public fun partsOfLog(file: Path): List<Path> =
+    listOfNotNull(file, sibling(file, LogName.DSLOG, LogName.DSEVENTS)?.takeIf(Files::isRegularFile))
+
+/** Those of [files], whose paths are [pathOf] them, that are not the second file of a log among them. */
+public fun <T> wholeLogs(files: List<T>, pathOf: (T) -> Path): List<T> {
+    val paths = files.mapTo(HashSet(), pathOf)
+    return files.filter { file -> firstPartOf(pathOf(file))?.let { it in paths } != true }
+}
+
+/** The log whose second file is [file], if that is there; null where [file] is named like a log by itself. */
+internal fun firstPartOf(file: Path): Path? = sibling(file, LogName.DSEVENTS, LogName.DSLOG)
+
+private fun sibling(file: Path, from: String, to: String): Path? {
+    val name = file.fileName?.toString().orEmpty()
+    val parts = LogName.of(name)
+    if (!parts.ending.equals(from, ignoreCase = true)) return null
+    val ending = if (parts.ending == from.uppercase()) to.uppercase() else to
+    return file.resolveSibling(parts.stem + ending + name.drop(parts.stem.length + parts.ending.length))
+}

@@ -1,0 +1,30 @@
+package badlog.column
+
+import badlog.recording.ProblemKind
+import badlog.recording.ProblemList
+import badlog.recording.Topic
+import badlog.recording.addNotFinite
+import badlog.recording.addNotUtf8
+
+/** Reports what was odd about [topic], which came of [column] with the times of [timestamps]. */
+internal fun reportTopic(topic: Topic, column: SampleColumn, timestamps: Timestamps, problems: ProblemList) {
+    val name = topic.name
+    if (timestamps.disorder > 0) {
+        problems.add(
+            ProblemKind.TIMES_SORTED,
+            "“$name” goes back in time ${timestamps.disorder} times; its samples were sorted.",
+            topic = name,
+            count = timestamps.disorder,
+        )
+    }
+    if (column.sawOtherText) problems.addNotUtf8(name)
+    if (column.roundedCount > 0) {
+        problems.add(
+            ProblemKind.NUMBERS_ROUNDED,
+            "${column.roundedCount} whole numbers in “$name” are too large to be kept to the last digit.",
+            topic = name,
+            count = column.roundedCount,
+        )
+    }
+    problems.addNotFinite(topic, "samples")
+}

@@ -1,0 +1,156 @@
+package badlog.driverstation
+
+import badlog.bag.BagParser
+import badlog.column.ColumnSource
+import badlog.column.SampleColumn
+import badlog.column.Timestamps
+import badlog.column.reportTopic
+import badlog.column.wallTimeText
+import badlog.recording.CellCounts
+import badlog.recording.LogParser
+import badlog.recording.Loss
+import badlog.recording.ProblemKind
+import badlog.recording.ProblemList
+import badlog.recording.Recording
+import badlog.recording.RecordingFormat
+import badlog.recording.TextColumn
+import badlog.recording.Topic
+import badlog.recording.Value
+
+/**
+ * Reads a log of the Driver Station that is pushed to it in pieces of any size: a `.dslog`, a `.dsevents`, or the bytes of the first
+ * and then those of the second. Nothing in the bytes makes it throw: whatever is wrong becomes a problem of the recording, by the
+ * rules in `docs/driver-station.md`.
+ *
+ * Besides the samples it holds a few records of the file, or an event and what it takes to find the next one behind damage, 3 MB
+ * at most. Not safe for use by several threads.
+ *
+ * @param keepSamples false to find only topics, counts and problems, in memory that does not grow with the file.
+ */
+public class DriverStationParser(keepSamples: Boolean = true) : LogParser {
+    private val source = ColumnSource(keepSamples)
+    private val problems = ProblemList()
+    private val splitter = FrameSplitter(::begin, ::skipped)
+    private var records: StationRecords? = null
+    private var events: StationEvents? = null
+    private var refusal: String? = null
+
+    /** The time of day at which x is 0, in whole seconds since 1904 and their fraction; before 0 where no header was read. */
+    private var seconds = -1.0
+    private var fraction = 0.0
+
+    /** How many records and entries have been read so far. */
+    override val rowCount: Int get() = splitter.count
+
+    override var maxRows: Int = BagParser.MAX_ROWS
+
+    /** A record has a dozen samples, and more where there is a power distribution. */
+    private val maxRecords: Int get() = maxRows / SAMPLES
+
+    override var isFull: Boolean = false
+        private set
+
+    override fun accept(bytes: ByteArray, from: Int, until: Int) {
+        var at = from
+        while (at < until && !isFull) {
+            val end = minOf(at + PIECE, until)
+            if (refusal == null && rowCount < maxRecords) splitter.accept(bytes, at, end) else isFull = true
+            at = end
+        }
+    }
+
+    /** What stands behind the header at [at]; null where that is not to be read. */
+    private fun begin(bytes: ByteArray, at: Int, until: Int): Frames? {
+        val version = wordAt(bytes, at)
+        if (version !in VERSIONS) {
+            refusal = "This Driver Station log has version $version; versions 3 and 4, of 2016 to 2026, can be read."
+            return null
+        }
+        val headerSeconds = secondsAt(bytes, at + Int.SIZE_BYTES)
+        if (seconds < 0) {
+            seconds = headerSeconds
+            fraction = fractionAt(bytes, at + Int.SIZE_BYTES)
+        }
+        val first = at + HEADER_SIZE
+        val isEvents = records != null ||
+            (until - first >= Long.SIZE_BYTES && wordAt(bytes, first) == 0 && StationEvents.isNear(secondsAt(bytes, first), headerSeconds))
+        return if (isEvents) {
+            events ?: StationEvents(headerSeconds, seconds, fraction, source).also { events = it }
+        } else {
+            StationRecords(version, source).also { records = it }
+        }
+    }
+
+    private fun skipped(from: Double, until: Double, frames: Int) = problems.add(
+        ProblemKind.RECORDS_SKIPPED,
+        "Bytes ${digits(from)} to ${digits(until - 1)} are not records; these ${digits(until - from)} bytes were skipped, and what " +
+            "follows was read.",
+        loss = Loss(cells = frames, bytes = (until - from).toLong()),
+    )
+
+    override fun finish(): Recording {
+        if (!isFull) splitter.finish()
+        refusal?.let { problems.add(ProblemKind.NOT_A_RECORDING, it) } ?: reportEnd()
+        val topics = ArrayList<Topic>()
+        val add = { column: SampleColumn, unit: String, attributes: List<String>, times: Timestamps ->
+            times.finish(0.0..Double.MAX_VALUE)
+            val like = Topic("", unit, attributes, DoubleArray(0), TextColumn.EMPTY, NO_CELLS, times.times)
+            val topic = column.build(column.path, like, times)
+            reportTopic(topic, column, times, problems)
+            topics += topic
+        }
+        records?.topics(add)
+        events?.topics(add)
+        if (refusal == null && rowCount == 0) {
+            problems.add(ProblemKind.NO_ROWS, "There is not one sample; the Driver Station may have been closed too early.")
+        }
+        return Recording(RecordingFormat.DRIVER_STATION, null, values(), topics, 0, problems.toList())
+    }
+
+    private fun values(): List<Value> {
+        val start = if (seconds < 0) null else wallTimeText((seconds + fraction - SECONDS_TO_1970) * MICROS)
+        return events?.match?.values().orEmpty() + listOfNotNull(start?.let { Value("Start Time", it) })
+    }
+
+    private fun reportEnd() {
+        val bad = records?.badCount ?: 0
+        if (bad > 0) {
+            val message = "$bad records say that the robot is in all modes at once; they were dropped."
+            problems.add(ProblemKind.BAD_RECORD, message, count = bad, loss = Loss(cells = bad))
+        }
+        val lost = splitter.lostFrom
+        when {
+            isFull -> problems.add(
+                ProblemKind.TOO_MANY_ROWS,
+                "The log has more than $maxRecords records; the rest was not read. Set BADLOG_MAX_ROWS to read more.",
+            )
+
+            lost >= 0 -> problems.add(
+                ProblemKind.RECORDS_LOST,
+                "From byte ${digits(lost)} on there are no records; the last ${digits(splitter.total - lost)} bytes cannot be read.",
+                loss = Loss(bytes = (splitter.total - lost).toLong()),
+            )
+
+            splitter.pendingBytes > 0 -> problems.add(
+                ProblemKind.RECORD_CUT,
+                "The file ends inside a record, which was dropped with the ${splitter.pendingBytes} bytes there are of it.",
+                loss = Loss(cells = 1, bytes = splitter.pendingBytes.toLong()),
+            )
+        }
+    }
+
+    private companion object {
+        val VERSIONS = 3..4
+
+        const val SAMPLES = 12
+
+        /** After so many bytes it looks whether there are too many records. */
+        const val PIECE = 1 shl 16
+        const val SECONDS_TO_1970 = 2082844800.0
+        const val MICROS = 1e6
+        val NO_CELLS = CellCounts(0, 0, 0, 0, 0, 0)
+
+        /** A whole number, the same on the JVM and in JavaScript. */
+        fun digits(number: Double): String = number.toLong().toString()
+    }
+}

@@ -1,0 +1,153 @@
+package badlog.driverstation
+
+import badlog.driverstation.Frames.Companion.MORE
+import badlog.driverstation.Frames.Companion.NONE
+import kotlin.math.abs
+
+/**
+ * Finds the headers and the frames behind them in bytes that are pushed to it. Where frames do not go on, the next place from which
+ * several do is searched for. What it does depends on the bytes alone, never on the pieces in which they come.
+ *
+ * @param begin gets the bytes where a header stands, and how far they go; returns what follows the header, or null where nothing can.
+ * @param skipped hears from where until where no frames were, and how many that may have been.
+ */
+internal class FrameSplitter(
+    private val begin: (bytes: ByteArray, at: Int, until: Int) -> Frames?,
+    private val skipped: (from: Double, until: Double, frames: Int) -> Unit,
+) {
+    private var bytes = ByteArray(FIRST_SIZE)
+    private var at = 0
+    private var end = 0
+
+    /** The place in the file of [bytes]' first. */
+    private var base = 0.0
+    private var frames: Frames? = null
+
+    /** Where the first header stood: what it said. */
+    private var version = 0
+    private var seconds = 0.0
+
+    /** Only behind records another header may come. */
+    private var mayEnd = false
+
+    /** How many frames were read. */
+    var count = 0
+        private set
+
+    /** From where on no frames have been found again; before 0 where they go on. */
+    var lostFrom = -1.0
+        private set
+
+    /** How many bytes have come. */
+    val total: Double get() = base + end
+
+    /** How many bytes at the end are not a whole frame. */
+    val pendingBytes: Int get() = end - at
+
+    fun accept(piece: ByteArray, from: Int, until: Int) {
+        val size = until - from
+        if (end + size > bytes.size) {
+            val room = if (end - at + size > bytes.size / 2) ByteArray((end - at + size) * 2) else bytes
+            bytes.copyInto(room, 0, at, end)
+            bytes = room
+            base += at
+            end -= at
+            at = 0
+        }
+        piece.copyInto(bytes, end, from, until)
+        end += size
+        go(isEnd = false)
+    }
+
+    fun finish(): Unit = go(isEnd = true)
+
+    private fun go(isEnd: Boolean) {
+        var goesOn = true
+        while (goesOn && at < end) goesOn = step(isEnd)
+    }
+
+    /** Goes on by a frame, a header or a lost byte; false where more bytes are needed for that. */
+    private fun step(isEnd: Boolean): Boolean {
+        val current = frames
+        if ((current == null || mayEnd) && !isEnd && end - at < HEADER_SIZE + Long.SIZE_BYTES) return false
+        return when {
+            current == null -> readHeader()
+            isHeaderAt(at, if (lostFrom < 0) StationEvents.NEAR else SAME) -> readHeader()
+            lostFrom < 0 -> readFrame(current, isEnd)
+            else -> search(current, isEnd)
+        }
+    }
+
+    /** Whether the header of the `.dsevents` stands at [place], of a time that is less than [slack] s away. */
+    private fun isHeaderAt(place: Int, slack: Double = SAME) = mayEnd && end - place >= HEADER_SIZE && wordAt(bytes, place) == version &&
+        wordAt(bytes, place + Int.SIZE_BYTES) == 0 && abs(secondsAt(bytes, place + Int.SIZE_BYTES) - seconds) < slack
+
+    private fun readHeader(): Boolean {
+        if (end - at < HEADER_SIZE) return false
+        frames?.let(::endSearch)
+        version = wordAt(bytes, at)
+        seconds = secondsAt(bytes, at + Int.SIZE_BYTES)
+        val next = begin(bytes, at, end) ?: return false
+        mayEnd = frames == null && next is StationRecords
+        frames = next
+        at += HEADER_SIZE
+        return true
+    }
+
+    private fun readFrame(frames: Frames, isEnd: Boolean): Boolean {
+        val size = frames.sizeAt(bytes, at, end, isEnd)
+        if (size == NONE) {
+            lostFrom = base + at
+            return true
+        }
+        val after = at + if (size == MORE) 0 else size
+        if (!isEnd && (size == MORE || (mayEnd && end - after < HEADER_SIZE))) return false
+        // A record that was cut ends where the next file begins.
+        for (place in at + 1 until if (size == MORE) end else after) {
+            if (isHeaderAt(place)) {
+                lostFrom = base + at
+                at = place
+                return true
+            }
+        }
+        if (size == MORE) return false
+        frames.take(bytes, at, size)
+        count++
+        at = after
+        return true
+    }
+
+    private fun search(frames: Frames, isEnd: Boolean): Boolean {
+        var place = at
+        for (found in 0 until ROW) {
+            if (found > 0 && ((place == end && isEnd) || isHeaderAt(place))) break
+            if (!isEnd && mayEnd && end - place < HEADER_SIZE) return false
+            val size = frames.sizeAt(bytes, place, end, isEnd)
+            if (size == MORE && !isEnd) return false
+            if (size <= 0 || !frames.isSure(bytes, place)) {
+                at++
+                return true
+            }
+            place += size
+        }
+        endSearch(frames)
+        return true
+    }
+
+    private fun endSearch(frames: Frames) {
+        if (lostFrom < 0) return
+        val until = base + at
+        skipped(lostFrom, until, frames.skip(until - lostFrom))
+        lostFrom = -1.0
+    }
+
+    private companion object {
+        const val FIRST_SIZE = 1 shl 10
+
+        /** The headers of the two files of a pair are of the same moment; in s. */
+        const val SAME = 2.0
+
+        /** So many frames in a row are no accident. */
+        const val ROW = 3
+    }
+}
