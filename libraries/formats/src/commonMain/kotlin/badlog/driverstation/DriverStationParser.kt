@@ -4,6 +4,10 @@ import badlog.bag.BagParser
 import badlog.column.ColumnSource
 import badlog.column.SampleColumn
 import badlog.column.Timestamps
+import badlog.column.addCut
+import badlog.column.addLost
+import badlog.column.addSkipped
+import badlog.column.addTooMany
 import badlog.column.reportTopic
 import badlog.column.wallTimeText
 import badlog.recording.CellCounts
@@ -30,7 +34,7 @@ import badlog.recording.Value
 public class DriverStationParser(keepSamples: Boolean = true) : LogParser {
     private val source = ColumnSource(keepSamples)
     private val problems = ProblemList()
-    private val splitter = FrameSplitter(::begin, ::skipped)
+    private val splitter = FrameSplitter(::begin) { from, until, records -> problems.addSkipped(from, until, records) }
     private var records: StationRecords? = null
     private var events: StationEvents? = null
     private var refusal: String? = null
@@ -81,13 +85,6 @@ public class DriverStationParser(keepSamples: Boolean = true) : LogParser {
         }
     }
 
-    private fun skipped(from: Double, until: Double, frames: Int) = problems.add(
-        ProblemKind.RECORDS_SKIPPED,
-        "Bytes ${digits(from)} to ${digits(until - 1)} are not records; these ${digits(until - from)} bytes were skipped, and what " +
-            "follows was read.",
-        loss = Loss(cells = frames, bytes = (until - from).toLong()),
-    )
-
     override fun finish(): Recording {
         if (!isFull) splitter.finish()
         refusal?.let { problems.add(ProblemKind.NOT_A_RECORDING, it) } ?: reportEnd()
@@ -118,24 +115,10 @@ public class DriverStationParser(keepSamples: Boolean = true) : LogParser {
             val message = "$bad records say that the robot is in all modes at once; they were dropped."
             problems.add(ProblemKind.BAD_RECORD, message, count = bad, loss = Loss(cells = bad))
         }
-        val lost = splitter.lostFrom
         when {
-            isFull -> problems.add(
-                ProblemKind.TOO_MANY_ROWS,
-                "The log has more than $maxRecords records; the rest was not read. Set BADLOG_MAX_ROWS to read more.",
-            )
-
-            lost >= 0 -> problems.add(
-                ProblemKind.RECORDS_LOST,
-                "From byte ${digits(lost)} on there are no records; the last ${digits(splitter.total - lost)} bytes cannot be read.",
-                loss = Loss(bytes = (splitter.total - lost).toLong()),
-            )
-
-            splitter.pendingBytes > 0 -> problems.add(
-                ProblemKind.RECORD_CUT,
-                "The file ends inside a record, which was dropped with the ${splitter.pendingBytes} bytes there are of it.",
-                loss = Loss(cells = 1, bytes = splitter.pendingBytes.toLong()),
-            )
+            isFull -> problems.addTooMany(maxRecords)
+            splitter.lostFrom >= 0 -> problems.addLost(splitter.lostFrom, splitter.total)
+            splitter.pendingBytes > 0 -> problems.addCut(splitter.pendingBytes)
         }
     }
 
@@ -149,8 +132,5 @@ public class DriverStationParser(keepSamples: Boolean = true) : LogParser {
         const val SECONDS_TO_1970 = 2082844800.0
         const val MICROS = 1e6
         val NO_CELLS = CellCounts(0, 0, 0, 0, 0, 0)
-
-        /** A whole number, the same on the JVM and in JavaScript. */
-        fun digits(number: Double): String = number.toLong().toString()
     }
 }

@@ -13,14 +13,14 @@ import kotlin.math.abs
  */
 internal class FrameSplitter(
     private val begin: (bytes: ByteArray, at: Int, until: Int) -> Frames?,
-    private val skipped: (from: Double, until: Double, frames: Int) -> Unit,
+    private val skipped: (from: Long, until: Long, frames: Int) -> Unit,
 ) {
     private var bytes = ByteArray(FIRST_SIZE)
     private var at = 0
     private var end = 0
 
     /** The place in the file of [bytes]' first. */
-    private var base = 0.0
+    private var base = 0L
     private var frames: Frames? = null
 
     /** Where the first header stood: what it said. */
@@ -35,11 +35,11 @@ internal class FrameSplitter(
         private set
 
     /** From where on no frames have been found again; before 0 where they go on. */
-    var lostFrom = -1.0
+    var lostFrom = -1L
         private set
 
     /** How many bytes have come. */
-    val total: Double get() = base + end
+    val total: Long get() = base + end
 
     /** How many bytes at the end are not a whole frame. */
     val pendingBytes: Int get() = end - at
@@ -137,8 +137,8 @@ internal class FrameSplitter(
     private fun endSearch(frames: Frames) {
         if (lostFrom < 0) return
         val until = base + at
-        skipped(lostFrom, until, frames.skip(until - lostFrom))
-        lostFrom = -1.0
+        skipped(lostFrom, until, frames.skip((until - lostFrom).toInt()))
+        lostFrom = -1L
     }
 
     private companion object {

@@ -12,7 +12,7 @@ internal interface Frames {
     fun take(bytes: ByteArray, at: Int, size: Int)
 
     /** Says that [bytes] bytes were lost; returns how many frames that was. */
-    fun skip(bytes: Double): Int
+    fun skip(bytes: Int): Int
 
     companion object {
         const val MORE = 0

@@ -56,7 +56,8 @@ internal class StationEvents(
 
     private fun hear(time: Double, message: String) {
         if ("<time>" !in message) {
-            message.split(UNTAGGED).forEach { hearUntagged(time, it) }
+            val split = SPEAKERS.fold(message) { text, speaker -> text.replace(" $speaker", "$END$speaker") }
+            split.split(END).forEach { hearUntagged(time, it) }
         } else if ("<details>" in message) {
             val isError = message.between("<flags>", "<Code>").toIntOrNull()?.and(1) == 1
             val code = message.between("<Code>", "<details>")
@@ -83,7 +84,7 @@ internal class StationEvents(
         lane.columns[0].addText(bytes, 0, bytes.size)
     }
 
-    override fun skip(bytes: Double): Int = 1
+    override fun skip(bytes: Int): Int = 1
 
     /** Gives each column with its unit and its attributes to [add]. */
     fun topics(add: (SampleColumn, String, List<String>, Timestamps) -> Unit) {
@@ -99,7 +100,10 @@ internal class StationEvents(
 
         /** A month, in s: no Driver Station runs longer. */
         const val NEAR = 2.7e6
-        private val UNTAGGED = Regex(" (?=Info |Warning |ERROR )")
+
+        /** What an untagged message begins with. */
+        private val SPEAKERS = listOf("Info ", "Warning ", "ERROR ")
+        private const val END = "\u0000"
 
         /** In the order in which [SYSTEM_LINE] has them: the names, and the units. */
         private val SYSTEM =

@@ -5,7 +5,6 @@ import badlog.column.SampleColumn
 import badlog.column.Timestamps
 import badlog.driverstation.Frames.Companion.MORE
 import badlog.driverstation.Frames.Companion.NONE
-import kotlin.math.roundToInt
 
 /** The records of a `.dslog` of [version] 3 or 4: one each 20 ms, without a time. */
 internal class StationRecords(private val version: Int, source: ColumnSource) : Frames {
@@ -84,8 +83,8 @@ internal class StationRecords(private val version: Int, source: ColumnSource) : 
         pdh.take(time, bytes, at + power, size - power == PDH_SIZE)
     }
 
-    override fun skip(bytes: Double): Int {
-        val count = (bytes / lastSize).roundToInt()
+    override fun skip(bytes: Int): Int {
+        val count = (bytes + lastSize / 2) / lastSize
         if (count > 0) {
             val time = index * SECONDS
             timestamps.add(time)

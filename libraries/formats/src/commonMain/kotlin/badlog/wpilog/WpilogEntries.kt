@@ -1,8 +1,7 @@
 package badlog.wpilog
 
 import badlog.column.ColumnSource
-import badlog.recording.Loss
-import badlog.recording.ProblemKind
+import badlog.column.addSkipped
 import badlog.recording.ProblemList
 import badlog.text.TextDecoder
 
@@ -94,11 +93,7 @@ internal class WpilogEntries(private val source: ColumnSource, private val probl
 
     override fun skipped(from: Long, until: Long) {
         hasGaps = true
-        problems.add(
-            ProblemKind.RECORDS_SKIPPED,
-            "Bytes $from to ${until - 1} are not records; these ${until - from} bytes were skipped, and what follows was read.",
-            loss = Loss(bytes = until - from),
-        )
+        problems.addSkipped(from, until)
     }
 
     private fun take(head: RecordHead, bytes: ByteArray, until: Int): Boolean {

@@ -1,6 +1,9 @@
 package badlog.wpilog
 
 import badlog.column.ColumnSource
+import badlog.column.addCut
+import badlog.column.addLost
+import badlog.column.addTooMany
 import badlog.recording.LogFormat
 import badlog.recording.LogParser
 import badlog.recording.Loss
@@ -59,7 +62,7 @@ public class WpilogParser(keepSamples: Boolean = true) : LogParser {
             problems.add(ProblemKind.NOT_A_RECORDING, refusal)
             return Recording(RecordingFormat.WPILOG, null, emptyList(), emptyList(), 0, problems.toList())
         }
-        if (isFull) reportTooMany() else reportEnd()
+        if (isFull) problems.addTooMany(maxRows) else reportEnd()
         entries.finish()
         val cluster = entries.histogram.largestCluster()
         reportLostRecords(cluster)
@@ -86,25 +89,12 @@ public class WpilogParser(keepSamples: Boolean = true) : LogParser {
         listOf(Value("Extra Header", entries.extraHeader))
     }
 
-    private fun reportTooMany() = problems.add(
-        ProblemKind.TOO_MANY_ROWS,
-        "The log has more than $maxRows records; the rest was not read. Set BADLOG_MAX_ROWS to read more.",
-    )
-
     private fun reportEnd() {
         val end = splitter.readableEnd
         if (end >= 0) {
-            problems.add(
-                ProblemKind.RECORDS_LOST,
-                "From byte $end on there are no records; the last ${splitter.total - end} bytes cannot be read.",
-                loss = Loss(bytes = splitter.total - end),
-            )
+            problems.addLost(end, splitter.total)
         } else if (splitter.pendingBytes > 0 || !splitter.isPastHeader) {
-            problems.add(
-                ProblemKind.RECORD_CUT,
-                "The file ends inside a record, which was dropped with the ${splitter.pendingBytes} bytes there are of it.",
-                loss = Loss(cells = 1, bytes = splitter.pendingBytes.toLong()),
-            )
+            problems.addCut(splitter.pendingBytes)
         }
     }
 
