@@ -192,8 +192,8 @@ private fun emptinessOf(library: LibraryState): String = when {
     library.trouble != null -> "No logs found."
 
     else ->
-        "No logs here yet. Bags (.bag, .badbag), tables (.csv) and logs of WPILib (.wpilog) in this folder and its " +
-            "subfolders are listed, compressed (.gz) ones too. New ones appear by themselves."
+        "No logs here yet. Bags (.bag, .badbag), tables (.csv), logs of WPILib (.wpilog) and of the Driver Station (.dslog) " +
+            "in this folder and its subfolders are listed, compressed (.gz) ones too. New ones appear by themselves."
 }
 
 /** How far reading the folder is, and what hinders it; nothing when all is known. */
