@@ -18,7 +18,12 @@ internal class PathSpec : PageSpec({
         return number(
             """
             const canvas = document.querySelectorAll('.xy')[arguments[0]]
-            const data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data
+            const copy = document.createElement('canvas')
+            copy.width = canvas.width
+            copy.height = canvas.height
+            const context = copy.getContext('2d', {willReadFrequently: true})
+            context.drawImage(canvas, 0, 0)
+            const data = context.getImageData(0, 0, copy.width, copy.height).data
             let count = 0
             for (let i = 0; i < data.length; i += 4) {
                 if (data[i + 3] > 120 && Math.abs(data[i] - arguments[1]) + Math.abs(data[i + 1] - arguments[2]) + Math.abs(data[i + 2] - arguments[3]) < 60) count++
@@ -79,12 +84,13 @@ internal class PathSpec : PageSpec({
 
     browserTest("a trace is hidden by its legend, and that is remembered") {
         onPage(page) {
+            // The red alliance's wall is of nearly the same color.
             val planned = pixels(1)
             elements("#board .legend-entry")[1].click()
             settle()
-            pixels(1) shouldBeLessThan planned / 2
+            pixels(1) shouldBeLessThan planned - 150
             reload()
-            pixels(1) shouldBeLessThan planned / 2
+            pixels(1) shouldBeLessThan planned - 150
         }
     }
 
@@ -92,7 +98,7 @@ internal class PathSpec : PageSpec({
         onPage(TestPages.ofSample("qualification-42.bag")) {
             script("location.hash = '#board=PDP/Total+Current,System/Battery+Voltage,p='")
             reload()
-            texts("#board .graph-title") shouldContainExactly listOf("PDP/Total Current")
+            texts("#board .graph-title") shouldContainExactly listOf("Total Current")
             pixels(0) shouldBeGreaterThan 500
             keepScreenshot("resistance")
             click("#board .graph-menu")

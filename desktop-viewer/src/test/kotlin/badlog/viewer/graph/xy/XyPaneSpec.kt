@@ -8,7 +8,6 @@ import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.test.DesktopComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.ScrollWheel
-import androidx.compose.ui.test.click
 import androidx.compose.ui.test.doubleClick
 import androidx.compose.ui.test.onNodeWithContentDescription
 import androidx.compose.ui.test.performClick
@@ -70,7 +69,10 @@ class XyPaneSpec : FunSpec({
             val index = trail.indexAt(9.0)
             plot().performMouseInput { moveTo(placeOf(viewer, trail.x[index], trail.y[index], width, height)) }
             viewer.view.cursor.shouldNotBeNull() shouldBe (9.0 plusOrMinus 0.3)
-            plot().performMouseInput { click() }
+            plot().performMouseInput {
+                press()
+                release()
+            }
             viewer.view.isCursorPinned shouldBe true
         }
     }
