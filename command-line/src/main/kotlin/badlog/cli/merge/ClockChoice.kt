@@ -1,8 +1,10 @@
 package badlog.cli.merge
 
 import badlog.analysis.LogView
+import badlog.analysis.Span
 import badlog.analysis.Units
 import badlog.analysis.enabledSpans
+import badlog.cli.cut.samplePart
 import badlog.cli.input.Failure
 import badlog.cli.search.signalsBeside
 import badlog.rules.withSignals
@@ -68,15 +70,17 @@ internal class ClockChoice(private val offsets: List<Offset>, private val aligns
     /**
      * [parts], moved.
      *
+     * @param station the one of them that is a Driver Station log, to be put beside the first: by its enabled, or else by the time of day.
      * @throws Failure when one cannot be.
      */
-    fun moved(parts: List<LogPart>): MovedLogs {
+    fun moved(parts: List<LogPart>, station: LogPart? = null): MovedLogs {
         val moves = ArrayList<Move>()
         val edges = if (alignsEnabled) edgesOf(parts.first()) else emptyList()
         val all = parts.mapIndexed { index, part ->
             val offset = offsets.find { it.isOf(part.file) }
             when {
                 offset != null -> part.later(offset.seconds).also { moves += Move(it, 0, 0.0) }
+                part === station -> besides(parts.first(), part).also { moves += it }.part
                 alignsEnabled && index > 0 -> aligned(part, edges).also { moves += it }.part
                 else -> part
             }
@@ -84,14 +88,33 @@ internal class ClockChoice(private val offsets: List<Offset>, private val aligns
         return MovedLogs(all, moves)
     }
 
+    /** [station] at the times of [robot]: what was before that began is left out. */
+    private fun besides(robot: LogPart, station: LogPart): Move {
+        val byClocks = offsetByClocks(station, robot)
+        val fitting = try {
+            fitting(edgesOf(station), edgesOf(robot))
+        } catch (e: Failure) {
+            if (byClocks == null) throw e
+            null
+        }
+        val offset = round((fitting?.average() ?: checkNotNull(byClocks)) * MICROS) / MICROS
+        val part = if (station.firstX + offset < 0) station.from(-offset + ONE_MICRO) else station
+        val moved = withStartOf(robot, part.later(offset))
+        return Move(moved, fitting?.size ?: 0, fitting?.maxOf { abs(it - offset) } ?: 0.0)
+    }
+
     private fun aligned(part: LogPart, edges: List<Edge>): Move {
-        val own = edgesOf(part)
-        val best = own.flatMap { edge -> edges.filter { it.isRise == edge.isRise }.map { it.seconds - edge.seconds } }
-            .map { candidate -> fit(own, edges, candidate) }
-            .maxWith(compareBy({ it.size }, { fits -> -fits.sumOf { abs(it - fits.average()) } }))
+        val best = fitting(edgesOf(part), edges)
         val offset = best.average()
         return Move(part.later(offset), best.size, best.maxOf { abs(it - offset) })
     }
+
+    /** By how much each of those edges of [own] would have to move that fit [edges] when all move alike: as many as can. */
+    private fun fitting(own: List<Edge>, edges: List<Edge>): List<Double> =
+        own.flatMap { edge -> edges.filter { it.isRise == edge.isRise }.map { it.seconds - edge.seconds } }
+            .map { candidate -> fit(own, edges, candidate) }
+            .maxWithOrNull(compareBy({ it.size }, { fits -> -fits.sumOf { abs(it - fits.average()) } }))
+            ?: throw Failure("No beginning or end of enabled is in both logs; give --offset instead.")
 
     /** By how much each edge of [own] would have to move to be one of [edges], of those that are near it when all move by [candidate]. */
     private fun fit(own: List<Edge>, edges: List<Edge>, candidate: Double): List<Double> = own.mapNotNull { edge ->
@@ -118,8 +141,15 @@ internal class ClockChoice(private val offsets: List<Offset>, private val aligns
         /** Clocks of one robot differ by no more while it runs for some minutes. */
         const val NEAR_SECONDS = 0.25
         const val MAX_EDGES = 200
+
+        /** So that rounding brings nothing before 0. */
+        const val ONE_MICRO = 1e-6
     }
 }
+
+/** The same log from [seconds] on. */
+private fun LogPart.from(seconds: Double): LogPart =
+    LogPart(file, samplePart(LogView.of(recording), listOf(Span(seconds, maxOf(seconds, lastX)))).recording)
 
 /** How many seconds one of x is. */
 internal val LogPart.secondsPerX: Double

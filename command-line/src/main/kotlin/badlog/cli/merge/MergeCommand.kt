@@ -9,10 +9,12 @@ import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.help
 import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
+import com.github.ajalt.clikt.parameters.options.optionalValue
 import com.github.ajalt.clikt.parameters.options.required
 import com.github.ajalt.clikt.parameters.types.choice
 import com.github.ajalt.clikt.parameters.types.path
 import java.nio.file.Files
+import java.nio.file.Path
 
 /** `badlog merge`. */
 internal class MergeCommand :
@@ -22,7 +24,7 @@ internal class MergeCommand :
         "Logs with the same topics are appended in the order of x; rows that several have are kept once. Logs with different " +
             "topics are joined side by side, each with its own rows. All need the same clock as x axis. A topic whose name is " +
             "taken goes into a folder named like its file. With a WPILOG among the logs, or as the result, each topic keeps its " +
-            "own times. All logs are held in memory at once. Logs of other clocks need --offset or --align.",
+            "own times. All logs are held in memory at once. Logs of other clocks need --offset or --align; --with-ds finds one.",
     ) {
     private val out by option("-o", "--out", metavar = "FILE").path().required().help("Write to this file.")
     private val isForced by option("--force").flag().help("Replace an existing file, but never a log that is read.")
@@ -33,6 +35,9 @@ internal class MergeCommand :
         .help("Move this log by S seconds; may be repeated.")
     private val aligned by option("--align", metavar = "enabled").choice("enabled")
         .help("Move logs so that “enabled” fits that of the first.")
+
+    private val station by option("--with-ds", metavar = "FOLDER").path().optionalValue(Path.of(""))
+        .help("Put the Driver Station log of the same match, below FOLDER or beside the first log, beside it.")
 
     override fun makeTask(): Task {
         if (appends && joins) throw UsageError("--append and --join exclude each other")
@@ -46,6 +51,7 @@ internal class MergeCommand :
         offsets.firstOrNull { offset -> paths.none { offset.isOf(it) || Files.isDirectory(it) } }?.let {
             throw UsageError("--offset names ${it.file}, which is not among the logs to merge")
         }
-        return MergeTask(paths, mode, out, OutputPlan(null, paths, isForced), xTopic, ClockChoice(offsets, aligned != null), isJson)
+        val clocks = ClockChoice(offsets, aligned != null)
+        return MergeTask(paths, mode, out, OutputPlan(null, paths, isForced), xTopic, clocks, station, isJson)
     }
 }

@@ -20,7 +20,12 @@ import badlog.terminal.Progress
 import java.io.IOException
 import java.nio.file.Path
 
-/** Makes one log, [out], of several. */
+/**
+ * Makes one log, [out], of several.
+ *
+ * @param station below which folder the Driver Station log of the first is, to be put beside it; empty for the folder of that, null
+ *   for none.
+ */
 internal class MergeTask(
     private val paths: List<Path>,
     private val mode: MergeMode,
@@ -28,6 +33,7 @@ internal class MergeTask(
     private val plan: OutputPlan,
     private val xTopic: String?,
     private val clocks: ClockChoice,
+    private val station: Path?,
     private val isJson: Boolean,
 ) : Task {
     override fun run(console: Console): ExitCode {
@@ -37,15 +43,22 @@ internal class MergeTask(
             val target = plan.checked(out)
             val found = console.searching().use { LogSearch(it::next).find(paths) }
             for (failure in found.failures) outcomes.failed(failure.file, failure.message)
-            val parts = found.inputs.mapNotNull { read(it, console, outcomes) }
+            val logs = found.inputs.mapNotNull { read(it, console, outcomes) }
+            val beside = if (station == null || logs.isEmpty()) null else stationOf(logs.first(), station)
+            val parts = logs + listOfNotNull(beside)
             if (parts.size < 2) {
                 throw Failure("Merging needs two logs or more, and there is ${if (parts.isEmpty()) "none" else "one"}.")
             }
-            outcomes.done(target, console.progress(target.fileName.toString()).use { merge(clocks.moved(parts), target, it) })
+            outcomes.done(target, console.progress(target.fileName.toString()).use { merge(clocks.moved(parts, beside), target, it) })
         } catch (e: Throwable) {
             outcomes.failed(out, LogLoop.sentenceOf(e, out))
         }
         return outcomes.end()
+    }
+
+    private fun stationOf(robot: LogPart, folder: Path): LogPart {
+        val beside = robot.file.toAbsolutePath().parent
+        return StationSearch(robot, if (folder.toString().isEmpty()) beside else folder).found()
     }
 
     /** Topics keep times of their own where one log has them, or the result can. */
