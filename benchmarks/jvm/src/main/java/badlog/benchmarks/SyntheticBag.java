@@ -34,7 +34,7 @@ final class SyntheticBag {
             described.add(new BagTopic("Bank " + i / 10 + "/Signal " + i, "V", List.of(), Map.of()));
         }
         RowWriter writer = new RowWriter();
-        writer.header(new BagHeader(described, List.of(), Map.of()));
+        writer.header(new BagHeader(described, List.of(), Map.of()), false);
         SplittableRandom random = new SplittableRandom(1014);
         for (int row = 0; row < rows; row++) {
             writer.number(row * 0.02);
