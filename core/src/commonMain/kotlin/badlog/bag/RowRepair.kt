@@ -30,11 +30,10 @@ internal class RowRepair(
     private val endsInNewline: Boolean,
 ) {
     private val splitter = RowSplitter()
+    private val copy = CellCopy(cells, splitter, reader, columns)
 
     /** The bytes of the row's text cells, unescaped; what the cells' starts and ends point into. */
-    var text = ByteArray(256)
-        private set
-    private var textLength = 0
+    val text: ByteArray get() = copy.text
 
     /** Whether the last call of [repair] put a row into the cells. */
     var hasRow = false
@@ -305,42 +304,10 @@ internal class RowRepair(
         )
     }
 
-    /** Puts what the splitter found into the cells; cells beyond [count] are empty, cells beyond the row's are left. */
     private fun take(bytes: ByteArray, undouble: Boolean, next: Int, count: Int = cells.columns): Int {
-        textLength = 0
-        for (i in 0 until cells.columns) {
-            if (i >= count) {
-                cells.kinds[i] = CellKind.EMPTY
-                cells.numbers[i] = Double.NaN
-            } else {
-                takeCell(i, bytes, undouble && splitter.quoted[i])
-            }
-        }
+        copy.take(bytes, undouble, count)
         hasRow = true
         return next
-    }
-
-    private fun takeCell(i: Int, bytes: ByteArray, undouble: Boolean) {
-        val start = splitter.starts[i]
-        val end = splitter.ends[i]
-        if (splitter.quoted[i] && columns[i].readsDecimalComma && reader.readWithDecimalComma(bytes, start, end)) {
-            cells.kinds[i] = CellKind.DECIMAL_COMMA
-        } else {
-            cells.kinds[i] = reader.read(bytes, start, end)
-        }
-        cells.numbers[i] = reader.number
-        cells.starts[i] = textLength
-        if (cells.kinds[i] == CellKind.TEXT) copyText(bytes, start, end, undouble)
-        cells.ends[i] = textLength
-    }
-
-    private fun copyText(bytes: ByteArray, from: Int, until: Int, undouble: Boolean) {
-        if (textLength + until - from > text.size) text = text.copyOf(maxOf(text.size * 2, textLength + until - from))
-        var at = from
-        while (at < until) {
-            text[textLength++] = bytes[at]
-            at += if (undouble && bytes[at].toInt() == QUOTE) 2 else 1
-        }
     }
 
     private fun quotation(bytes: ByteArray, from: Int, until: Int): String = "“${decoder.excerpt(bytes, from, until, QUOTED_BYTES)}”"

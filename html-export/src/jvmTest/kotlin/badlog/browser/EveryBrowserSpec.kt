@@ -1,0 +1,159 @@
+package badlog.browser
+
+import badlog.page.FramePicture
+import badlog.page.TestPages
+import badlog.page.stepBag
+import io.kotest.assertions.withClue
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import org.openqa.selenium.Keys
+import org.openqa.selenium.interactions.KeyInput
+import org.openqa.selenium.interactions.PointerInput
+import org.openqa.selenium.interactions.PointerInput.Kind
+import org.openqa.selenium.interactions.PointerInput.MouseButton
+import org.openqa.selenium.interactions.PointerInput.Origin
+import org.openqa.selenium.interactions.Sequence
+import java.nio.file.Files
+import java.nio.file.Path
+import java.time.Duration
+import java.util.Base64
+import kotlin.io.path.exists
+import kotlin.io.path.readBytes
+import kotlin.math.roundToInt
+
+/** What pages need of a browser, tried in each of them. */
+internal class EveryBrowserSpec : FunSpec({
+    val steps by lazy { TestPages.of(stepBag(graphs = 3)) }
+
+    for (browser in Browser.entries) {
+        fun browserTest(name: String, test: BrowserTab.() -> Unit) {
+            test("${browser.name}: $name").config(enabledOrReasonIf = { browser.enabled }) { browser.tab.test() }
+        }
+
+        browserTest("a page opens from disk, inflates its log, and draws it") {
+            openPage(steps)
+            evaluate("[...document.querySelectorAll('.graph')].map(graph => graph.dataset.name)") shouldBe "Step 1,Step 2,Step 3"
+            stepAt() shouldBe (0.3 plusOrMinus 0.01)
+        }
+
+        browserTest("a log that was gzipped and cut opens with what there is, and says so") {
+            openPage(TestPages.ofSample("qualification-57.bag.gz"))
+            evaluate("document.querySelectorAll('.graph').length > 10") shouldBe "true"
+            evaluate("document.querySelector('.problem-list')?.textContent ?? document.body.innerText") shouldContain "cut"
+        }
+
+        browserTest("a drag zooms to what it covers, and a click on the button shows everything") {
+            openPage(steps)
+            perform(listOf(path(Kind.MOUSE, listOf(placeAt(0.2), placeAt(0.4), placeAt(0.6)))))
+            settle()
+            stepAt() shouldBe (0.25 plusOrMinus 0.01)
+            visibleRange() shouldBe "2–6"
+            perform(listOf(path(Kind.MOUSE, listOf(placeAt(0.5, "#reset")))))
+            settle()
+            visibleRange() shouldBe "0–10"
+        }
+
+        browserTest("a finger zooms by a sideways drag") {
+            openPage(steps)
+            perform(listOf(path(Kind.TOUCH, List(9) { placeAt(0.2 + 0.05 * it) })))
+            settle()
+            visibleRange() shouldBe "2–6"
+        }
+
+        browserTest("a link carries moment, range and formulas") {
+            openPage(steps, "#t=4&x=2:6&f=Twice+~003d+2*Step+1")
+            visibleRange() shouldBe "2–6"
+            evaluate("[...document.querySelectorAll('.graph')].map(graph => graph.dataset.name)") shouldContain "Twice"
+            stepAt() shouldBe (0.25 plusOrMinus 0.01)
+        }
+
+        browserTest("a formula that is typed becomes a graph") {
+            openPage(steps)
+            type("f")
+            await("document.activeElement.closest('#formula-dialog') != null")
+            type("Half = Step 1 / 2" + Keys.ENTER)
+            await("[...document.querySelectorAll('.graph')].some(graph => graph.dataset.name == 'Half')")
+        }
+
+        browserTest("the file comes back byte for byte") {
+            openPage(steps)
+            val file = browser.downloads.resolve("test.bag")
+            Files.deleteIfExists(file)
+            evaluate("document.querySelector('#download').click()")
+            val end = System.nanoTime() + 20_000_000_000
+            while (!file.exists() || file.readBytes().size < stepBag(3).size) {
+                check(System.nanoTime() < end) { "No download: " + Files.list(browser.downloads).use { it.toList() } }
+                Thread.sleep(50)
+            }
+            file.readBytes() shouldBe stepBag(3)
+        }
+    }
+})
+
+private fun BrowserTab.openPage(page: Path, fragment: String = "") {
+    open("${page.toUri()}$fragment")
+    await("['ready', 'failed'].includes(document.documentElement.dataset.state)")
+    withClue(evaluate("document.body.innerText.slice(0, 1000)")) { evaluate("document.documentElement.dataset.state") shouldBe "ready" }
+    evaluate("localStorage.clear()")
+    await("document.querySelector('.graph canvas') != null")
+    settle()
+}
+
+/** From where to where the page says that it shows x, in whole units. */
+private fun BrowserTab.visibleRange(): String {
+    val (from, to) = checkNotNull(Regex("""(-?[\d.]+) – (-?[\d.]+)""").find(evaluate("document.querySelector('.range-readout').textContent"))).destructured
+    return "${from.toDouble().roundToInt()}–${to.toDouble().roundToInt()}"
+}
+
+private fun BrowserTab.numbers(expression: String): List<Double> = evaluate(expression).split(',').map(String::toDouble)
+
+/** The pixel at the share [across] of the width, in the middle of the height, of what [selector] finds. */
+private fun BrowserTab.placeAt(across: Double, selector: String = ".graph .u-over"): Pair<Int, Int> {
+    val (x, y, width, height) = numbers("(b => [b.x, b.y, b.width, b.height])(document.querySelector('$selector').getBoundingClientRect())")
+    return (x + width * across).roundToInt() to (y + height / 2).roundToInt()
+}
+
+/** Where the first graph's line steps, as a share of its width: read from its pixels. */
+private fun BrowserTab.stepAt(): Double {
+    val place = numbers(
+        """
+        ((canvas, over) => {
+            const box = canvas.getBoundingClientRect(), frame = over.getBoundingClientRect(), ratio = canvas.width / box.width
+            return [frame.x - box.x, frame.y - box.y, frame.width, frame.height].map(n => Math.round(n * ratio))
+        })(document.querySelector('.graph canvas'), document.querySelector('.graph .u-over'))
+        """.trimIndent(),
+    ).map { it.toInt() }
+    val png = Base64.getDecoder().decode(evaluate("document.querySelector('.graph canvas').toDataURL().split(',')[1]"))
+    val color = evaluate("getComputedStyle(document.documentElement).getPropertyValue('--line-0').trim()").removePrefix("#").toInt(radix = 16)
+    val columns = FramePicture.of(png.inputStream(), place[0], place[1], place[2], place[3]).columnsOf(color)
+    return (columns.indexOf(columns.max()) + 0.5) / columns.size
+}
+
+/** A pointer that goes down at the first of [places], along the others, and up. */
+private fun path(kind: Kind, places: List<Pair<Int, Int>>): Sequence {
+    val pointer = PointerInput(kind, "$kind")
+    return Sequence(pointer, 0).apply {
+        places.forEachIndexed { index, (x, y) ->
+            addAction(pointer.createPointerMove(Duration.ofMillis(20), Origin.viewport(), x, y))
+            if (index == 0) addAction(pointer.createPointerDown(MouseButton.LEFT.asArg()))
+        }
+        addAction(pointer.createPointerUp(MouseButton.LEFT.asArg()))
+    }
+}
+
+private fun BrowserTab.type(text: String) {
+    val keys = KeyInput("keys")
+    perform(
+        listOf(
+            Sequence(keys, 0).apply {
+                for (key in text) {
+                    addAction(keys.createKeyDown(key.code))
+                    addAction(keys.createKeyUp(key.code))
+                }
+            },
+        ),
+    )
+    settle()
+}
