@@ -110,7 +110,7 @@ private fun BrowserTab.visibleRange(): String {
 private fun BrowserTab.numbers(expression: String): List<Double> = evaluate(expression).split(',').map(String::toDouble)
 
 /** The pixel at the share [across] of the width, in the middle of the height, of what [selector] finds. */
-private fun BrowserTab.placeAt(across: Double, selector: String = ".graph .u-over"): Pair<Int, Int> {
+private fun BrowserTab.placeAt(across: Double, selector: String = ".graph .plot-frame"): Pair<Int, Int> {
     val (x, y, width, height) = numbers("(b => [b.x, b.y, b.width, b.height])(document.querySelector('$selector').getBoundingClientRect())")
     return (x + width * across).roundToInt() to (y + height / 2).roundToInt()
 }
@@ -122,7 +122,7 @@ private fun BrowserTab.stepAt(): Double {
         ((canvas, over) => {
             const box = canvas.getBoundingClientRect(), frame = over.getBoundingClientRect(), ratio = canvas.width / box.width
             return [frame.x - box.x, frame.y - box.y, frame.width, frame.height].map(n => Math.round(n * ratio))
-        })(document.querySelector('.graph canvas'), document.querySelector('.graph .u-over'))
+        })(document.querySelector('.graph canvas'), document.querySelector('.graph .plot-frame'))
         """.trimIndent(),
     ).map { it.toInt() }
     val png = Base64.getDecoder().decode(evaluate("document.querySelector('.graph canvas').toDataURL().split(',')[1]"))
