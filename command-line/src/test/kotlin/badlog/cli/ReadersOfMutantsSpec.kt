@@ -1,6 +1,8 @@
 package badlog.cli
 
 import badlog.bag.Mutant
+import badlog.driverstation.STATION_EVENTS
+import badlog.driverstation.STATION_LOG
 import badlog.rules.RulesException
 import badlog.rules.RulesFile
 import io.kotest.assertions.withClue
@@ -38,6 +40,7 @@ class ReadersOfMutantsSpec : FunSpec({
         "log.bag.gz" to gzipped(bag),
         "log.wpilog" to wpilog,
         "log.wpilog.gz" to gzipped(wpilog),
+        "log.dslog" to STATION_LOG.bytes + STATION_EVENTS.bytes,
     )
 
     fun shouldEnd(what: String, vararg arguments: Any) {

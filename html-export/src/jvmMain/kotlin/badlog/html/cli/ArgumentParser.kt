@@ -69,7 +69,7 @@ internal class ArgumentParser {
             Makes a web page of each log: one that opens from disk and needs nothing else.
             With one INPUT the page is INPUT.html beside it. A second argument is the page (OUTPUT)
             when it ends in .html or .htm, when it is an older page, or when it does not exist yet and is
-            not named like a log (.bag, .badbag, .csv, .gz, .wpilog).
+            not named like a log (.bag, .badbag, .csv, .wpilog, .dslog, .dsevents, .gz).
             What exists is a log by its content, never by its name.
         """.trimIndent()
 
