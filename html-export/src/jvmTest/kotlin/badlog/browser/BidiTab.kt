@@ -34,11 +34,9 @@ internal class BidiTab(private val connection: Connection, private val onClose: 
         send("input.performActions", "context" to context, "actions" to sequences.map { it.encode() })
     }
 
-    override fun screenshot(): ByteArray =
-        Base64.getDecoder().decode(send("browsingContext.captureScreenshot", "context" to context)["data"] as String)
+    override fun screenshot(): ByteArray = Base64.getDecoder().decode(send("browsingContext.captureScreenshot", "context" to context)["data"] as String)
 
-    private fun send(method: String, vararg parameters: Pair<String, Any>): Map<*, *> =
-        connection.sendAndWait(Command<Map<*, *>>(method, mapOf(*parameters), Map::class.java), TIMEOUT)
+    private fun send(method: String, vararg parameters: Pair<String, Any>): Map<*, *> = connection.sendAndWait(Command<Map<*, *>>(method, mapOf(*parameters), Map::class.java), TIMEOUT)
 
     override fun close() = onClose()
 

@@ -6,8 +6,7 @@ import java.nio.file.Path
 import java.util.concurrent.TimeUnit
 
 /** The program [name] of the PATH. */
-internal fun onPath(name: String): Path? =
-    System.getenv("PATH").orEmpty().split(File.pathSeparator).filter { it.isNotEmpty() }.map { Path.of(it, name) }.firstOrNull(Files::isExecutable)
+internal fun onPath(name: String): Path? = System.getenv("PATH").orEmpty().split(File.pathSeparator).filter { it.isNotEmpty() }.map { Path.of(it, name) }.firstOrNull(Files::isExecutable)
 
 /** Starts a program of the PATH. */
 internal fun program(name: String, vararg arguments: String): ProcessBuilder {
