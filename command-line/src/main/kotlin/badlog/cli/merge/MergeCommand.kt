@@ -35,9 +35,8 @@ internal class MergeCommand :
         .help("Move this log by S seconds; may be repeated.")
     private val aligned by option("--align", metavar = "enabled").choice("enabled")
         .help("Move logs so that “enabled” fits that of the first.")
-
     private val station by option("--with-ds", metavar = "FOLDER").path().optionalValue(Path.of(""))
-        .help("Put the Driver Station log of the same match, below FOLDER or beside the first log, beside it.")
+        .help("Add the Driver Station log of the same match.")
 
     override fun makeTask(): Task {
         if (appends && joins) throw UsageError("--append and --join exclude each other")
