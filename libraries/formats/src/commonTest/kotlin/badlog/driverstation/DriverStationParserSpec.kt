@@ -115,11 +115,11 @@ class DriverStationParserSpec : FunSpec({
 
     test("what roboRIO and laptop have left is a series each") {
         val read = parseStation(STATION_EVENTS.bytes)
-        fun only(name: String) = read.topic("Driver Station/$name").run { "${samples.single()} $unit" }
-        only("roboRIO Disk Free") shouldBe "84.0 MB"
-        only("roboRIO Memory Free") shouldBe "58.0 MB"
-        only("Laptop CPU") shouldBe "89.0 %"
-        only("Laptop Battery") shouldBe "100.0 %"
+        fun only(name: String) = read.topic("Driver Station/$name").run { "${samples.single().toInt()} $unit" }
+        only("roboRIO Disk Free") shouldBe "84 MB"
+        only("roboRIO Memory Free") shouldBe "58 MB"
+        only("Laptop CPU") shouldBe "89 %"
+        only("Laptop Battery") shouldBe "100 %"
     }
 
     test("the field says which match it is") {
