@@ -14,6 +14,7 @@ import badlog.viewer.export.figure.FigureSaver
 import badlog.viewer.export.pages.PageSaver
 import badlog.viewer.files.FileChoice
 import badlog.viewer.files.SystemFileChoice
+import badlog.viewer.files.sayNoLog
 import badlog.viewer.findings.LogFindings
 import badlog.viewer.formula.FormulaStore
 import badlog.viewer.graph.scene.GraphScene
@@ -160,8 +161,13 @@ internal class Viewer(
 
     /** Opens what was dropped onto the window: a layout, or else folders and logs. */
     fun openDropped(paths: List<Path>) {
-        val layout = paths.firstOrNull { it.fileName.toString().endsWith(Layout.ENDING, ignoreCase = true) }
-        if (layout != null && current.recording != null) layoutFiles.open(layout) else opener.openNamed(paths)
+        val (layouts, others) = paths.partition { it.fileName.toString().endsWith(Layout.ENDING, ignoreCase = true) }
+        when {
+            layouts.isEmpty() -> opener.openNamed(others)
+            current.recording != null -> layoutFiles.open(layouts.first())
+            others.isEmpty() -> sayNoLog(notices)
+            else -> opener.openNamed(others)
+        }
     }
 
     private fun showGrown(recording: OpenRecording) = Snapshot.withMutableSnapshot {

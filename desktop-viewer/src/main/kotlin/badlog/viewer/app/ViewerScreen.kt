@@ -78,7 +78,7 @@ private class Panes(
 private fun panesOf(viewer: Viewer) = with(viewer) {
     Panes(
         logs = { LibraryPane(library, settings, shownLogs(), logActions, it) },
-        topics = { TopicPane(current, compared, board, view, events, formulas, topics, panels, it, ::topicsWithFindings) },
+        topics = { TopicPane(current, compared, board, view, events, formulas, topics, panels, it) { findings.state.topics } },
         main = { MainPane(viewer, it) },
         details = { InspectorPane(current, compared, board, view, events, findings, notes, panels, it) },
     )
@@ -148,6 +148,7 @@ private fun MainPane(viewer: Viewer, modifier: Modifier) = with(viewer) {
                 statistics,
                 library.state.entries,
                 compared.drawn.map { it.recording },
+                findings.state.topics,
                 onOpen = { file ->
                     if (file != current.recording?.file) loader.open(file)
                     showGraphs()
@@ -159,8 +160,6 @@ private fun MainPane(viewer: Viewer, modifier: Modifier) = with(viewer) {
         }
     }
 }
-
-private fun Viewer.topicsWithFindings() = findings.state.list?.all.orEmpty().flatMapTo(HashSet()) { it.evidence }
 
 private fun Viewer.shownLogs() = ShownLogs(current.recording?.file, compared.state.checked)
 

@@ -10,7 +10,9 @@ import badlog.plot.board.BoardHistory
 /** The graphs that the window shows, from top to bottom, and what they were before. To be used on the window's thread only. */
 internal class GraphBoard {
     private var history by mutableStateOf(BoardHistory())
-    private var added: List<BoardGraph> by mutableStateOf(emptyList())
+
+    /** Each graph that showed a finding, as it came, less those that a person keeps: undoing brings back those of findings before, too. */
+    private var added: Set<BoardGraph> by mutableStateOf(emptySet())
 
     /** The graphs. Whoever draws them is drawn again when they change. */
     val state: Board get() = history.now
@@ -35,7 +37,7 @@ internal class GraphBoard {
     var pointed: Int? = null
 
     /** The graphs without those that were put on top to show a finding: what a person arranged. */
-    val kept: Board get() = Board(state.graphs - added.toSet())
+    val kept: Board get() = Board(state.graphs - added)
 
     /** The graph that keys are for: the one pointed at last, or else the first in sight; null without any. */
     val current: BoardGraph?
@@ -54,7 +56,7 @@ internal class GraphBoard {
 
     /** Shows [board] instead, as of another log: there is nothing to undo. */
     fun replace(board: Board) {
-        added = emptyList()
+        added = emptySet()
         history = BoardHistory(board)
     }
 
@@ -76,18 +78,19 @@ internal class GraphBoard {
         if (!evidence.showsSame(board)) {
             val others = kept.graphs
             val first = (state.graphs.maxOfOrNull { it.id } ?: 0) + 1
-            added = board.graphs.mapIndexed { i, graph -> graph.copy(id = first + i) }
-            history = history.changed(Board(added + others))
+            val graphs = board.graphs.mapIndexed { i, graph -> graph.copy(id = first + i) }
+            added = added + graphs
+            history = history.changed(Board(graphs + others))
         }
-        added.firstOrNull()?.let { wanted = it.id }
+        evidence.graphs.firstOrNull()?.let { wanted = it.id }
     }
 
     /** Whether graph [id] is there only to show a finding. */
-    fun isEvidence(id: Int): Boolean = added.any { it.id == id && it in state.graphs }
+    fun isEvidence(id: Int): Boolean = evidence.graphs.any { it.id == id }
 
     /** Keeps graph [id], which shows a finding, or all of them for null: they are a person's own from now on. */
     fun keep(id: Int? = null) {
-        added = if (id == null) emptyList() else added.filter { it.id != id }
+        added = added - state.graphs.filter { id == null || it.id == id }.toSet()
     }
 
     /** Goes to graph [id]; null when it is in sight. */

@@ -24,6 +24,9 @@ internal data class Findings(
     val pointedPlace: Double = Double.NaN,
     val timesAsked: Int = 0,
 ) {
+    /** The names of the topics that one of them is about. */
+    val topics: Set<String> get() = list?.topics.orEmpty()
+
     /** The one whose time is shaded in the graphs, or null. */
     val shown: Finding? get() = pointed ?: selected
 
@@ -51,6 +54,9 @@ internal class FindingList(
     val incidents: List<Incident> = emptyList(),
 ) {
     val all: List<Finding> = found.worstFirst()
+
+    /** The names of the topics that one of them is about. */
+    val topics: Set<String> = all.flatMapTo(HashSet()) { it.evidence }
 
     /** They by their places on x. */
     val timeline: FindingTimeline<Finding> = FindingTimeline(all, { it.severity }, { it.places })

@@ -28,13 +28,16 @@ import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
+import badlog.plot.board.Board
 import badlog.plot.cursor.CursorValues
 import badlog.plot.search.Query
 import badlog.plot.text.cursorText
 import badlog.plot.text.unitText
 import badlog.viewer.board.GraphBoard
+import badlog.viewer.findings.LogFindings
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.recording.Signal
+import badlog.viewer.recording.isFoundBy
 import badlog.viewer.recording.valueText
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.SearchField
@@ -46,13 +49,16 @@ import kotlinx.coroutines.withContext
 
 /** What the topics of the graphs, or those that a search finds, are at the cursor; what just changed first. */
 @Composable
-internal fun CursorPanel(board: GraphBoard, view: AxisView, open: OpenRecording, modifier: Modifier) {
+internal fun CursorPanel(board: GraphBoard, findings: LogFindings, view: AxisView, open: OpenRecording, modifier: Modifier) {
     var query by remember { mutableStateOf("") }
     val rows by produceState(emptyList<CursorRow>(), open) {
         var asked = emptyList<Signal>()
         var values = CursorValues(emptyList(), open.view.xAxis)
-        snapshotFlow { cursorSignals(open, board, query) to view.cursor }.conflate().map { (signals, x) ->
+        snapshotFlow {
+            CursorQuestion(query, board.state, findings.state.topics, view.cursor)
+        }.conflate().map { (query, graphs, found, x) ->
             withContext(Dispatchers.Default) {
+                val signals = cursorSignals(open, graphs, query, found)
                 if (signals != asked) values = CursorValues(signals.map { it.line }, open.view.xAxis)
                 asked = signals
                 cursorRows(signals, values, x)
@@ -80,14 +86,20 @@ internal fun CursorPanel(board: GraphBoard, view: AxisView, open: OpenRecording,
     }
 }
 
+private data class CursorQuestion(val query: String, val graphs: Board, val found: Set<String>, val x: Double?)
+
 /** A line of the panel: the [name] of a topic, its value, and whether that just [hasChanged]. */
 internal data class CursorRow(val name: String, val text: String, val hasChanged: Boolean)
 
-/** The topics whose name or unit [query] finds; while nothing is searched for, those of the graphs of [board]. */
-internal fun cursorSignals(open: OpenRecording, board: GraphBoard, query: String): List<Signal> {
+/**
+ * The topics whose name or unit [query] finds; while nothing is searched for, those of the graphs of [board].
+ *
+ * @param found the names of the topics that a finding is about.
+ */
+internal fun cursorSignals(open: OpenRecording, board: Board, query: String, found: Set<String> = emptySet()): List<Signal> {
     val wanted = Query(query)
-    if (wanted.isEmpty) return board.state.graphs.flatMap { it.lines }.distinct().mapNotNull(open::signal)
-    return open.signals.filter { (it.hasFigures || it.states != null) && wanted.matches("${it.name} ${unitText(it.unit)}") }
+    if (wanted.isEmpty) return board.graphs.flatMap { it.lines }.distinct().mapNotNull(open::signal)
+    return open.signals.filter { (it.hasFigures || it.states != null) && it.isFoundBy(wanted, found, "${it.name} ${unitText(it.unit)}") }
 }
 
 /** What [signals] are at [x], in the order of [values]. */

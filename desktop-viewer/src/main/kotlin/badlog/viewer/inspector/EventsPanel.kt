@@ -49,9 +49,9 @@ import badlog.viewer.view.AxisView
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
 
-/** All events of [open] in the order of x. A click goes there; the one nearest to the cursor is marked. */
+/** All events of [open] in the order of x. A click goes there, of which [onGo] hears; the one nearest to the cursor is marked. */
 @Composable
-internal fun EventsPanel(view: AxisView, events: FilteredEvents, open: OpenRecording, modifier: Modifier) {
+internal fun EventsPanel(view: AxisView, events: FilteredEvents, open: OpenRecording, onGo: () -> Unit, modifier: Modifier) {
     val isReady by produceState(false, open) {
         // Both are calculated when they are first asked for.
         withContext(Dispatchers.Default) {
@@ -78,12 +78,12 @@ internal fun EventsPanel(view: AxisView, events: FilteredEvents, open: OpenRecor
             Modifier.padding(horizontal = 12.dp, vertical = 2.dp),
             color = LocalPalette.current.muted,
         )
-        if (found.size == 0) PanelHint("No event matches.") else EventList(view, open, found)
+        if (found.size == 0) PanelHint("No event matches.") else EventList(view, open, found, onGo)
     }
 }
 
 @Composable
-private fun EventList(view: AxisView, open: OpenRecording, found: EventTimeline) {
+private fun EventList(view: AxisView, open: OpenRecording, found: EventTimeline, onGo: () -> Unit) {
     val times = remember(open) { EventTimes(open) }
     val state = rememberLazyListState()
     val nearest = remember(view, found) { derivedStateOf { view.cursor?.let { found.nearest(it) } ?: -1 } }
@@ -93,7 +93,10 @@ private fun EventList(view: AxisView, open: OpenRecording, found: EventTimeline)
             items(found.size) { index ->
                 EventLine(found, index, times, isTopicShown = open.eventLogs.size > 1, nearest) {
                     val x = found.x[index]
-                    if (x.isFinite()) view.goTo(x)
+                    if (x.isFinite()) {
+                        view.goTo(x)
+                        onGo()
+                    }
                 }
             }
         }

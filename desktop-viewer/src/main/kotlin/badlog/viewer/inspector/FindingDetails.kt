@@ -11,7 +11,6 @@ import androidx.compose.runtime.getValue
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.plot.board.evidenceOffers
@@ -48,7 +47,7 @@ internal fun FindingDetails(
             val more = if (finding.spanCount > places.size) ", the first of ${finding.spanCount}" else ""
             Text("${shown + 1} of ${places.size}$more: ${times.logged(places[shown].from)}", color = palette.muted, fontSize = 12.sp)
         }
-        Text(finding.textAt(places[shown]), fontSize = 12.sp, maxLines = 6, overflow = TextOverflow.Ellipsis)
+        Text(finding.textAt(places[shown]), fontSize = 12.sp)
     }
     val next = findings.nextOf(finding)
     if (next.isNotEmpty()) Text("Next: $next", color = palette.muted, fontSize = 12.sp)

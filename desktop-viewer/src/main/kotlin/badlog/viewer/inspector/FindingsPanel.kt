@@ -15,6 +15,7 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.lazy.LazyColumn
+import androidx.compose.foundation.lazy.LazyListState
 import androidx.compose.foundation.lazy.items
 import androidx.compose.foundation.lazy.rememberLazyListState
 import androidx.compose.foundation.rememberScrollState
@@ -28,6 +29,7 @@ import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
+import androidx.compose.runtime.withFrameNanos
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.semantics.Role
@@ -56,7 +58,10 @@ import badlog.viewer.theme.ToolButton
 import badlog.viewer.view.AxisView
 
 /**
- * What rules found in [open], incidents first, then the worst; a click on a line goes there and shows its evidence. Below it the rules that were skipped, folded. */
+ * What rules found in [open], incidents first, then the worst; a click on a line goes there and shows its evidence. Below it the rules that were skipped, folded.
+ *
+ * @param onGo hears that a click went to a finding.
+ */
 @Composable
 internal fun FindingsPanel(
     compared: ComparedRecordings,
@@ -64,6 +69,7 @@ internal fun FindingsPanel(
     view: AxisView,
     board: GraphBoard,
     open: OpenRecording,
+    onGo: () -> Unit,
     modifier: Modifier,
 ) {
     val selected = findings.state.selected
@@ -75,12 +81,18 @@ internal fun FindingsPanel(
     val times = remember(open) { EventTimes(open) }
     var showsSkipped by remember { mutableStateOf(false) }
     val state = rememberLazyListState()
+    fun goTo(finding: Finding) {
+        findings.goTo(finding)
+        onGo()
+    }
     LaunchedEffect(selected) {
-        val index = list.all.indexOf(selected) + list.incidents.size
+        if (selected !in list.all) return@LaunchedEffect
+        // Only when it is laid out is it known how much room its details take.
+        withFrameNanos { }
         val visible = state.layoutInfo.visibleItemsInfo
         // Who goes to what an incident speaks of goes on reading there.
         val isRead = visible.any { line -> list.incidents.getOrNull(line.index)?.let { selected in it.causes + it.effects } == true }
-        if (selected in list.all && !isRead && visible.none { it.index == index }) state.scrollToItem(maxOf(0, index - visible.size / 2))
+        if (!isRead) showWhole(state, list.all.indexOf(selected) + list.incidents.size)
     }
     Column(modifier) {
         Row(Modifier.fillMaxWidth().padding(start = 12.dp, end = 4.dp, top = 4.dp), verticalAlignment = Alignment.CenterVertically) {
@@ -100,10 +112,10 @@ internal fun FindingsPanel(
         list.trouble?.let { Box(Modifier.padding(horizontal = 12.dp, vertical = 4.dp)) { PointedText(it) } }
         Box(Modifier.weight(1f)) {
             LazyColumn(Modifier.fillMaxSize(), state) {
-                items(list.incidents) { incident -> IncidentLine(incident, times) { findings.goTo(it) } }
+                items(list.incidents) { incident -> IncidentLine(incident, times) { goTo(it) } }
                 items(list.all) { finding ->
                     val isSelected = finding === selected
-                    FindingLine(finding, times, isSelected, { findings.goTo(finding) }) {
+                    FindingLine(finding, times, isSelected, { goTo(finding) }) {
                         if (isSelected) FindingDetails(findings, view, board, open, finding, times)
                     }
                 }
@@ -114,6 +126,19 @@ internal fun FindingsPanel(
             }
             VerticalScrollbar(rememberScrollbarAdapter(state), Modifier.align(Alignment.CenterEnd).fillMaxHeight())
         }
+    }
+}
+
+/** Scrolls [list] until all of item [index] is seen; of one that is higher than the list, its beginning. */
+private suspend fun showWhole(list: LazyListState, index: Int) {
+    val seen = list.layoutInfo.visibleItemsInfo
+    if (seen.none { it.index == index }) list.scrollToItem(maxOf(0, index - seen.size / 2))
+    val layout = list.layoutInfo
+    val item = layout.visibleItemsInfo.firstOrNull { it.index == index }
+    if (item == null || item.offset < layout.viewportStartOffset) {
+        list.scrollToItem(index)
+    } else if (item.offset + item.size > layout.viewportEndOffset) {
+        list.scrollToItem(index, minOf(0, item.size - (layout.viewportEndOffset - layout.viewportStartOffset)))
     }
 }
 
@@ -160,7 +185,7 @@ internal fun FindingLine(
         }
         Column(Modifier.weight(1f)) {
             Text(finding.rule, fontWeight = FontWeight.Medium, maxLines = 1, overflow = TextOverflow.Ellipsis)
-            Text(finding.text, maxLines = 6, overflow = TextOverflow.Ellipsis)
+            Text(finding.text)
             details()
         }
     }

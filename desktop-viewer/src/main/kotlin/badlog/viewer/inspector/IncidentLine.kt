@@ -13,7 +13,6 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.text.font.FontWeight
-import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.rules.Finding
@@ -41,7 +40,7 @@ internal fun IncidentLine(incident: Incident, times: EventTimes, onClick: (Findi
                 Arrangement.spacedBy(6.dp),
             ) {
                 Text(if (time.isFinite()) times.logged(time) else "whole log", color = palette.muted, fontSize = 11.sp)
-                Text(sentence.text, Modifier.weight(1f), maxLines = 6, overflow = TextOverflow.Ellipsis)
+                Text(sentence.text, Modifier.weight(1f))
             }
         }
         if (incident.next.isNotEmpty()) Text("Next: ${incident.next}", color = palette.muted, fontSize = 12.sp)

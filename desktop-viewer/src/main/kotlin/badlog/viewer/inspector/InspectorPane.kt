@@ -33,6 +33,7 @@ import badlog.viewer.board.GraphBoard
 import badlog.viewer.compare.ComparedRecordings
 import badlog.viewer.findings.LogFindings
 import badlog.viewer.note.LogNotes
+import badlog.viewer.panels.FrontPart
 import badlog.viewer.panels.InspectorTab
 import badlog.viewer.panels.WindowPanels
 import badlog.viewer.recording.CurrentRecording
@@ -78,14 +79,16 @@ internal fun InspectorPane(
         if (open == null) {
             PanelHint("Open a log to see its ${tab.title.lowercase()}.")
         } else {
+            // A narrow window shows one part at a time; who goes somewhere wants to see it.
+            val showGraphs = { panels.change { copy(front = FrontPart.GRAPHS) } }
             when (tab) {
-                InspectorTab.EVENTS -> EventsPanel(view, events, open, Modifier.fillMaxSize())
+                InspectorTab.EVENTS -> EventsPanel(view, events, open, showGraphs, Modifier.fillMaxSize())
                 InspectorTab.VALUES -> ValuesPanel(open, Modifier.fillMaxSize())
                 InspectorTab.PROBLEMS -> ProblemsPanel(open, Modifier.fillMaxSize())
                 InspectorTab.STATISTICS -> StatisticsPanel(compared, board, view, panels, open, Modifier.fillMaxSize())
-                InspectorTab.CURSOR -> CursorPanel(board, view, open, Modifier.fillMaxSize())
-                InspectorTab.FINDINGS -> FindingsPanel(compared, findings, view, board, open, Modifier.fillMaxSize())
-                InspectorTab.NOTES -> NotesPanel(notes, view, open, Modifier.fillMaxSize())
+                InspectorTab.CURSOR -> CursorPanel(board, findings, view, open, Modifier.fillMaxSize())
+                InspectorTab.FINDINGS -> FindingsPanel(compared, findings, view, board, open, showGraphs, Modifier.fillMaxSize())
+                InspectorTab.NOTES -> NotesPanel(notes, view, open, showGraphs, Modifier.fillMaxSize())
             }
         }
     }

@@ -40,9 +40,9 @@ import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
 import badlog.viewer.view.AxisView
 
-/** The notes of [open], each with the way to its moment, and where one is written. */
+/** The notes of [open], each with the way to its moment, of which [onGo] hears, and where one is written. */
 @Composable
-internal fun NotesPanel(notes: LogNotes, view: AxisView, open: OpenRecording, modifier: Modifier) {
+internal fun NotesPanel(notes: LogNotes, view: AxisView, open: OpenRecording, onGo: () -> Unit, modifier: Modifier) {
     val times = remember(open) { EventTimes(open) }
     Column(modifier) {
         val draft = notes.draft
@@ -57,7 +57,12 @@ internal fun NotesPanel(notes: LogNotes, view: AxisView, open: OpenRecording, mo
             PanelHint("Notes are kept beside the log, in ${NotesFile.of(open.file).fileName}, and exported with its page.")
         }
         LazyColumn {
-            items(notes.state.notes) { note -> NoteLine(notes, note, times) { view.goTo(note.x) } }
+            items(notes.state.notes) { note ->
+                NoteLine(notes, note, times) {
+                    view.goTo(note.x)
+                    onGo()
+                }
+            }
         }
     }
 }

@@ -29,6 +29,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import badlog.file.NaturalOrder
+import badlog.plot.search.Query
 import badlog.viewer.library.index.LogEntry
 import badlog.viewer.menu.ClosesByEscape
 import badlog.viewer.menu.MenuLine
@@ -131,7 +132,7 @@ private fun PreviewChoice(entries: List<LogEntry>, settings: SettingsStore, onSe
     val names = remember(entries) {
         entries.flatMapTo(HashSet()) { entry -> entry.topics.map { it.name } }.sortedWith(NaturalOrder)
     }
-    val shown = names.filter { filter.lowercase() in it.lowercase() }
+    val shown = remember(names, filter) { names.filter(Query(filter)::matches) }
     // A menu measures its content before it knows its size, which a lazy list needs to know.
     Column(Modifier.width(280.dp).padding(horizontal = 8.dp)) {
         SearchField(filter, "Search topics for the preview") { filter = it }

@@ -5,6 +5,7 @@ import badlog.analysis.Series
 import badlog.plot.cursor.indexAt
 import badlog.plot.cursor.textOf
 import badlog.plot.outline.traits
+import badlog.plot.search.Query
 import badlog.plot.search.Trait
 import badlog.plot.text.exactText
 import badlog.plot.text.roundedText
@@ -55,6 +56,13 @@ internal class Signal(val name: String, val isDerived: Boolean, val line: GraphS
 
     /** A number of it as text: a logged one exact, a calculated one without the digits that a calculation makes up. */
     fun numberText(number: Double, isShort: Boolean = false): String = if (isDerived || isShort) roundedText(number) else exactText(number)
+}
+
+/** Whether [query] finds it, as [text]; [found] are the names of the topics that a finding is about. */
+internal fun Signal.isFoundBy(query: Query, found: Set<String>, text: String = name): Boolean {
+    // What it is costs a look through its samples, so only where that is asked for.
+    val own = if (Trait.entries.any(query::asksFor)) traits else emptySet()
+    return query.matches(text, if (name in found) own + Trait.FINDING else own)
 }
 
 /**

@@ -5,6 +5,7 @@ import badlog.analysis.Units
 import badlog.plot.statistics.Statistic
 import badlog.plot.text.exactText
 import badlog.plot.text.roundedText
+import badlog.plot.text.shortNames
 import badlog.plot.text.withUnit
 import badlog.recording.Topic
 import java.nio.file.Path
@@ -24,6 +25,11 @@ internal class StatisticsGrid(rows: List<StatisticsRow>, choice: StatisticsChoic
         val units = rows.filter { column.topic in it.units }.map { column.unitIn(it) }.distinct()
         FigureFacts(values.minOrNull() ?: Double.NaN, values.maxOrNull() ?: Double.NaN, units)
     }
+
+    private val names = choice.topics.zip(shortNames(choice.topics)).toMap()
+
+    /** What the heading of [column] calls its topic: no more of its path than tells it from the others. */
+    fun nameOf(column: FigureColumn): String = names.getValue(column.topic)
 
     /** The unit of all of [column]; null where recordings differ. */
     fun unitOf(column: FigureColumn): String? {

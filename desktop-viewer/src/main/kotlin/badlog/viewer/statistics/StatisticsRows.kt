@@ -37,7 +37,6 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.analysis.Units
-import badlog.recording.PathName
 import badlog.recording.Topic
 import badlog.viewer.compare.shortLabel
 import badlog.viewer.theme.Icons
@@ -87,7 +86,7 @@ private fun Heading(statistics: SelectedStatistics, grid: StatisticsGrid, column
             Alignment.Bottom,
         ) {
             Column(Modifier.weight(1f)) {
-                if (column is FigureColumn) HeadingText(PathName.baseNameOf(column.topic), isFigure = true, isSecond = true)
+                if (column is FigureColumn) HeadingText(grid.nameOf(column), isFigure = true, isSecond = true)
                 val unit = (column as? FigureColumn)?.let { grid.unitOf(it) } ?: Topic.UNITLESS
                 val title = (column as? FigureColumn)?.statistic?.title ?: name
                 HeadingText(if (Units.isNone(unit)) title else "$title ($unit)", isFigure = column is FigureColumn, isSecond = false)

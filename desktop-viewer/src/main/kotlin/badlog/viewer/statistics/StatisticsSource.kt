@@ -2,9 +2,13 @@ package badlog.viewer.statistics
 
 import badlog.analysis.matchTitle
 import badlog.analysis.statisticsOf
+import badlog.plot.search.Query
+import badlog.plot.search.Trait
 import badlog.recording.PathName
 import badlog.viewer.library.index.LogEntry
 import badlog.viewer.recording.OpenRecording
+import badlog.viewer.recording.Signal
+import badlog.viewer.recording.isFoundBy
 import java.io.IOException
 import java.nio.file.Files
 import java.time.LocalDateTime
@@ -15,9 +19,23 @@ import java.time.format.DateTimeFormatter
  * What the table of statistics is made from.
  *
  * @property topics the names of all topics that can be asked for, by folder.
+ * @property drawn of the topics those that a recording on the screen has, by name.
  * @property rowsOf finds the figures of some of them in every recording; takes its time, so not for the window's thread.
  */
-internal class StatisticsSource(val topics: List<String>, val rowsOf: (topics: List<String>) -> List<StatisticsRow>)
+internal class StatisticsSource(
+    val topics: List<String>,
+    private val drawn: Map<String, Signal>,
+    val rowsOf: (topics: List<String>) -> List<StatisticsRow>,
+) {
+    /** Those of [topics] that [query] finds; [found] are the names of those that a finding is about. May look through samples. */
+    fun topicsFoundBy(query: Query, found: Set<String>): List<String> =
+        topics.filter { name -> drawn[name]?.isFoundBy(query, found) ?: query.matches(name, KNOWN) }
+
+    private companion object {
+        /** What is known of a topic of a log that is not open: that it has figures. */
+        val KNOWN = setOf(Trait.NUMBER)
+    }
+}
 
 /**
  * What the table is made from: the recordings that are [drawn], of which every signal has figures, and if it [isOverAll] the logs
@@ -28,9 +46,12 @@ internal fun statisticsSource(drawn: List<OpenRecording>, known: List<Statistics
     val drawnFiles = drawn.mapTo(HashSet()) { it.file }
     val others = if (isOverAll) known.filter { it.path !in drawnFiles } else emptyList()
     val topics = LinkedHashSet<String>()
-    for (recording in drawn) recording.signals.filter { it.hasFigures }.mapTo(topics) { it.name }
+    val signals = drawn.flatMap { it.signals }.filter { it.hasFigures }
+    signals.mapTo(topics) { it.name }
     for (row in others) topics += row.statistics.keys
-    return StatisticsSource(topics.sortedBy { PathName.folderOf(it).lowercase() }) { asked ->
+    // The first of one name is that of the open log, which the findings are of.
+    val byName = signals.asReversed().associateBy { it.name }
+    return StatisticsSource(topics.sortedBy { PathName.folderOf(it).lowercase() }, byName) { asked ->
         drawn.map { statisticsRow(it, asked, knownByFile[it.file]?.date ?: dateOf(it)) } + others
     }
 }

@@ -64,6 +64,7 @@ import java.nio.file.Path
  *
  * @param entries the logs of the folder.
  * @param drawn the open log and those that are compared with it.
+ * @param found the names of the topics that a finding is about.
  * @param onOpen shows the log of a row.
  * @param onSave saves the table.
  * @param onClose shows the graphs again.
@@ -73,6 +74,7 @@ internal fun StatisticsTable(
     statistics: SelectedStatistics,
     entries: List<LogEntry>,
     drawn: List<OpenRecording>,
+    found: Set<String>,
     onOpen: (Path) -> Unit,
     onSave: (StatisticsGrid) -> Unit,
     onClose: () -> Unit,
@@ -86,10 +88,10 @@ internal fun StatisticsTable(
         }
     }
     val choice = statistics.state
-    val found by produceState<StatisticsSource?>(null, drawn, entries, choice.isOverAll) {
+    val made by produceState<StatisticsSource?>(null, drawn, entries, choice.isOverAll) {
         value = withContext(Dispatchers.Default) { statisticsSource(drawn, rowsOf(entries), choice.isOverAll) }
     }
-    val source = found ?: return Box(modifier.background(LocalPalette.current.surface))
+    val source = made ?: return Box(modifier.background(LocalPalette.current.surface))
     val rows by produceState(emptyList<StatisticsRow>(), source, choice.topics) {
         value = withContext(Dispatchers.Default) { source.rowsOf(choice.topics) }
     }
@@ -98,13 +100,13 @@ internal fun StatisticsTable(
     BoxWithConstraints(modifier.background(LocalPalette.current.surface)) {
         if (maxWidth < NARROW) {
             Column(Modifier.fillMaxSize()) {
-                StatisticsTopics(statistics, source.topics, Modifier.fillMaxWidth().height(170.dp))
+                StatisticsTopics(statistics, source, found, Modifier.fillMaxWidth().height(170.dp))
                 HorizontalDivider()
                 Table(statistics, source, grid, drawn.firstOrNull()?.file, actions, Modifier.weight(1f).fillMaxWidth())
             }
         } else {
             Row(Modifier.fillMaxSize()) {
-                StatisticsTopics(statistics, source.topics, Modifier.width(240.dp).fillMaxHeight())
+                StatisticsTopics(statistics, source, found, Modifier.width(240.dp).fillMaxHeight())
                 VerticalDivider()
                 Table(statistics, source, grid, drawn.firstOrNull()?.file, actions, Modifier.weight(1f).fillMaxHeight())
             }
@@ -176,15 +178,15 @@ private fun TableHint(text: String) {
 
 private val NARROW = 640.dp
 
-/** Selects among [topics] those that the table has; the selected ones stand first, as they always must be found. */
+/** Selects among the topics of [source] those that the table has; the selected ones stand first, as they always must be found. */
 @Composable
-internal fun StatisticsTopics(statistics: SelectedStatistics, topics: List<String>, modifier: Modifier) {
+internal fun StatisticsTopics(statistics: SelectedStatistics, source: StatisticsSource, found: Set<String>, modifier: Modifier) {
     var query by remember { mutableStateOf("") }
     val selected = statistics.state.topics
-    val listed = remember(topics, query, selected) {
-        val found = topics.filter(Query(query)::matches)
-        selected + (found - selected.toSet())
+    val matching by produceState(emptyList<String>(), source, query, found) {
+        value = withContext(Dispatchers.Default) { source.topicsFoundBy(Query(query), found) }
     }
+    val listed = remember(matching, selected) { selected + (matching - selected.toSet()) }
     val state = rememberLazyListState()
     Column(modifier) {
         SearchField(query, "Search topics for the table", Modifier.fillMaxWidth().padding(8.dp)) { query = it }

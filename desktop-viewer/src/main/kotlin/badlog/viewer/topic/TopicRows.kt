@@ -1,8 +1,8 @@
 package badlog.viewer.topic
 
 import badlog.plot.search.Query
-import badlog.plot.search.Trait
 import badlog.viewer.recording.Signal
+import badlog.viewer.recording.isFoundBy
 
 /**
  * The lines that the list of topics has for [signals]: in each folder its signals in their order, then its folders by name.
@@ -18,11 +18,9 @@ internal fun topicRows(
     found: Set<String> = emptySet(),
 ): List<TopicRow> {
     val wanted = Query(query)
-    val asksForTraits = Trait.entries.any(wanted::asksFor)
     val root = TopicFolder("", "")
     for (signal in if (wanted.isEmpty) signals else signals + empty) {
-        val traits = if (asksForTraits) signal.traits + setOf(Trait.FINDING).filter { signal.name in found } else emptySet()
-        if (wanted.matches(signal.name, traits)) root.at(signal.folder).signals += signal
+        if (signal.isFoundBy(wanted, found)) root.at(signal.folder).signals += signal
     }
     val rows = ArrayList<TopicRow>()
     root.list(rows, depth = 0, folded = if (wanted.isEmpty) folded else emptySet())

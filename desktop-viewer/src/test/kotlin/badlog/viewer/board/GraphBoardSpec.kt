@@ -92,6 +92,25 @@ class GraphBoardSpec : FunSpec({
         viewer.board.state shouldBe own
     }
 
+    test("the graphs of a finding before, which undo and redo bring back, are not a person's own until they are kept") {
+        val board = abc()
+        val own = board.state
+        board.showEvidence(Board().withGraph(listOf("X")))
+        board.showEvidence(Board().withGraph(listOf("Y")))
+        board.undo()
+        lines(board).first() shouldBe listOf("X")
+        board.kept shouldBe own
+        board.isEvidence(board.state.graphs.first().id) shouldBe true
+        board.redo()
+        lines(board).first() shouldBe listOf("Y")
+        board.kept shouldBe own
+        board.keep()
+        board.undo()
+        board.kept shouldBe own
+        board.redo()
+        board.kept shouldBe board.state
+    }
+
     test("a graph of a finding that is pinned stays when the next finding comes") {
         val viewer = viewerOf(sample("qualification-42.bag"))
         viewer.findings.change { knowing(findingsIn(checkNotNull(viewer.current.recording))) }

@@ -1,6 +1,7 @@
 package badlog.viewer.inspector
 
 import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.semantics.SemanticsActions
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.assertIsSelected
 import androidx.compose.ui.test.click
@@ -10,6 +11,7 @@ import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performMouseInput
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import androidx.compose.ui.text.TextLayoutResult
 import badlog.viewer.TestInspector
 import badlog.viewer.app.Viewer
 import badlog.viewer.app.ViewerScreen
@@ -21,12 +23,14 @@ import badlog.viewer.findings.writeRules
 import badlog.viewer.graph.savePicture
 import badlog.viewer.graph.viewerOf
 import badlog.viewer.graph.waitForPictures
+import badlog.viewer.panels.FrontPart
 import badlog.viewer.panels.InspectorTab
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.theme.Theme
 import badlog.viewer.theme.ViewerTheme
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldNotBeEmpty
 import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 import java.nio.file.Path
@@ -35,7 +39,7 @@ import java.nio.file.Path
 class FindingsPanelSpec : FunSpec({
     fun inspecting(recording: OpenRecording): Viewer = viewerOf(recording).apply {
         findings.change { knowing(findingsIn(recording)) }
-        panels.change { copy(inspector = InspectorTab.FINDINGS, library = false) }
+        panels.change { copy(inspector = InspectorTab.FINDINGS, library = false, front = FrontPart.DETAILS) }
     }
 
     fun folderOf(vararg rules: String): Path = tempdir().toPath().also { writeRules(it, *rules) }
@@ -51,12 +55,33 @@ class FindingsPanelSpec : FunSpec({
             runOnIdle {
                 viewer.view.cursor shouldBe viewer.findings.state.list?.timeline?.places?.last()?.span?.from
                 (viewer.view.cursor.shouldNotBeNull() in viewer.view.viewport.visible) shouldBe true
+                viewer.panels.state.front shouldBe FrontPart.GRAPHS
                 viewer.findings.step(-1)
             }
             onNodeWithContentDescription("Finding, error: Early").assertIsSelected()
             onNodeWithText("None").assertDoesNotExist()
             onNodeWithText("1 rule skipped (topics missing)").performClick()
             onNodeWithText("None").assertExists()
+        }
+    }
+
+    test("all of a finding that the keys go to is seen, and all that it says") {
+        val text = "What a rule says may take many lines of a panel that is narrow. ".repeat(6)
+        val viewer = inspecting(counted(folderOf(*Array(12) { ruleText("Rule $it", "A > ${it * 8} and A < ${it * 8 + 3}", text = text) })))
+        runDesktopComposeUiTest(320, 700) {
+            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
+            val all = viewer.findings.state.list.shouldNotBeNull().all
+            for (finding in all + all.asReversed()) {
+                runOnIdle { viewer.findings.goTo(finding) }
+                waitForIdle()
+                val line = onNodeWithContentDescription("Finding, warning: ${finding.rule}").fetchSemanticsNode()
+                line.boundsInRoot.height shouldBe line.size.height.toFloat()
+            }
+            val layouts = ArrayList<TextLayoutResult>()
+            onAllNodesWithText(text.trim(), substring = true, useUnmergedTree = true).fetchSemanticsNodes()
+                .forEach { it.config[SemanticsActions.GetTextLayoutResult].action?.invoke(layouts) }
+            layouts.shouldNotBeEmpty()
+            layouts.forEach { it.hasVisualOverflow shouldBe false }
         }
     }
 

@@ -15,6 +15,7 @@ import badlog.recording.Severity
 import badlog.viewer.TestInspector
 import badlog.viewer.app.Viewer
 import badlog.viewer.bagOf
+import badlog.viewer.panels.FrontPart
 import badlog.viewer.panels.InspectorTab
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.recordingOf
@@ -41,6 +42,7 @@ class InspectorPaneSpec : FunSpec({
         val rows = List(100_000) { "$it,event $it" }
         val viewer = viewerOf(recordingOf(bagOf(listOf("Time|xaxis", "Log|log"), rows)), InspectorTab.EVENTS)
         viewer.view.change { showing(50_000.0, 50_010.0) }
+        viewer.panels.change { copy(front = FrontPart.DETAILS) }
         runDesktopComposeUiTest(320, 600) {
             setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
             waitFor { onAllNodesWithText("event 3").fetchSemanticsNodes().isNotEmpty() }
@@ -48,6 +50,7 @@ class InspectorPaneSpec : FunSpec({
             runOnIdle {
                 viewer.view.cursor shouldBe 3.0
                 (3.0 in viewer.view.viewport.visible) shouldBe true
+                viewer.panels.state.front shouldBe FrontPart.GRAPHS
             }
             viewer.view.placeCursor(77_777.4)
             waitFor { onAllNodesWithText("event 77777").fetchSemanticsNodes().isNotEmpty() }

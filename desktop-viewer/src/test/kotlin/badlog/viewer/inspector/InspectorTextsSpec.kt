@@ -6,7 +6,6 @@ import badlog.plot.cursor.CursorValues
 import badlog.recording.Problem
 import badlog.recording.ProblemKind
 import badlog.viewer.bagOf
-import badlog.viewer.board.GraphBoard
 import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.recordingOf
 import io.kotest.core.spec.style.FunSpec
@@ -44,10 +43,10 @@ class InspectorTextsSpec : FunSpec({
 
     test("values at the cursor are those of the graphs, or of a search, and what just changed comes first") {
         val open = recordingOf(bagOf(listOf("Time|xaxis", "A", "B", "Mode"), listOf("0,1,5,off", "1,1,5,off", "2,1,9,off", "3,1,9,on")))
-        val board = GraphBoard()
-        board.replace(Board().withGraph(listOf("A", "B")))
+        val board = Board().withGraph(listOf("A", "B"))
         cursorSignals(open, board, "").map { it.name } shouldContainExactly listOf("A", "B")
         cursorSignals(open, board, "mo").map { it.name } shouldContainExactly listOf("Mode")
+        cursorSignals(open, board, "is:state | has:finding", setOf("B")).map { it.name } shouldContainExactly listOf("B", "Mode")
         val shown = cursorSignals(open, board, "")
         val values = CursorValues(shown.map { it.line }, open.view.xAxis)
         cursorRows(shown, values, 2.0).map { it.name to it.text } shouldContainExactly listOf("B" to "9 V", "A" to "1 V")

@@ -44,6 +44,16 @@ class LayoutMenuSpec : FunSpec({
         }
     }
 
+    test("a layout that is dropped before there is a log is not read as one; a log that is dropped with it is") {
+        val viewer = Viewer(MainScope(), UserFolders(home, home))
+        val layout = home.resolve("dropped${Layout.ENDING}")
+        viewer.openDropped(listOf(layout))
+        viewer.notices.all.single().text shouldBe "Open a log first."
+        viewer.loader.isReading shouldBe false
+        viewer.openDropped(listOf(layout, log))
+        viewer.library.state.folder shouldBe home
+    }
+
     test("a layout is saved and opened, the default graphs come back, and a file that is not a layout is reported") {
         val file = home.resolve("mine${Layout.ENDING}")
         val files = ChosenFiles(file)

@@ -166,7 +166,7 @@ class LibraryScreenSpec : FunSpec({
     test("the preview can be that of any topic of any log") {
         onFolder(sampleFolder()) { viewer ->
             onNodeWithContentDescription("Preview: the battery’s voltage").performClick()
-            onNodeWithContentDescription("Search topics for the preview").performTextInput("elevator/pos")
+            onNodeWithContentDescription("Search topics for the preview").performTextInput("pos elevator/")
             onNode(hasText("Elevator/Position")).performClick()
             viewer.settings.state.previewTopic shouldBe "Elevator/Position"
         }

@@ -10,6 +10,7 @@ import badlog.html.note.Note
 import badlog.html.note.NotesFile
 import badlog.viewer.TestInspector
 import badlog.viewer.app.Viewer
+import badlog.viewer.panels.FrontPart
 import badlog.viewer.panels.InspectorTab
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.settings.UserFolders
@@ -51,7 +52,9 @@ class LogNotesSpec : FunSpec({
             onNodeWithContentDescription("Keep the note (Enter)").performClick()
             waitFor { viewer.notes.draft == null }
             NotesFile.read(log) shouldBe listOf(Note(42.0, "hit by 254"))
-            onNodeWithText("hit by 254").assertExists()
+            viewer.panels.change { copy(front = FrontPart.DETAILS) }
+            onNodeWithText("hit by 254").performClick()
+            runOnIdle { viewer.panels.state.front shouldBe FrontPart.GRAPHS }
             onNodeWithText("Change").performClick()
             onNodeWithContentDescription("Text of the note").performTextInput("again ")
             onNodeWithContentDescription("Keep the note (Enter)").performClick()

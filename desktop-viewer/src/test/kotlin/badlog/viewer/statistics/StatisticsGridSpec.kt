@@ -1,5 +1,6 @@
 package badlog.viewer.statistics
 
+import badlog.plot.search.Query
 import badlog.plot.statistics.Statistic
 import badlog.viewer.bagOf
 import badlog.viewer.recordingOf
@@ -40,6 +41,11 @@ class StatisticsGridSpec : FunSpec({
         same.isLowest(maximum, rows[0]) shouldBe false
     }
 
+    test("two topics that end alike are told apart by their headings") {
+        val grid = StatisticsGrid(emptyList(), choice.copy(topics = listOf("Drive/Left/Speed", "Drive/Right/Speed", "Arm/Angle")))
+        grid.columns.filterIsInstance<FigureColumn>().map(grid::nameOf).distinct() shouldContainExactly listOf("Left/Speed", "Right/Speed", "Angle")
+    }
+
     test("the CSV has exact figures, and quotes what must be quoted") {
         val odd = row("He said \"1,2\"\nand left", 1 / 3.0)
         StatisticsGrid(listOf(odd, rows[2]), StatisticsChoice(listOf("A"), setOf(Statistic.MAX))).toCsv() shouldBe
@@ -69,6 +75,8 @@ class StatisticsGridSpec : FunSpec({
         val inFolder = StatisticsRow("open", "2026-03-14 10:41", open.file, rows[0].statistics, rows[0].units)
         val source = statisticsSource(listOf(open), listOf(inFolder, rows[2], row("d", 7.0, topic = "Z")))
         source.topics shouldContainExactly listOf("A", "A Delta", "Z")
+        source.topicsFoundBy(Query("has:finding | is:constant"), setOf("A")) shouldContainExactly listOf("A")
+        source.topicsFoundBy(Query("is:number -has:finding"), setOf("A")) shouldContainExactly listOf("A Delta", "Z")
         val made = source.rowsOf(listOf("A", "A Delta"))
         made.map { it.label } shouldContainExactly listOf("open.bag", "none", "d")
         made[0].date shouldBe "2026-03-14 10:41"

@@ -54,17 +54,18 @@ internal class FigureBuilder(
             xTitle = plainLine(axis.title, NAME_LETTERS),
             x = x,
             frames = sources.flatMap { framesOf(it, columns, laneColumns) },
-            marks = figureMarks(x, width, recordings.first().recording.enabled, events, findings),
+            marks = figureMarks(x, width, recordings.first().recording.modes, events, findings),
         )
     }
 
     private fun shareOf(all: Int, count: Int) = (all / maxOf(count, 1)).coerceIn(MIN_COLUMNS, maxOf(width, MIN_COLUMNS))
 
-    // The colors are those of the window.
-    private fun sourcesOf(graph: BoardGraph): List<Source> = drawnLines(graph, recordings).map { line ->
-        val place = recordings.indexOfFirst { it.recording === line.recording && it.offset == line.offset }
-        Source(recordings[place], line.signal, line.title, labelOf(line.title, names[place], graph), line.color)
-    }
+    // The colors are those of the window, and so is what a person has hidden.
+    private fun sourcesOf(graph: BoardGraph): List<Source> =
+        drawnLines(graph, recordings).filter { it.signal.name !in graph.hidden }.map { line ->
+            val place = recordings.indexOfFirst { it.recording === line.recording && it.offset == line.offset }
+            Source(recordings[place], line.signal, line.title, labelOf(line.title, names[place], graph), line.color)
+        }
 
     private fun labelOf(lineTitle: String, recording: String, graph: BoardGraph): String = when {
         recordings.size == 1 -> plainLine(lineTitle, LABEL_LETTERS)

@@ -1,5 +1,6 @@
 package badlog.viewer.export.figure
 
+import badlog.plot.color.modeOpacity
 import badlog.plot.path.Field
 import badlog.viewer.theme.Palette
 import org.jetbrains.letsPlot.coord.coordCartesian
@@ -75,7 +76,7 @@ private fun behind(marks: FigureMarks, frame: FigureFrame): Plot {
             ymin = frame.y.from,
             ymax = frame.y.to,
             fill = color,
-            alpha = BAND,
+            alpha = modeOpacity(isDark = false),
             size = 0,
             sampling = samplingNone,
             showLegend = false,
@@ -188,7 +189,6 @@ private const val NO_BREAK = '\u00a0'
 private const val STROKE = 0.8
 private const val DOT = 1.6
 private const val FILL = 0.15
-private const val BAND = 0.1
 private const val EVENT = 0.5
 private const val FINDING = 3.4
 

@@ -1,11 +1,11 @@
 package badlog.viewer.export.figure
 
-import badlog.analysis.EnabledSpan
 import badlog.analysis.Span
 import badlog.plot.timeline.EventMarks
 import badlog.plot.timeline.EventTimeline
 import badlog.plot.timeline.FindingMarks
 import badlog.plot.timeline.FindingTimeline
+import badlog.plot.timeline.ModeTimeline
 import badlog.rules.Finding
 import badlog.viewer.findings.findingColor
 import badlog.viewer.theme.Palette
@@ -33,14 +33,13 @@ internal class FigurePoint(val x: Double, val color: String)
 internal fun figureMarks(
     x: Span,
     width: Int,
-    enabled: List<EnabledSpan>,
+    modes: ModeTimeline,
     events: EventTimeline,
     findings: FindingTimeline<Finding>?,
 ): FigureMarks {
     fun placeOf(pixel: Double) = x.from + pixel / width * x.width
-    val bands = enabled.filter { it.span.from < x.to && it.span.to > x.from }.map { stretch ->
-        val color = Palette.LIGHT.line(if (stretch.isAutonomous) AUTONOMOUS else TELEOPERATED)
-        FigureBand(maxOf(x.from, stretch.span.from), minOf(x.to, stretch.span.to), hexOf(color))
+    val bands = modes.spans.filter { it.span.from < x.to && it.span.to > x.from }.map { stretch ->
+        FigureBand(maxOf(x.from, stretch.span.from), minOf(x.to, stretch.span.to), hexOf(Palette.LIGHT.mode(stretch.mode)))
     }
     val eventMarks = EventMarks().apply { place(events, x, width.toDouble(), 1.0) }
     val findingMarks = FindingMarks()
@@ -53,7 +52,3 @@ internal fun figureMarks(
         },
     )
 }
-
-// The colors of the screen.
-private const val AUTONOMOUS = 4
-private const val TELEOPERATED = 2

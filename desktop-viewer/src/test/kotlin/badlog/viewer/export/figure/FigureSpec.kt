@@ -4,6 +4,7 @@ import badlog.analysis.LogView
 import badlog.analysis.Span
 import badlog.plot.board.BoardGraph
 import badlog.plot.board.defaultBoard
+import badlog.plot.timeline.RobotMode
 import badlog.recording.CellCounts
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
@@ -101,6 +102,12 @@ class FigureSpec : FunSpec({
         build(listOf(joint.copy(yRange = Span(-3.0, 4.0))), arm.span, arm).frames[0].y shouldBe Span(-3.0, 4.0)
     }
 
+    test("a line that is hidden on the screen is not drawn, and the others keep their colors") {
+        val line = build(listOf(joint.copy(hidden = setOf("Arm/Angle", "Arm/Mode"))), arm.span, arm).frames.single().lines.single()
+        line.label shouldBe "Current"
+        line.color shouldBe hexOf(Palette.LIGHT.line(1))
+    }
+
     test("what a recording lacks is left out, and a graph without a line has no frame") {
         val absent = BoardGraph(2, "Gone", listOf("Gone"))
         build(listOf(absent, joint.copy(lines = joint.lines + "Gone")), arm.span, arm).frames.map { it.lines.size } shouldBe
@@ -150,7 +157,8 @@ class FigureSpec : FunSpec({
         val list = findingsOf(match.logged, match.file, null)
         val figure = FigureBuilder(listOf(DrawnRecording(match)), match.span, options.width, match.events, list.timeline)
             .build(listOf(BoardGraph(1, "Voltage", listOf("System/Battery Voltage"))))
-        figure.marks.bands.map { it.color }.distinct() shouldHaveSize 2
+        figure.marks.bands.map { it.color }.distinct() shouldBe
+            listOf(RobotMode.AUTONOMOUS, RobotMode.TELEOP).map { hexOf(Palette.LIGHT.mode(it)) }
         figure.marks.bands.forEach { (it.from >= match.span.from && it.to <= match.span.to) shouldBe true }
         figure.marks.events.size shouldBeGreaterThan 3
         figure.marks.findings.size shouldBeGreaterThan 1
