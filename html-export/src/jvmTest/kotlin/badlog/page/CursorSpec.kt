@@ -1,10 +1,14 @@
 package badlog.page
 
 import badlog.bag.BagTopic
+import badlog.html.protocol.PageAdditions
+import badlog.rules.BUILT_IN
+import badlog.rules.RuleSet
 import io.kotest.assertions.withClue
 import io.kotest.inspectors.forAll
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.doubles.shouldBeGreaterThan
+import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldStartWith
@@ -45,6 +49,27 @@ internal class CursorSpec : PageSpec({
                             document.elementFromPoint(x, box.top + box.height / 2)?.closest('.cursor-readout'));
                         """.trimIndent(),
                     ) shouldBe true
+                }
+            }
+        }
+    }
+
+    browserTest("on a screen of any width the time and the match clock of a match are there to read, beside modes and events") {
+        onPage(TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN))) {
+            for (width in listOf(1366, 1240, 1200, 1101, 1080, 1000, 961, 900)) {
+                show(Screen(width, 800))
+                graph("System/Battery Voltage").scrollTo().hover(0.6)
+                withClue("$width px") {
+                    for (readout in listOf(".cursor-readout", ".clock-readout")) {
+                        number(
+                            """
+                            const text = document.querySelector(arguments[0]).getBoundingClientRect();
+                            const room = document.querySelector('.readout').getBoundingClientRect();
+                            return text.width > 20 ? text.right - room.right : 999;
+                            """.trimIndent(),
+                            readout,
+                        ) shouldBeLessThan 1.5
+                    }
                 }
             }
         }

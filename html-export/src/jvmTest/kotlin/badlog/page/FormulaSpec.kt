@@ -108,6 +108,7 @@ internal class FormulaSpec : PageSpec({
             addFormula("Sum = Voltage + Current")
             reload()
             texts(".fact") shouldContain "4 topics"
+            texts("#info .value-row").single { it.startsWith("Topics") } shouldBe "Topics4"
         }
     }
 

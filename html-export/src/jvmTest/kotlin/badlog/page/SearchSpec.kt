@@ -115,6 +115,9 @@ internal class SearchSpec : PageSpec({
             act { keyDown(Keys.CONTROL).sendKeys("a").keyUp(Keys.CONTROL) }
             press("is:number -is:constant")
             graphNames shouldBe all
+            act { keyDown(Keys.CONTROL).sendKeys("a").keyUp(Keys.CONTROL) }
+            press("-is:number")
+            graphNames shouldBe emptyList()
         }
     }
 

@@ -6,6 +6,7 @@ import io.kotest.matchers.doubles.shouldBeLessThanOrEqual
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldNotContain
 
 private const val HEADER =
     """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"A","unit":"V","attrs":[]}],"values":[]}"""
@@ -41,6 +42,7 @@ internal class UnusualFilesSpec : PageSpec({
             graph("A").pixelsOfLine(0) shouldBeGreaterThan 0
             graph("A").drag(0.2, 0.6)
             texts(".fact").none { it.endsWith(" s") } shouldBe true
+            texts(".range-readout .range").single() shouldNotContain "–"
         }
     }
 

@@ -6,7 +6,7 @@ import badlog.page.dom.addButton
 import badlog.page.dom.addIconButton
 import badlog.page.dom.element
 import badlog.page.dom.showText
-import badlog.page.view.PageBoard
+import badlog.page.view.Scene
 import badlog.plot.search.Query
 import badlog.plot.text.countText
 import badlog.plot.text.unitText
@@ -14,7 +14,8 @@ import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLInputElement
 
 /** Where a person puts any topics of the log on the board, or into one of its graphs, by their names. */
-internal class TopicDialog(private val board: PageBoard) {
+internal class TopicDialog(private val scene: Scene) {
+    private val board = scene.board
     private lateinit var heading: HTMLElement
     private lateinit var input: HTMLInputElement
     private lateinit var list: HTMLElement
@@ -66,7 +67,10 @@ internal class TopicDialog(private val board: PageBoard) {
 
     private fun list() {
         val query = Query(input.value)
-        val found = board.lines.names.filter(query::matches)
+        val found = board.lines.names.filter { name ->
+            val line = board.lines[name]
+            query.matches("$name ${line?.let { unitText(it.unit) }.orEmpty()}", line?.let { scene.traitsOf(it, query) }.orEmpty())
+        }
         list.textContent = ""
         for (name in found.take(MOST)) {
             list.add("li") {
@@ -83,14 +87,10 @@ internal class TopicDialog(private val board: PageBoard) {
         }
         val left = found.size - MOST
         rest.showText(
-            if (found.isEmpty()) {
-                "Nothing matches."
-            } else if (left >
-                0
-            ) {
-                "${countText(left)} more; type a part of the name."
-            } else {
-                ""
+            when {
+                found.isEmpty() -> "Nothing matches."
+                left > 0 -> "${countText(left)} more; type a part of the name."
+                else -> ""
             },
         )
     }

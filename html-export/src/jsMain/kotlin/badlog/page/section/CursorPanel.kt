@@ -79,7 +79,14 @@ internal class CursorPanel(private val scene: Scene, private val shown: () -> Li
     /** Looks again which topics there are. */
     fun refresh() {
         if (element.isHidden) return
-        lines = if (query.isEmpty) shown() else all().filter { query.matches("${it.topic.name} ${unitText(it.unit)}") }
+        lines =
+            if (query.isEmpty) {
+                shown()
+            } else {
+                all().filter {
+                    query.matches("${it.topic.name} ${unitText(it.unit)}", scene.traitsOf(it, query))
+                }
+            }
         lines = lines.distinctBy { it.topic.name to it.isDerived to it.name }
         values = CursorValues(lines, scene.xAxis)
         frame.ask()

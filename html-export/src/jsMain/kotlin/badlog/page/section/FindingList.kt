@@ -39,6 +39,7 @@ internal class FindingList(
     private var query = Query("")
     private val decimals = decimalsFor(scene.range.full.width)
     private val rows = HashMap<Finding, HTMLElement>()
+    private val incidentRows = LinkedHashMap<Incident, HTMLElement>()
     private var found = all
     private var listed = 0
     private val current: Finding? get() = scene.visited?.finding
@@ -154,10 +155,13 @@ internal class FindingList(
 
     private fun showIncidents(query: Query) {
         incidentList.textContent = ""
+        incidentRows.clear()
         val shown = incidents.filter { it.isFoundBy(query) }
         for (incident in shown) {
             val pin = { onPin(incident.sentences.first().finding, incident) }
-            incidentList.appendChild(incidentRow(incident, decimals, pin) { visit(firstPlaceOf(it), incident) })
+            val row = incidentRow(incident, decimals, pin) { visit(firstPlaceOf(it), incident) }
+            incidentRows[incident] = row
+            incidentList.appendChild(row)
         }
         incidentList.isHidden = shown.isEmpty()
     }
@@ -170,9 +174,9 @@ internal class FindingList(
         }
         val waiting = if (isSearching) listOf("rules are running…") else emptyList()
         count.showText(share + (parts + waiting).joinToString())
-        val hidden = all.size - found.size
-        hiddenNote.isHidden = hidden == 0
-        hiddenCount.showText("${countText(hidden, "finding")} hidden by the search. ")
+        val hidden = listOf("incident" to incidents.size - incidentRows.size, "finding" to all.size - found.size).filter { it.second > 0 }
+        hiddenNote.isHidden = hidden.isEmpty()
+        hiddenCount.showText("${hidden.joinToString(" and ") { (name, number) -> countText(number, name) }} hidden by the search. ")
         element.isHidden = all.isEmpty() && !isSearching && mistakes.isHidden
         list(FEW)
     }
@@ -216,12 +220,15 @@ internal class FindingList(
     }
 
     private fun mark() {
-        for ((finding, row) in rows) {
-            if (finding == current) row.setAttribute("aria-current", "true") else row.removeAttribute("aria-current")
-        }
+        for ((finding, row) in rows) row.markCurrent(finding == current)
+        for ((incident, row) in incidentRows) row.markCurrent(current?.let { it in incident } == true)
         val row = rows[current] ?: return
         // Only the list: what is above and below it stays where it is.
         if (list.classList.contains("is-long")) list.scrollTop = (row.offsetTop - list.offsetTop - list.clientHeight / 2).toDouble()
+    }
+
+    private fun HTMLElement.markCurrent(isCurrent: Boolean) {
+        if (isCurrent) setAttribute("aria-current", "true") else removeAttribute("aria-current")
     }
 
     private companion object {

@@ -8,6 +8,7 @@ import badlog.page.dom.element
 import badlog.page.view.end
 import badlog.page.view.isPlaced
 import badlog.page.view.word
+import badlog.plot.text.countText
 import badlog.plot.text.fixedText
 import badlog.rules.Finding
 import org.w3c.dom.HTMLElement
@@ -29,6 +30,11 @@ internal fun findingRow(finding: Finding, decimals: Int, pin: (Finding) -> Unit,
         add("span", "finding-text") {
             add("span", "finding-source", finding.rule)
             add("span", "", finding.text)
+        }
+        if (finding.spanCount > 1 &&
+            "${finding.spanCount}" !in finding.text
+        ) {
+            add("span", "unit finding-count", "${countText(finding.spanCount)} times")
         }
         if (finding.evidence.isNotEmpty()) addIconButton("pin", Icon.PIN, "Put what shows it on the board") { pin(finding) }
         if (finding.isPlaced) {

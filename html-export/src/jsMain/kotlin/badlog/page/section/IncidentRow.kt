@@ -39,6 +39,9 @@ internal fun incidentRow(incident: Incident, decimals: Int, pin: () -> Unit, go:
             if (incident.next.isNotEmpty()) add("p", "incident-next", "Next: ${incident.next}")
         }
         addIconButton("pin", Icon.PIN, "Put what shows it on the board", pin)
+        incident.sentences.map { it.finding }.firstOrNull { it.isPlaced }?.let { first ->
+            addEventListener("click", { if (it.target.asDynamic().closest("button") == null) go(first) })
+        }
     }
 
 /** Whether [query] finds [this] by what is said of it. */

@@ -6,14 +6,14 @@ import badlog.page.dom.element
 import badlog.page.embedded.About
 import badlog.plot.text.bytesText
 import badlog.plot.text.countText
+import badlog.recording.Recording
 import badlog.recording.RecordingFormat
 import badlog.recording.Severity
 import org.w3c.dom.HTMLElement
 
-/** The plain facts of the file, and its header as it stands there. */
-internal fun infoSection(view: LogView, about: About): HTMLElement = element("section", "info card") {
+/** The plain facts of the file of [view], whose topics are those of [recording], and its header as it stands there. */
+internal fun infoSection(view: LogView, recording: Recording, about: About): HTMLElement = element("section", "info card") {
     id = "info"
-    val recording = view.recording
     add("h2", "", "Info")
     add("dl", "values") {
         addFact("File", about.name)

@@ -87,7 +87,7 @@ internal class LogPage(
     private val findings = FindingList(scene, ::showEvidence, ::pinEvidence)
     private val notes = NoteList(scene)
     private val evidence = EvidenceSection(scene, graphs, signals, findings::stepWithin)
-    private val topicDialog = TopicDialog(board)
+    private val topicDialog = TopicDialog(scene)
     private val layouts = LayoutButtons(about.name, scene.notice, ::layoutNow, ::open)
     private val boardSection = BoardSection(scene, graphs, topicDialog, layouts.element)
     private val nothingFound = element("p", "nothing-found", "Nothing matches. Escape clears the search.")
@@ -117,7 +117,7 @@ internal class LogPage(
             content = add("div", "content") {
                 appendChild(nothingFound)
                 appendChild(folders.element)
-                appendChild(infoSection(view, about))
+                appendChild(infoSection(view, formulas.logged.recording, about))
             }
         }
         appendChild(values.element)

@@ -41,7 +41,7 @@ internal class ZoomBar(private val scene: Scene, ways: List<HTMLElement>, link: 
             add("div", "place") {
                 add("div", "readout") {
                     cursor = add("a", "cursor-readout")
-                    clock = add("output", "clock-readout").apply { title = "Phase, and time since the robot was enabled" }
+                    clock = add("output", "clock-readout")
                     day = add("output", "day-readout").apply { title = "Time of day" }
                     second = add("output", "second-readout")
                     event = add("output", "event-readout")
@@ -84,9 +84,15 @@ internal class ZoomBar(private val scene: Scene, ways: List<HTMLElement>, link: 
 
     private fun update() {
         val now = scene.range.now
-        val hasSamples = scene.xAxis.range != null
-        range.showText(if (hasSamples) "${scene.xNumber(now.from)} – ${scene.xText(now.to)}" else "No samples")
-        width.showText(if (hasSamples) "Δ ${scene.xText(now.width)}" else "")
+        val all = scene.xAxis.range
+        range.showText(
+            when {
+                all == null -> "No samples"
+                all.start == all.endInclusive -> scene.xText(all.start)
+                else -> "${scene.xNumber(now.from)} – ${scene.xText(now.to)}"
+            },
+        )
+        width.showText(if (all == null || all.start == all.endInclusive) "" else "Δ ${scene.xText(now.width)}")
         back.isDisabled = !scene.range.canGoBack
         reset.isDisabled = !scene.range.isZoomed
         val x = scene.cursor.x
@@ -98,7 +104,10 @@ internal class ZoomBar(private val scene: Scene, ways: List<HTMLElement>, link: 
         if (!scene.cursor.isPlaced) return
         cursor.showText(scene.xText(x))
         clock.showText(scene.clocks.matchAt(x).orEmpty())
-        day.showText(scene.clocks.dayAt(x).orEmpty())
+        val time = scene.clocks.dayAt(x).orEmpty()
+        day.showText(time)
+        // On most screens there is no room for the time of day beside the others.
+        clock.title = "Phase, and time since the robot was enabled" + if (time.isEmpty()) "" else "; time of day $time"
         showLink(scene.cursor.now.pinned)
         scene.cursor.now.second?.let { second.showText("B ${scene.xText(it)} · ${differenceText(x, it, scene.xAxis)}") }
         val findings = scene.newsAt(x)

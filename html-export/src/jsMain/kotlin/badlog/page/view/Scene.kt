@@ -2,13 +2,16 @@ package badlog.page.view
 
 import badlog.analysis.EnabledSpan
 import badlog.analysis.Event
+import badlog.analysis.GraphSeries
 import badlog.analysis.LogView
 import badlog.analysis.XAxis
 import badlog.analysis.enabledSpans
 import badlog.html.note.Note
+import badlog.plot.outline.traits
 import badlog.plot.path.Pose
 import badlog.plot.path.posesOf
 import badlog.plot.range.Viewport
+import badlog.plot.search.Query
 import badlog.plot.search.Trait
 import badlog.plot.text.placeText
 import badlog.plot.text.withUnit
@@ -36,6 +39,10 @@ internal class Scene(val view: LogView, val palette: Palette, val board: PageBoa
             ?: (findings to findings.worstFirst.flatMapTo(HashSet()) { it.evidence }).also { searched = it }
         return if (name in known.second) setOf(Trait.FINDING) else emptySet()
     }
+
+    /** All that [query] can ask of [line]; nothing where it asks for names alone, for some of it takes a look at all samples. */
+    fun traitsOf(line: GraphSeries, query: Query): Set<Trait> =
+        if (Trait.entries.any(query::asksFor)) line.traits + findingsTraits(line.topic.name) else emptySet()
 
     /** What people wrote about moments, in the order of x. */
     var notes: List<Note> = emptyList()

@@ -71,7 +71,7 @@ class IndexPageSpec : FunSpec({
         page.click("#filter input")
         page.press("brownout")
         page.shownMatches() shouldBe listOf("Qualification 42")
-        page.texts("output").single() shouldStartWith "1 of 4 matches, "
+        page.texts("output").single() shouldStartWith "1 of 5 matches, "
         (page.shownItems() < all) shouldBe true
         page.set("words", "")
         page.shownItems() shouldBe all
