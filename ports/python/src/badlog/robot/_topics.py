@@ -7,6 +7,7 @@ makes all samples the current ones at once, and `cell` gives those, both under t
 from __future__ import annotations
 
 import threading
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from enum import Enum
 from typing import Any
@@ -57,7 +58,7 @@ class NumberText:
         return text_cell(text)
 
 
-class Topic:
+class Topic(ABC):
     """One column."""
 
     def __init__(self, name: str, unit: str, attributes: Sequence[str]) -> None:
@@ -68,13 +69,14 @@ class Topic:
         """Whether it is the x of all other topics and so needs more digits than they."""
 
     def sample(self) -> None:
-        pass
+        """Asks the robot's code, if the topic has something to ask."""
 
     def commit(self) -> None:
-        pass
+        """Makes the sample the current one, if there is one."""
 
+    @abstractmethod
     def cell(self) -> bytes:
-        raise NotImplementedError
+        """The current sample as it stands in the row."""
 
 
 class QueriedTopic(Topic):

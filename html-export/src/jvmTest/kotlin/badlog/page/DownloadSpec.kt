@@ -1,5 +1,7 @@
 package badlog.page
 
+import badlog.driverstation.STATION_EVENTS
+import badlog.driverstation.STATION_LOG
 import badlog.file.gzip
 import io.kotest.matchers.shouldBe
 import org.openqa.selenium.By
@@ -56,6 +58,18 @@ internal class DownloadSpec : PageSpec({
         onPage(TestPages.of(packed, "members.bag.gz")) {
             downloaded("download", "members.bag.gz") shouldBe packed
             downloaded("download-csv", "members.bag.gz.csv") shouldBe csvOf(bag)
+        }
+    }
+
+    listOf<Pair<String, (ByteArray) -> ByteArray>>("" to { it }, ".gz" to ::gzip).forEach { (ending, packed) ->
+        browserTest("both files of a Driver Station's log come back byte for byte: .dslog$ending and .dsevents$ending") {
+            val (log, events) = packed(STATION_LOG.bytes) to packed(STATION_EVENTS.bytes)
+            onPage(TestPages.ofPair("station.dslog$ending" to log, "station.dsevents$ending" to events)) {
+                texts("#download").single() shouldBe ".dslog"
+                texts("#download-second").single() shouldBe ".dsevents"
+                downloaded("download", "station.dslog$ending") shouldBe log
+                downloaded("download-second", "station.dsevents$ending") shouldBe events
+            }
         }
     }
 

@@ -26,6 +26,12 @@ internal object TestPages {
         return ofFile(Files.write(file, bytes), additions)
     }
 
+    /** The page of the log whose [first] file has a [second] one beside it. */
+    fun ofPair(first: Pair<String, ByteArray>, second: Pair<String, ByteArray>): Path {
+        val beside = Files.createDirectory(folder.resolve("${count++}"))
+        return listOf(second, first).map { (name, bytes) -> Files.write(beside.resolve(name), bytes) }.last().let { ofFile(it) }
+    }
+
     /** The page of the sample [name] with [additions]. */
     fun ofSample(name: String, additions: PageAdditions): Path = ofFile(SAMPLES.resolve(name), additions)
 

@@ -14,7 +14,7 @@ import badlog.samples.robot.Superstructure
 import badlog.samples.robot.degrees
 import badlog.samples.robot.wrapped
 
-/** When the robot is told to drive to a place that is mirrored: from then on it turns to the wrong side. */
+/** From this second on the robot's target is mirrored, and the robot turns to the wrong side. */
 const val WRONG_TURN = 7.6
 
 /**

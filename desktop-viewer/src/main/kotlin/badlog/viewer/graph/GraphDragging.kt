@@ -1,11 +1,7 @@
 package badlog.viewer.graph
 
-import androidx.compose.foundation.background
-import androidx.compose.foundation.border
 import androidx.compose.foundation.layout.offset
-import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
@@ -32,6 +28,7 @@ import badlog.viewer.graph.scene.GraphScene
 import badlog.viewer.menu.ClosesByEscape
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Palette
+import badlog.viewer.theme.labelFrame
 
 /** Lets graph [id] be dragged by what it modifies. */
 internal fun Modifier.takesGraph(drag: GraphDrag, id: Int): Modifier = pointerInput(drag, id) {
@@ -100,9 +97,7 @@ internal fun DraggedGraph(scene: GraphScene, height: Int) {
         Modifier
             .offset { IntOffset(drag.pointer.x.toInt() + BESIDE.dp.roundToPx(), drag.pointer.y.toInt() + BESIDE.dp.roundToPx()) }
             .widthIn(max = 260.dp)
-            .border(1.dp, palette.accent, RoundedCornerShape(4.dp))
-            .background(palette.raised, RoundedCornerShape(4.dp))
-            .padding(horizontal = 8.dp, vertical = 3.dp),
+            .labelFrame(palette.accent),
         fontSize = 12.sp,
         maxLines = 1,
         overflow = TextOverflow.MiddleEllipsis,

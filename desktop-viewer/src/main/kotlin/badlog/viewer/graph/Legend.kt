@@ -1,6 +1,5 @@
 package badlog.viewer.graph
 
-import androidx.compose.foundation.background
 import androidx.compose.foundation.clickable
 import androidx.compose.foundation.hoverable
 import androidx.compose.foundation.interaction.MutableInteractionSource
@@ -11,10 +10,7 @@ import androidx.compose.foundation.layout.Spacer
 import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.layout.width
-import androidx.compose.foundation.layout.widthIn
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Icon
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.remember
@@ -30,7 +26,6 @@ import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.drawText
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.rememberTextMeasurer
-import androidx.compose.ui.text.style.TextDecoration
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Constraints
 import androidx.compose.ui.unit.dp
@@ -46,6 +41,8 @@ import badlog.viewer.graph.plot.PlotPicture
 import badlog.viewer.graph.scene.GraphScene
 import badlog.viewer.recording.valueText
 import badlog.viewer.theme.Icons
+import badlog.viewer.theme.LineColor
+import badlog.viewer.theme.LineName
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Tip
 
@@ -68,31 +65,9 @@ internal fun LegendEntry(scene: GraphScene, spec: BoardGraph, line: DrawnLine, h
         horizontalArrangement = Arrangement.spacedBy(5.dp),
         verticalAlignment = Alignment.CenterVertically,
     ) {
-        if (line.signal.states == null) {
-            Spacer(
-                Modifier.size(
-                    10.dp,
-                    3.dp,
-                ).background(palette.line(line.color).copy(alpha = if (isHidden) HIDDEN else 1f), RoundedCornerShape(2.dp)),
-            )
-        }
-        val name = listOfNotNull(
-            line.title.takeIf {
-                hasName
-            },
-            line.label?.let { shortLabel(it, LABEL_LETTERS) },
-        ).joinToString(" · ")
-        if (name.isNotEmpty()) {
-            Text(
-                name,
-                Modifier.widthIn(max = 260.dp),
-                color = if (isHidden) palette.muted else palette.text,
-                fontSize = 12.sp,
-                textDecoration = if (isHidden) TextDecoration.LineThrough else null,
-                maxLines = 1,
-                overflow = TextOverflow.Ellipsis,
-            )
-        }
+        if (line.signal.states == null) LineColor(line.color, isHidden)
+        val name = listOfNotNull(line.title.takeIf { hasName }, line.label?.let { shortLabel(it, LABEL_LETTERS) }).joinToString(" · ")
+        if (name.isNotEmpty()) LineName(name, isHidden)
         if (line.signal.states == null) {
             LegendValue(scene, spec.id, line)
         } else {
@@ -170,7 +145,6 @@ internal fun readingOf(picture: PlotPicture?, line: DrawnLine, cursor: Double?, 
     return line.signal.line.comparisonText(a, second - line.offset, line.recording.view.xAxis.unit) { line.signal.numberText(it, isShort) }
 }
 
-private const val HIDDEN = 0.3f
 
 /** More letters of a recording's name leave no room for others. */
 private const val LABEL_LETTERS = 28

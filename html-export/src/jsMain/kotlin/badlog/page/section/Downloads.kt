@@ -25,11 +25,12 @@ internal class Downloads(private val about: About, recording: Element, private v
     private val file = EmbeddedFile(recording)
 
     val element: HTMLElement = element("div", "downloads") {
-        addDownload("download", Icon.DOWNLOAD, "Download", "Save ${about.name}, byte for byte", about.name) {
+        val text = if (about.second == null) "Download" else ending(about.name)
+        addDownload("download", Icon.DOWNLOAD, text, "Save ${about.name}, byte for byte", about.name) {
             original().then { if (about.second == null) it else it.slice(0, about.firstBytes ?: 0) }
         }
         about.second?.let { second ->
-            addDownload("download-second", Icon.DOWNLOAD, second, "Save $second, byte for byte", second) {
+            addDownload("download-second", Icon.DOWNLOAD, ending(second), "Save $second, byte for byte", second) {
                 original().then { it.slice(about.firstBytes ?: 0) }
             }
         }
@@ -46,6 +47,9 @@ internal class Downloads(private val about: About, recording: Element, private v
             }.classList.add("attachment")
         }
     }
+
+    /** What the two files of one log differ in: `.dslog` and `.dsevents`. */
+    private fun ending(name: String): String = ".${name.removeSuffix(".gz").substringAfterLast('.')}"
 
     private fun original(): Promise<Blob> =
         if (about.isCompressed) Promise.resolve(file.compressed()) else file.inflated(about.inflatedBytes)

@@ -1,11 +1,8 @@
 package badlog.viewer.graph.mark
 
-import androidx.compose.foundation.background
-import androidx.compose.foundation.border
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.derivedStateOf
@@ -19,6 +16,7 @@ import androidx.compose.ui.unit.sp
 import badlog.viewer.graph.plot.pixelOf
 import badlog.viewer.graph.scene.GraphScene
 import badlog.viewer.theme.LocalPalette
+import badlog.viewer.theme.labelFrame
 import kotlin.math.abs
 
 /** The text of the note or the event that the pointer is near to, or else the cursor, at its place along the top. */
@@ -41,9 +39,7 @@ internal fun EventLabel(scene: GraphScene) {
                         label.place(left.toInt().coerceAtLeast(0), GraphScene.HEADER_HEIGHT.dp.roundToPx())
                     }
                 }
-                .border(1.dp, palette.event, RoundedCornerShape(4.dp))
-                .background(palette.raised, RoundedCornerShape(4.dp))
-                .padding(horizontal = 6.dp, vertical = 2.dp),
+                .labelFrame(palette.event),
             fontSize = 12.sp,
             maxLines = 3,
             overflow = TextOverflow.Ellipsis,

@@ -1,12 +1,9 @@
 package badlog.viewer.graph.mark
 
-import androidx.compose.foundation.background
-import androidx.compose.foundation.border
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.derivedStateOf
@@ -25,6 +22,7 @@ import badlog.viewer.findings.word
 import badlog.viewer.graph.plot.pixelOf
 import badlog.viewer.graph.scene.GraphScene
 import badlog.viewer.theme.LocalPalette
+import badlog.viewer.theme.labelFrame
 
 /** The text of the finding under the pointer, or else of the one at which the cursor was placed, above its mark. */
 @Composable
@@ -49,9 +47,7 @@ internal fun FindingLabel(scene: GraphScene, modifier: Modifier) {
                         label.place(besides(pixelOf(span.from), pixelOf(span.to), label.width, constraints.maxWidth, GAP.dp.roundToPx()), 0)
                     }
                 }
-                .border(1.dp, palette.findingColor(finding.severity), RoundedCornerShape(4.dp))
-                .background(palette.raised, RoundedCornerShape(4.dp))
-                .padding(horizontal = 8.dp, vertical = 3.dp),
+                .labelFrame(palette.findingColor(finding.severity)),
         ) {
             Text(
                 "${finding.severity.word}: ${finding.rule}",

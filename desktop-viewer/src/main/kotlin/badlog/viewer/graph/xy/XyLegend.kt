@@ -1,6 +1,5 @@
 package badlog.viewer.graph.xy
 
-import androidx.compose.foundation.background
 import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Row
@@ -8,8 +7,6 @@ import androidx.compose.foundation.layout.Spacer
 import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.layout.width
-import androidx.compose.foundation.layout.widthIn
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
@@ -23,14 +20,14 @@ import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.drawText
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.rememberTextMeasurer
-import androidx.compose.ui.text.style.TextDecoration
-import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.plot.board.BoardGraph
 import badlog.plot.path.XyTrace
 import badlog.viewer.compare.shortLabel
 import badlog.viewer.graph.scene.GraphScene
+import badlog.viewer.theme.LineColor
+import badlog.viewer.theme.LineName
 import badlog.viewer.theme.LocalPalette
 
 /** The traces of [spec], each with where it is at the cursor. */
@@ -44,7 +41,6 @@ internal fun XyLegend(scene: GraphScene, spec: BoardGraph) {
 
 @Composable
 private fun XyEntry(scene: GraphScene, spec: BoardGraph, xy: DrawnXy, trace: XyTrace, isCompared: Boolean) {
-    val palette = LocalPalette.current
     val isHidden = trace.lines.any { it in spec.hidden }
     val toggle = { scene.board.change { trace.lines.fold(this) { board, name -> board.withLineHidden(spec.id, name, !isHidden) } } }
     Row(
@@ -53,17 +49,8 @@ private fun XyEntry(scene: GraphScene, spec: BoardGraph, xy: DrawnXy, trace: XyT
         horizontalArrangement = Arrangement.spacedBy(5.dp),
         verticalAlignment = Alignment.CenterVertically,
     ) {
-        val color = palette.line(xy.colorOf(trace)).copy(alpha = if (isHidden) HIDDEN else 1f)
-        Spacer(Modifier.size(10.dp, 3.dp).background(color, RoundedCornerShape(2.dp)))
-        Text(
-            listOfNotNull(trace.name, if (isCompared) shortLabel(xy.drawn.name, LABEL_LETTERS) else null).joinToString(" · "),
-            Modifier.widthIn(max = 260.dp),
-            color = if (isHidden) palette.muted else palette.text,
-            fontSize = 12.sp,
-            textDecoration = if (isHidden) TextDecoration.LineThrough else null,
-            maxLines = 1,
-            overflow = TextOverflow.Ellipsis,
-        )
+        LineColor(xy.colorOf(trace), isHidden)
+        LineName(listOfNotNull(trace.name, if (isCompared) shortLabel(xy.drawn.name, LABEL_LETTERS) else null).joinToString(" · "), isHidden)
         XyValue(scene, xy, trace)
     }
 }
@@ -85,6 +72,5 @@ private fun XyValue(scene: GraphScene, xy: DrawnXy, trace: XyTrace) {
 
 private val FIELD_WIDTH = 130.dp
 private val PLAIN_WIDTH = 90.dp
-private const val HIDDEN = 0.35f
 private const val MAX_ENTRIES = 8
 private const val LABEL_LETTERS = 20
