@@ -1,6 +1,7 @@
 package badlog.page
 
 import badlog.analysis.LogView
+import badlog.html.protocol.PageAdditions
 import badlog.page.embedded.About
 import badlog.page.embedded.GivenLayout
 import badlog.page.embedded.findAdditions
@@ -52,9 +53,10 @@ internal class Startup {
         when {
             reading != null -> {
                 show(checkNotNull(loading).element)
+                val additions = findAdditions()
                 // Whatever was wrong with the parts shows when the whole stream is read.
                 reading.then({ read ->
-                    show(read, checkNotNull(About.find()), element)
+                    show(read, additions, checkNotNull(About.find()), element)
                 }, { whenLoaded(::readWhole) }).catch(::failUnexpectedly)
             }
 
@@ -81,19 +83,20 @@ internal class Startup {
         }
         val loading = LoadingScreen(about.name)
         show(loading.element)
-        Reading(about, recording, loading::show).start()
-            .then { show(it, about, recording) }
+        val reading = Reading(about, recording, loading::show).start()
+        // While a worker reads.
+        val additions = findAdditions()
+        reading.then { show(it, additions, about, recording) }
             .catch(::failUnexpectedly)
     }
 
-    private fun show(read: Recording, about: About, element: Element) {
+    private fun show(read: Recording, additions: PageAdditions?, about: About, element: Element) {
         val downloads = Downloads(about, element, read)
         val unreadable = read.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
         if (unreadable != null) {
             fail("There is nothing to show of ${about.name}", unreadable.message, downloads.element)
             return
         }
-        val additions = findAdditions()
         val signals = (additions?.rules ?: RuleSet.NONE).signals
         val layout = GivenLayout.of(additions?.layout)
         val given = joined(layout.formulas, additions?.virtualTopics.orEmpty())

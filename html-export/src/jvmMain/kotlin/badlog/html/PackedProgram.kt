@@ -75,21 +75,21 @@ internal val UNPACKING: String = """/* Unpacks the program of this page; the lic
     return;
   }
   const unpack = async element => {
-    const bytes = [];
-    let bits = 0, count = 0, low = -1;
-    for (const c of element.textContent) {
-      const digit = c === '~' ? 28 : c.charCodeAt() - 32;
+    const digits = element.textContent, bytes = new Uint8Array(digits.length);
+    let bits = 0, count = 0, low = -1, size = 0;
+    for (let i = 0; i < digits.length; i++) {
+      const code = digits.charCodeAt(i), digit = code === 126 ? 28 : code - 32;
       if (low < 0) low = digit;
       else {
         low += digit * 94;
         bits |= low << count;
         count += (low & 8191) > 643 ? 13 : 14;
-        for (; count > 7; count -= 8, bits >>= 8) bytes.push(bits & 255);
+        for (; count > 7; count -= 8, bits >>= 8) bytes[size++] = bits;
         low = -1;
       }
     }
-    if (low >= 0) bytes.push((bits | low << count) & 255);
-    return new Response(new Blob([new Uint8Array(bytes)]).stream().pipeThrough(new DecompressionStream('gzip'))).text();
+    if (low >= 0) bytes[size++] = bits | low << count;
+    return new Response(new Blob([bytes.subarray(0, size)]).stream().pipeThrough(new DecompressionStream('gzip'))).text();
   };
   const packed = document.getElementById('packed-additions');
   Promise.all([

@@ -1,6 +1,7 @@
 package badlog.page
 
 import io.kotest.inspectors.forAll
+import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.doubles.shouldBeLessThan
@@ -30,6 +31,27 @@ internal class ZoomSpec : PageSpec({
         onPage(page) {
             graph("Step 1").drag(0.6, 0.2)
             graph("Step 1").steepest() shouldBe (0.25 plusOrMinus exactness)
+        }
+    }
+
+    browserTest("a zoom draws the numbers below the graphs once for each of their widths") {
+        onPage(page) {
+            script("document.querySelectorAll('.folders .pin')[0].click()")
+            settle()
+            script(
+                """
+                window.drawn = []
+                const original = CanvasRenderingContext2D.prototype.fillText
+                CanvasRenderingContext2D.prototype.fillText = function (text, x, y) {
+                    if (!this.canvas.isConnected) drawn.push(this.canvas.width + ': ' + text)
+                    original.call(this, text, x, y)
+                }
+                """.trimIndent(),
+            )
+            graph("Step 2").drag(0.2, 0.6)
+            val drawn = script("return drawn") as List<*>
+            drawn shouldBe drawn.distinct()
+            drawn.map { it.toString().substringBefore(':') }.distinct() shouldHaveSize 2
         }
     }
 

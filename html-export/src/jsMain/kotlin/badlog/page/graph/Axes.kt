@@ -47,7 +47,7 @@ private fun drawXNumbers(context: CanvasRenderingContext2D, frame: PlotFrame, ti
     val ratio = window.devicePixelRatio
     val width = context.canvas.width.toDouble()
     val color = scene.palette[Shade.MUTED]
-    xNumbers.putOn(context, 0.0, frame.bottom, width, Plot.X_AXIS_HEIGHT * ratio, scene.range.now, color) { picture ->
+    xNumbers.putOn(context, 0.0, frame.bottom, width, Plot.X_AXIS_HEIGHT * ratio, scene.range.now, color) { picture, _ ->
         val places = placesOf(ticks, frame.x)
         picture.font = axisFont(ratio)
         picture.asDynamic().textBaseline = "top"
@@ -58,7 +58,7 @@ private fun drawXNumbers(context: CanvasRenderingContext2D, frame: PlotFrame, ti
 }
 
 /** One for all plots. Made when the first is drawn: workers have no canvas. */
-private val xNumbers by lazy { KeptPicture() }
+private val xNumbers by lazy { KeptPictures() }
 
 /** The font of the numbers of axes, in pixels of a canvas. */
 internal fun axisFont(ratio: Double): String = "${AXIS_LETTERS * ratio}px system-ui, -apple-system, \"Segoe UI\", Roboto, sans-serif"

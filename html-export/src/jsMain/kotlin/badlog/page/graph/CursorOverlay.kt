@@ -25,10 +25,6 @@ internal class CursorOverlay(
     private val findingLabel = plot.over.add("div", "finding-label")
     private val dots = graph.series.indices.map { plot.over.add("div", "cursor-dot line-${it % LINE_COLORS}") }
 
-    init {
-        update()
-    }
-
     /** Puts everything where the cursors are now. */
     fun update() {
         val cursors = scene.cursor.now

@@ -20,15 +20,15 @@ internal fun drawFindingMarks(context: CanvasRenderingContext2D, frame: PlotFram
 
 /** The picture of all marks, of which there may be thousands. */
 private class MarksPicture {
-    private val picture = KeptPicture()
+    private val pictures = KeptPictures()
     private val marks = FindingMarks()
 
     fun putOn(target: CanvasRenderingContext2D, frame: PlotFrame, scene: Scene, span: Span) {
         val (width, height) = frame.width to frame.height
-        picture.putOn(target, frame.left, frame.top, width, height, scene.findings, span, scene.palette[Shade.SURFACE]) { context ->
+        pictures.putOn(target, frame.left, frame.top, width, height, scene.findings, span, scene.palette[Shade.SURFACE]) { context, drawn ->
             val ratio = window.devicePixelRatio
             marks.place(scene.findings, span, width, ratio)
-            draw(context, PlotFrame(0.0, 0.0, width, height, span.from, span.to), scene, ratio)
+            draw(context, PlotFrame(0.0, 0.0, width, drawn, span.from, span.to), scene, ratio)
         }
     }
 

@@ -69,6 +69,9 @@ internal class GraphCard(
     /** Whether what is drawn is not what should be seen. */
     private var isStale = false
 
+    /** Whether it was drawn since its cursors were placed. */
+    private var isMisplaced = false
+
     val element: HTMLElement = element("section", "graph card") {
         setAttribute("data-name", graph.name)
         setAttribute("data-kind", if (graph.showsStates) "states" else "lines")
@@ -162,7 +165,7 @@ internal class GraphCard(
     /** How much room there is to draw it, in CSS pixels. */
     val room: Int get() = host.clientWidth
 
-    /** Draws the graph if it is not drawn, [width] pixels wide. */
+    /** Makes room for the picture if it is not drawn, [width] pixels wide; [refresh] and [placeCursors] are to follow. */
     fun approach(width: Int = room) {
         if (isDrawn || width == 0) return
         if (xy != null && !xy.isEmpty) {
@@ -187,7 +190,7 @@ internal class GraphCard(
         overlay = CursorOverlay(graph, scene, content, drawn)
         plot = drawn
         shown = content
-        isStale = false
+        isStale = true
         legend.update(scene.cursor, scene.xAxis.unit)
         if (!statistics.element.isHidden) updateStatisticsSoon()
         resizing = ResizeObserver {
@@ -219,6 +222,7 @@ internal class GraphCard(
         if (!isDrawn) return
         leave()
         approach()
+        redraw()
     }
 
     /** Whether some of it is on the screen. */
@@ -237,7 +241,17 @@ internal class GraphCard(
 
     /** Draws what is visible now, if that is not drawn already. */
     fun refresh() {
-        if (isStale) redraw()
+        if (!isStale) return
+        isStale = false
+        isMisplaced = true
+        xy?.draw()
+        plot?.redraw()
+    }
+
+    /** Puts the cursors where they are in what was drawn. */
+    fun placeCursors() {
+        if (isMisplaced) overlay?.update()
+        isMisplaced = false
     }
 
     /** Shows the cursor and the values where it is. */
@@ -250,10 +264,9 @@ internal class GraphCard(
 
     /** Draws again what is drawn, as it is now. */
     fun redraw() {
-        isStale = false
-        xy?.draw()
-        plot?.redraw()
-        overlay?.update()
+        isStale = true
+        refresh()
+        placeCursors()
     }
 
     private fun showEmpty() {
@@ -276,6 +289,7 @@ internal class GraphCard(
 
     private fun saveImage() {
         approach()
+        refresh()
         val none = BooleanArray(isShown.size)
         xy?.canvas?.let { saveGraphImage(graph, scene, none, it) } ?: plot?.let { saveGraphImage(graph, scene, isShown, it.canvas) }
     }

@@ -9,7 +9,7 @@ import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLElement
 import kotlin.math.round
 
-/** One drawn graph, [width] CSS pixels wide: a canvas with a frame and axes, and [content] inside. */
+/** One graph, [width] CSS pixels wide: a canvas with a frame and axes, and [content] inside, drawn by [redraw]. */
 internal class Plot(private val scene: Scene, private val content: PlotContent, host: HTMLElement, private var width: Int) {
     /** The picture. */
     val canvas: HTMLCanvasElement = host.add("canvas").unsafeCast<HTMLCanvasElement>()
@@ -51,6 +51,7 @@ internal class Plot(private val scene: Scene, private val content: PlotContent, 
         if (newWidth == width || newWidth < MIN_WIDTH) return
         width = newWidth
         fit()
+        redraw()
     }
 
     private fun fit() {
@@ -64,7 +65,6 @@ internal class Plot(private val scene: Scene, private val content: PlotContent, 
         val bottom = round((content.height - X_AXIS_HEIGHT) * ratio)
         frame = PlotFrame(left, top, maxOf(1.0, right - left), bottom - top, 0.0, 1.0)
         columns = PixelColumns(frame.width.toInt())
-        redraw()
     }
 
     internal companion object {

@@ -71,7 +71,8 @@ internal class VisibleGraphs(private val scene: Scene) {
 
     /** Draws everything again where it is. */
     fun redraw() {
-        for (card in near) card.redraw()
+        for (card in near) card.outdate()
+        draw(near)
     }
 
     /** Draws everything again with the colors and the screen of now. */
@@ -85,9 +86,15 @@ internal class VisibleGraphs(private val scene: Scene) {
         cards.forEachIndexed { i, card ->
             near += card
             card.approach(widths[i])
-            card.refresh()
             card.updatePin()
         }
+        draw(cards)
+    }
+
+    private fun draw(cards: Collection<GraphCard>) {
+        for (card in cards) card.refresh()
+        // Last: the browser works out the page's style anew for the first letters that are drawn after something was written to it.
+        for (card in cards) card.placeCursors()
     }
 
     /** Draws again when the window moves to a screen of another density, or is zoomed. */
@@ -108,7 +115,7 @@ internal class VisibleGraphs(private val scene: Scene) {
     private fun drawZoom() {
         val begin = window.performance.now()
         for (card in near) card.outdate()
-        for (card in near.filter { it.isOnScreen }) card.refresh()
+        draw(near.filter { it.isOnScreen })
         window.performance.asDynamic().measure("badlog-zoom", json("start" to zoomedAt))
         window.performance.asDynamic().measure("badlog-zoom-script", json("start" to begin))
         document.documentElement?.setAttribute("data-zoomed", (++zooms).toString())
@@ -117,9 +124,7 @@ internal class VisibleGraphs(private val scene: Scene) {
     }
 
     // What is beside the screen can wait for a picture of its own.
-    private fun drawRest() {
-        for (card in near) card.refresh()
-    }
+    private fun drawRest() = draw(near)
 
     private companion object {
         const val MARGIN = "300px 0px"

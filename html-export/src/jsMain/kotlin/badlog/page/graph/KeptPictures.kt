@@ -1,0 +1,62 @@
+package badlog.page.graph
+
+import kotlinx.browser.document
+import kotlinx.browser.window
+import org.w3c.dom.CanvasRenderingContext2D
+import org.w3c.dom.HTMLCanvasElement
+import kotlin.math.ceil
+
+/** A picture that many graphs show, kept for each of the few widths that they have until another one is asked for. */
+internal class KeptPictures {
+    private val kept = ArrayList<KeptPicture>()
+
+    /**
+     * Puts the foot of the picture of [subject] on [target]: [width] by [height] of its pixels from [left] and [top] on. Where need be,
+     * [draw] draws it, as high as the last parameter says.
+     */
+    fun putOn(
+        target: CanvasRenderingContext2D,
+        left: Double,
+        top: Double,
+        width: Double,
+        height: Double,
+        vararg subject: Any?,
+        draw: (CanvasRenderingContext2D, Double) -> Unit,
+    ) {
+        if (!(width >= 1 && height >= 1)) return
+        val picture = kept.find { it.width == width } ?: KeptPicture(width).also {
+            if (kept.size == MOST) kept.removeAt(0)
+            kept += it
+        }
+        picture.show(height, listOf(window.devicePixelRatio, *subject), draw)
+        target.drawImage(picture.canvas, 0.0, picture.height - height, width, height, left, top, width, height)
+    }
+
+    private companion object {
+        /** The graphs of the board, those of the folders, and the overview. */
+        const val MOST = 3
+    }
+}
+
+private class KeptPicture(val width: Double) {
+    val canvas = document.createElement("canvas").unsafeCast<HTMLCanvasElement>()
+    private val context = canvas.getContext("2d").unsafeCast<CanvasRenderingContext2D>()
+    private var shown = emptyList<Any?>()
+
+    /** It only grows: another size takes longer than all that is drawn. */
+    var height = 0.0
+        private set
+
+    fun show(wantedHeight: Double, wanted: List<Any?>, draw: (CanvasRenderingContext2D, Double) -> Unit) {
+        if (wantedHeight <= height && wanted == shown) return
+        shown = wanted
+        if (wantedHeight > height) {
+            height = wantedHeight
+            canvas.width = ceil(width).toInt()
+            canvas.height = ceil(height).toInt()
+        } else {
+            context.clearRect(0.0, 0.0, width, height)
+        }
+        draw(context, height)
+    }
+}
