@@ -3,6 +3,7 @@ package badlog.cli
 import badlog.cli.command.ExitCode
 import badlog.cli.console.Console
 import badlog.cli.console.StandardStreams
+import badlog.cli.fetch.Robots
 import com.github.ajalt.clikt.core.CliktError
 import com.github.ajalt.clikt.core.parse
 import java.io.IOException
@@ -12,8 +13,13 @@ import java.io.InputStream
  * The command line: understands what is asked for, then does it.
  *
  * @param input what `-` stands for among the logs.
+ * @param robots where robots answer.
  */
-internal class Badlog(private val console: Console, private val input: InputStream = System.`in`) {
+internal class Badlog(
+    private val console: Console,
+    private val input: InputStream = System.`in`,
+    private val robots: Robots = Robots.ofSystem(),
+) {
     /** Does what [arguments] ask for. */
     fun run(arguments: List<String>): ExitCode = try {
         StandardStreams(arguments, input).use { streams ->
@@ -26,7 +32,7 @@ internal class Badlog(private val console: Console, private val input: InputStre
     }
 
     private fun run(arguments: List<String>, console: Console): ExitCode {
-        val command = BadlogCommand(arguments)
+        val command = BadlogCommand(arguments, robots)
         val task = try {
             command.parse(arguments)
             command.task ?: return ExitCode.USAGE

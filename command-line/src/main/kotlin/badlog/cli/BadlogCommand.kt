@@ -7,6 +7,8 @@ import badlog.cli.command.paragraph
 import badlog.cli.convert.ConvertCommand
 import badlog.cli.cut.CutCommand
 import badlog.cli.export.ExportCommand
+import badlog.cli.fetch.FetchCommand
+import badlog.cli.fetch.Robots
 import badlog.cli.find.FindCommand
 import badlog.cli.info.InfoCommand
 import badlog.cli.merge.MergeCommand
@@ -34,8 +36,9 @@ import com.github.ajalt.clikt.parameters.options.versionOption
  * `badlog` and its sub-commands. A new one is added here and nowhere else.
  *
  * @property arguments what was typed.
+ * @param robots where robots answer.
  */
-internal class BadlogCommand(val arguments: List<String>) : CoreCliktCommand(NAME) {
+internal class BadlogCommand(val arguments: List<String>, robots: Robots) : CoreCliktCommand(NAME) {
     private val logCommands = listOf(
         InfoCommand(),
         RecoverCommand(),
@@ -47,6 +50,7 @@ internal class BadlogCommand(val arguments: List<String>) : CoreCliktCommand(NAM
         TableCommand(),
         ReportCommand(),
         ReplayCommand(),
+        FetchCommand(robots),
     )
 
     /** What was asked for, or null when nothing was. */

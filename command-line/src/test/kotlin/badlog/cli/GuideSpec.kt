@@ -1,5 +1,6 @@
 package badlog.cli
 
+import badlog.cli.fetch.Robots
 import badlog.rules.commandWords
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldNotBeEmpty
@@ -20,30 +21,40 @@ class GuideSpec : FunSpec({
     val example = Regex("""(?<=```console\n)(.*?)(?=```)""", RegexOption.DOT_MATCHES_ALL)
     val part = Regex("""\$ head -c (\d+) (\S+) > (\S+)""")
 
-    fun run(command: String): String {
+    fun run(command: String, robots: Robots): String {
         part.matchEntire(command)?.destructured?.let { (size, log, target) ->
             Path.of(target).writeBytes(Path.of(log).readBytes().copyOf(size.toInt()))
             return "$command\n"
         }
-        val ended = badlog(*commandWords(command.removePrefix("$ badlog ")).toTypedArray())
+        val ended = badlogBeside(robots, *commandWords(command.removePrefix("$ badlog ")).toTypedArray())
         return "$command\n${ended.out}${ended.err}"
     }
 
     fun matches(wanted: String, printed: String): Boolean = Regex(wanted.split("\n…\n").joinToString("\n(?:.*\n)*?") { Regex.escape(it) }).matches(printed)
 
+    fun check(name: String, robots: Robots = Robots.ofSystem()) {
+        val guide = ROOT / "docs" / name
+        val text = guide.readText()
+        val examples = example.findAll(text).map { it.value }.toList()
+        examples.shouldNotBeEmpty()
+        val printed = examples.map { block -> block.lines().filter { it.startsWith("$ ") }.joinToString("") { run(it, robots) } }
+        if (System.getenv("BADLOG_WRITE_GUIDE") != null) {
+            val next = printed.iterator()
+            guide.writeText(example.replace(text) { found -> next.next().let { if (matches(found.value, it)) found.value else it } })
+        } else {
+            for ((wanted, was) in examples.zip(printed)) if (!matches(wanted, was)) was shouldBe wanted
+        }
+    }
+
     for (name in listOf("command-line.md", "wpilog.md", "cookbook.md")) {
-        test("what $name shows is what the program prints") {
-            val guide = ROOT / "docs" / name
-            val text = guide.readText()
-            val examples = example.findAll(text).map { it.value }.toList()
-            examples.shouldNotBeEmpty()
-            val printed = examples.map { block -> block.lines().filter { it.startsWith("$ ") }.joinToString("", transform = ::run) }
-            if (System.getenv("BADLOG_WRITE_GUIDE") != null) {
-                val next = printed.iterator()
-                guide.writeText(example.replace(text) { found -> next.next().let { if (matches(found.value, it)) found.value else it } })
-            } else {
-                for ((wanted, was) in examples.zip(printed)) if (!matches(wanted, was)) was shouldBe wanted
-            }
+        test("what $name shows is what the program prints") { check(name) }
+    }
+
+    test("what fetch.md shows is what the program prints, beside a robot with two logs") {
+        besideRobot { robot, robots ->
+            robot.log("match.bag", (SAMPLES / "qualification-42.bag").readBytes(), secondsAgo = 3600)
+            robot.log("elevator-bench.csv", (SAMPLES / "elevator-bench.csv").readBytes(), secondsAgo = 20 * 24 * 3600)
+            check("fetch.md", robots)
         }
     }
 })

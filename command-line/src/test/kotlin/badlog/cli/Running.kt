@@ -2,6 +2,7 @@ package badlog.cli
 
 import badlog.cli.command.ExitCode
 import badlog.cli.console.Console
+import badlog.cli.fetch.Robots
 import badlog.file.readRecording
 import badlog.formats.LOG_FORMATS
 import badlog.wpilog.WpilogWriter
@@ -49,10 +50,14 @@ internal class Ended(val code: ExitCode, val out: String, val err: String) {
 }
 
 /** Runs `badlog` with [arguments], and makes sure that it meets no defect of its own. */
-internal fun badlog(vararg arguments: Any): Ended {
+internal fun badlog(vararg arguments: Any): Ended = badlogBeside(Robots.ofSystem(), *arguments)
+
+/** The same where [robots] are in the network. */
+internal fun badlogBeside(robots: Robots, vararg arguments: Any): Ended {
     val out = ByteArrayOutputStream()
     val err = ByteArrayOutputStream()
-    val code = Badlog(Console(PrintStream(out, true, "UTF-8"), PrintStream(err, true, "UTF-8"), false)).run(arguments.map { it.toString() })
+    val console = Console(PrintStream(out, true, "UTF-8"), PrintStream(err, true, "UTF-8"), false)
+    val code = Badlog(console, robots = robots).run(arguments.map { it.toString() })
     err.toString(Charsets.UTF_8) shouldNotContain "\tat "
     err.toString(Charsets.UTF_8) shouldNotContain "defect"
     out.toString(Charsets.UTF_8) shouldNotContain "defect"

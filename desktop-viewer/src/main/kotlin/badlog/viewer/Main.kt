@@ -1,10 +1,10 @@
 package badlog.viewer
 
 import androidx.compose.ui.window.application
+import badlog.file.UserFolders
 import badlog.viewer.app.StartPlace
 import badlog.viewer.app.ViewerWindow
 import badlog.viewer.app.opensClickedFiles
-import badlog.viewer.settings.UserFolders
 import java.nio.file.Path
 
 /** Opens the window on the folder or file that [args] names, else on the folder of last time. */

@@ -57,22 +57,33 @@ internal class Outcomes(private val command: String, private val console: Consol
 
     private fun named(file: Path, message: String) = if ("$file" in message) message else "$file: $message"
 
+    /** [file], which nobody named, was passed over for the reason of [message], which is reported at once. */
+    fun passedOver(file: Path, message: String) {
+        if (isJson) line(file, "skipped", jsonOf(SkippedJson(message))) else console.warn(message)
+    }
+
     /** Something of the result is missing beside logs, for the reason of [message], which may be reported already. */
     fun leaveOut(message: String = "") {
         isIncomplete = true
         if (message.isNotEmpty()) console.warn(message)
     }
 
-    /** Says what there is to say about all; how the program ends. */
-    fun end(): ExitCode {
+    /**
+     * Says what there is to say about all; how the program ends.
+     *
+     * @param isNothingFine whether it is as well when there was nothing to do.
+     */
+    fun end(isNothingFine: Boolean = false): ExitCode {
         if (!isJson) {
             for (message in skipped.take(LISTED)) console.warn("Skipped $message")
             val more = skipped.size - LISTED
             if (more > 0) console.warn("Skipped ${counted(more.toLong(), "more file")}; --json names them.")
         }
         val done = whole + salvaged
-        if (done + failed == 0) console.warn("No logs found. Name a log, or the folder it is in.")
+        val isNothing = done + failed == 0
+        if (isNothing && !isNothingFine) console.warn("No logs found. Name a log, or the folder it is in.")
         return when {
+            isNothing && isNothingFine -> if (isIncomplete) ExitCode.SALVAGED else ExitCode.WHOLE
             done == 0 -> ExitCode.NOTHING
             salvaged + failed > 0 || isIncomplete -> ExitCode.SALVAGED
             else -> ExitCode.WHOLE

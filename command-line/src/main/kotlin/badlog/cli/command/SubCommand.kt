@@ -6,14 +6,9 @@ import com.github.ajalt.clikt.core.CoreCliktCommand
 import com.github.ajalt.clikt.core.NoSuchOption
 import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.core.requireObject
-import com.github.ajalt.clikt.parameters.arguments.argument
-import com.github.ajalt.clikt.parameters.arguments.help
-import com.github.ajalt.clikt.parameters.arguments.multiple
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.help
 import com.github.ajalt.clikt.parameters.options.option
-import com.github.ajalt.clikt.parameters.types.path
-import java.nio.file.Path
 
 /** What was typed after the program's name. */
 internal class CommandLine(val arguments: List<String>)
@@ -23,17 +18,8 @@ internal class CommandLine(val arguments: List<String>)
  *
  * @param summary what it does, in one short sentence, which stands in the list of all.
  * @param details what else there is to know; may be empty.
- * @param logHelp what may be named.
  */
-internal abstract class SubCommand(
-    name: String,
-    private val summary: String,
-    private val details: String,
-    logHelp: String = "A log, or a folder: all logs in it, at any depth.",
-) : CoreCliktCommand(name) {
-    /** The files and folders that were named. */
-    protected val paths: List<Path> by argument("LOG").path().multiple(required = true).help(logHelp)
-
+internal abstract class SubCommand(name: String, private val summary: String, private val details: String) : CoreCliktCommand(name) {
     /** Whether programs read the results. */
     protected val isJson: Boolean by option("--json").flag().help("Print one JSON object per line, for programs.")
 
@@ -44,7 +30,7 @@ internal abstract class SubCommand(
         private set
 
     /** All arguments that are not options. */
-    protected open val words: List<String> get() = paths.map { it.toString() }
+    protected abstract val words: List<String>
 
     /** Clikt takes whatever begins with a sign and contains `=` for an option. */
     final override val treatUnknownOptionsAsArgs: Boolean get() = true

@@ -1,6 +1,6 @@
 package badlog.cli.convert
 
-import badlog.cli.command.SubCommand
+import badlog.cli.command.LogCommand
 import badlog.cli.command.Task
 import badlog.cli.command.VirtualTopicOption
 import badlog.cli.output.LogFormat
@@ -16,7 +16,7 @@ import com.github.ajalt.clikt.parameters.types.double
 
 /** `badlog convert`. */
 internal class ConvertCommand :
-    SubCommand(
+    LogCommand(
         "convert",
         "Writes logs in another format.",
         "Every number is kept to its last bit; what the format cannot hold is listed. A WPILOG has no rows: a bag or CSV " +

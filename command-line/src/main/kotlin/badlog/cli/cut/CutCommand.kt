@@ -1,6 +1,6 @@
 package badlog.cli.cut
 
-import badlog.cli.command.SubCommand
+import badlog.cli.command.LogCommand
 import badlog.cli.command.Task
 import badlog.cli.input.position
 import badlog.cli.output.OutputOptions
@@ -13,7 +13,7 @@ import com.github.ajalt.clikt.parameters.types.double
 
 /** `badlog cut`. */
 internal class CutCommand :
-    SubCommand(
+    LogCommand(
         "cut",
         "Writes a part of each log.",
         "Rows, or the samples of a WPILOG, are kept when they meet all of --from, --to, --enabled and --around that are given. A " +

@@ -1,6 +1,6 @@
 package badlog.cli.export
 
-import badlog.cli.command.SubCommand
+import badlog.cli.command.LogCommand
 import badlog.cli.command.Task
 import badlog.cli.command.VirtualTopicOption
 import badlog.cli.output.OutputOptions
@@ -14,7 +14,7 @@ import com.github.ajalt.clikt.parameters.types.path
 
 /** `badlog export`. */
 internal class ExportCommand :
-    SubCommand(
+    LogCommand(
         "export",
         "Makes a web page of each log.",
         "A page opens from disk and needs nothing else. Without --out, match.bag.html stands beside match.bag. The page " +

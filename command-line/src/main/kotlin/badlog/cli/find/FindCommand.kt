@@ -1,10 +1,10 @@
 package badlog.cli.find
 
 import badlog.cli.command.ExitCode
+import badlog.cli.command.LogCommand
 import badlog.cli.command.LogFiles
 import badlog.cli.command.Outcome
 import badlog.cli.command.Outcomes
-import badlog.cli.command.SubCommand
 import badlog.cli.command.Task
 import badlog.cli.command.VirtualTopicOption
 import badlog.cli.command.cacheFolder
@@ -28,7 +28,7 @@ import java.nio.file.Path
 
 /** `badlog find`. */
 internal class FindCommand :
-    SubCommand(
+    LogCommand(
         "find",
         "Asks a question of every log.",
         "The question is an expression, such as 'min(System/Battery Voltage) < 7'. Answers are cached, so " +

@@ -2,9 +2,9 @@ package badlog.cli.info
 
 import badlog.analysis.LogView
 import badlog.cli.command.ExitCode
+import badlog.cli.command.LogCommand
 import badlog.cli.command.LogLoop
 import badlog.cli.command.Outcome
-import badlog.cli.command.SubCommand
 import badlog.cli.command.Task
 import badlog.cli.command.VirtualTopicOption
 import badlog.cli.console.Console
@@ -27,7 +27,7 @@ import java.nio.file.Path
 
 /** `badlog info`. */
 internal class InfoCommand :
-    SubCommand(
+    LogCommand(
         "info",
         "Shows what is in logs.",
         "Of one log: match, x axis, values, topics and problems; of several, one line each. HZ is samples per " +

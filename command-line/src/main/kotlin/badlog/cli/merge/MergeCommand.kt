@@ -1,6 +1,6 @@
 package badlog.cli.merge
 
-import badlog.cli.command.SubCommand
+import badlog.cli.command.LogCommand
 import badlog.cli.command.Task
 import badlog.cli.output.OutputPlan
 import com.github.ajalt.clikt.core.UsageError
@@ -18,7 +18,7 @@ import java.nio.file.Path
 
 /** `badlog merge`. */
 internal class MergeCommand :
-    SubCommand(
+    LogCommand(
         "merge",
         "Merges several logs of one run into one.",
         "Logs with the same topics are appended in the order of x; rows that several have are kept once. Logs with different " +

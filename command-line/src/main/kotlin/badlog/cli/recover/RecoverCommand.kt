@@ -1,9 +1,9 @@
 package badlog.cli.recover
 
 import badlog.cli.command.ExitCode
+import badlog.cli.command.LogCommand
 import badlog.cli.command.LogLoop
 import badlog.cli.command.Outcome
-import badlog.cli.command.SubCommand
 import badlog.cli.command.Task
 import badlog.cli.console.Console
 import badlog.cli.input.Failure
@@ -28,7 +28,7 @@ import java.nio.file.Path
 
 /** `badlog recover`. */
 internal class RecoverCommand :
-    SubCommand(
+    LogCommand(
         "recover",
         "Writes a clean log from a damaged one, and reports what was lost.",
         "Without --out, the clean log of match.bag is match.recovered.bag, and undamaged logs are left alone; with it, they " +

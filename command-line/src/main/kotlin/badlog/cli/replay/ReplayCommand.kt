@@ -2,10 +2,10 @@ package badlog.cli.replay
 
 import badlog.analysis.LogView
 import badlog.cli.command.ExitCode
+import badlog.cli.command.LogCommand
 import badlog.cli.command.LogLoop
 import badlog.cli.command.Outcome
 import badlog.cli.command.Outcomes
-import badlog.cli.command.SubCommand
 import badlog.cli.command.Task
 import badlog.cli.command.VirtualTopicOption
 import badlog.cli.console.Console
@@ -44,7 +44,7 @@ import java.nio.file.Path
 
 /** `badlog replay`. */
 internal class ReplayCommand :
-    SubCommand(
+    LogCommand(
         "replay",
         "Replays a log to dashboards, in real time.",
         "Runs an NT4 server on this computer, like the robot's; Ctrl+C ends it. docs/replay.md shows how dashboards connect.",

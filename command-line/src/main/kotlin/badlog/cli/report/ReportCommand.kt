@@ -1,7 +1,7 @@
 package badlog.cli.report
 
+import badlog.cli.command.LogCommand
 import badlog.cli.command.ResultForm
-import badlog.cli.command.SubCommand
 import badlog.cli.command.Task
 import badlog.cli.command.VirtualTopicOption
 import badlog.cli.command.cacheFolder
@@ -16,7 +16,7 @@ import com.github.ajalt.clikt.parameters.types.path
 
 /** `badlog report`. */
 internal class ReportCommand :
-    SubCommand(
+    LogCommand(
         "report",
         "Runs rules over every log.",
         "Without --rules, the built-in rules: brownouts, slow loops, gaps, flat sensors and the like.",

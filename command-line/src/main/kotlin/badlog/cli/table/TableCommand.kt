@@ -1,11 +1,11 @@
 package badlog.cli.table
 
 import badlog.cli.command.ExitCode
+import badlog.cli.command.LogCommand
 import badlog.cli.command.LogFiles
 import badlog.cli.command.Outcome
 import badlog.cli.command.Outcomes
 import badlog.cli.command.ResultForm
-import badlog.cli.command.SubCommand
 import badlog.cli.command.Task
 import badlog.cli.command.VirtualTopicOption
 import badlog.cli.command.cacheFolder
@@ -30,7 +30,7 @@ import java.nio.file.Path
 
 /** `badlog table`. */
 internal class TableCommand :
-    SubCommand(
+    LogCommand(
         "table",
         "Makes a table with a row per log.",
         "Each --value is an expression, such as 'min(battery voltage)', and gives a column; so does each value that a --hook " +

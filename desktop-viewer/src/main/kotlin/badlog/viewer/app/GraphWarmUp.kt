@@ -5,9 +5,9 @@ import androidx.compose.ui.unit.Density
 import badlog.analysis.LogView
 import badlog.bag.BagParser
 import badlog.bag.RowBatchParser
+import badlog.file.UserFolders
 import badlog.plot.range.Viewport
 import badlog.viewer.recording.OpenRecording
-import badlog.viewer.settings.UserFolders
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.coroutineScope
 import kotlinx.coroutines.delay

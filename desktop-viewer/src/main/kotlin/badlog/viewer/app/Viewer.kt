@@ -3,6 +3,7 @@ package badlog.viewer.app
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.setValue
 import androidx.compose.runtime.snapshots.Snapshot
+import badlog.file.UserFolders
 import badlog.plot.board.Board
 import badlog.plot.range.Viewport
 import badlog.plot.timeline.EventTimeline
@@ -40,7 +41,6 @@ import badlog.viewer.recording.RecordingWatcher
 import badlog.viewer.settings.Settings
 import badlog.viewer.settings.SettingsFile
 import badlog.viewer.settings.SettingsStore
-import badlog.viewer.settings.UserFolders
 import badlog.viewer.statistics.SelectedStatistics
 import badlog.viewer.statistics.TableSaver
 import badlog.viewer.task.LongTasks

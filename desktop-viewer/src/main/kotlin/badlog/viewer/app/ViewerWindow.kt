@@ -11,6 +11,7 @@ import androidx.compose.ui.window.ApplicationScope
 import androidx.compose.ui.window.FrameWindowScope
 import androidx.compose.ui.window.Window
 import androidx.compose.ui.window.WindowState
+import badlog.file.UserFolders
 import badlog.viewer.failure.FailureBoundary
 import badlog.viewer.failure.FailureLog
 import badlog.viewer.failure.Failures
@@ -19,7 +20,6 @@ import badlog.viewer.failure.endWhenStuck
 import badlog.viewer.layout.LayoutStore
 import badlog.viewer.settings.SettingsFile
 import badlog.viewer.settings.SettingsStore
-import badlog.viewer.settings.UserFolders
 import badlog.viewer.task.Notices
 import kotlinx.coroutines.launch
 import org.jetbrains.skia.Image

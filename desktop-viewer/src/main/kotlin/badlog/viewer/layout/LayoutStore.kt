@@ -2,6 +2,7 @@ package badlog.viewer.layout
 
 import androidx.compose.runtime.snapshotFlow
 import badlog.analysis.Span
+import badlog.file.UserFolders
 import badlog.plot.board.Board
 import badlog.plot.board.BoardLayout
 import badlog.plot.board.FittedBoard
@@ -14,7 +15,6 @@ import badlog.viewer.library.Library
 import badlog.viewer.panels.WindowPanels
 import badlog.viewer.recording.CurrentRecording
 import badlog.viewer.recording.OpenRecording
-import badlog.viewer.settings.UserFolders
 import badlog.viewer.task.NoticeAction
 import badlog.viewer.task.Notices
 import badlog.viewer.view.AxisView

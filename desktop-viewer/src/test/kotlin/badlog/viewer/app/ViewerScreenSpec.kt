@@ -5,7 +5,7 @@ import androidx.compose.ui.test.onNodeWithContentDescription
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
-import badlog.viewer.settings.UserFolders
+import badlog.file.UserFolders
 import badlog.viewer.theme.Theme
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir

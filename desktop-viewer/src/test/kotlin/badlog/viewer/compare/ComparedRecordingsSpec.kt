@@ -9,6 +9,7 @@ import androidx.compose.ui.test.performKeyInput
 import androidx.compose.ui.test.performTextReplacement
 import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.file.UserFolders
 import badlog.plot.statistics.Statistic
 import badlog.viewer.app.Viewer
 import badlog.viewer.app.ViewerScreen
@@ -17,7 +18,6 @@ import badlog.viewer.files.FileChoice
 import badlog.viewer.files.SystemFileChoice
 import badlog.viewer.panels.MainView
 import badlog.viewer.recordingOf
-import badlog.viewer.settings.UserFolders
 import badlog.viewer.statistics.StatisticsChoice
 import badlog.viewer.waiting.waitFor
 import io.kotest.assertions.nondeterministic.eventually

@@ -3,11 +3,11 @@ package badlog.viewer.export
 import androidx.compose.ui.graphics.ImageBitmap
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.file.UserFolders
 import badlog.plot.board.defaultBoard
 import badlog.plot.range.Viewport
 import badlog.viewer.app.Viewer
 import badlog.viewer.export.figure.copyImage
-import badlog.viewer.settings.UserFolders
 import badlog.viewer.waiting.waitFor
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec

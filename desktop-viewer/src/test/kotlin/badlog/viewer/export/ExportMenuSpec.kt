@@ -10,6 +10,7 @@ import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.analysis.Span
+import badlog.file.UserFolders
 import badlog.plot.board.defaultBoard
 import badlog.plot.range.Viewport
 import badlog.viewer.app.Viewer
@@ -17,7 +18,6 @@ import badlog.viewer.app.ViewerScreen
 import badlog.viewer.compare.Comparison
 import badlog.viewer.files.ChosenFiles
 import badlog.viewer.library.LibraryState
-import badlog.viewer.settings.UserFolders
 import badlog.viewer.waiting.waitForNotice
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir

@@ -2,9 +2,9 @@ package badlog.viewer.findings
 
 import androidx.compose.runtime.snapshots.Snapshot
 import badlog.analysis.LogView
+import badlog.file.UserFolders
 import badlog.viewer.app.Viewer
 import badlog.viewer.panels.MainView
-import badlog.viewer.settings.UserFolders
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir

@@ -11,11 +11,11 @@ import androidx.compose.ui.test.captureToImage
 import androidx.compose.ui.test.onRoot
 import badlog.analysis.LogView
 import badlog.bag.BagParser
+import badlog.file.UserFolders
 import badlog.plot.board.defaultBoard
 import badlog.plot.range.Viewport
 import badlog.viewer.app.Viewer
 import badlog.viewer.recording.OpenRecording
-import badlog.viewer.settings.UserFolders
 import badlog.viewer.theme.Theme
 import badlog.viewer.theme.ViewerTheme
 import badlog.viewer.waiting.waitFor

@@ -9,6 +9,7 @@ import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.analysis.Span
+import badlog.file.UserFolders
 import badlog.plot.board.Board
 import badlog.plot.range.Viewport
 import badlog.recording.Severity
@@ -19,7 +20,6 @@ import badlog.viewer.panels.FrontPart
 import badlog.viewer.panels.InspectorTab
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.recordingOf
-import badlog.viewer.settings.UserFolders
 import badlog.viewer.theme.Theme
 import badlog.viewer.theme.ViewerTheme
 import badlog.viewer.waiting.waitFor

@@ -1,12 +1,12 @@
 package badlog.viewer.inspector
 
 import badlog.analysis.Span
+import badlog.file.UserFolders
 import badlog.plot.cursor.Cursors
 import badlog.viewer.app.Viewer
 import badlog.viewer.findings.counted
 import badlog.viewer.graph.sample
 import badlog.viewer.panels.StatisticsRange
-import badlog.viewer.settings.UserFolders
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.nulls.shouldNotBeNull

@@ -22,10 +22,10 @@ import androidx.compose.ui.test.requestFocus
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import androidx.compose.ui.test.withKeyDown
 import androidx.compose.ui.unit.dp
+import badlog.file.UserFolders
 import badlog.viewer.app.GESTURES
 import badlog.viewer.app.Viewer
 import badlog.viewer.app.ViewerScreen
-import badlog.viewer.settings.UserFolders
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldContainExactly

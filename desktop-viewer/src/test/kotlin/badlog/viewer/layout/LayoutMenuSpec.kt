@@ -7,6 +7,7 @@ import androidx.compose.ui.test.onNodeWithContentDescription
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.file.UserFolders
 import badlog.plot.board.Board
 import badlog.plot.board.defaultBoard
 import badlog.plot.range.Viewport
@@ -15,7 +16,6 @@ import badlog.viewer.app.ViewerScreen
 import badlog.viewer.export.armBag
 import badlog.viewer.export.recordingOf
 import badlog.viewer.files.ChosenFiles
-import badlog.viewer.settings.UserFolders
 import badlog.viewer.waiting.waitFor
 import badlog.viewer.waiting.waitForNotice
 import io.kotest.core.spec.style.FunSpec

@@ -1,6 +1,7 @@
 package badlog.viewer.layout
 
 import badlog.analysis.Span
+import badlog.file.UserFolders
 import badlog.plot.board.Board
 import badlog.plot.board.BoardGraph
 import badlog.plot.board.defaultBoard
@@ -13,7 +14,6 @@ import badlog.viewer.library.LibraryState
 import badlog.viewer.panels.InspectorTab
 import badlog.viewer.panels.MainView
 import badlog.viewer.panels.Panels
-import badlog.viewer.settings.UserFolders
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir

@@ -4,6 +4,7 @@ import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.analysis.Span
+import badlog.file.UserFolders
 import badlog.plot.board.Board
 import badlog.plot.board.BoardLayout
 import badlog.plot.board.defaultBoard
@@ -14,7 +15,6 @@ import badlog.viewer.export.recordingOf
 import badlog.viewer.library.LibraryState
 import badlog.viewer.panels.Panels
 import badlog.viewer.recording.OpenRecording
-import badlog.viewer.settings.UserFolders
 import badlog.viewer.waiting.waitFor
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir

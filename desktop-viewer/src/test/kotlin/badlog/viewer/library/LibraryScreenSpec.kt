@@ -18,6 +18,7 @@ import androidx.compose.ui.test.performMouseInput
 import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.file.UserFolders
 import badlog.viewer.app.Viewer
 import badlog.viewer.app.ViewerScreen
 import badlog.viewer.app.libraryCommands
@@ -25,7 +26,6 @@ import badlog.viewer.library.index.bag
 import badlog.viewer.library.index.put
 import badlog.viewer.library.index.putSamples
 import badlog.viewer.panels.MainView
-import badlog.viewer.settings.UserFolders
 import badlog.viewer.waiting.waitFor
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir

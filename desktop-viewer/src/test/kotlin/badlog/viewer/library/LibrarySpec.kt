@@ -1,5 +1,6 @@
 package badlog.viewer.library
 
+import badlog.file.UserFolders
 import badlog.recording.Severity
 import badlog.viewer.app.Viewer
 import badlog.viewer.layout.FolderLayouts
@@ -13,7 +14,6 @@ import badlog.viewer.library.index.matchValues
 import badlog.viewer.library.index.put
 import badlog.viewer.library.index.putSamples
 import badlog.viewer.library.index.samples
-import badlog.viewer.settings.UserFolders
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir

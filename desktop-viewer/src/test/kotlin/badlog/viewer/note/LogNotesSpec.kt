@@ -6,6 +6,7 @@ import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.file.UserFolders
 import badlog.html.note.Note
 import badlog.html.note.NotesFile
 import badlog.viewer.TestInspector
@@ -13,7 +14,6 @@ import badlog.viewer.app.Viewer
 import badlog.viewer.panels.FrontPart
 import badlog.viewer.panels.InspectorTab
 import badlog.viewer.recording.OpenRecording
-import badlog.viewer.settings.UserFolders
 import badlog.viewer.theme.Theme
 import badlog.viewer.theme.ViewerTheme
 import badlog.viewer.waiting.waitFor

@@ -1,11 +1,11 @@
 package badlog.viewer.recording
 
+import badlog.file.UserFolders
 import badlog.viewer.app.Viewer
 import badlog.viewer.bagOf
 import badlog.viewer.graph.viewerOf
 import badlog.viewer.loggedTopic
 import badlog.viewer.recordingOf
-import badlog.viewer.settings.UserFolders
 import badlog.viewer.wpilogOf
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec

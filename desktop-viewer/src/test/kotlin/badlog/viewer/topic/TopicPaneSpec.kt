@@ -12,13 +12,13 @@ import androidx.compose.ui.test.performKeyInput
 import androidx.compose.ui.test.performMouseInput
 import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.file.UserFolders
 import badlog.viewer.TestTopics
 import badlog.viewer.app.Viewer
 import badlog.viewer.bagOf
 import badlog.viewer.panels.InspectorTab
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.recordingOf
-import badlog.viewer.settings.UserFolders
 import badlog.viewer.theme.Theme
 import badlog.viewer.theme.ViewerTheme
 import badlog.viewer.waiting.waitFor

@@ -8,12 +8,12 @@ import androidx.compose.ui.semantics.SemanticsNode
 import androidx.compose.ui.semantics.SemanticsProperties
 import androidx.compose.ui.semantics.getOrNull
 import androidx.compose.ui.window.application
+import badlog.file.UserFolders
 import badlog.viewer.app.StartPlace
 import badlog.viewer.app.Viewer
 import badlog.viewer.app.ViewerWindow
 import badlog.viewer.settings.Settings
 import badlog.viewer.settings.SettingsFile
-import badlog.viewer.settings.UserFolders
 import badlog.viewer.settings.WindowPlace
 import kotlinx.coroutines.delay
 import java.awt.MouseInfo

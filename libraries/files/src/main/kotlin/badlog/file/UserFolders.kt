@@ -1,19 +1,17 @@
-package badlog.viewer.settings
+package badlog.file
 
 import java.nio.file.Path
-import java.security.MessageDigest
-import java.util.HexFormat
 
 /**
- * Where the viewer keeps what is the user's own.
+ * Where badlog's programs keep what is the user's own.
  *
  * @property settings what a person has chosen; to be kept.
  * @property cache what can be found out again; may be deleted at any time.
  */
-internal class UserFolders(val settings: Path, val cache: Path) {
-    companion object {
+public class UserFolders(public val settings: Path, public val cache: Path) {
+    public companion object {
         /** The folders that the system means for it: XDG's on Linux, `Library` on macOS, `AppData` on Windows. */
-        fun ofSystem(
+        public fun ofSystem(
             system: String = System.getProperty("os.name"),
             user: Path = Path.of(System.getProperty("user.home")),
             variable: (String) -> String? = System::getenv,
@@ -44,12 +42,3 @@ internal class UserFolders(val settings: Path, val cache: Path) {
         private const val NAME = "badlog"
     }
 }
-
-/** A name for a file of what is kept about [folder]: its path may be longer than a file's name can be. */
-internal fun keyOf(folder: Path): String {
-    val path = folder.toAbsolutePath().normalize().toString()
-    val digest = MessageDigest.getInstance("SHA-256").digest(path.encodeToByteArray())
-    return HexFormat.of().formatHex(digest, 0, BYTES)
-}
-
-private const val BYTES = 16

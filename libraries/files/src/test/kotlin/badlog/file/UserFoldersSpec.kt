@@ -1,4 +1,4 @@
-package badlog.viewer.settings
+package badlog.file
 
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe

@@ -1,0 +1,49 @@
+package badlog.fetch
+
+/** Why logs could not be fetched. The message is one sentence for the person who asked: what, where, and what to do next. */
+public sealed class FetchException(override val message: String, cause: Throwable? = null) : Exception(message, cause)
+
+/** No robot answers at any of its addresses. */
+public class NoRobotException internal constructor(addresses: List<RobotAddress>) :
+    FetchException(
+        "No robot answers at ${addresses.joinToString()}; connect to its network or by USB, or type its address.",
+    )
+
+/**
+ * The robot lets none of the known users in.
+ *
+ * @property address where it answers.
+ */
+public class LoginRefusedException internal constructor(public val address: RobotAddress, users: List<String>) :
+    FetchException(
+        "$address refuses the password of ${users.distinct().joinToString(" and ")}; set BADLOG_ROBOT_PASSWORD, or another user.",
+    )
+
+/** The robot's host key is not trusted. */
+public class HostKeyRefusedException internal constructor(question: HostKeyQuestion) :
+    FetchException(
+        if (question.isChanged) {
+            "The host key of ${question.address} has changed to ${question.fingerprint}, as it does when a robot is imaged anew or " +
+                "another one has its address; if that is so, use --accept-new-host-key."
+        } else {
+            "The host key of ${question.address} is unknown (${question.fingerprint}); if this is your robot, use --accept-new-host-key."
+        },
+    ) {
+    /** Where the robot answers. */
+    public val address: RobotAddress = question.address
+}
+
+/**
+ * Nobody knows whether the robot is enabled.
+ *
+ * @property address where it answers.
+ */
+public class UnknownStateException internal constructor(public val address: RobotAddress, reason: String) :
+    FetchException("Whether the robot at $address is enabled is unknown: $reason. Start its program, or use --anyway.")
+
+/** The connection was lost and did not come back. What was copied is kept for the next time. */
+public class LostConnectionException internal constructor(address: RobotAddress, reason: String, cause: Throwable? = null) :
+    FetchException("The connection to $address was lost ($reason); fetch again, which goes on where it stopped.", cause)
+
+/** There is not enough room on this computer. */
+public class NoRoomException internal constructor(message: String) : FetchException(message)

@@ -1,0 +1,45 @@
+package badlog.fetch
+
+import badlog.file.reading
+import badlog.file.writeAtomically
+import java.nio.file.Path
+import kotlin.io.path.exists
+import kotlin.io.path.readLines
+
+/**
+ * The host keys that a person trusted, kept in [file] with the lines of OpenSSH's `known_hosts`. A key that was trusted at one address is
+ * at all others, since only that robot has it: by USB nobody is asked again. Of one address several keys may be trusted, since
+ * the two robots of a team have the same.
+ */
+public class KnownHosts(private val file: Path) {
+    private class Line(val host: String, val key: String)
+
+    /** Whether the robot that has [key] is known. */
+    internal fun knows(key: String): Boolean = lines().any { it.key == key }
+
+    /** Whether any key is known of [address]. */
+    internal fun hasOther(address: RobotAddress): Boolean = lines().any { it.host == hostOf(address) }
+
+    /**
+     * Trusts [key] at [address] from now on.
+     *
+     * @throws badlog.file.UnwritableFileException when it cannot be kept.
+     */
+    internal fun trust(address: RobotAddress, key: String) {
+        val all = texts() + "${hostOf(address)} $key"
+        writeAtomically(file) { out -> out.write(all.joinToString("") { it + "\n" }.encodeToByteArray()) }
+    }
+
+    private fun texts() = if (file.exists()) reading(file) { file.readLines() } else emptyList()
+
+    private fun lines() = texts().mapNotNull { text ->
+        val words = text.trim().split(' ', limit = 2)
+        if (words.size == 2 && !text.startsWith("#")) Line(words[0], words[1].split(' ').take(2).joinToString(" ")) else null
+    }
+
+    private fun hostOf(address: RobotAddress) = if (address.port == DEFAULT_PORT) address.host else "[${address.host}]:${address.port}"
+
+    private companion object {
+        const val DEFAULT_PORT = 22
+    }
+}

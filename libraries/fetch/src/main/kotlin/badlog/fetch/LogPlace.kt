@@ -1,0 +1,28 @@
+package badlog.fetch
+
+import badlog.analysis.matchTitle
+import badlog.file.LogName
+import badlog.file.matchInName
+import badlog.rules.signal.LoggedMatch
+
+/**
+ * Where a log goes in the folder of fetched logs.
+ *
+ * @property folder the event's folder, or null where the event is unknown.
+ * @property name the file's name: the robot's own, with the match behind it where that does not tell it.
+ * @property title what a person calls the match, or null.
+ */
+internal class LogPlace private constructor(val folder: String?, val name: String, val title: String?) {
+    companion object {
+        /** The place of a log that the robot calls [name] and that is of [match]. */
+        fun of(name: String, match: LoggedMatch?): LogPlace {
+            val named = matchInName(name)
+            val event = match?.event ?: named.event
+            val number = match?.number ?: named.number
+            val type = match?.type ?: named.type.takeIf { number == named.number }
+            val stem = LogName.of(name).stem
+            val called = if (number == null || number == named.number) stem else "$stem ${type ?: "Match"} $number"
+            return LogPlace(event?.let(::safeName), safeName(called + name.drop(stem.length)), matchTitle(event, type, number))
+        }
+    }
+}

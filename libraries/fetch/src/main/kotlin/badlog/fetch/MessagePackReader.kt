@@ -1,0 +1,47 @@
+package badlog.fetch
+
+import java.nio.ByteBuffer
+
+/** Reads what NetworkTables sends of a topic of whole numbers: arrays and numbers of MessagePack, in [bytes]. */
+internal class MessagePackReader(private val bytes: ByteBuffer) {
+    /** Whether something is left. */
+    val hasNext: Boolean get() = bytes.hasRemaining()
+
+    /** How many elements the array has that begins here; null when none does. */
+    fun arraySize(): Int? {
+        val first = unsigned()
+        return if (first in FIX_ARRAY..FIX_ARRAY_END) first - FIX_ARRAY else null
+    }
+
+    /** The whole number that stands here; null when there is something else. */
+    fun number(): Long? = when (val first = unsigned()) {
+        in 0..POSITIVE_END -> first.toLong()
+        UINT_8 -> unsigned().toLong()
+        UINT_16 -> bytes.getShort().toLong() and 0xFFFF
+        UINT_32 -> bytes.getInt().toLong() and 0xFFFF_FFFF
+        UINT_64, INT_64 -> bytes.getLong()
+        INT_8 -> bytes.get().toLong()
+        INT_16 -> bytes.getShort().toLong()
+        INT_32 -> bytes.getInt().toLong()
+        in NEGATIVE..BYTE_END -> first.toByte().toLong()
+        else -> null
+    }
+
+    private fun unsigned() = bytes.get().toInt() and BYTE_END
+
+    private companion object {
+        const val POSITIVE_END = 0x7F
+        const val FIX_ARRAY = 0x90
+        const val FIX_ARRAY_END = 0x9F
+        const val UINT_8 = 0xCC
+        const val UINT_16 = 0xCD
+        const val UINT_32 = 0xCE
+        const val UINT_64 = 0xCF
+        const val INT_8 = 0xD0
+        const val INT_16 = 0xD1
+        const val INT_32 = 0xD2
+        const val INT_64 = 0xD3
+        const val NEGATIVE = 0xE0
+        const val BYTE_END = 0xFF
+    }
+}

@@ -1,0 +1,89 @@
+package badlog.fetch
+
+/**
+ * A user of a robot's computer.
+ *
+ * @property user the name.
+ * @property password the one that the computer comes with; empty for none.
+ */
+public class Login(public val user: String, public val password: String) {
+    /** The name alone: passwords are never printed. */
+    override fun toString(): String = user
+}
+
+/**
+ * Where a robot may answer.
+ *
+ * @property host a name or an address.
+ * @property logins the users to try, in this order.
+ * @property port that of SFTP.
+ * @property networkTablesPort that of its NetworkTables server, which says whether it is enabled.
+ * @property name what people call it.
+ */
+public class RobotAddress(
+    public val host: String,
+    public val logins: List<Login>,
+    public val port: Int = SFTP_PORT,
+    public val networkTablesPort: Int = NETWORK_TABLES_PORT,
+    public val name: String = if (port == SFTP_PORT) host else "$host:$port",
+) {
+    override fun toString(): String = name
+
+    public companion object {
+        private const val SFTP_PORT = 22
+        private const val NETWORK_TABLES_PORT = 5810
+        private const val MAX_PORT = 65_535
+
+        /** The largest number that a team can have: addresses have room for no larger one. */
+        private const val MAX_TEAM = 25_599
+
+        private val ROBORIO = Login("lvuser", "")
+        private val SYSTEMCORE = Login("systemcore", "systemcore")
+
+        /**
+         * Where the robot [robot] may answer, the likeliest place first: of a team's number, the addresses of a roboRIO and a Systemcore
+         * in the field's network and by USB; else that address, such as `10.10.14.2`, `robot.local`, `pit@10.10.14.2` or `localhost:2222`.
+         *
+         * @param user the user to try in place of the known ones, or null.
+         * @throws IllegalArgumentException when it is neither; the message is one sentence for a person.
+         */
+        public fun of(robot: String, user: String? = null): List<RobotAddress> {
+            val team = robot.toIntOrNull()
+            if (team != null) {
+                require(team in 1..MAX_TEAM) {
+                    "“$robot” is not the number of a team, which is 1 to $MAX_TEAM; type it, or the robot's address."
+                }
+                return ofTeam(team, user)
+            }
+            val parts = ADDRESS.matchEntire(robot)
+            val port = parts?.groups?.get("port")?.value?.toIntOrNull() ?: SFTP_PORT
+            require(parts != null && port in 1..MAX_PORT) {
+                "“$robot” is neither a team's number nor an address; type 1014, 10.10.14.2 or user@robot.local."
+            }
+            val named = parts.groups["user"]?.value ?: user
+            return listOf(RobotAddress(parts.groups["host"]!!.value, logins(named, ROBORIO, SYSTEMCORE), port))
+        }
+
+        private fun ofTeam(team: Int, user: String?): List<RobotAddress> {
+            val radio = "10.${team / 100}.${team % 100}.2"
+            return listOf(
+                RobotAddress(radio, logins(user, ROBORIO, SYSTEMCORE)),
+                RobotAddress("172.22.11.2", logins(user, ROBORIO)),
+                RobotAddress("roboRIO-$team-frc.local", logins(user, ROBORIO)),
+                RobotAddress("robot.local", logins(user, SYSTEMCORE)),
+                RobotAddress("172.26.0.1", logins(user, SYSTEMCORE)),
+                RobotAddress("172.27.0.1", logins(user, SYSTEMCORE)),
+                RobotAddress("172.30.0.1", logins(user, SYSTEMCORE)),
+            )
+        }
+
+        /** [user] alone, with the password that is known of it. */
+        private fun logins(user: String?, vararg known: Login): List<Login> =
+            if (user == null) known.toList() else listOf(listOf(ROBORIO, SYSTEMCORE).find { it.user == user } ?: Login(user, ""))
+
+        private val ADDRESS =
+            Regex(
+                "(?:(?<user>[^@\\s:/]+)@)?(?<host>[A-Za-z0-9](?:[A-Za-z0-9.-]*[A-Za-z0-9])?|\\[[0-9A-Fa-f:.%a-z]+])(?::(?<port>\\d{1,5}))?",
+            )
+    }
+}

@@ -1,0 +1,125 @@
+package badlog.fetch
+
+import badlog.file.LogName
+import org.apache.sshd.client.session.ClientSession
+import org.apache.sshd.sftp.client.SftpClient
+import org.apache.sshd.sftp.client.SftpClient.OpenMode
+import org.apache.sshd.sftp.client.SftpClientFactory
+import org.apache.sshd.sftp.common.SftpConstants
+import org.apache.sshd.sftp.common.SftpException
+import java.io.IOException
+import java.io.InputStream
+import java.io.InterruptedIOException
+import java.net.SocketTimeoutException
+import kotlin.math.min
+
+/**
+ * A robot that let somebody in. All errors of the network are [IOException]s. To be closed.
+ *
+ * @property address where it answered.
+ * @property user who was let in.
+ * @property robot which robot it is, whatever its address: the fingerprint of its host key.
+ */
+internal class RobotConnection(val address: RobotAddress, val user: String, val robot: String, private val session: ClientSession) :
+    AutoCloseable {
+    private val sftp: SftpClient = talking { SftpClientFactory.instance().createSftpClient(session) }
+
+    /** The logs in those of [folders] that are there, and below them. */
+    fun list(folders: List<String>): RemoteListing = talking {
+        val found = LinkedHashSet<String>()
+        for (folder in folders) realPath(folder)?.let(found::add)
+        val logs = ArrayList<RemoteLog>()
+        val refused = ArrayList<String>()
+        val left = ArrayDeque(found.map { it to 0 })
+        while (left.isNotEmpty()) {
+            val (folder, depth) = left.removeFirst()
+            for (entry in sftp.readDir(folder)) {
+                val name = entry.filename
+                val attributes = entry.attributes
+                when {
+                    name == "." || name == ".." || logs.size >= MAX_LOGS -> continue
+
+                    !isInFolder(name) -> refused += name
+
+                    attributes.isDirectory && depth < MAX_DEPTH && !name.startsWith(".") ->
+                        left += "${folder.trimEnd('/')}/$name" to depth + 1
+
+                    attributes.isRegularFile && isLog(name) ->
+                        logs += RemoteLog(folder, name, attributes.size, attributes.modifyTime?.toMillis()?.div(MILLIS) ?: 0)
+                }
+            }
+        }
+        RemoteListing(logs, refused, found.toList())
+    }
+
+    /** [log] as it is now; null when it is gone. */
+    fun look(log: RemoteLog): RemoteLog? = talking {
+        try {
+            val now = sftp.stat(log.path)
+            log.copy(size = now.size, modified = now.modifyTime?.toMillis()?.div(MILLIS) ?: 0)
+        } catch (e: SftpException) {
+            if (e.status == SftpConstants.SSH_FX_NO_SUCH_FILE) null else throw e
+        }
+    }
+
+    /** The bytes of [log] from [from] on; many are asked for at a time. Errors of the stream are those of [talking]. */
+    fun read(log: RemoteLog, from: Long): InputStream = talking {
+        sftp.read(log.path, OpenMode.Read).also { if (from > 0) it.skip(from) }
+    }
+
+    /** The [size] bytes of [log] from [from] on, or fewer where it ends before. */
+    fun piece(log: RemoteLog, from: Long, size: Int): ByteArray = talking {
+        val bytes = ByteArray(size)
+        var done = 0
+        sftp.open(log.path, OpenMode.Read).use { handle ->
+            while (done < size) {
+                val read = sftp.read(handle, from + done, bytes, done, min(size - done, PIECE))
+                if (read <= 0) break
+                done += read
+            }
+        }
+        bytes.copyOf(done)
+    }
+
+    /** Removes [log] from the robot. */
+    fun remove(log: RemoteLog): Unit = talking { sftp.remove(log.path) }
+
+    override fun close() {
+        session.close(true)
+    }
+
+    // A folder may have several names: /u and /U, or a link.
+    private fun realPath(folder: String): String? = try {
+        sftp.canonicalPath(folder).takeIf { sftp.stat(it).isDirectory }
+    } catch (_: SftpException) {
+        null
+    }
+
+    companion object {
+        /**
+         * Runs [work], which speaks to a robot.
+         *
+         * @throws InterruptedException when the thread was interrupted.
+         */
+        fun <T> talking(work: () -> T): T = try {
+            work()
+        } catch (e: InterruptedIOException) {
+            // A timeout is one, too.
+            if (e is SocketTimeoutException) throw e
+            throw InterruptedException()
+        }
+
+        private fun isLog(name: String) = !name.startsWith(".") && LogName.of(name).mayBeLog && !name.endsWith(".tar.gz", ignoreCase = true)
+
+        private fun isInFolder(name: String) = name.isNotEmpty() && '/' !in name && '\u0000' !in name
+
+        private const val MILLIS = 1000
+        private const val PIECE = 16_384
+
+        /** No robot's logs are nested deeper. */
+        private const val MAX_DEPTH = 4
+
+        /** No disk of a robot has more. */
+        private const val MAX_LOGS = 100_000
+    }
+}

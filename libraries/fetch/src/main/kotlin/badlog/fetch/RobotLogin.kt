@@ -1,0 +1,123 @@
+package badlog.fetch
+
+import org.apache.sshd.client.SshClient
+import org.apache.sshd.client.auth.password.PasswordIdentityProvider
+import org.apache.sshd.client.auth.password.UserAuthPasswordFactory
+import org.apache.sshd.client.config.hosts.HostConfigEntryResolver
+import org.apache.sshd.client.session.ClientSession
+import org.apache.sshd.common.config.keys.KeyUtils
+import org.apache.sshd.common.config.keys.PublicKeyEntry
+import org.apache.sshd.common.digest.BuiltinDigests
+import org.apache.sshd.common.keyprovider.KeyIdentityProvider
+import org.apache.sshd.core.CoreModuleProperties
+import org.apache.sshd.sftp.SftpModuleProperties
+import java.io.IOException
+import java.security.PublicKey
+
+/**
+ * Logs into robots, by passwords alone: nothing of the person's own SSH keys and settings is looked at. To be closed.
+ *
+ * @param password the one to try before the known ones, or null.
+ */
+internal class RobotLogin(
+    private val hosts: KnownHosts,
+    private val questions: FetchQuestions,
+    private val acceptsNewKeys: Boolean,
+    private val password: String?,
+    private val patience: Patience,
+) : AutoCloseable {
+    // The last key that was shown, whether it was trusted or not.
+    @Volatile
+    private var shownKey: PublicKey? = null
+
+    // What a person typed, for the next time that the connection is lost.
+    private val typed = HashMap<String, String>()
+
+    private val client = SshClient.setUpDefaultClient().apply {
+        hostConfigEntryResolver = HostConfigEntryResolver.EMPTY
+        keyIdentityProvider = KeyIdentityProvider.EMPTY_KEYS_PROVIDER
+        userAuthFactories = listOf(UserAuthPasswordFactory.INSTANCE)
+        CoreModuleProperties.IDLE_TIMEOUT.set(this, patience.answer)
+        CoreModuleProperties.NIO2_READ_TIMEOUT.set(this, patience.answer.plus(patience.silence))
+        SftpModuleProperties.SFTP_CHANNEL_OPEN_TIMEOUT.set(this, patience.answer)
+        setServerKeyVerifier { _, _, key ->
+            shownKey = key
+            hosts.knows(PublicKeyEntry.toString(key))
+        }
+        start()
+    }
+
+    /**
+     * The robot at [address], with the first of its users that is let in.
+     *
+     * @throws HostKeyRefusedException when nobody trusts it.
+     * @throws LoginRefusedException when no user is let in.
+     * @throws IOException when it does not answer.
+     */
+    fun into(address: RobotAddress): RobotConnection {
+        for (login in address.logins) {
+            for (word in listOfNotNull(typed[login.user], password, login.password)) connect(address, login.user, word)?.let { return it }
+        }
+        val user = address.logins.first().user
+        repeat(TRIES) {
+            val word = questions.password(user, address) ?: throw LoginRefusedException(address, address.logins.map { it.user })
+            connect(address, user, word)?.let { connection ->
+                typed[user] = word
+                return connection
+            }
+        }
+        throw LoginRefusedException(address, listOf(user))
+    }
+
+    /** Null when [user] is refused with [word]. */
+    private fun connect(address: RobotAddress, user: String, word: String): RobotConnection? {
+        val session = open(address, user)
+        try {
+            session.passwordIdentityProvider = PasswordIdentityProvider { listOf(word) }
+            val auth = session.auth()
+            RobotConnection.talking { auth.await(patience.answer) }
+            if (!auth.isSuccess) {
+                val isRefused = (auth.isDone && session.isOpen) || auth.exception?.message.orEmpty().contains(REFUSAL)
+                session.close(true)
+                if (isRefused) return null
+                throw IOException("no answer to the login", auth.exception)
+            }
+            val robot = KeyUtils.getFingerPrint(BuiltinDigests.sha256, shownKey)
+            CoreModuleProperties.IDLE_TIMEOUT.set(session, patience.silence)
+            return RobotConnection(address, user, robot, session)
+        } catch (e: Exception) {
+            session.close(true)
+            throw e
+        }
+    }
+
+    /** A session whose host key is trusted. */
+    private fun open(address: RobotAddress, user: String): ClientSession {
+        repeat(2) {
+            shownKey = null
+            val session = RobotConnection.talking { client.connect(user, address.host, address.port).verify(patience.connect).session }
+            val events = setOf(ClientSession.ClientSessionEvent.WAIT_AUTH, ClientSession.ClientSessionEvent.CLOSED)
+            val reached = session.waitFor(events, patience.answer)
+            if (ClientSession.ClientSessionEvent.WAIT_AUTH in reached && ClientSession.ClientSessionEvent.CLOSED !in reached) return session
+            session.close(true)
+            if (Thread.interrupted()) throw InterruptedException()
+            val key = shownKey ?: throw IOException("no answer")
+            val text = PublicKeyEntry.toString(key)
+            if (hosts.knows(text)) throw IOException("no answer")
+            val question = HostKeyQuestion(address, KeyUtils.getFingerPrint(BuiltinDigests.sha256, key), hosts.hasOther(address))
+            if (!acceptsNewKeys && !questions.trusts(question)) throw HostKeyRefusedException(question)
+            hosts.trust(address, text)
+        }
+        throw IOException("the host key changes with each connection")
+    }
+
+    override fun close() = client.close(true).let { }
+
+    private companion object {
+        /** As often as others ask for a password. */
+        const val TRIES = 3
+
+        /** What the library says when there is no password left to try. */
+        const val REFUSAL = "No more authentication methods"
+    }
+}

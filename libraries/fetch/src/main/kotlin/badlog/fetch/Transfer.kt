@@ -1,0 +1,195 @@
+package badlog.fetch
+
+import badlog.file.LogName
+import badlog.file.UnreadableFileException
+import badlog.file.readRecording
+import badlog.file.writing
+import badlog.formats.LOG_FORMATS
+import badlog.recording.Recording
+import badlog.recording.RecordingFormat
+import badlog.rules.BUILT_IN
+import badlog.rules.RuleSet
+import badlog.rules.signal.matchOf
+import badlog.text.freeName
+import org.apache.sshd.sftp.common.SftpConstants
+import org.apache.sshd.sftp.common.SftpException
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.StandardCopyOption.ATOMIC_MOVE
+import java.nio.file.StandardCopyOption.REPLACE_EXISTING
+import java.time.Duration
+import java.time.Instant
+
+/**
+ * Copies what is new to the folder of [options], and removes from the robot what the options say. What was done over one connection is
+ * not done again over the next.
+ *
+ * @param checkpoint is called often, and may throw to give up.
+ */
+internal class Transfer(
+    private val options: FetchOptions,
+    private val here: FetchedLogs,
+    private val listener: FetchListener,
+    private val patience: Patience,
+    private val checkpoint: () -> Unit,
+) {
+    private val done = HashSet<String>()
+    private var isTold = false
+    private val copy = LogCopy(options.folder, BandwidthLimit(options.bytesPerSecond)) {
+        if (Thread.interrupted()) throw InterruptedException()
+        checkpoint()
+    }
+
+    /** The logs that came. */
+    val fetched = ArrayList<FetchedLog>()
+
+    /** How many were here before. */
+    var known = 0
+        private set
+
+    /** How many bytes came. */
+    var received = 0L
+        private set
+
+    /** Does what is left to do, over [connection]. */
+    fun run(connection: RobotConnection) {
+        val listing = connection.list(foldersOf(connection))
+        if (!isTold) for (name in listing.refused) skip(name, "“${safeName(name)}” is not the name of a file in a folder.")
+        val wanted = listing.logs.filter { it.path !in done && isNew(connection, it) }.sortedByDescending { it.modified }
+        if (!isTold) {
+            known = listing.logs.size - wanted.size
+            listener.found(FoundLogs(wanted.size, wanted.sumOf { it.size }, known))
+            isTold = true
+        }
+        for (log in settled(connection, wanted)) fetch(connection, log)
+        options.deleteOlderThan?.let { age -> listing.logs.forEach { deleteIfOld(connection, it, age) } }
+    }
+
+    private fun foldersOf(connection: RobotConnection) =
+        options.robotFolders ?: listOf("/home/${connection.user}/logs", "/u/logs", "/U/logs", "/home/lvuser/logs", "/home/systemcore/logs")
+
+    private fun isNew(connection: RobotConnection, log: RemoteLog): Boolean {
+        val found = here.find(connection.robot, log.path) ?: return true
+        return found.size != log.size || found.modified != log.modified
+    }
+
+    /** Those of [logs] that nobody writes. */
+    private fun settled(connection: RobotConnection, logs: List<RemoteLog>): List<RemoteLog> {
+        if (logs.isEmpty()) return logs
+        checkpoint()
+        Thread.sleep(patience.growth.toMillis())
+        val now = connection.list(foldersOf(connection)).logs.associateBy { it.path }
+        return logs.filter { log ->
+            val isSettled = now[log.path] == log
+            if (!isSettled && done.add(log.path)) skipGrowing(log)
+            isSettled
+        }
+    }
+
+    private fun fetch(connection: RobotConnection, log: RemoteLog) {
+        checkpoint()
+        try {
+            val found = here.find(connection.robot, log.path)
+            var before = -1L
+            val whole = copy.copy(connection, log, found?.let(here::fileOf)) { bytes ->
+                if (before >= 0) received += bytes - before
+                before = bytes
+                listener.advanced(safeName(log.name), bytes, log.size)
+            }
+            if (connection.look(log) != log) return skipGrowing(log)
+            keep(connection, log, whole)
+        } catch (_: ShrunkLogException) {
+            skipGrowing(log)
+        } catch (e: SftpException) {
+            if (e.status in LOST) throw e
+            skip(log.path, "${printablePath(log.path)} cannot be read on the robot (${e.message}).")
+        }
+        done += log.path
+    }
+
+    /** Makes a log of the whole part. */
+    private fun keep(connection: RobotConnection, log: RemoteLog, whole: LogCopy.Whole) {
+        val recording = try {
+            readRecording(whole.part, LOG_FORMATS)
+        } catch (_: UnreadableFileException) {
+            null
+        }
+        val isLog = recording?.isReadable == true && !isFormerWpilog(log, recording)
+        val place = LogPlace.of(log.name, recording?.takeIf { isLog }?.let(RuleSet.BUILT_IN.signals::matchOf))
+        val digest = FetchedLogs.digestOf(whole.part)
+        val former = here.find(connection.robot, log.path)?.let(here::fileOf)?.takeIf { isBeginning(it, whole.part) }
+        val file = moveTo(whole.part, place, former)
+        val name = options.folder.relativize(file).joinToString("/")
+        here.add(LogHere(connection.robot, log.path, log.size, log.modified, name, digest, System.currentTimeMillis()))
+        done += log.path
+        val isSalvaged = recording?.isSalvaged ?: true
+        val result = FetchedLog(printablePath(log.path), file, log.size, whole.from, place.title, isLog, isSalvaged)
+        fetched += result
+        listener.fetched(result)
+    }
+
+    // Any bytes with line ends among them are a damaged table.
+    private fun isFormerWpilog(log: RemoteLog, recording: Recording) =
+        recording.format == RecordingFormat.CSV && recording.isSalvaged && LogName.of(log.name).ending.equals(".wpilog", ignoreCase = true)
+
+    /** Puts [part] where [place] says, in place of its [former] copy, which was its beginning; beside any other log that has the name. */
+    private fun moveTo(part: Path, place: LogPlace, former: Path?): Path {
+        val folder = place.folder?.let(options.folder::resolve) ?: options.folder
+        writing(folder) { Files.createDirectories(folder) }
+        if (former != null && former.parent == folder) {
+            writing(former) { Files.move(part, former, REPLACE_EXISTING) }
+            return former
+        }
+        val stem = LogName.of(place.name).stem
+        var target = folder
+        freeName(stem, place.name.drop(stem.length)) { name ->
+            target = folder.resolve(name)
+            !Files.exists(target) || isSame(part, target)
+        }
+        writing(target) { if (Files.exists(target)) Files.delete(part) else Files.move(part, target, ATOMIC_MOVE) }
+        return target
+    }
+
+    private fun isSame(part: Path, other: Path) = Files.isRegularFile(other) && Files.mismatch(part, other) < 0
+
+    /** Whether [whole] is [former] and more, or the same. */
+    private fun isBeginning(former: Path, whole: Path): Boolean {
+        if (!Files.isRegularFile(former)) return false
+        val differs = Files.mismatch(former, whole)
+        return differs < 0 || differs == Files.size(former)
+    }
+
+    private fun deleteIfOld(connection: RobotConnection, log: RemoteLog, age: Duration) {
+        val found = here.find(connection.robot, log.path)?.takeIf { it.size == log.size && it.modified == log.modified } ?: return
+        // A robot's clock begins at 1970 or so until something sets it; what it wrote then is as old as it is here.
+        val written = Instant.ofEpochSecond(log.modified).takeIf { it > BELIEVABLE } ?: Instant.ofEpochMilli(found.fetched)
+        if (written > Instant.now().minus(age) || !here.isSafe(found)) return
+        checkpoint()
+        if (connection.look(log) != log) return
+        try {
+            connection.remove(log)
+            listener.deleted(printablePath(log.path))
+        } catch (e: SftpException) {
+            if (e.status in LOST) throw e
+            skip(log.path, "${printablePath(log.path)} cannot be removed from the robot (${e.message}).")
+        }
+    }
+
+    private fun skipGrowing(log: RemoteLog) {
+        done += log.path
+        val path = printablePath(log.path)
+        listener.skipped(path, "$path is still being written; fetch again when the robot has begun another log.", isGrowing = true)
+    }
+
+    private fun skip(path: String, message: String) {
+        if (done.add(path)) listener.skipped(printablePath(path), message, isGrowing = false)
+    }
+
+    /** [path] on one line. */
+    private fun printablePath(path: String) = path.split('/').joinToString("/") { if (it.isEmpty()) it else safeName(it) }
+
+    private companion object {
+        val LOST = setOf(SftpConstants.SSH_FX_NO_CONNECTION, SftpConstants.SSH_FX_CONNECTION_LOST)
+        val BELIEVABLE: Instant = Instant.parse("2015-01-01T00:00:00Z")
+    }
+}

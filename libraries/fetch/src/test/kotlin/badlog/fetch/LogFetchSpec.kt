@@ -1,0 +1,268 @@
+package badlog.fetch
+
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldNotContain
+import java.nio.file.Files
+import java.nio.file.Path
+import java.security.KeyPair
+import java.time.Duration
+import kotlin.io.path.appendText
+import kotlin.io.path.div
+import kotlin.io.path.exists
+import kotlin.io.path.name
+import kotlin.io.path.readText
+import kotlin.io.path.writeText
+
+/** A pit laptop with a folder for logs, beside a robot. */
+internal class Pit(private val work: Path) {
+    val folder: Path = work / "logs"
+    val hosts = KnownHosts(work / "known_hosts")
+    val person = Person()
+
+    fun fetch(robot: FakeRobot, heard: Heard = Heard(), options: FetchOptions = options(), networkTables: Int = 1, person: FetchQuestions = this.person) = LogFetch(listOf(robot.address(networkTables)), options, hosts, person, IMPATIENCE).run(heard)
+
+    fun options(deleteOlderThan: Duration? = null, anyway: Boolean = true, password: String? = null, accepts: Boolean = false, folders: List<String>? = null) = FetchOptions(folder, folders, anyway, deleteOlderThan = deleteOlderThan, password = password, acceptsNewHostKeys = accepts)
+
+    /** All logs here, seen from the folder. */
+    fun logs(): List<String> = files().filter { !it.substringAfterLast('/').startsWith(".") }
+
+    /** What is hidden besides the list of fetched logs. */
+    fun parts(): List<String> = files().filter { it.endsWith(".part") }
+
+    private fun files() = Files.walk(folder).use { all ->
+        all.filter(Files::isRegularFile).map { folder.relativize(it).joinToString("/") }.toList().sorted()
+    }
+}
+
+internal fun inPit(robotKey: KeyPair = FakeRobot.newKey(), passwords: Map<String, String> = mapOf("lvuser" to ""), work: (Pit, FakeRobot) -> Unit) {
+    val folder = Files.createTempDirectory("badlog")
+    try {
+        FakeRobot(folder / "disk", robotKey, passwords).use { work(Pit(folder), it) }
+    } finally {
+        folder.toFile().deleteRecursively()
+    }
+}
+
+class LogFetchSpec : FunSpec({
+    test("logs come whole, the newest first, sorted by event and named by match, and the robot keeps them") {
+        inPit { pit, robot ->
+            robot.log("match.bag", matchBag(42), secondsAgo = 100)
+            robot.log("FRC_20260316_104107_MILLC_Q41.bag", matchBag(41), secondsAgo = 900)
+            robot.log("bench.csv", "a,b\n1,2\n3,4\n", secondsAgo = 1000)
+            robot.log("notes.txt", "no log")
+            val heard = Heard()
+            val summary = pit.fetch(robot, heard)
+            pit.logs() shouldContainExactly listOf("MILLC/FRC_20260316_104107_MILLC_Q41.bag", "MILLC/match Qualification 42.bag", "bench.csv")
+            (pit.folder / "MILLC" / "match Qualification 42.bag").readText() shouldBe matchBag(42)
+            summary.fetched.map { it.title } shouldContainExactly listOf("MILLC Qualification 42", "MILLC Qualification 41", null)
+            heard.said.take(2) shouldContainExactly listOf("connected to 10.10.14.2 as lvuser", "found 3 new, 0 known")
+            robot.log("x", "").parent.toFile().list()!!.size shouldBe 5
+        }
+    }
+
+    test("only what is new comes, also when a log was removed here") {
+        inPit { pit, robot ->
+            robot.log("a.bag", matchBag(1))
+            pit.fetch(robot)
+            Files.delete(pit.folder / "MILLC" / "a Qualification 1.bag")
+            robot.log("b.bag", matchBag(2))
+            val heard = Heard()
+            pit.fetch(robot, heard).fetched.map { it.file.name } shouldContainExactly listOf("b Qualification 2.bag")
+            heard.said shouldContain "found 1 new, 1 known"
+        }
+    }
+
+    test("a log that another one replaced on the robot comes as another one, and one that has grown takes its place") {
+        inPit { pit, robot ->
+            robot.log("match.bag", matchBag(1, rows = 2000))
+            pit.fetch(robot)
+            robot.log("match.bag", matchBag(1, rows = 3000), secondsAgo = 50)
+            val heard = Heard()
+            pit.fetch(robot, heard)
+            pit.logs() shouldContainExactly listOf("MILLC/match Qualification 1.bag")
+            heard.said.last() shouldBe "fetched /home/lvuser/logs/match.bag from ${matchBag(1, rows = 2000).length}"
+            (pit.folder / "MILLC/match Qualification 1.bag").readText() shouldBe matchBag(1, rows = 3000)
+            robot.log("match.bag", matchBag(2, rows = 4000), secondsAgo = 20)
+            pit.fetch(robot)
+            pit.logs() shouldContainExactly listOf("MILLC/match Qualification 1.bag", "MILLC/match Qualification 2.bag")
+        }
+    }
+
+    test("two robots' logs of the same name are both kept, and the same log from two places once") {
+        inPit { pit, one ->
+            inPit { other, two ->
+                one.log("log.csv", "a,b\n1,2\n")
+                two.log("log.csv", "a,b\n3,4\n")
+                one.log("same.csv", "a,b\n5,6\n")
+                two.log("same.csv", "a,b\n5,6\n")
+                pit.fetch(one)
+                pit.fetch(two)
+                pit.logs() shouldContainExactly listOf("log (2).csv", "log.csv", "same.csv")
+                other.folder.exists() shouldBe false
+            }
+        }
+    }
+
+    test("a log that grows is left for later") {
+        inPit { pit, robot ->
+            val log = robot.log("now.bag", matchBag(1))
+            robot.log("before.bag", matchBag(2))
+            val patience = Patience(growth = Duration.ofMillis(300))
+            val heard = object : FetchListener {
+                val said = ArrayList<String>()
+
+                override fun found(logs: FoundLogs) = log.appendText("1,2\n")
+
+                override fun skipped(path: String, message: String, isGrowing: Boolean) {
+                    said += "$isGrowing $message"
+                }
+            }
+            val summary = LogFetch(listOf(robot.address()), pit.options(), pit.hosts, pit.person, patience).run(heard)
+            summary.fetched.map { it.path } shouldContainExactly listOf("/home/lvuser/logs/before.bag")
+            heard.said.single() shouldContain "true /home/lvuser/logs/now.bag is still being written"
+        }
+    }
+
+    test("a log that grows while it is copied is left for later, and its part is gone on with") {
+        inPit { pit, robot ->
+            val log = robot.log("now.csv", "a,b\n" + "1,2\n".repeat(50_000))
+            robot.beforePiece = { before -> if (before == 0L) log.appendText("3,4\n") }
+            pit.fetch(robot).fetched.shouldBeEmpty()
+            pit.logs().shouldBeEmpty()
+            robot.beforePiece = {}
+            pit.fetch(robot).fetched.single().resumedAt shouldBe 200_004
+            (pit.folder / "now.csv").readText() shouldBe log.readText()
+        }
+    }
+
+    test("what is no log comes too, and is called so") {
+        inPit { pit, robot ->
+            robot.log("broken.wpilog", ByteArray(500))
+            pit.fetch(robot).fetched.single().isLog shouldBe false
+            pit.logs() shouldContainExactly listOf("broken.wpilog")
+        }
+    }
+
+    test("nothing is removed from the robot but what is old and safely here") {
+        inPit { pit, robot ->
+            val day = 24 * 3600L
+            robot.log("old.csv", "a,b\n1,2\n", 20 * day)
+            robot.log("lost.csv", "a,b\n3,4\n", 20 * day)
+            robot.log("changed.csv", "a,b\n7,8\n", 20 * day)
+            robot.log("young.csv", "a,b\n5,6\n", day)
+            robot.log("wrong-clock.csv", "a,b\n9,9\n", System.currentTimeMillis() / 1000)
+            pit.fetch(robot)
+            Files.delete(pit.folder / "lost.csv")
+            (pit.folder / "changed.csv").writeText("a,b\n7,9\n")
+            val heard = Heard()
+            pit.fetch(robot, heard, pit.options(deleteOlderThan = Duration.ofDays(14)))
+            heard.said.filter { it.startsWith("deleted") } shouldContainExactly listOf("deleted /home/lvuser/logs/old.csv")
+            pit.logs() shouldContain "old.csv"
+        }
+    }
+
+    test("a known robot is not asked about again, whatever its address; a changed key is called so") {
+        val disk = Files.createTempDirectory("badlog")
+        try {
+            val pit = Pit(disk)
+            val key = FakeRobot.newKey()
+            FakeRobot(disk / "disk", key).use { pit.fetch(it) }
+            FakeRobot(disk / "disk", key).use { pit.fetch(it) }
+            pit.person.questions shouldContainExactly listOf("unknown")
+            FakeRobot(disk / "disk").use { robot ->
+                pit.hosts.trust(robot.address(), "ecdsa-sha2-nistp256 another")
+                pit.fetch(robot)
+                pit.person.questions.last() shouldBe "changed"
+                pit.fetch(robot)
+                pit.person.questions.size shouldBe 2
+            }
+        } finally {
+            disk.toFile().deleteRecursively()
+        }
+    }
+
+    test("a robot that nobody trusts gets no password") {
+        inPit { pit, robot ->
+            val error = shouldThrow<HostKeyRefusedException> { pit.fetch(robot, person = FetchQuestions.NOBODY) }
+            error.message shouldContain "The host key of 10.10.14.2 is unknown (SHA256:"
+            error.message shouldContain "--accept-new-host-key"
+            robot.users.shouldBeEmpty()
+            pit.fetch(robot, options = pit.options(accepts = true), person = FetchQuestions.NOBODY)
+            pit.fetch(robot, person = FetchQuestions.NOBODY)
+        }
+    }
+
+    test("users are tried in their order, then a person is asked for the password, which no text shows") {
+        inPit(passwords = mapOf("systemcore" to "systemcore")) { pit, robot ->
+            pit.fetch(robot).user shouldBe "systemcore"
+            robot.users.distinct() shouldContainExactly listOf("lvuser", "systemcore")
+        }
+        inPit(passwords = mapOf("lvuser" to "secret")) { pit, robot ->
+            pit.fetch(robot, options = pit.options(password = "secret")).user shouldBe "lvuser"
+            val person = Person(password = "secret")
+            pit.fetch(robot, person = person).user shouldBe "lvuser"
+            person.questions shouldContainExactly listOf("password of lvuser")
+            shouldThrow<LoginRefusedException> { pit.fetch(robot, options = pit.options(password = "wrong")) }.message.let { said ->
+                said shouldContain "refuses the password of lvuser and systemcore"
+                said shouldNotContain "wrong"
+            }
+        }
+    }
+
+    test("the first address that answers is taken, and where none does, all are named") {
+        inPit { pit, robot ->
+            val none = RobotAddress("127.0.0.1", listOf(Login("lvuser", "")), port = 1, name = "robot.local")
+            LogFetch(listOf(none, robot.address()), pit.options(), pit.hosts, pit.person, IMPATIENCE).run(Heard()).address.name shouldBe "10.10.14.2"
+            val error = shouldThrow<NoRobotException> { LogFetch(listOf(none, none), pit.options(), pit.hosts, pit.person, IMPATIENCE).run(Heard()) }
+            error.message shouldContain "No robot answers at robot.local, robot.local"
+        }
+    }
+
+    test("nothing comes while the robot is enabled, and a copy that is interrupted goes on where it was") {
+        inPit { pit, robot ->
+            DriverStation().use { station ->
+                val content = "a,b\n" + "1,2\n".repeat(200_000)
+                robot.log("log.csv", content)
+                var enabled = false
+                val heard = Heard { done ->
+                    if (done > 100_000 && !enabled) {
+                        enabled = true
+                        station.isEnabled = true
+                        while (!station.isEnabled) Thread.sleep(1)
+                        Thread { Thread.sleep(200).also { station.isEnabled = false } }.start()
+                        Thread.sleep(50)
+                    }
+                }
+                val log = pit.fetch(robot, heard, pit.options(anyway = false), station.port).fetched.single()
+                heard.said shouldContain "waiting"
+                (log.resumedAt > 100_000) shouldBe true
+                log.file.readText() shouldBe content
+            }
+        }
+    }
+
+    test("a robot that does not say whether it is enabled is left alone") {
+        inPit { pit, robot ->
+            robot.log("a.csv", "a,b\n1,2\n")
+            val error = shouldThrow<UnknownStateException> { pit.fetch(robot, options = pit.options(anyway = false)) }
+            error.message shouldContain "its NetworkTables do not answer. Start its program, or use --anyway."
+            robot.users.shouldBeEmpty()
+        }
+    }
+
+    test("all folders are looked into once, with those inside") {
+        inPit { pit, robot ->
+            val log = robot.log("practice/a.csv", "a,b\n1,2\n")
+            Files.createSymbolicLink(log.parent.parent.parent / "again", log.parent.parent)
+            pit.fetch(robot, options = pit.options(folders = listOf("/home/lvuser/logs", "/home/lvuser/logs", "/nowhere")))
+            pit.logs() shouldContainExactlyInAnyOrder listOf("a.csv")
+        }
+    }
+})

@@ -1,0 +1,32 @@
+package badlog.fetch
+
+import badlog.analysis.LogView
+import badlog.bag.BagParser
+import badlog.replay.ReplayOptions
+import badlog.replay.ReplayServer
+import badlog.rules.BUILT_IN
+import badlog.rules.RuleSet
+import badlog.rules.withSignals
+
+/** Enables and disables a robot whose NetworkTables answer at [port] of this computer. */
+class DriverStation : AutoCloseable {
+    private val server = ReplayServer(view(), ReplayOptions(port = 0)).apply { open() }
+
+    /** Where the robot's NetworkTables answer. */
+    val port: Int get() = server.port
+
+    /** Whether the robot is enabled; disabled at first. */
+    var isEnabled: Boolean = false
+        set(value) {
+            field = value
+            server.seek(if (value) 1.0 else 0.0)
+        }
+
+    override fun close() = server.close()
+
+    private fun view(): LogView {
+        val parser = BagParser()
+        parser.accept("""{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"Enabled"}],"values":[]}${"\n"}Time,Enabled${"\n"}0,false${"\n"}1,true${"\n"}""".encodeToByteArray())
+        return LogView.of(parser.finish()).withSignals(RuleSet.BUILT_IN.signals)
+    }
+}

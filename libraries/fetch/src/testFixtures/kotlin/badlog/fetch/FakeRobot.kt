@@ -1,0 +1,120 @@
+package badlog.fetch
+
+import org.apache.sshd.common.file.virtualfs.VirtualFileSystemFactory
+import org.apache.sshd.common.keyprovider.KeyPairProvider
+import org.apache.sshd.common.util.buffer.Buffer
+import org.apache.sshd.server.SshServer
+import org.apache.sshd.server.session.ServerSession
+import org.apache.sshd.sftp.server.AbstractSftpEventListenerAdapter
+import org.apache.sshd.sftp.server.FileHandle
+import org.apache.sshd.sftp.server.SftpFileSystemAccessor
+import org.apache.sshd.sftp.server.SftpSubsystemFactory
+import org.apache.sshd.sftp.server.SftpSubsystemProxy
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.attribute.FileTime
+import java.security.KeyPair
+import java.security.KeyPairGenerator
+import java.util.Collections
+import java.util.concurrent.CountDownLatch
+import java.util.concurrent.atomic.AtomicLong
+
+/**
+ * A robot's computer: SFTP on a free port of this one, with the files below [disk].
+ *
+ * @param key its host key.
+ */
+class FakeRobot(private val disk: Path, key: KeyPair = newKey(), private val passwords: Map<String, String> = mapOf("lvuser" to "")) : AutoCloseable {
+    private val sftp = SftpSubsystemFactory()
+    private val server = SshServer.setUpDefaultServer()
+    private val served = AtomicLong()
+    private val silence = CountDownLatch(1)
+
+    /** After so many bytes of logs all connections end, once. */
+    @Volatile
+    var endsAfter = Long.MAX_VALUE
+
+    /** After so many bytes of logs it says nothing any longer. */
+    @Volatile
+    var stallsAfter = Long.MAX_VALUE
+
+    /** Is called before each piece of a log is given, with how many bytes were. */
+    @Volatile
+    var beforePiece: (Long) -> Unit = {}
+
+    /** What it calls a file of its disk in a listing, in place of its name. */
+    @Volatile
+    var nameInListing: (String) -> String = { it }
+
+    /** The users who tried to get in. */
+    val users: MutableList<String> = Collections.synchronizedList(ArrayList())
+
+    /** How many bytes of logs were given. */
+    val servedBytes: Long get() = served.get()
+
+    val port: Int get() = server.port
+
+    init {
+        Files.createDirectories(disk.resolve("home/lvuser/logs"))
+        sftp.addSftpEventListener(object : AbstractSftpEventListenerAdapter() {
+            override fun reading(
+                session: ServerSession,
+                remote: String,
+                file: FileHandle,
+                offset: Long,
+                data: ByteArray,
+                at: Int,
+                size: Int,
+            ) = give(session, size)
+        })
+        sftp.fileSystemAccessor = object : SftpFileSystemAccessor {
+            override fun putRemoteFileName(subsystem: SftpSubsystemProxy, path: Path?, buffer: Buffer, name: String, isShort: Boolean) {
+                buffer.putString(if (isShort) nameInListing(name) else name)
+            }
+        }
+        server.host = "127.0.0.1"
+        server.keyPairProvider = KeyPairProvider.wrap(key)
+        server.subsystemFactories = listOf(sftp)
+        server.fileSystemFactory = VirtualFileSystemFactory(disk)
+        server.setPasswordAuthenticator { user, word, _ ->
+            users += user
+            passwords[user] == word
+        }
+        server.start()
+    }
+
+    /** Puts a log named [name] with [content] on its disk, written [secondsAgo]. */
+    fun log(name: String, content: String, secondsAgo: Long = 3600): Path = log(name, content.encodeToByteArray(), secondsAgo)
+
+    /** Puts a log named [name] with [content] on its disk, written [secondsAgo]. */
+    fun log(name: String, content: ByteArray, secondsAgo: Long = 3600): Path {
+        val file = disk.resolve("home/lvuser/logs").resolve(name)
+        Files.createDirectories(file.parent)
+        Files.write(file, content)
+        Files.setLastModifiedTime(file, FileTime.fromMillis(System.currentTimeMillis() - secondsAgo * 1000))
+        return file
+    }
+
+    /** Where it answers. */
+    fun address(networkTablesPort: Int = 1, name: String = "10.10.14.2"): RobotAddress = RobotAddress("127.0.0.1", listOf(Login("lvuser", ""), Login("systemcore", "systemcore")), port, networkTablesPort, name)
+
+    private fun give(session: ServerSession, size: Int) {
+        val before = served.getAndAdd(size.toLong())
+        beforePiece(before)
+        if (before >= endsAfter) {
+            endsAfter = Long.MAX_VALUE
+            session.close(true)
+        }
+        if (before >= stallsAfter) silence.await()
+    }
+
+    override fun close() {
+        silence.countDown()
+        server.stop(true)
+    }
+
+    companion object {
+        /** A host key that no other robot has. */
+        fun newKey(): KeyPair = KeyPairGenerator.getInstance("EC").apply { initialize(256) }.generateKeyPair()
+    }
+}

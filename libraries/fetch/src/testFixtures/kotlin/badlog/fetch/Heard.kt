@@ -1,0 +1,71 @@
+package badlog.fetch
+
+import java.time.Duration
+
+/** What a fetch said, in its order. */
+class Heard(private val onProgress: (Long) -> Unit = {}) : FetchListener {
+    val said = ArrayList<String>()
+
+    override fun connected(address: RobotAddress, user: String) {
+        said += "connected to $address as $user"
+    }
+
+    override fun waiting(address: RobotAddress) {
+        said += "waiting"
+    }
+
+    override fun retrying(address: RobotAddress, reason: String) {
+        said += "retrying"
+    }
+
+    override fun found(logs: FoundLogs) {
+        said += "found ${logs.newLogs} new, ${logs.knownLogs} known"
+    }
+
+    override fun advanced(name: String, done: Long, total: Long) = onProgress(done)
+
+    override fun fetched(log: FetchedLog) {
+        said += "fetched ${log.path} from ${log.resumedAt}"
+    }
+
+    override fun skipped(path: String, message: String, isGrowing: Boolean) {
+        said += message
+    }
+
+    override fun deleted(path: String) {
+        said += "deleted $path"
+    }
+}
+
+/** Waits no longer than a test may. */
+val IMPATIENCE = Patience(
+    connect = Duration.ofSeconds(2),
+    answer = Duration.ofSeconds(10),
+    silence = Duration.ofSeconds(5),
+    growth = Duration.ofMillis(20),
+    retry = Duration.ofMillis(10),
+    state = Duration.ofSeconds(5),
+)
+
+/** A person who trusts every robot, or none, and counts the questions. */
+class Person(private val isTrusting: Boolean = true, private val password: String? = null) : FetchQuestions {
+    val questions = ArrayList<String>()
+
+    override fun trusts(question: HostKeyQuestion): Boolean {
+        questions += if (question.isChanged) "changed" else "unknown"
+        return isTrusting
+    }
+
+    override fun password(user: String, address: RobotAddress): String? {
+        questions += "password of $user"
+        return password
+    }
+}
+
+/** A bag of the match [number] with [rows] rows. */
+fun matchBag(number: Int, rows: Int = 50): String = buildString {
+    append("""{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"Speed","unit":"m/s"}],""")
+    append(""""values":[{"name":"Event Name","value":"MILLC"},{"name":"Match Type","value":"Qualification"},{"name":"Match Number","value":"$number"}]}""")
+    append("\nTime,Speed\n")
+    repeat(rows) { append("${it * 0.02},${it % 7}.5\n") }
+}
