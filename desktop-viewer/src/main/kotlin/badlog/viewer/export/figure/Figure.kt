@@ -62,8 +62,9 @@ internal class FigurePlane(val x: Span, val xTitle: String, val isField: Boolean
  * @property label what the legend calls it.
  * @property color its color, as `#rrggbb`.
  * @property strokes its points, x and y as they were logged, but x moved by the recording's offset.
+ * @property isDashed whether it is what was planned, beside what was driven.
  */
-internal class FigureLine(val label: String, val color: String, val strokes: Strokes)
+internal class FigureLine(val label: String, val color: String, val strokes: Strokes, val isDashed: Boolean = false)
 
 /**
  * A lane of a [FigureFrame].

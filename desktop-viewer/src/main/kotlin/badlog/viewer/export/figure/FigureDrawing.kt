@@ -131,12 +131,8 @@ private fun drawLines(behind: Plot, frame: FigureFrame, size: FrameSize): Plot {
         }
         plot += scaleFillManual(colors, breaks = keys, limits = keys, guide = "none")
     }
-    plot += geomPath(points.strokes, size = STROKE, sampling = samplingNone, tooltips = null) {
-        x = "x"
-        y = "y"
-        group = "piece"
-        color = "line"
-    }
+    plot += joined(points.strokes, "solid")
+    if (points.dashed.getValue("x").isNotEmpty()) plot += joined(points.dashed, "dashed")
     if (points.dots.getValue("x").isNotEmpty()) {
         plot += geomPoint(points.dots, size = DOT, sampling = samplingNone, showLegend = false, tooltips = null) {
             x = "x"
@@ -146,6 +142,14 @@ private fun drawLines(behind: Plot, frame: FigureFrame, size: FrameSize): Plot {
     }
     return plot
 }
+
+private fun joined(columns: Map<String, List<Any>>, type: String) =
+    geomPath(columns, size = STROKE, linetype = type, sampling = samplingNone, tooltips = null) {
+        x = "x"
+        y = "y"
+        group = "piece"
+        color = "line"
+    }
 
 private fun drawLanes(behind: Plot, figure: Figure, frame: FigureFrame, size: FrameSize): Plot {
     val blocks = frame.lanes.flatMapIndexed { i, lane -> lane.blocks.map { frame.lanes.size - i - 1.0 to it } }
@@ -206,12 +210,15 @@ private const val MIN_LETTERS = 5
  * The points of [frame]'s lines as columns: `x`, `y`, the number of their `line` as a text, and of their `piece`.
  *
  * @property strokes what is joined.
+ * @property dashed what is joined by dashes.
  * @property dots what deserves a dot.
  */
 internal class LinePoints(frame: FigureFrame) {
     private val joined = Columns()
+    private val broken = Columns()
     private val alone = Columns()
     val strokes: Map<String, List<Any>> get() = joined.all
+    val dashed: Map<String, List<Any>> get() = broken.all
     val dots: Map<String, List<Any>> get() = alone.all
 
     init {
@@ -222,7 +229,8 @@ internal class LinePoints(frame: FigureFrame) {
                 piece++
                 val from = strokes.startOf(stroke)
                 val until = strokes.endOf(stroke)
-                if (until - from > 2) joined.add(strokes.points, from, until, i, piece)
+                val columns = if (line.isDashed) broken else joined
+                if (until - from > 2) columns.add(strokes.points, from, until, i, piece)
             }
             alone.add(strokes.dots, 0, strokes.dotsSize, i, piece)
         }

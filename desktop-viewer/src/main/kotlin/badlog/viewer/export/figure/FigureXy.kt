@@ -4,6 +4,7 @@ import badlog.analysis.Span
 import badlog.plot.board.BoardGraph
 import badlog.plot.curve.Scale
 import badlog.plot.curve.Strokes
+import badlog.plot.path.PoseRole
 import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.graph.xy.drawnXys
 import badlog.viewer.graph.xy.wholeOf
@@ -22,7 +23,8 @@ internal fun xyFrame(graph: BoardGraph, recordings: List<DrawnRecording>, visibl
             trace.draw(xy.own(visible), plane, width, height, strokes)
             strokes.place(toX, toY)
             val label = if (recordings.size > 1) "${trace.name}, ${xy.drawn.name}" else trace.name
-            FigureLine(plainLine(label, LABEL_LETTERS), hexOf(Palette.LIGHT.line(xy.colorOf(trace))), strokes)
+            val color = hexOf(Palette.LIGHT.line(xy.colorOf(trace)))
+            FigureLine(plainLine(label, LABEL_LETTERS), color, strokes, isDashed = trace.role == PoseRole.PLANNED)
         }
     }
     val plot = xys[0].plot

@@ -60,6 +60,9 @@ class FigureSpec : FunSpec({
         val frame = figure.frames[0]
         frame.plane?.isField shouldBe true
         frame.lines.map { it.label } shouldBe listOf("Vision/Pose", "Target Pose", "Drive/Pose")
+        // What was planned is dashed, as on the screen.
+        frame.lines.map { it.isDashed } shouldBe listOf(false, true, false)
+        elements(svgOf(figure, options), "path").count { it.hasAttribute("stroke-dasharray") } shouldBeGreaterThan 0
         // The points are meters again.
         frame.lines[2].strokes.points.take(2).zip(listOf(1.6, 4.0)).all { (drawn, x) -> abs(drawn - x) < 0.02 } shouldBe true
         textsIn(svgOf(figure, options)) shouldContainAll listOf("x (m)", "y (m)", "Path", "Drive/Pose", "Time (s)")

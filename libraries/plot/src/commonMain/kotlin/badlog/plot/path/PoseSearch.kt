@@ -97,8 +97,9 @@ private const val STRUCT = "struct:"
 private const val DEGREE = PI / 180
 private val QUATERNION = listOf("w", "x", "y", "z")
 private val BOT_POSES = listOf("botpose_wpiblue", "botpose_orb_wpiblue")
-private val LENGTHS = mapOf("m" to 1.0, "meters" to 1.0, "cm" to 0.01, "in" to 0.0254, "inches" to 0.0254, "ft" to 0.3048, "feet" to 0.3048)
-private val ANGLES = mapOf("deg" to DEGREE, "°" to DEGREE, "degrees" to DEGREE, "rad" to 1.0, "radians" to 1.0)
+internal val LENGTHS =
+    mapOf("m" to 1.0, "meters" to 1.0, "cm" to 0.01, "in" to 0.0254, "inches" to 0.0254, "ft" to 0.3048, "feet" to 0.3048)
+internal val ANGLES = mapOf("deg" to DEGREE, "°" to DEGREE, "degrees" to DEGREE, "rad" to 1.0, "radians" to 1.0)
 private val HEADINGS = listOf("heading", "rotation", "angle", "theta", "yaw")
 private val POSE_WORDS = setOf("pose", "field", "odometry", "botpose")
 private val PLAN_WORDS = setOf("trajectory", "plan", "planned", "auto", "autonomous")

@@ -18,10 +18,17 @@ public class SwerveModules internal constructor(
     internal val speeds: List<String>,
     internal val angles: List<String>,
     public val isTarget: Boolean,
+    internal val meters: Double = 1.0,
+    internal val radians: Double = 1.0,
 )
 
-/** The modules that [topics] tell: arrays of the structs `SwerveModuleState` and `SwerveModuleVelocity`, front before back, left before right. */
-public fun swerveModulesOf(topics: List<Topic>): List<SwerveModules> {
+/**
+ * The modules that [topics] tell, front before back, left before right: arrays of the structs `SwerveModuleState` and
+ * `SwerveModuleVelocity`; where there are none, topics of their own for each module, as [separateModulesOf] finds them.
+ */
+public fun swerveModulesOf(topics: List<Topic>): List<SwerveModules> = modulesInArrays(topics).ifEmpty { separateModulesOf(topics) }
+
+private fun modulesInArrays(topics: List<Topic>): List<SwerveModules> {
     val names = topics.filter { it.samples.isNotEmpty() && "SwerveModule" in it.type }.mapTo(LinkedHashSet()) { it.name }
     return names.mapNotNull { name ->
         val field = SPEEDS.firstOrNull { name.endsWith("[0]$it") } ?: return@mapNotNull null
@@ -46,12 +53,12 @@ public class ModuleArrow internal constructor(public val places: DoubleArray, pu
 internal class ModuleLines private constructor(
     private val speeds: List<GraphSeries>,
     private val angles: List<GraphSeries>,
-    private val isTarget: Boolean,
+    private val modules: SwerveModules,
 ) {
     /** The arrows at [time] of a robot at ([x], [y]) that heads to [heading]. */
     fun arrowsAt(time: Double, x: Double, y: Double, heading: Double): List<ModuleArrow> = speeds.indices.mapNotNull { i ->
-        val length = valueAt(speeds[i], time) * SECONDS
-        val turn = heading + valueAt(angles[i], time)
+        val length = valueAt(speeds[i], time) * modules.meters * SECONDS
+        val turn = heading + valueAt(angles[i], time) * modules.radians
         val ahead = if (i < CORNERS / 2) CORNER else -CORNER
         val left = if (i % 2 == 0) CORNER else -CORNER
         val fromX = x + ahead * cos(heading) - left * sin(heading)
@@ -61,7 +68,7 @@ internal class ModuleLines private constructor(
         fun barbX(side: Double) = toX - length * BARB * cos(turn + side)
         fun barbY(side: Double) = toY - length * BARB * sin(turn + side)
         val places = doubleArrayOf(fromX, fromY, toX, toY, barbX(SPREAD), barbY(SPREAD), toX, toY, barbX(-SPREAD), barbY(-SPREAD))
-        if (abs(length) < STANDING || toX.isNaN()) null else ModuleArrow(places, isTarget)
+        if (abs(length) < STANDING || toX.isNaN()) null else ModuleArrow(places, modules.isTarget)
     }
 
     private fun valueAt(line: GraphSeries, time: Double) = line.indexAt(time).let { if (it < 0) Double.NaN else line.data.y[it] }
@@ -70,7 +77,7 @@ internal class ModuleLines private constructor(
         fun of(modules: SwerveModules, line: (String) -> GraphSeries?): ModuleLines? {
             val speeds = modules.speeds.mapNotNull(line)
             val angles = modules.angles.mapNotNull(line)
-            return if (speeds.size == CORNERS && angles.size == CORNERS) ModuleLines(speeds, angles, modules.isTarget) else null
+            return if (speeds.size == CORNERS && angles.size == CORNERS) ModuleLines(speeds, angles, modules) else null
         }
 
         /** How far a module is from the robot's middle, along and across, in meters. */
@@ -85,4 +92,4 @@ internal class ModuleLines private constructor(
 }
 
 private val SPEEDS = listOf("/speed", "/velocity")
-private const val CORNERS = 4
+internal const val CORNERS = 4

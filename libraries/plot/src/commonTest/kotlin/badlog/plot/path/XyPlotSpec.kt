@@ -70,6 +70,32 @@ class XyPlotSpec : FunSpec({
         plot.arrowsAt(-1.0) shouldBe emptyList()
     }
 
+    test("modules with a topic of their own for speed and for angle are arrows, however their corners are named") {
+        fun found(vararg names: String, units: List<String> = listOf("m/s", "deg")): List<SwerveModules> {
+            val topics = names.flatMapIndexed { i, name -> listOf(name, name.replace("Speed", "Angle")).map { it to i } }
+            return swerveModulesOf(
+                topics.mapIndexed { i, (name, corner) -> timedTopic(name, 0.0 to corner.toDouble()).copy(unit = units[i % 2]) },
+            )
+        }
+
+        fun corners(vararg ends: String) = ends.map { "Drive/$it Speed" }.toTypedArray()
+        val right = listOf("Front Right", "Rear Right", "Front Left", "Rear Left")
+        found(*right.map { "Drive/$it Speed" }.toTypedArray()).single().speeds shouldBe
+            listOf("Drive/Front Left Speed", "Drive/Front Right Speed", "Drive/Rear Left Speed", "Drive/Rear Right Speed")
+        found(*corners("FL", "FR", "BL", "BR")).single().radians shouldBe (PI / 180 plusOrMinus 1e-12)
+        found(*corners("Module0/", "Module1/", "Module2/", "Module3/"), units = listOf("ft/s", "rad")).single().meters shouldBe 0.3048
+        found(*corners("Target FL", "Target FR", "Target BL", "Target BR")).single().isTarget shouldBe true
+        found(*corners("FL", "FR", "BL")) shouldBe emptyList()
+        found(*corners("FL", "FR", "BL", "BR"), units = listOf("rpm", "deg")) shouldBe emptyList()
+        // How far a wheel has turned is not where to it drives.
+        val driven = listOf("FL", "FR", "BL", "BR").flatMap { corner ->
+            listOf("Speed" to "m/s", "DrivePosition" to "rad", "TurnPosition" to "rad").map { (what, unit) ->
+                timedTopic("Drive/$corner/$what", 0.0 to 0.0).copy(unit = unit)
+            }
+        }
+        swerveModulesOf(driven).single().angles[0] shouldBe "Drive/FL/TurnPosition"
+    }
+
     test("other lines are drawn over the first one; volts over amperes say the resistance") {
         val rows = List(50) { "$it,${it * 4},${12 - it * 4 * 0.016}" }
         val view = bagView(listOf("Time|xaxis", "Current", "Voltage"), rows)
