@@ -42,6 +42,12 @@ public sealed interface FlagReading {
         override fun isSet(sample: Double, states: List<String>): Boolean = sample.isFinite() && (sample.toLong() shr place) and 1L == 1L
     }
 
+    /** By the bits from [first] to [last] of a word, which are [number]. */
+    public data class Bits(public val first: Int, public val last: Int, public val number: Long) : FlagReading {
+        override fun isSet(sample: Double, states: List<String>): Boolean =
+            sample.isFinite() && (sample.toLong() shr first) and ((2L shl (last - first)) - 1) == number
+    }
+
     /** By a text that begins with [start], in any case of letters. */
     public data class Text(public val start: String) : FlagReading {
         override fun isSet(sample: Double, states: List<String>): Boolean =

@@ -2,7 +2,9 @@ package badlog.html
 
 import badlog.bag.RecordingParser
 import badlog.file.AtomicFile
+import badlog.file.Unpacked
 import badlog.file.partsOfLog
+import badlog.file.unpacked
 import badlog.file.withGzipCut
 import badlog.formats.LOG_FORMATS
 import badlog.html.note.NotesException
@@ -49,14 +51,27 @@ public class HtmlExporter(private val attachments: List<Path> = emptyList(), pri
         val files = attachments + logParts
         files.forEach(::checkReadable)
         checkWritable(page, files)
-        return reading(input) { Files.newInputStream(input) }.use { stream ->
-            val first = reading(input) { stream.readNBytes(FileHead.BYTES) }
-            val head = FileHead.of(first)
-            if (head.refusal != null) throw ExportException.NotARecording(input, "$input: ${head.refusal}")
-            val source = ReadGuard(input, SequenceInputStream(ByteArrayInputStream(first), stream))
-            withOthers(source, logParts).use { whole ->
-                passingOn(progress) { heard -> writing(page) { write(logParts, whole, head, page, withNotes(additions, input), heard) } }
+        return reading(input) {
+            unpacked(input, { progress.advanced(0, Files.size(input)) }) { log ->
+                export(log, if (log.path == input) logParts else listOf(log.path), input, page, withNotes(additions, input), progress)
             }
+        }
+    }
+
+    private fun export(
+        log: Unpacked,
+        logParts: List<Path>,
+        input: Path,
+        page: Path,
+        additions: PageAdditions,
+        progress: Progress,
+    ): ExportReport = reading(input) { Files.newInputStream(log.path) }.use { stream ->
+        val first = reading(input) { stream.readNBytes(FileHead.BYTES) }
+        val head = FileHead.of(first)
+        if (head.refusal != null) throw ExportException.NotARecording(input, "$input: ${head.refusal}")
+        val source = ReadGuard(input, SequenceInputStream(ByteArrayInputStream(first), stream))
+        withOthers(source, logParts).use { whole ->
+            passingOn(progress) { heard -> writing(page) { write(log, logParts, input, whole, head, page, additions, heard) } }
         }
     }
 
@@ -73,16 +88,17 @@ public class HtmlExporter(private val attachments: List<Path> = emptyList(), pri
     }
 
     private fun write(
+        log: Unpacked,
         logParts: List<Path>,
+        input: Path,
         source: InputStream,
         head: FileHead,
         page: Path,
         additions: PageAdditions,
         progress: Progress,
     ): ExportReport {
-        val input = logParts.first()
-        val name = input.fileName.toString()
-        val firstBytes = Files.size(input)
+        val name = log.name
+        val firstBytes = Files.size(log.path)
         val total = logParts.sumOf(Files::size)
         val parser = RecordingParser(LOG_FORMATS, keepSamples = false)
         Files.createDirectories(page.parent)
@@ -105,7 +121,8 @@ public class HtmlExporter(private val attachments: List<Path> = emptyList(), pri
                 embedded
             }
             val parsed = parser.finish()
-            val recording = if (embedded.isCut) parsed.withGzipCut(embedded.inflatedBytes) else parsed
+            val read = if (embedded.isCut) parsed.withGzipCut(embedded.inflatedBytes) else parsed
+            val recording = read.copy(problems = log.problems + read.problems)
             recording.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }?.let { problem ->
                 throw ExportException.NotARecording(input, "$input: ${problem.message}")
             }

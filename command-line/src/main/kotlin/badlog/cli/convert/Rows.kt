@@ -9,6 +9,7 @@ import badlog.recording.Recording
 import badlog.recording.Topic
 import badlog.recording.TopicKind
 import badlog.report.topicCalled
+import badlog.wpilog.isOfBytes
 import java.nio.file.Path
 
 /**
@@ -48,7 +49,7 @@ internal fun rowOmissions(recording: Recording, times: DoubleArray): Omissions {
             if (between == 0L) null else counted(between, "sample") + " between rows",
             Omissions.thing(topics.count { it.type.isNotEmpty() }, "type"),
             topicsText("the metadata", topics.count { it.metadata.isNotEmpty() }),
-            topicsText("the bytes", topics.count { it.type == "raw" || it.type.startsWith("proto:") }),
+            topicsText("the bytes", topics.count { it.isOfBytes }),
         ),
     )
 }

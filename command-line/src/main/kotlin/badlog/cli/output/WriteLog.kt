@@ -3,6 +3,7 @@ package badlog.cli.output
 import badlog.cli.input.FileName
 import badlog.file.GzipReader
 import badlog.file.reading
+import badlog.file.unpacked
 import badlog.file.writeAtomically
 import badlog.recording.Recording
 import badlog.terminal.Progress
@@ -68,7 +69,9 @@ internal fun copyBeginning(log: Path, lostBytes: Long, target: Path, progress: P
 }
 
 /** Gives the bytes of [log] to [sink], inflated if need be. */
-internal fun inflate(log: Path, sink: (ByteArray, Int) -> Unit) = reading(log) {
+internal fun inflate(log: Path, sink: (ByteArray, Int) -> Unit) = unpacked(log) { unpacked -> inflateGzip(unpacked.path, sink) }
+
+private fun inflateGzip(log: Path, sink: (ByteArray, Int) -> Unit) = reading(log) {
     Files.newInputStream(log).use { stream ->
         val piece = ByteArray(1 shl 16)
         var count = stream.readNBytes(piece, 0, piece.size)

@@ -145,6 +145,5 @@ internal fun readingOf(picture: PlotPicture?, line: DrawnLine, cursor: Double?, 
     return line.signal.line.comparisonText(a, second - line.offset, line.recording.view.xAxis.unit) { line.signal.numberText(it, isShort) }
 }
 
-
 /** More letters of a recording's name leave no room for others. */
 private const val LABEL_LETTERS = 28

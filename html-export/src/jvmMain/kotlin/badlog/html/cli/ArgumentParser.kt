@@ -69,7 +69,8 @@ internal class ArgumentParser {
             Makes a web page of each log: one that opens from disk and needs nothing else.
             With one INPUT the page is INPUT.html beside it. A second argument is the page (OUTPUT)
             when it ends in .html or .htm, when it is an older page, or when it does not exist yet and is
-            not named like a log (.bag, .badbag, .csv, .wpilog, .dslog, .dsevents, .gz).
+            not named like a log (.bag, .badbag, .csv, .wpilog, .wpilogxz, .revlog,
+            .dslog, .dsevents, .gz).
             What exists is a log by its content, never by its name.
         """.trimIndent()
 

@@ -71,9 +71,12 @@ private fun whole(files: List<LogFile>): List<LogFile> {
     return wholeLogs(files, LogFile::path).map { file -> seconds[file.path]?.let(file::with) ?: file }
 }
 
-/** Whether [name] may be that of a log; what is in the file decides later. */
-private fun isNamedLikeLog(name: String): Boolean =
-    !name.startsWith(".") && LogName.of(name).mayBeLog && !name.endsWith(".tar.gz", ignoreCase = true)
+/** Whether [name] may be that of a log; what is in the file decides later. Where nothing can read a `.hoot`, it is none. */
+private fun isNamedLikeLog(name: String): Boolean {
+    val parts = LogName.of(name)
+    return !name.startsWith(".") && parts.mayBeLog && !name.endsWith(".tar.gz", ignoreCase = true) &&
+        (!parts.ending.equals(LogName.HOOT, ignoreCase = true) || Owlet.isInstalled)
+}
 
 private fun isPassedOver(folder: Path): Boolean {
     val name = folder.fileName.toString()

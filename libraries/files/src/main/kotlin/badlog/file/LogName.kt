@@ -19,7 +19,8 @@ public class LogName private constructor(public val stem: String, public val end
         private const val CSV = ".csv"
         internal const val DSLOG = ".dslog"
         internal const val DSEVENTS = ".dsevents"
-        private val ENDINGS = listOf(".bag", ".badbag", CSV, ".wpilog", DSLOG, DSEVENTS)
+        internal const val HOOT = ".hoot"
+        private val ENDINGS = listOf(".bag", ".badbag", CSV, ".wpilog", ".wpilogxz", ".revlog", HOOT, DSLOG, DSEVENTS)
 
         /** The parts of [name], which is without folders. */
         public fun of(name: String): LogName {

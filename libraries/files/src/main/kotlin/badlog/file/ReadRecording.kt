@@ -7,11 +7,12 @@ import badlog.recording.NumberSinks
 import badlog.recording.ProblemKind
 import badlog.recording.Recording
 import java.nio.channels.FileChannel
+import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * Reads [file]: a bag, a CSV file or a log of one of [formats], perhaps compressed with gzip; its content decides, never its
- * name. The other [parts][partsOfLog] of the log are read with it. Whatever is wrong in it becomes a problem of the recording.
+ * Reads [file]: a bag, a CSV file or a log of one of [formats], perhaps compressed with gzip, or [holding a WPILOG][unpacked]; its
+ * content decides, hardly ever its name. The other [parts][partsOfLog] of the log are read with it. Whatever is wrong in it becomes a problem of the recording.
  *
  * Besides the recording, it holds pieces of the file, never the file: less than 1 MB on the calling thread, where small files and logs
  * of records are always read; else [cores] and five more pieces of 256 kB, and the numbers read from them, which take up to four times
@@ -43,7 +44,10 @@ public fun readRecording(
 ): Recording {
     requireRegularFile(file)
     return withinMemory(file) {
-        read(file, formats, keepSamples, untilLastLineEnd, sinks, cores, progress)
+        unpacked(file, { progress(0, Files.size(file)) }) { log ->
+            val recording = read(log.path, formats, keepSamples, untilLastLineEnd, sinks, cores, progress)
+            if (log.problems.isEmpty()) recording else recording.copy(problems = log.problems + recording.problems)
+        }
     }
 }
 

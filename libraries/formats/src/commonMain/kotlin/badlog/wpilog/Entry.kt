@@ -22,7 +22,7 @@ internal class Entry(val name: String, val type: String, val isValue: Boolean, v
     var listener: EntryListener? = null
 
     /** The unit of its samples. */
-    val unit: String get() = if (decoder.isUndecoded) "B" else unitIn(metadata)
+    val unit: String get() = if (decoder.isUndecoded) BYTE else unitIn(metadata)
 
     /** What is to be done with it. */
     val attributes: List<String> get() = attributesIn(metadata, name)
@@ -39,6 +39,9 @@ internal class Entry(val name: String, val type: String, val isValue: Boolean, v
 
         /** The folder of everything that describes types; also below `NT:`. */
         const val SCHEMA_FOLDER = "/.schema/"
+
+        /** The type of the entries that describe messages of Protocol Buffers. */
+        const val MESSAGE_SCHEMA = "proto:FileDescriptorProto"
     }
 }
 

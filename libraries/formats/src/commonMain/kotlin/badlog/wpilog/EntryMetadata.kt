@@ -26,7 +26,7 @@ internal fun attributesIn(metadata: String, name: String): List<String> {
     val own = member?.value?.items.orEmpty().mapNotNull { it.text }
     return when {
         own.isNotEmpty() -> own
-        name == MESSAGES -> listOf(LOG)
+        name == MESSAGES || CONSOLE in name -> listOf(LOG)
         name == Entry.SYSTEM_TIME || Entry.SCHEMA_FOLDER in name -> listOf("hide")
         else -> emptyList()
     }
@@ -61,7 +61,12 @@ private fun attributesOf(topic: Topic): List<String> {
 
 /** Where WPILib's logger puts what the program says. */
 private const val MESSAGES = "messages"
+
+/** Where the Driver Station of 2027 puts what it says, and the robot's errors. */
+private const val CONSOLE = "DS:/Dscomm/Console/"
 private const val UNIT = "unit"
 private const val ATTRIBUTES = "attrs"
-private const val LOG = "log"
+
+/** The attribute of texts that are events. */
+internal const val LOG: String = "log"
 private const val X_AXIS = "xaxis"

@@ -26,7 +26,7 @@ internal fun reportEntry(entry: Entry, problems: ProblemList) {
             loss = Loss(cells = decoder.droppedValues),
         )
     }
-    if (decoder.isUndecoded && decoder.timestamps.size > 0) {
+    if (decoder.isUndecoded && decoder.timestamps.size > 0 && entry.type != Entry.MESSAGE_SCHEMA) {
         problems.add(
             ProblemKind.NOT_DECODED,
             "“$name” is of type ${entry.type}, which is not decoded; shown is how many bytes each of its " +

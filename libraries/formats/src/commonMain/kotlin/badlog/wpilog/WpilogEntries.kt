@@ -2,13 +2,16 @@ package badlog.wpilog
 
 import badlog.column.ColumnSource
 import badlog.column.addSkipped
+import badlog.protobuf.MessageLayout
+import badlog.protobuf.MessageTypes
 import badlog.recording.ProblemList
 import badlog.text.TextDecoder
 
 /** The entries of a file: which were begun, and what their records were turned into. */
 internal class WpilogEntries(private val source: ColumnSource, private val problems: ProblemList) : RecordSink {
     private val decoder = TextDecoder()
-    private val schemas = StructSchemas()
+    private val structs = StructSchemas()
+    private val messages = MessageTypes()
     private val byName = LinkedHashMap<Triple<String, String, Boolean>, Entry>()
     private val byLargeId = HashMap<Int, Entry>()
     private var byId = arrayOfNulls<Entry>(64)
@@ -146,15 +149,21 @@ internal class WpilogEntries(private val source: ColumnSource, private val probl
         val entry = byName.getOrPut(Triple(name, type, isValue)) {
             Entry(name, type, isValue, decoderFor(name, type)).also { entry ->
                 match.watch(entry)
-                if (type == SCHEMA && STRUCT_SCHEMA in name) entry.listener = schemaListener(name)
+                schemaListener(name, type)?.let { entry.listener = it }
             }
         }
         if (metadata.isNotEmpty()) entry.metadata = metadata
         put(id, entry)
     }
 
-    private fun schemaListener(name: String) = EntryListener { _, bytes, from, until ->
-        schemas.add(name.substringAfter(STRUCT_SCHEMA), bytes.decodeToString(from, until))
+    private fun schemaListener(name: String, type: String) = when {
+        type == SCHEMA && STRUCT_SCHEMA in name -> EntryListener { _, bytes, from, until ->
+            structs.add(name.substringAfter(STRUCT_SCHEMA), bytes.decodeToString(from, until))
+        }
+
+        type == Entry.MESSAGE_SCHEMA -> EntryListener { _, bytes, from, until -> messages.add(bytes.copyOfRange(from, until)) }
+
+        else -> null
     }
 
     private fun decoderFor(name: String, type: String): PayloadDecoder {
@@ -164,12 +173,22 @@ internal class WpilogEntries(private val source: ColumnSource, private val probl
         val layout = ValueLayout.of(single)
         return when {
             layout != null -> if (isArray) LayoutArrayDecoder(source, layout) else LayoutDecoder(source, layout)
-            single.startsWith(STRUCT) -> StructDecoder(source, schemas, single.removePrefix(STRUCT), isArray)
+            single.startsWith(STRUCT) -> SchemaDecoder(source, structs::version) { structDecoder(single.removePrefix(STRUCT), isArray) }
+            type == Entry.MESSAGE_SCHEMA -> SizeDecoder(source)
+            type.startsWith(PROTO) -> SchemaDecoder(source, messages::version) { protoDecoder(type.removePrefix(PROTO)) }
             type == "string[]" -> TextArrayDecoder(source)
             type == "string" || type == "json" || type == SCHEMA -> TextPayloadDecoder(source)
             else -> SizeDecoder(source)
         }
     }
+
+    private fun structDecoder(name: String, isArray: Boolean): PayloadDecoder? {
+        val layout = structs.layoutOf(name)?.takeIf { source.hasRoomFor(it.leaves.size) } ?: return null
+        return if (isArray) LayoutArrayDecoder(source, layout) else LayoutDecoder(source, layout)
+    }
+
+    private fun protoDecoder(name: String): PayloadDecoder? =
+        MessageLayout.of(messages, name)?.takeIf { source.hasRoomFor(it.values.size) }?.let { ProtoDecoder(source, it) }
 
     private fun put(id: Int, entry: Entry?) {
         if (id !in 0..MAX_LISTED_ID) {
@@ -203,5 +222,6 @@ internal class WpilogEntries(private val source: ColumnSource, private val probl
         private const val STRUCT = "struct:"
         private const val SCHEMA = "structschema"
         private const val STRUCT_SCHEMA = ".schema/struct:"
+        private const val PROTO = "proto:"
     }
 }

@@ -39,7 +39,15 @@ internal class WpilogTopics(private val span: ClosedFloatingPointRange<Double>, 
             block.timestamps.finish(span)
             for (column in block.columns) {
                 val name = uniqueName(entry.name + column.path)
-                val topic = column.build(name, withoutSamples, block.timestamps)
+                val topic = column.build(name, withoutSamples, block.timestamps).let {
+                    if (it.counts.texts ==
+                        0
+                    ) {
+                        it.copy(attributes = it.attributes - LOG)
+                    } else {
+                        it
+                    }
+                }
                 reportTopic(topic, column, block.timestamps, problems)
                 topics += topic
             }

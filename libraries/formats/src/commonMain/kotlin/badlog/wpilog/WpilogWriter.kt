@@ -3,12 +3,13 @@ package badlog.wpilog
 import badlog.analysis.LogView
 import badlog.bag.readHeader
 import badlog.recording.Recording
+import badlog.recording.Topic
 
 /**
  * Writes a recording of any format as a WPILOG: each topic as an entry, each sample as a record at its time, with units and
  * attributes in the entries' metadata, and each value as an entry of its own. [WpilogParser] reads all of that back.
  *
- * Parts of arrays and structs are entries of their own, of the names that they have as topics.
+ * Parts of arrays, structs and messages are entries of their own, of the names that they have as topics.
  *
  * @param recording what to write; read with its samples.
  * @param changesOnly true to leave out a sample that is the same as the one before it in its topic.
@@ -62,10 +63,13 @@ public class WpilogWriter(private val recording: Recording, private val changesO
         addAll(times.omissions())
         val repeats = entries.sumOf { it.repeats }
         if (repeats > 0) add(Omission(null, "Samples that are the same as those before them have no record.", repeats))
-        val parts = recording.topics.count { it.type.endsWith("[]") || it.type.startsWith("struct:") }
-        if (parts > 0) add(Omission(null, "Parts of arrays and structs are entries of their own.", parts))
+        val parts = recording.topics.count {
+            it.type.endsWith("[]") || it.type.startsWith("struct:") ||
+                (it.type.startsWith("proto:") && !it.isOfBytes)
+        }
+        if (parts > 0) add(Omission(null, "Parts of arrays, structs and messages are entries of their own.", parts))
         for (topic in recording.topics) {
-            if (topic.type == "raw" || topic.type.startsWith("proto:")) {
+            if (topic.isOfBytes) {
                 add(Omission(topic.name, "Only the sizes of bytes that were not decoded are kept.", topic.size))
             }
         }
@@ -95,3 +99,9 @@ public class WpilogWriter(private val recording: Recording, private val changesO
  * @property count how many samples, topics or texts it concerns.
  */
 public data class Omission(public val topic: String?, public val what: String, public val count: Int = 1)
+
+/** Whether it tells only how many bytes the records had, which nothing here could decode. */
+public val Topic.isOfBytes: Boolean get() = unit == BYTE && (type == "raw" || type.startsWith("proto:"))
+
+/** The unit of a topic of which only the sizes are known. */
+internal const val BYTE: String = "B"

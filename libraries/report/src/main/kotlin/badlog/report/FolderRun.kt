@@ -47,7 +47,7 @@ internal class FolderRun(private val threads: Int = Runtime.getRuntime().availab
     }
 
     private fun <R> withRoom(file: LogFile, work: () -> R): R {
-        val growth = if (file.name.endsWith(".gz", ignoreCase = true)) GROWTH_OF_GZIP else GROWTH
+        val growth = if (PACKED.any { file.name.endsWith(it, ignoreCase = true) }) GROWTH_OF_GZIP else GROWTH
         val needed = ceil(ROOM * minOf(1.0, file.size * growth / (Runtime.getRuntime().maxMemory() * SHARE))).toInt()
         room.acquire(needed)
         try {
@@ -58,6 +58,7 @@ internal class FolderRun(private val threads: Int = Runtime.getRuntime().availab
     }
 
     private companion object {
+        val PACKED = listOf(".gz", ".wpilogxz", ".hoot")
         const val AHEAD = 4
         const val ROOM = 1000
 

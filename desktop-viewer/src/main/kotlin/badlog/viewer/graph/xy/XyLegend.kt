@@ -50,7 +50,10 @@ private fun XyEntry(scene: GraphScene, spec: BoardGraph, xy: DrawnXy, trace: XyT
         verticalAlignment = Alignment.CenterVertically,
     ) {
         LineColor(xy.colorOf(trace), isHidden)
-        LineName(listOfNotNull(trace.name, if (isCompared) shortLabel(xy.drawn.name, LABEL_LETTERS) else null).joinToString(" · "), isHidden)
+        LineName(
+            listOfNotNull(trace.name, if (isCompared) shortLabel(xy.drawn.name, LABEL_LETTERS) else null).joinToString(" · "),
+            isHidden,
+        )
         XyValue(scene, xy, trace)
     }
 }

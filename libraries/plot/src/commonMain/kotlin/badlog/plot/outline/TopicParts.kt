@@ -13,7 +13,7 @@ import badlog.recording.Topic
  */
 internal fun graphNameOf(topic: Topic): String {
     val name = topic.name
-    if (!topic.type.startsWith(STRUCT)) return arrayOf(name) ?: name
+    if (STRUCTS.none { topic.type.startsWith(it) }) return arrayOf(name) ?: name
     val fields = fieldsOf(name)
     val owner = name.dropLast(fields.length)
     if ("module" in topic.type.lowercase()) {
@@ -55,9 +55,15 @@ public fun everChanges(topic: Topic): Boolean {
 /** Whether this has nothing that could be drawn. */
 internal val GraphSeries.isEmpty: Boolean get() = topic.texts.size == 0 && topic.samples.all { it.isNaN() }
 
-private const val STRUCT = "struct:"
+/** The structs of a log, and WPILib's messages that say the same. */
+private val STRUCTS = listOf("struct:", "proto:wpi.proto.")
 
 /** Fields that have fields themselves, in the structs of WPILib. */
 private val NESTED = setOf("translation", "rotation", "q", "angle")
 
-private val MEANINGS = listOf("/speed" to "Module speeds", "/angle" to "Module angles", "/distance" to "Module distances")
+private val MEANINGS = listOf(
+    "/speed" to "Module speeds",
+    "/velocity" to "Module speeds",
+    "/angle" to "Module angles",
+    "/distance" to "Module distances",
+)

@@ -75,13 +75,25 @@ internal class TopicPattern(val pattern: NamePattern, val unit: String?) {
         if (content == SignalContent.CONDITION && reading is FlagReading.Text) SignalContent.TEXT.isOf(kind) else content.isOf(kind)
 }
 
-/** How a topic says that a condition holds, written `not`, `bit 3` or `is TEXT`; null for another [text]. */
+/** How a topic says that a condition holds, written `not`, `bit 3`, `bits 1-2 are 1` or `is TEXT`; null for another [text]. */
 internal fun flagReadingOf(text: String): FlagReading? = when {
     text == "not" -> FlagReading.Opposite
-    text.startsWith("bit ") -> text.substring(4).toIntOrNull()?.takeIf { it in 0..52 }?.let(FlagReading::Bit)
+    text.startsWith("bits ") -> bitsIn(text)
+    text.startsWith("bit ") -> text.substring(4).toIntOrNull()?.takeIf { it in BITS }?.let(FlagReading::Bit)
     text.startsWith("is ") && text.length > 3 -> FlagReading.Text(text.substring(3).trim())
     else -> null
 }
+
+private fun bitsIn(text: String): FlagReading? {
+    val words = text.split(' ', '-')
+    if (words.size != 5 || words[3] != "are") return null
+    val first = words[1].toIntOrNull()?.takeIf { it in BITS } ?: return null
+    val last = words[2].toIntOrNull()?.takeIf { it in BITS && it >= first } ?: return null
+    return words[4].toLongOrNull()?.let { FlagReading.Bits(first, last, it) }
+}
+
+/** Those of whole numbers that samples hold exactly. */
+private val BITS = 0..52
 
 /**
  * A signal, and the topics that it may be.

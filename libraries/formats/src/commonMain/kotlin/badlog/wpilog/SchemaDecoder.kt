@@ -5,13 +5,15 @@ import badlog.column.SampleBlock
 import badlog.column.Timestamps
 
 /**
- * Payloads of the struct [name], or of arrays of it. Those that come before its schema wait for it, as far as there is room.
+ * Payloads of a type that the file itself describes. Those that come before its schema wait for it, as far as there is room.
+ *
+ * @param version grows with every schema that has come.
+ * @param decoderNow the decoder for the type; null as long as a schema is missing, and where there is no room.
  */
-internal class StructDecoder(
+internal class SchemaDecoder(
     private val source: ColumnSource,
-    private val schemas: StructSchemas,
-    private val name: String,
-    private val isArray: Boolean,
+    private val version: () -> Int,
+    private val decoderNow: () -> PayloadDecoder?,
 ) : PayloadDecoder() {
     private class Held(val time: Double, val payload: ByteArray)
 
@@ -25,7 +27,7 @@ internal class StructDecoder(
     override val blocks: List<SampleBlock> get() = known().blocks
 
     override fun accept(time: Double, bytes: ByteArray, from: Int, until: Int) {
-        if (decoder == null && triedVersion != schemas.version) tryToDecode()
+        if (decoder == null && triedVersion != version()) tryToDecode()
         val known = decoder
         if (known != null) {
             known.accept(time, bytes, from, until)
@@ -47,10 +49,8 @@ internal class StructDecoder(
     private fun known(): PayloadDecoder = decoder ?: SizeDecoder(source).also(::decodeBy)
 
     private fun tryToDecode() {
-        triedVersion = schemas.version
-        val layout = schemas.layoutOf(name) ?: return
-        if (!source.hasRoomFor(layout.leaves.size)) return
-        decodeBy(if (isArray) LayoutArrayDecoder(source, layout) else LayoutDecoder(source, layout))
+        triedVersion = version()
+        decoderNow()?.let(::decodeBy)
     }
 
     private fun decodeBy(known: PayloadDecoder) {

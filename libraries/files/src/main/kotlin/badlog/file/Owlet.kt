@@ -1,0 +1,63 @@
+package badlog.file
+
+import badlog.recording.Problem
+import java.io.File
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.concurrent.TimeUnit
+
+/**
+ * CTRE's program that makes a WPILOG of a `.hoot`, a format that CTRE does not tell. It is never part of badlog: it is called where it
+ * is on the PATH, as its help says: `owlet INPUT OUTPUT -f wpilog`.
+ */
+internal object Owlet {
+    private const val NAME = "owlet"
+
+    /** Whether a log of this format can be read here. */
+    val isInstalled: Boolean by lazy {
+        System.getenv("PATH").orEmpty().split(File.pathSeparator).any { folder ->
+            listOf(NAME, "$NAME.exe").any { name -> folder.isNotEmpty() && File(folder, name).canExecute() }
+        }
+    }
+
+    /** Makes the WPILOG [made] of [hoot] by [program]. */
+    fun convert(hoot: Path, made: Path, checkpoint: () -> Unit, program: String = NAME): List<Problem> {
+        val said = Files.createTempFile("badlog-", ".txt")
+        try {
+            val process = start(hoot, made, program, said)
+            try {
+                while (!process.waitFor(STEP, TimeUnit.MILLISECONDS)) checkpoint()
+            } finally {
+                process.destroyForcibly()
+            }
+            if (process.exitValue() != 0 || Files.size(made) == 0L) {
+                val words = Files.readString(said, Charsets.ISO_8859_1).lines().lastOrNull { it.isNotBlank() }?.trim()?.take(MOST)
+                throw UnreadableFileException(
+                    hoot,
+                    "CTRE's owlet made no WPILOG of $hoot (${words ?: "it did not say why"}); try a newer owlet, or Phoenix Tuner's Log Extractor.",
+                )
+            }
+            return emptyList()
+        } finally {
+            Files.deleteIfExists(said)
+        }
+    }
+
+    private fun start(hoot: Path, made: Path, program: String, said: Path): Process = try {
+        ProcessBuilder(program, hoot.toAbsolutePath().toString(), made.toString(), "-f", "wpilog")
+            .redirectErrorStream(true).redirectOutput(said.toFile()).start().also { it.outputStream.close() }
+    } catch (e: IOException) {
+        throw UnreadableFileException(
+            hoot,
+            "$hoot can only be read by CTRE's program owlet; put it on the PATH, or make a WPILOG of the log in Phoenix Tuner's Log Extractor.",
+            e,
+        )
+    }
+
+    /** After so many ms it is looked whether somebody has given up. */
+    private const val STEP = 50L
+
+    /** So many letters of what it said. */
+    private const val MOST = 200
+}

@@ -1,0 +1,110 @@
+package badlog.protobuf
+
+/**
+ * Reads messages of one [layout], one after another. Of a field that comes twice the last value counts, and messages that come in
+ * pieces are put together, as the encoding wants; fields that the layout does not know are left out.
+ */
+internal class MessageReader(private val layout: MessageLayout) {
+    private val bits = LongArray(layout.values.size)
+    private val froms = IntArray(layout.values.size)
+    private val ends = IntArray(layout.values.size)
+    private val isThere = BooleanArray(layout.values.size)
+    private val hasPart = BooleanArray(layout.partCount)
+
+    /** The elements of each of the layout's lists. */
+    val lists: List<MessageElements> = layout.lists.map { MessageElements() }
+
+    /** Reads the message from [from] until [until] of [bytes], which [MessageLayout.fits]. */
+    fun read(bytes: ByteArray, from: Int, until: Int) {
+        bits.fill(0)
+        froms.fill(0)
+        ends.fill(0)
+        isThere.fill(false)
+        hasPart.fill(false)
+        for (elements in lists) elements.clear()
+        read(layout.outermost, bytes, from, until)
+    }
+
+    /** Takes the element at [index] of the list [elements] for the whole message, where its elements are no messages. */
+    fun take(elements: MessageElements, index: Int) {
+        hasPart[0] = true
+        isThere[0] = true
+        bits[0] = elements.bits[index]
+        froms[0] = elements.froms[index]
+        ends[0] = elements.ends[index]
+    }
+
+    /** Whether [value] stands in the message, or its default is meant. */
+    fun has(value: MessageValue): Boolean = isThere[value.index] || (hasPart[value.part] && !value.hasPresence)
+
+    /** The bits of [value], unless it is of [WireReader.SIZED]. */
+    fun bitsOf(value: MessageValue): Long = bits[value.index]
+
+    /** Where the bytes of [value] begin, which is of [WireReader.SIZED]. */
+    fun fromOf(value: MessageValue): Int = froms[value.index]
+
+    /** Where they end. */
+    fun endOf(value: MessageValue): Int = ends[value.index]
+
+    private fun read(part: MessagePart, bytes: ByteArray, from: Int, until: Int) {
+        hasPart[part.index] = true
+        val reader = WireReader(bytes, from, until)
+        while (reader.next()) {
+            when (val member = part.members[reader.number]) {
+                null -> continue
+
+                is MessageValue -> take(member, reader)
+
+                is MessagePart -> read(member, bytes, reader.from, reader.end)
+
+                is MessageList -> if (member.isPacked(reader)) {
+                    val packed = WireReader(bytes, reader.from, reader.end)
+                    while (packed.nextPacked(member.wire)) lists[member.index].add(packed)
+                } else {
+                    lists[member.index].add(reader)
+                }
+            }
+        }
+    }
+
+    private fun take(value: MessageValue, reader: WireReader) {
+        isThere[value.index] = true
+        bits[value.index] = reader.bits
+        froms[value.index] = reader.from
+        ends[value.index] = reader.end
+    }
+}
+
+/** The elements of a list in one message. */
+internal class MessageElements {
+    /** Of numbers. */
+    var bits = LongArray(4)
+        private set
+
+    /** Where each begins, of texts, bytes and messages. */
+    var froms = IntArray(4)
+        private set
+
+    /** Where each ends. */
+    var ends = IntArray(4)
+        private set
+
+    /** How many there are. */
+    var size = 0
+        private set
+
+    fun clear() {
+        size = 0
+    }
+
+    fun add(reader: WireReader) {
+        if (size == bits.size) {
+            bits = bits.copyOf(size * 2)
+            froms = froms.copyOf(size * 2)
+            ends = ends.copyOf(size * 2)
+        }
+        bits[size] = reader.bits
+        froms[size] = reader.from
+        ends[size++] = reader.end
+    }
+}
