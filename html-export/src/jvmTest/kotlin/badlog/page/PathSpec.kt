@@ -7,6 +7,7 @@ import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.shouldNotBe
 import io.kotest.matchers.string.shouldContain
+import org.openqa.selenium.Keys
 
 /** The paths of robots, and topics over topics. */
 internal class PathSpec : PageSpec({
@@ -79,6 +80,25 @@ internal class PathSpec : PageSpec({
             script("return document.querySelector('.xy').toDataURL()") shouldNotBe before
             act { mouseTo((x + width * 0.5).toInt(), (y + height * 0.5).toInt()).mouseDown().mouseUp().mouseDown().mouseUp() }
             script("return document.querySelector('.xy').toDataURL()") shouldBe before
+        }
+    }
+
+    browserTest("Escape gives up a drag over a path, a frame as well as a move") {
+        onPage(page) {
+            val (x, y, width, height) = box()
+            fun picture() = script("return [...document.querySelectorAll('.xy')].map(canvas => canvas.toDataURL())")
+            val before = picture()
+            for (key in listOf("", Keys.SHIFT)) {
+                act {
+                    if (key.isNotEmpty()) keyDown(key)
+                    mouseTo((x + width * 0.3).toInt(), (y + height * 0.3).toInt()).mouseDown().mouseTo((x + width * 0.6).toInt(), (y + height * 0.6).toInt())
+                    sendKeys(Keys.ESCAPE).mouseTo((x + width * 0.99).toInt(), (y + height * 0.99).toInt()).mouseUp()
+                    if (key.isNotEmpty()) keyUp(key)
+                    this
+                }
+                act { mouseTo(3, 3) }
+                picture() shouldBe before
+            }
         }
     }
 

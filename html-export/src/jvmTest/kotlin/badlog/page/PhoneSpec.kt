@@ -10,6 +10,7 @@ import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.doubles.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
+import io.kotest.matchers.shouldNotBe
 import io.kotest.matchers.string.shouldContain
 import org.openqa.selenium.interactions.PointerInput
 import org.openqa.selenium.interactions.PointerInput.Kind
@@ -126,6 +127,22 @@ internal class PhoneSpec : PageSpec({
             graph("Step 1").steepest() shouldBe (0.5 plusOrMinus 0.03)
             repeat(2) { touch(List(2) { frame.at(0.5) }) }
             visibleRange shouldBe 0.0..10.0
+        }
+    }
+
+    browserTest("two fingers zoom a path, which a double tap shows whole again") {
+        onPage(TestPages.ofSample("wrong-turn.bag"), Screen.PHONE) {
+            script("document.querySelector('.xy').scrollIntoView({block: 'center', behavior: 'instant'})")
+            settle()
+            val corner = "const b = document.querySelector('.xy').getBoundingClientRect(); return"
+            val (x, y) = number("$corner b.x + b.width / 2").toInt() to number("$corner b.y + b.height / 2").toInt()
+            fun picture() = script("return document.querySelector('.xy').toDataURL()")
+            val before = picture()
+            touch(between(x - 20 to y, x - 90 to y), between(x + 20 to y, x + 90 to y))
+            picture() shouldNotBe before
+            elements(".cursor-line.is-pinned").filter { it.isDisplayed }.size shouldBe 0
+            repeat(2) { touch(List(2) { x to y }) }
+            picture() shouldBe before
         }
     }
 

@@ -5,7 +5,6 @@ import badlog.page.dom.add
 import badlog.page.dom.isHidden
 import badlog.page.dom.showText
 import badlog.page.view.Scene
-import badlog.page.view.findingText
 import badlog.page.view.word
 import badlog.plot.color.LINE_COLORS
 import badlog.plot.cursor.dotAt
@@ -50,15 +49,14 @@ internal class CursorOverlay(
     }
 
     private fun label(x: Double, width: Double) {
-        val said = if (isSeen(x)) scene.noteAt(x)?.text ?: scene.eventAt(x)?.text else null
-        val findings = if (isSeen(x)) scene.findingsAt(x) else emptyList()
-        eventLabel.isHidden = said == null
-        findingLabel.isHidden = findings.isEmpty()
+        val pointed = if (isSeen(x)) scene.pointedAt(x) else null
+        eventLabel.isHidden = pointed?.said == null
+        findingLabel.isHidden = pointed?.severity == null
         val pixel = pixelOf(x, width)
-        if (said != null) show(eventLabel, said, pixel, width)
-        if (findings.isEmpty()) return
-        findingLabel.className = "finding-label is-${findings[0].word}"
-        show(findingLabel, findingText(findings, x), pixel, width)
+        pointed?.said?.let { show(eventLabel, it, pixel, width) }
+        val severity = pointed?.severity ?: return
+        findingLabel.className = "finding-label is-${severity.word}"
+        show(findingLabel, pointed.found, pixel, width)
     }
 
     private fun show(label: HTMLElement, text: String, pixel: Double, width: Double) {

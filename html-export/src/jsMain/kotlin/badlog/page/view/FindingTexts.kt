@@ -2,6 +2,7 @@ package badlog.page.view
 
 import badlog.plot.text.countText
 import badlog.plot.timeline.FindingTimeline
+import badlog.recording.Severity
 import badlog.rules.Finding
 
 /** [findings] by their places on the x axis. */
@@ -14,7 +15,10 @@ internal val Finding.isPlaced: Boolean get() = time.isFinite()
 internal val Finding.end: Double get() = maxOf(time, spans.firstOrNull()?.to ?: time)
 
 /** Its severity as a word, which is also the name of its style. */
-internal val Finding.word: String get() = severity.name.lowercase()
+internal val Finding.word: String get() = severity.word
+
+/** As a word, which is also the name of its style. */
+internal val Severity.word: String get() = name.lowercase()
 
 /** What of this was found at the place nearest to [x]. */
 internal fun Finding.textNear(x: Double): String = placeNear(x)?.let(::textAt) ?: text

@@ -82,7 +82,18 @@ internal class Scene(val view: LogView, val palette: Palette, val board: PageBoa
         return listOf(here) + (all - here)
     }
 
-    /** The same without those that began before the last event at or before [x]: that is the news then. */
+    private var pointed: Pair<List<Any?>, Pointed>? = null
+
+    /** What is pointed at when the cursor is at [x], worked out once for all graphs that show it. */
+    fun pointedAt(x: Double): Pointed {
+        val asked = listOf(x, range.now, findings, visited)
+        pointed?.takeIf { it.first == asked }?.let { return it.second }
+        val found = findingsAt(x)
+        return Pointed(noteAt(x)?.text ?: eventAt(x)?.text, found.firstOrNull()?.severity, findingText(found, x))
+            .also { pointed = asked to it }
+    }
+
+    /** Those of [findingsAt] that did not begin before the last event at or before [x]: that is the news then. */
     fun newsAt(x: Double): List<Finding> {
         val last = lastEventAt(x) ?: return findingsAt(x)
         val from = last.x - range.now.width * REACH

@@ -1,5 +1,6 @@
 package badlog.page.xy
 
+import badlog.page.dom.EscapeKey
 import badlog.page.view.Scene
 import badlog.plot.gesture.DoubleClick
 import badlog.plot.gesture.DragKind
@@ -11,6 +12,7 @@ import org.w3c.dom.events.Event
 import org.w3c.dom.events.WheelEvent
 import org.w3c.dom.pointerevents.PointerEvent
 import kotlin.math.abs
+import kotlin.math.hypot
 
 /**
  * Lets the pointer put the cursor where the path passes it, zoom and pan, as over other graphs.
@@ -26,6 +28,8 @@ internal class XyGestures(
     private val onShow: (Plane?) -> Unit,
 ) {
     private val clicks = DoubleClick()
+    private val escape = EscapeKey(::giveUp)
+    private val fingers = LinkedHashMap<Int, PointerEvent>()
     private var pressed: PointerEvent? = null
     private var before: Plane? = null
     private var hasMoved = false
@@ -34,7 +38,10 @@ internal class XyGestures(
         on("pointerdown") { press(it.unsafeCast<PointerEvent>()) }
         on("pointermove") { move(it.unsafeCast<PointerEvent>()) }
         on("pointerup") { release(it.unsafeCast<PointerEvent>()) }
-        on("pointercancel") { pressed = null }
+        on("pointercancel") {
+            fingers.remove(it.unsafeCast<PointerEvent>().pointerId)
+            stop()
+        }
         on("pointerleave") { if (pressed == null) scene.cursor.change { left() } }
         on("wheel") { wheel(it.unsafeCast<WheelEvent>()) }
     }
@@ -44,15 +51,18 @@ internal class XyGestures(
     private fun press(event: PointerEvent) {
         if (event.button.toInt() != 0) return
         over.canvas.setPointerCapture(event.pointerId)
+        if (isTouch(event)) fingers[event.pointerId] = event
+        if (fingers.size > 1) return stop()
         pressed = event
         before = seen(over)
         hasMoved = false
+        escape.take()
     }
 
     private fun move(event: PointerEvent) {
         val start = pressed
         if (start == null) {
-            timeAt(event)?.let { scene.cursor.change { hovering(it) } }
+            if (isTouch(event)) pinch(event) else timeAt(event)?.let { scene.cursor.change { hovering(it) } }
             return
         }
         if (!hasMoved && abs(event.clientX - start.clientX) + abs(event.clientY - start.clientY) < DragKind.MIN_DISTANCE) return
@@ -66,9 +76,33 @@ internal class XyGestures(
         }
     }
 
-    private fun release(event: PointerEvent) {
-        val start = pressed ?: return
+    /** What was between two fingers stays between them. */
+    private fun pinch(event: PointerEvent) {
+        val last = fingers[event.pointerId] ?: return
+        val other = fingers.values.firstOrNull { it.pointerId != event.pointerId } ?: return
+        fingers[event.pointerId] = event
+        val factor = distance(last, other) / distance(event, other)
+        val plane = seen(over)
+        if (factor.isFinite() && factor > 0) onShow(plane.scaled(factor, plane.xAt(x(other)), plane.yAt(y(other))))
+    }
+
+    private fun distance(one: PointerEvent, other: PointerEvent) =
+        hypot((one.clientX - other.clientX).toDouble(), (one.clientY - other.clientY).toDouble())
+
+    private fun giveUp() {
+        if (hasMoved) onShow(before)
+        stop()
+    }
+
+    private fun stop() {
+        escape.giveBack()
         pressed = null
+    }
+
+    private fun release(event: PointerEvent) {
+        fingers.remove(event.pointerId)
+        val start = pressed ?: return
+        stop()
         if (!hasMoved) {
             tap(event)
         } else if (!isPan(start)) {
@@ -91,7 +125,9 @@ internal class XyGestures(
     }
 
     // A finger moves what it touches, as on a map; a mouse draws a frame around it.
-    private fun isPan(start: PointerEvent) = start.shiftKey || start.pointerType == "touch"
+    private fun isPan(start: PointerEvent) = start.shiftKey || isTouch(start)
+
+    private fun isTouch(event: PointerEvent) = event.pointerType == "touch"
 
     private fun x(event: PointerEvent) = over.shareX(event.clientX.toDouble())
 
