@@ -4,11 +4,11 @@ import badlog.analysis.Span
 
 /** The field that paths are on: its outline and its middle line, in meters from the corner at the right of the blue alliance's wall. */
 public object Field {
-    /** How long it is, from the blue alliance's wall to the red one's; that of 2026. */
-    public const val LENGTH: Double = 16.54
+    /** How long it is, from the blue alliance's wall to the red one's; that of 2026, as WPILib's layout of its tags has it. */
+    public const val LENGTH: Double = 16.541
 
     /** How wide it is. */
-    public const val WIDTH: Double = 8.07
+    public const val WIDTH: Double = 8.069
 
     /** All of it, and what lies around it where [trails] leave it. */
     internal fun around(trails: List<Trail>): Plane {
