@@ -17,6 +17,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.StandardCopyOption.ATOMIC_MOVE
 import java.nio.file.StandardCopyOption.REPLACE_EXISTING
+import java.nio.file.attribute.FileTime
 import java.time.Duration
 import java.time.Instant
 
@@ -119,6 +120,8 @@ internal class Transfer(
         val digest = FetchedLogs.digestOf(whole.part)
         val former = here.find(connection.robot, log.path)?.let(here::fileOf)?.takeIf { isBeginning(it, whole.part) }
         val file = moveTo(whole.part, place, former)
+        // The window, and the file managers of systems, sort by it.
+        writtenAt(log)?.let { time -> writing(file) { Files.setLastModifiedTime(file, FileTime.from(time)) } }
         val name = options.folder.relativize(file).joinToString("/")
         here.add(LogHere(connection.robot, log.path, log.size, log.modified, name, digest, System.currentTimeMillis()))
         done += log.path
@@ -161,8 +164,8 @@ internal class Transfer(
 
     private fun deleteIfOld(connection: RobotConnection, log: RemoteLog, age: Duration) {
         val found = here.find(connection.robot, log.path)?.takeIf { it.size == log.size && it.modified == log.modified } ?: return
-        // A robot's clock begins at 1970 or so until something sets it; what it wrote then is as old as it is here.
-        val written = Instant.ofEpochSecond(log.modified).takeIf { it > BELIEVABLE } ?: Instant.ofEpochMilli(found.fetched)
+        // What was written by a wrong clock is as old as it is here.
+        val written = writtenAt(log) ?: Instant.ofEpochMilli(found.fetched)
         if (written > Instant.now().minus(age) || !here.isSafe(found)) return
         checkpoint()
         if (connection.look(log) != log) return
@@ -174,6 +177,9 @@ internal class Transfer(
             skip(log.path, "${printablePath(log.path)} cannot be removed from the robot (${e.message}).")
         }
     }
+
+    /** When [log] was written last; null where the robot's clock, which begins at 1970 or so, was not set. */
+    private fun writtenAt(log: RemoteLog): Instant? = Instant.ofEpochSecond(log.modified).takeIf { it > BELIEVABLE }
 
     private fun skipGrowing(log: RemoteLog) {
         done += log.path

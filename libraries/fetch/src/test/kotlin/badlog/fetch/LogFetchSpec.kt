@@ -63,6 +63,10 @@ class LogFetchSpec : FunSpec({
             (pit.folder / "MILLC" / "match Qualification 42.bag").readText() shouldBe matchBag(42)
             summary.fetched.map { it.title } shouldContainExactly listOf("MILLC Qualification 42", "MILLC Qualification 41", null)
             heard.said.take(2) shouldContainExactly listOf("connected to 10.10.14.2 as lvuser", "found 3 new, 0 known")
+            val times = listOf("MILLC/FRC_20260316_104107_MILLC_Q41.bag", "MILLC/match Qualification 42.bag", "bench.csv").map { name ->
+                (System.currentTimeMillis() - Files.getLastModifiedTime(pit.folder / name).toMillis()) / 1000 / 100
+            }
+            times shouldContainExactly listOf(9, 1, 10)
             robot.log("x", "").parent.toFile().list()!!.size shouldBe 5
         }
     }
