@@ -45,22 +45,45 @@ public fun Series.statistics(
     from: Double = Double.NEGATIVE_INFINITY,
     to: Double = Double.POSITIVE_INFINITY,
     end: Double = Double.NaN,
-): SeriesStatistics {
-    val begin = if (isOrdered) firstAtOrAfter(from) else 0
-    val stop = if (isOrdered) firstAfter(to) else size
-    // What holds on from before the range, unless a sample stands at its very begin.
-    val held = if (isOrdered && from <= to && begin in 1..size && !(begin < size && x[begin] == from)) begin - 1 else begin
-    val figures = WeighedFigures(maxOf(0, stop - held))
-    for (i in held until stop) {
-        if (i >= begin && x[i] !in from..to) continue
-        val until = when {
-            i + 1 == size -> if (end > x[i]) end else x[i]
-            isOrdered || x[i + 1] in from..to -> x[i + 1]
-            else -> x[i]
+): SeriesStatistics = statistics(listOf(Span(from, to)), end)
+
+/**
+ * The statistics of several [parts] together, without what lies between them, as of the time in which a robot was enabled.
+ *
+ * @param parts in the order of x; they do not touch.
+ * @param end as that of the statistics of one part.
+ */
+public fun Series.statistics(parts: List<Span>, end: Double = Double.NaN): SeriesStatistics {
+    val pieces = parts.map { Piece(this, it) }
+    val figures = WeighedFigures(pieces.sumOf { maxOf(0, it.stop - it.held) })
+    for (piece in pieces) {
+        val (from, to) = piece.part
+        for (i in piece.held until piece.stop) {
+            if (i >= piece.begin && x[i] !in from..to) continue
+            val until = when {
+                i + 1 == size -> if (end > x[i]) end else x[i]
+                isOrdered || x[i + 1] in from..to -> x[i + 1]
+                else -> x[i]
+            }
+            figures.add(maxOf(x[i], from), minOf(until, to), y[i], isCounted = i >= piece.begin)
         }
-        figures.add(maxOf(x[i], from), minOf(until, to), y[i], isCounted = i >= begin)
     }
     return figures.statistics()
+}
+
+/** The samples of [series] that [part] is about. */
+private class Piece(series: Series, val part: Span) {
+    val begin = if (series.isOrdered) series.firstAtOrAfter(part.from) else 0
+    val stop = if (series.isOrdered) series.firstAfter(part.to) else series.size
+
+    /** What holds on from before the part, unless a sample stands at its very begin. */
+    val held = if (series.isOrdered && part.from <= part.to && begin in 1..series.size &&
+        !(begin < series.size && series.x[begin] == part.from)
+    ) {
+        begin - 1
+    } else {
+        begin
+    }
 }
 
 /** The statistics of [line], one of this view's; where its values hold, the last one does until the end of the recording. */
@@ -68,7 +91,11 @@ public fun LogView.statisticsOf(
     line: GraphSeries,
     from: Double = Double.NEGATIVE_INFINITY,
     to: Double = Double.POSITIVE_INFINITY,
-): SeriesStatistics = line.data.statistics(from, to, xAxis.range?.endInclusive?.takeIf { line.holds } ?: Double.NaN)
+): SeriesStatistics = statisticsOf(line, listOf(Span(from, to)))
+
+/** The same of several [parts] together, which are in the order of x and do not touch. */
+public fun LogView.statisticsOf(line: GraphSeries, parts: List<Span>): SeriesStatistics =
+    line.data.statistics(parts, xAxis.range?.endInclusive?.takeIf { line.holds } ?: Double.NaN)
 
 private class WeighedFigures(most: Int) {
     private val values = DoubleArray(most)

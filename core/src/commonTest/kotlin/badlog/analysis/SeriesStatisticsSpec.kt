@@ -187,4 +187,17 @@ class SeriesStatisticsSpec : FunSpec({
             series.statistics(to = to) shouldBeLike sortedWay(series, Double.NEGATIVE_INFINITY, to, Double.NaN)
         }
     }
+
+    test("of several parts together it counts and weighs what lies in them, and nothing between them") {
+        val series = Series(DoubleArray(10) { it.toDouble() }, DoubleArray(10) { if (it in 3..5) 100.0 else it.toDouble() })
+        val together = series.statistics(listOf(Span(0.5, 2.0), Span(6.0, 8.0)))
+        together.count shouldBe 5
+        together.min shouldBe 0.0
+        together.max shouldBe 8.0
+        together.first shouldBe 0.0
+        together.last shouldBe 8.0
+        // 0 holds for 0.5, 1 for 1, 6 for 1 and 7 for 1.
+        together.integral shouldBe (14.0 plusOrMinus 1e-9)
+        together.mean shouldBe (14.0 / 3.5 plusOrMinus 1e-9)
+    }
 })

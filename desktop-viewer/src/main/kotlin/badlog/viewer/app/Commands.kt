@@ -40,12 +40,19 @@ internal fun actionCommands(
         when (action) {
             Action.CURSOR_VALUES -> panels.change { toggled(InspectorTab.CURSOR) }
             Action.NEW_FORMULA -> formulas.write()
-            Action.NEXT_FINDING -> findings.step(1)
-            Action.PREVIOUS_FINDING -> findings.step(-1)
+            Action.NEXT_FINDING -> stepFinding(1, findings, panels)
+            Action.PREVIOUS_FINDING -> stepFinding(-1, findings, panels)
             in BOARD_ACTIONS -> arrange(action, board)
             else -> move(action, current, view)
         }
     }
+}
+
+/** Goes to the finding that is [steps] further on; beside it stands what to look at next, unless a person reads another panel. */
+private fun stepFinding(steps: Int, findings: LogFindings, panels: WindowPanels) {
+    findings.step(steps)
+    // In front of the graphs of a narrow window nothing is opened.
+    panels.change { if (inspector == null) copy(inspector = InspectorTab.FINDINGS) else this }
 }
 
 private val BOARD_ACTIONS = setOf(Action.PIN, Action.MOVE_UP, Action.MOVE_DOWN, Action.NEXT_HEIGHT, Action.UNDO, Action.REDO)

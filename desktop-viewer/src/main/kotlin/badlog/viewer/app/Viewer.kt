@@ -30,6 +30,7 @@ import badlog.viewer.library.LibraryActions
 import badlog.viewer.library.index.LogEntry
 import badlog.viewer.note.LogNotes
 import badlog.viewer.panels.FrontPart
+import badlog.viewer.panels.InspectorTab
 import badlog.viewer.panels.MainView
 import badlog.viewer.panels.WindowPanels
 import badlog.viewer.playback.Player
@@ -87,7 +88,7 @@ internal class Viewer(
     val layouts = LayoutStore(folders, library, current, board, view, compared, axis, formulas, panels, notices)
     val layoutFiles = LayoutFiles(layouts, library, current, files, tasks, notices)
     val pages = PageSaver(scope, current, compared, formulas, library, files, tasks, notices)
-    val figures = FigureSaver(scope, current, compared, view, events, findings, files, tasks, notices)
+    val figures = FigureSaver(scope, current, compared, view, events, findings, notes, board, files, tasks, notices)
     val cuts = CutSaver(current, view, files, tasks, notices)
     val tables = TableSaver(files, tasks, notices)
     val graphs = GraphScene(current, board, view, compared, events, findings, notes, player, settings, figures::copy, ::askForTopics, axis)
@@ -105,6 +106,7 @@ internal class Viewer(
     val logActions = LibraryActions(
         open = opener::open,
         openInGraphs = ::openInGraphs,
+        openFindings = ::openFindings,
         check = compared::toggle,
         askForFolder = opener::askForFolder,
         askForLog = opener::askForLog,
@@ -179,6 +181,14 @@ internal class Viewer(
     private fun openInGraphs(entry: LogEntry) {
         opener.open(entry)
         if (entry.isReadable) panels.change { copy(main = MainView.GRAPHS) }
+    }
+
+    private fun openFindings(entry: LogEntry) {
+        // What is open keeps its graphs.
+        if (entry.file != current.recording?.file) openInGraphs(entry)
+        if (!entry.isReadable) return
+        panels.change { copy(main = MainView.GRAPHS, inspector = InspectorTab.FINDINGS) }
+        findings.showWorst(entry.file)
     }
 
     private suspend fun awaitDrawn() {

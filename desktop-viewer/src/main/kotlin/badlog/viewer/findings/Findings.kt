@@ -1,5 +1,8 @@
 package badlog.viewer.findings
 
+import badlog.plot.search.Query
+import badlog.plot.search.findsFound
+import badlog.plot.search.searchedText
 import badlog.plot.timeline.FindingTimeline
 import badlog.recording.Severity
 import badlog.rules.Finding
@@ -70,4 +73,14 @@ internal class FindingList(
 
     /** The one that says the same as [finding], of which there may be another one since the log has grown; null without any. */
     fun like(finding: Finding): Finding? = all.find { it.rule == finding.rule && it.topic == finding.topic }
+
+    /** What a search for [text] finds of it. */
+    fun foundBy(text: String): SearchedFindings {
+        val query = Query(text)
+        if (query.isEmpty) return SearchedFindings(incidents, all)
+        return SearchedFindings(incidents.filter { query.findsFound(it.searchedText) }, all.filter { query.findsFound(it.searchedText) })
+    }
 }
+
+/** The [incidents] and the [findings] that a search leaves, in their order. */
+internal class SearchedFindings(val incidents: List<Incident>, val findings: List<Finding>)

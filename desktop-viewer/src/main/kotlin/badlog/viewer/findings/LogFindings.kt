@@ -42,19 +42,43 @@ internal class LogFindings(
     private val awaitDrawn: suspend () -> Unit,
     private val find: (view: LogView, file: Path, library: Path?) -> FindingList = ::findingsOf,
 ) : Part<Findings>(Findings()) {
+    /** The log whose worst finding is shown as soon as it is known; null for none. */
+    private var worstWanted: Path? = null
+
     /** Runs the rules over whatever is opened, until cancelled. */
-    suspend fun run() = snapshotFlow { Wanted(current.recording?.file, folder(), state.timesAsked) }
-        .collectLatest { wanted ->
+    suspend fun run() {
+        var before: Path? = null
+        snapshotFlow { Wanted(current.recording?.file, folder(), state.timesAsked) }.collectLatest { wanted ->
             change { unknown() }
+            // A person has opened another log meanwhile.
+            if (wanted.file != before && wanted.file != worstWanted) worstWanted = null
+            before = wanted.file
             if (wanted.file == null) return@collectLatest
             withTimeoutOrNull(PATIENCE) { awaitDrawn() }
             snapshotFlow { current.recording?.takeIf { it.file == wanted.file }?.logged }.filterNotNull().conflate().collect { view ->
                 val began = TimeSource.Monotonic.markNow()
                 val list = runInterruptible(Dispatchers.IO) { find(view, wanted.file, wanted.library) }
                 change { knowing(list) }
+                if (worstWanted == wanted.file) goToWorst()
                 delay(restAfter(began.elapsedNow()))
             }
         }
+    }
+
+    /**
+     * Goes to what stands first of [log], which is open or being opened, as soon as the rules have been run over it: what began its worst
+     * incident, or else its worst finding.
+     */
+    fun showWorst(log: Path) {
+        worstWanted = log
+        if (current.recording?.file == log && state.list != null) goToWorst()
+    }
+
+    private fun goToWorst() {
+        worstWanted = null
+        val list = state.list ?: return
+        (list.incidents.firstOrNull()?.sentences?.first()?.finding ?: list.all.firstOrNull())?.let { goTo(it) }
+    }
 
     /** Runs the rules once more. */
     fun runAgain() = change { copy(timesAsked = timesAsked + 1) }

@@ -3,6 +3,8 @@ package badlog.viewer.formula
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
 import androidx.compose.foundation.clickable
+import androidx.compose.foundation.interaction.MutableInteractionSource
+import androidx.compose.foundation.interaction.collectIsFocusedAsState
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
@@ -17,6 +19,7 @@ import androidx.compose.material3.LocalTextStyle
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.getValue
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -126,18 +129,26 @@ internal fun FormulaField(writer: FormulaWriter) {
     val focus = remember { FocusRequester() }
     LaunchedEffect(writer) { focus.requestFocus() }
     val error = writer.error
+    val interactions = remember { MutableInteractionSource() }
+    val isFocused by interactions.collectIsFocusedAsState()
+    val border = when {
+        error != null -> palette.error
+        isFocused -> palette.accent
+        else -> palette.border
+    }
     BasicTextField(
         writer.field,
         { writer.field = it },
         Modifier
             .fillMaxWidth()
             .background(palette.raised, RoundedCornerShape(5.dp))
-            .border(1.dp, if (error == null) palette.border else palette.error, RoundedCornerShape(5.dp))
+            .border(if (isFocused) 2.dp else 1.dp, border, RoundedCornerShape(5.dp))
             .padding(horizontal = 10.dp, vertical = 8.dp)
             .focusRequester(focus)
             .semantics { contentDescription = "Definition of the formula" },
         textStyle = LocalTextStyle.current.copy(color = palette.text, fontFamily = FontFamily.Monospace),
         maxLines = 6,
+        interactionSource = interactions,
         visualTransformation = { TransformedText(underlined(it, error, palette), OffsetMapping.Identity) },
         cursorBrush = SolidColor(palette.accent),
     )

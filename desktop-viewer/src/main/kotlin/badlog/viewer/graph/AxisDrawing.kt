@@ -17,6 +17,7 @@ import androidx.compose.ui.unit.sp
 import badlog.analysis.Span
 import badlog.plot.axis.AxisSide
 import badlog.plot.axis.Ticks
+import badlog.viewer.graph.plot.DrawnLine
 import badlog.viewer.graph.plot.PlotPicture
 import badlog.viewer.graph.plot.PlotState
 import badlog.viewer.graph.plot.YAxis
@@ -48,11 +49,10 @@ internal fun YAxes(scene: GraphScene, state: PlotState, modifier: Modifier) {
                 }
             }
             picture.lanes.forEachIndexed { index, lane ->
-                val name = lane.line.title.take(MAX_LETTERS)
                 val text = letters.measure(
-                    name,
+                    laneName(lane.line, picture.lanes.map { it.line }),
                     style,
-                    TextOverflow.Ellipsis,
+                    if (lane.line.label == null) TextOverflow.Ellipsis else TextOverflow.MiddleEllipsis,
                     softWrap = false,
                     maxLines = 1,
                     constraints = Constraints(maxWidth = (left - 2 * margin).toInt().coerceAtLeast(1)),
@@ -62,6 +62,12 @@ internal fun YAxes(scene: GraphScene, state: PlotState, modifier: Modifier) {
             }
         },
     )
+}
+
+/** What [line], one of [all], is called beside its lane: of several recordings each has a lane of the same name. */
+internal fun laneName(line: DrawnLine, all: List<DrawnLine>): String {
+    val label = line.label?.take(MAX_LETTERS) ?: return line.title.take(MAX_LETTERS)
+    return if (all.all { it.signal.name == line.signal.name }) label else "${line.title.take(MAX_LETTERS)} · $label"
 }
 
 /** Two axes are told apart by the colors of their lines. */

@@ -1,6 +1,8 @@
 package badlog.viewer.graph
 
+import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
@@ -9,11 +11,17 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.input.pointer.PointerIcon
 import androidx.compose.ui.input.pointer.pointerHoverIcon
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.SpanStyle
 import androidx.compose.ui.text.buildAnnotatedString
 import androidx.compose.ui.text.font.FontWeight
@@ -22,36 +30,65 @@ import androidx.compose.ui.text.withStyle
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.plot.board.BoardGraph
+import badlog.plot.text.countText
+import badlog.viewer.graph.plot.DrawnLine
 import badlog.viewer.graph.plot.drawnLines
 import badlog.viewer.graph.scene.GraphScene
 import badlog.viewer.graph.xy.XyLegend
+import badlog.viewer.menu.MenuBox
 import badlog.viewer.theme.LocalPalette
 import java.awt.Cursor
 
-/** What a graph is called, and what its lines are; no more than [maxLines] of text. */
+/** What a graph is called, and what its lines are; no more than [maxLines] of text. What has no room there is in a menu. */
 @Composable
 internal fun GraphHeader(scene: GraphScene, spec: BoardGraph, maxLines: Int, modifier: Modifier) {
     val lines = remember(spec, scene.recordings) { drawnLines(spec, scene.recordings) }
-    FlowRow(
-        modifier.fillMaxWidth().heightIn(min = (GraphScene.HEADER_HEIGHT - 2).dp).padding(start = 10.dp, end = 12.dp, top = 2.dp),
-        horizontalArrangement = Arrangement.spacedBy(14.dp),
-        itemVerticalAlignment = Alignment.CenterVertically,
-        maxLines = maxLines,
-    ) {
-        GraphTitle(spec.title)
-        if (spec.isXy) {
+    val room = modifier.fillMaxWidth().heightIn(min = (GraphScene.HEADER_HEIGHT - 2).dp).padding(start = 10.dp, end = 12.dp, top = 2.dp)
+    if (spec.isXy) {
+        FlowRow(room, Arrangement.spacedBy(14.dp), itemVerticalAlignment = Alignment.CenterVertically, maxLines = maxLines) {
+            GraphTitle(spec.title)
             XyLegend(scene, spec)
-            return@FlowRow
         }
-        // The only signal of a graph is what the graph is called.
-        val isAlone = lines.distinctBy { it.signal.name }.size == 1 && lines.first().signal.name.endsWith(plain(spec.title))
-        for (line in lines.take(MAX_ENTRIES)) {
-            LegendEntry(scene, spec, line, hasName = !isAlone)
+        return
+    }
+    // The only signal of a graph is what the graph is called.
+    val isAlone = lines.distinctBy { it.signal.name }.size == 1 && lines.first().signal.name.endsWith(plain(spec.title))
+    LegendFlow(
+        count = maxOf(lines.size, 1),
+        maxLines,
+        room,
+        title = { GraphTitle(spec.title) },
+        // A line may be gone that has not been laid out again yet.
+        entry = { i -> lines.getOrNull(i)?.let { LegendEntry(scene, spec, it, hasName = !isAlone) } ?: NoLines(lines) },
+        more = { first -> MoreLines(scene, spec, lines.drop(first)) },
+    )
+}
+
+@Composable
+private fun NoLines(lines: List<DrawnLine>) {
+    if (lines.isEmpty()) Text("not in this log", color = LocalPalette.current.muted, fontSize = 12.sp)
+}
+
+/** Stands for [lines], which the header of [spec] has no room for; a click lists them. */
+@Composable
+private fun MoreLines(scene: GraphScene, spec: BoardGraph, lines: List<DrawnLine>) {
+    var isOpen by remember { mutableStateOf(false) }
+    val list = @Composable {
+        Column(Modifier.padding(horizontal = 12.dp), Arrangement.spacedBy(3.dp)) {
+            for (line in lines) LegendEntry(scene, spec, line, hasName = true)
         }
-        if (lines.isEmpty()) Text("not in this log", color = LocalPalette.current.muted, fontSize = 12.sp)
-        if (lines.size > MAX_ENTRIES) {
-            Text("and ${lines.size - MAX_ENTRIES} more", color = LocalPalette.current.muted, fontSize = 12.sp)
-        }
+    }
+    MenuBox(isOpen, { isOpen = false }, menu = list) {
+        Text(
+            "+${lines.size}",
+            Modifier
+                .clickable(role = Role.Button) { isOpen = !isOpen }
+                .semantics { contentDescription = "${countText(lines.size, "more line")} of ${spec.title}" }
+                .padding(horizontal = 4.dp),
+            color = LocalPalette.current.accent,
+            fontSize = 12.sp,
+            maxLines = 1,
+        )
     }
 }
 
@@ -75,5 +112,4 @@ private fun GraphTitle(title: String) {
 /** A title as the signal's name has it. */
 private fun plain(title: String) = title.substringAfterLast('/').removePrefix("[ ").removeSuffix(" ]")
 
-private const val MAX_ENTRIES = 24
 private const val MAX_FOLDER_LETTERS = 60

@@ -1,7 +1,5 @@
 package badlog.viewer.graph
 
-import androidx.compose.foundation.layout.Box
-import androidx.compose.material3.DropdownMenu
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.runtime.Composable
 import badlog.plot.axis.AxisSide
@@ -11,7 +9,7 @@ import badlog.plot.board.GraphHeight
 import badlog.plot.path.xyLabelOf
 import badlog.viewer.compare.shortLabel
 import badlog.viewer.graph.scene.GraphScene
-import badlog.viewer.menu.ClosesByEscape
+import badlog.viewer.menu.MenuBox
 import badlog.viewer.menu.MenuLine
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.ToolButton
@@ -44,14 +42,11 @@ internal fun graphActions(scene: GraphScene, spec: BoardGraph): List<List<GraphA
                 .takeIf { spec.lines.size > 1 },
             GraphAction("A graph for each line") { board.change { separated(spec.id) } }.takeIf { spec.lines.size > 1 },
         ),
-        board.state.graphs.filter { it.id != spec.id }.take(MOST_OFFERED).map { other ->
+        board.state.graphs.filter { it.id != spec.id }.map { other ->
             GraphAction("Add to ${quoted(other)}") { board.change { joined(other.id, spec.id) } }
         },
     ).filter { it.isNotEmpty() }
 }
-
-/** So many graphs are offered to add something to: more would not fit a small window. */
-internal const val MOST_OFFERED = 10
 
 /** The title of [graph] as a line of a menu has it. */
 internal fun quoted(graph: BoardGraph): String = "“${shortLabel(graph.title, TITLE_LETTERS)}”"
@@ -69,19 +64,18 @@ private fun fixY(scene: GraphScene, spec: BoardGraph) {
 /** A button that opens what can be done with [spec]; [onOpen] hears whether it is open. */
 @Composable
 internal fun GraphMenu(scene: GraphScene, spec: BoardGraph, isOpen: Boolean, onOpen: (Boolean) -> Unit) {
-    Box {
-        ToolButton("More for this graph", Icons.More, isOn = isOpen) { onOpen(!isOpen) }
-        ClosesByEscape(isOpen) { onOpen(false) }
-        DropdownMenu(isOpen, onDismissRequest = { onOpen(false) }) {
-            graphActions(scene, spec).forEachIndexed { i, group ->
-                if (i > 0) HorizontalDivider()
-                for (action in group) {
-                    MenuLine(action.label, Icons.Check.takeIf { action.isOn }) {
-                        onOpen(false)
-                        action.run()
-                    }
+    val lines = @Composable {
+        graphActions(scene, spec).forEachIndexed { i, group ->
+            if (i > 0) HorizontalDivider()
+            for (action in group) {
+                MenuLine(action.label, Icons.Check.takeIf { action.isOn }) {
+                    onOpen(false)
+                    action.run()
                 }
             }
         }
+    }
+    MenuBox(isOpen, { onOpen(false) }, menu = lines) {
+        ToolButton("More for this graph", Icons.More, isOn = isOpen) { onOpen(!isOpen) }
     }
 }

@@ -2,6 +2,7 @@ package badlog.viewer.inspector
 
 import androidx.compose.foundation.VerticalScrollbar
 import androidx.compose.foundation.background
+import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
@@ -10,10 +11,12 @@ import androidx.compose.foundation.layout.fillMaxHeight
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.lazy.LazyColumn
 import androidx.compose.foundation.lazy.items
 import androidx.compose.foundation.lazy.rememberLazyListState
 import androidx.compose.foundation.rememberScrollbarAdapter
+import androidx.compose.material3.Icon
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
@@ -25,6 +28,7 @@ import androidx.compose.runtime.snapshotFlow
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
@@ -39,6 +43,7 @@ import badlog.viewer.recording.OpenRecording
 import badlog.viewer.recording.Signal
 import badlog.viewer.recording.isFoundBy
 import badlog.viewer.recording.valueText
+import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.SearchField
 import badlog.viewer.view.AxisView
@@ -80,7 +85,14 @@ internal fun CursorPanel(board: GraphBoard, findings: LogFindings, view: AxisVie
             )
         }
         Box(Modifier.fillMaxSize()) {
-            LazyColumn(Modifier.fillMaxSize(), state) { items(rows) { CursorLine(it) } }
+            val drawn = remember(board.state) { board.state.graphs.flatMap { graph -> graph.lines.map { it to graph.id } }.toMap() }
+            LazyColumn(Modifier.fillMaxSize(), state) {
+                items(rows) { row ->
+                    CursorLine(row, isDrawn = row.name in drawn) {
+                        drawn[row.name]?.let(board::goTo) ?: board.change { withGraph(listOf(row.name)) }
+                    }
+                }
+            }
             VerticalScrollbar(rememberScrollbarAdapter(state), Modifier.align(Alignment.CenterEnd).fillMaxHeight())
         }
     }
@@ -109,15 +121,23 @@ internal fun cursorRows(signals: List<Signal>, values: CursorValues, x: Double?)
         CursorRow(signal.name, if (x == null) "" else valueText(signal, x), value.hasChanged)
     }
 
+/** A topic, its value, and a pin that draws it, or leads to its graph where it [isDrawn]. */
 @Composable
-private fun CursorLine(row: CursorRow) {
+private fun CursorLine(row: CursorRow, isDrawn: Boolean, onPin: () -> Unit) {
     val palette = LocalPalette.current
     Row(
         Modifier.fillMaxWidth()
             .background(if (row.hasChanged) palette.accentSoft else Color.Transparent)
             .padding(start = 12.dp, end = 14.dp, top = 1.dp, bottom = 1.dp),
         horizontalArrangement = Arrangement.spacedBy(8.dp),
+        verticalAlignment = Alignment.CenterVertically,
     ) {
+        Icon(
+            Icons.Pin,
+            if (isDrawn) "Go to the graph of ${row.name}" else "Draw ${row.name}",
+            Modifier.size(14.dp).clickable(role = Role.Button, onClick = onPin),
+            if (isDrawn) palette.accent else palette.muted,
+        )
         Text(row.name, Modifier.weight(1f), color = palette.muted, maxLines = 1, overflow = TextOverflow.StartEllipsis)
         Text(row.text, Modifier.weight(0.8f), fontWeight = FontWeight.Medium, maxLines = 1, overflow = TextOverflow.Ellipsis)
     }

@@ -40,6 +40,7 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.plot.gesture.Action
+import badlog.plot.search.hiddenBySearch
 import badlog.plot.text.countText
 import badlog.recording.Severity
 import badlog.rules.Finding
@@ -54,6 +55,7 @@ import badlog.viewer.findings.word
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
+import badlog.viewer.theme.SearchField
 import badlog.viewer.theme.ToolButton
 import badlog.viewer.view.AxisView
 
@@ -79,20 +81,22 @@ internal fun FindingsPanel(
         return
     }
     val times = remember(open) { EventTimes(open) }
+    var query by remember(open.file) { mutableStateOf("") }
+    val found = remember(list, query) { list.foundBy(query) }
     var showsSkipped by remember { mutableStateOf(false) }
     val state = rememberLazyListState()
     fun goTo(finding: Finding) {
         findings.goTo(finding)
         onGo()
     }
-    LaunchedEffect(selected) {
-        if (selected !in list.all) return@LaunchedEffect
+    LaunchedEffect(selected, found) {
+        if (selected !in found.findings) return@LaunchedEffect
         // Only when it is laid out is it known how much room its details take.
         withFrameNanos { }
         val visible = state.layoutInfo.visibleItemsInfo
         // Who goes to what an incident speaks of goes on reading there.
-        val isRead = visible.any { line -> list.incidents.getOrNull(line.index)?.let { selected in it.causes + it.effects } == true }
-        if (!isRead) showWhole(state, list.all.indexOf(selected) + list.incidents.size)
+        val isRead = visible.any { line -> found.incidents.getOrNull(line.index)?.let { selected in it.causes + it.effects } == true }
+        if (!isRead) showWhole(state, found.findings.indexOf(selected) + found.incidents.size)
     }
     Column(modifier) {
         Row(Modifier.fillMaxWidth().padding(start = 12.dp, end = 4.dp, top = 4.dp), verticalAlignment = Alignment.CenterVertically) {
@@ -110,10 +114,16 @@ internal fun FindingsPanel(
         Small("Rules: ${list.rulesFile?.let { "${it.fileName} in ${it.parent.fileName}" } ?: "built-in"}.")
         if (compared.drawn.size > 1) Small("Of the open log only, not of those it is compared with.")
         list.trouble?.let { Box(Modifier.padding(horizontal = 12.dp, vertical = 4.dp)) { PointedText(it) } }
+        if (list.all.isNotEmpty()) {
+            SearchField(query, "Search findings", Modifier.fillMaxWidth().padding(horizontal = 8.dp, vertical = 4.dp)) { query = it }
+            HiddenLine(hiddenBySearch(list.incidents.size - found.incidents.size, list.all.size - found.findings.size)) { query = "" }
+        }
         Box(Modifier.weight(1f)) {
             LazyColumn(Modifier.fillMaxSize(), state) {
-                items(list.incidents) { incident -> IncidentLine(incident, times) { goTo(it) } }
-                items(list.all) { finding ->
+                items(found.incidents) { incident ->
+                    IncidentLine(incident, times, isOpen = selected != null && selected in incident) { goTo(it) }
+                }
+                items(found.findings) { finding ->
                     val isSelected = finding === selected
                     FindingLine(finding, times, isSelected, { goTo(finding) }) {
                         if (isSelected) FindingDetails(findings, view, board, open, finding, times)
@@ -126,6 +136,16 @@ internal fun FindingsPanel(
             }
             VerticalScrollbar(rememberScrollbarAdapter(state), Modifier.align(Alignment.CenterEnd).fillMaxHeight())
         }
+    }
+}
+
+/** Says what a search hides, where it hides something, and shows that again. */
+@Composable
+private fun HiddenLine(text: String, onShow: () -> Unit) {
+    if (text.isEmpty()) return
+    Row(Modifier.fillMaxWidth().padding(start = 12.dp, end = 4.dp), verticalAlignment = Alignment.CenterVertically) {
+        Text(text, Modifier.weight(1f), color = LocalPalette.current.muted, fontSize = 12.sp)
+        ToolButton("Show the findings that the search hides", text = "Show them", onClick = onShow)
     }
 }
 

@@ -2,6 +2,8 @@ package badlog.viewer.inspector
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
+import androidx.compose.foundation.interaction.MutableInteractionSource
+import androidx.compose.foundation.interaction.collectIsFocusedAsState
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
@@ -15,6 +17,7 @@ import androidx.compose.material3.LocalTextStyle
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.getValue
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -74,6 +77,8 @@ internal fun placeOfNote(view: AxisView): Double = view.cursor ?: view.viewport.
 private fun NoteField(notes: LogNotes, draft: NoteDraft, times: EventTimes) {
     val palette = LocalPalette.current
     val focus = remember { FocusRequester() }
+    val interactions = remember { MutableInteractionSource() }
+    val isFocused by interactions.collectIsFocusedAsState()
     LaunchedEffect(draft.x, draft.replaced) { focus.requestFocus() }
     Column(Modifier.fillMaxWidth().padding(8.dp), Arrangement.spacedBy(4.dp)) {
         Text("Note at ${times.logged(draft.x)}", color = palette.muted)
@@ -83,13 +88,14 @@ private fun NoteField(notes: LogNotes, draft: NoteDraft, times: EventTimes) {
             Modifier
                 .fillMaxWidth()
                 .background(palette.raised, RoundedCornerShape(5.dp))
-                .border(1.dp, palette.border, RoundedCornerShape(5.dp))
+                .border(if (isFocused) 2.dp else 1.dp, if (isFocused) palette.accent else palette.border, RoundedCornerShape(5.dp))
                 .padding(horizontal = 8.dp, vertical = 6.dp)
                 .focusRequester(focus)
                 .onPreviewKeyEvent { hears(it, notes) }
                 .semantics { contentDescription = "Text of the note" },
             textStyle = LocalTextStyle.current.copy(color = palette.text),
             maxLines = 6,
+            interactionSource = interactions,
             cursorBrush = SolidColor(palette.accent),
         )
         Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp, Alignment.End)) {

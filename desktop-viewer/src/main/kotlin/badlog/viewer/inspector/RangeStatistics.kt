@@ -16,11 +16,10 @@ import badlog.viewer.recording.Signal
 /**
  * What every drawn signal does over a part of x.
  *
- * @property span that part, on the x of the open recording.
+ * @property part that part, on the x of the open recording.
  * @property xUnit the unit of x, `ul` for none.
- * @property name what the window calls that part.
  */
-internal class RangeStatistics(val span: Span, val xUnit: String, val name: String, val signals: List<SignalStatistics>)
+internal class RangeStatistics(val part: NamedSpan, val xUnit: String, val signals: List<SignalStatistics>)
 
 /**
  * What one signal does.
@@ -36,21 +35,21 @@ internal class StatCell(val name: String, val text: String, val unit: String, va
 
 /** The statistics of [names] over [part] in each of [drawn]; calculates them all, so not for the window's thread. */
 internal fun rangeStatistics(drawn: List<DrawnRecording>, names: List<String>, part: NamedSpan): RangeStatistics {
-    val span = part.span
     val signals = names.flatMap { name ->
         drawn.mapIndexedNotNull { place, (recording, offset, recordingName) ->
             val signal = recording.signal(name) ?: return@mapIndexedNotNull null
             if (signal.series.size == 0) return@mapIndexedNotNull null
-            val statistics = recording.view.statisticsOf(signal.line, span.from - offset, span.to - offset)
+            val parts = part.parts.map { Span(it.from - offset, it.to - offset) }
+            val statistics = recording.view.statisticsOf(signal.line, parts)
             val cells = when {
                 signal.hasFigures -> cellsOf(signal, statistics, recording.view.xAxis.unit)
-                else -> cellsOf(recording, signal, statistics, offset, span)
+                else -> cellsOf(recording, signal, statistics, parts)
             }
             SignalStatistics(name, signal.unit, if (drawn.size > 1) recordingName else "", place, cells)
         }
     }
     val xUnit = drawn.firstOrNull()?.recording?.view?.xAxis?.unit.orEmpty()
-    return RangeStatistics(span, xUnit, part.name, signals)
+    return RangeStatistics(part, xUnit, signals)
 }
 
 private fun cellsOf(signal: Signal, statistics: SeriesStatistics, xUnit: String): List<StatCell> {
@@ -59,10 +58,10 @@ private fun cellsOf(signal: Signal, statistics: SeriesStatistics, xUnit: String)
 }
 
 // What the numbers of states add up to means nothing.
-private fun cellsOf(recording: OpenRecording, signal: Signal, statistics: SeriesStatistics, offset: Double, span: Span): List<StatCell> {
+private fun cellsOf(recording: OpenRecording, signal: Signal, statistics: SeriesStatistics, parts: List<Span>): List<StatCell> {
     val states = signal.states.orEmpty()
     val axis = recording.view.xAxis
-    val times = StateRuns(signal.series, recording.span.to).timesOf(states, span.from - offset, span.to - offset)
+    val times = StateRuns(signal.series, recording.span.to).timesOf(states, parts)
     return listOf(
         StatCell("first", stateText(statistics.first, states), Topic.UNITLESS),
         StatCell("last", stateText(statistics.last, states), Topic.UNITLESS),
@@ -80,7 +79,8 @@ internal fun RangeStatistics.toTsv(): String {
     val head = listOf("topic", "unit", "log", "from", "to") + columns
     val lines = signals.map { signal ->
         val cells = signal.cells.associate { it.name to it.text }
-        listOf(signal.signal, signal.unit, signal.recording, exactText(span.from), exactText(span.to)) + columns.map { cells[it].orEmpty() }
+        listOf(signal.signal, signal.unit, signal.recording, exactText(part.span.from), exactText(part.span.to)) +
+            columns.map { cells[it].orEmpty() }
     }
     return (listOf(head) + lines).joinToString("\n", postfix = "\n") { line ->
         line.joinToString("\t") { cell -> cell.replace('\t', ' ').replace('\n', ' ').replace('\r', ' ') }

@@ -70,7 +70,7 @@ internal fun StatisticsPanel(
         RangeChoice(panels, view, open)
         Row(Modifier.fillMaxWidth().padding(start = 12.dp, end = 4.dp, top = 4.dp), verticalAlignment = Alignment.CenterVertically) {
             Column(Modifier.weight(1f)) {
-                Text(known.name, fontWeight = FontWeight.Medium)
+                Text(known.part.name, fontWeight = FontWeight.Medium)
                 Text(rangeText(known), color = LocalPalette.current.muted, fontSize = 12.sp)
                 Text(Statistic.BY_TIME, color = LocalPalette.current.muted, fontSize = 12.sp)
             }
@@ -90,10 +90,10 @@ private fun RangeChoice(panels: WindowPanels, view: AxisView, open: OpenRecordin
     Row(Modifier.padding(start = 8.dp, end = 4.dp, top = 4.dp), Arrangement.spacedBy(2.dp)) {
         for (range in StatisticsRange.entries) {
             val (title, hint) = when (range) {
-                StatisticsRange.SHOWN -> (if (view.selection == null) "Visible" else "Selected") to
-                    "Statistics of the selection, or else of the visible range"
+                StatisticsRange.SHOWN -> titleOfShown(view) to
+                    "Statistics of the selection, or between both cursors, or else of the visible range"
 
-                StatisticsRange.ENABLED -> "Enabled" to "Statistics from first to last enabled"
+                StatisticsRange.ENABLED -> "Enabled" to "Statistics of the time in which the robot was enabled"
 
                 StatisticsRange.ALL -> "All" to "Statistics of the whole log"
             }
@@ -103,6 +103,13 @@ private fun RangeChoice(panels: WindowPanels, view: AxisView, open: OpenRecordin
             }
         }
     }
+}
+
+/** In short what [shownSpan] is. */
+internal fun titleOfShown(view: AxisView): String = when {
+    view.selection != null -> "Selected"
+    view.cursors.between != null -> "A–B"
+    else -> "Visible"
 }
 
 /** What statistics are of; as long as it stays equal, nothing is calculated again. */
@@ -115,9 +122,9 @@ internal fun askedFor(compared: ComparedRecordings, board: GraphBoard, view: Axi
 }
 
 private fun rangeText(statistics: RangeStatistics): String {
-    val (from, to) = statistics.span
+    val (from, to) = statistics.part.span
     val ends = "${roundedText(from)} – ${withUnit(roundedText(to), statistics.xUnit)}"
-    return "${withUnit(roundedText(to - from), statistics.xUnit)}  ($ends)"
+    return "${withUnit(roundedText(statistics.part.width), statistics.xUnit)}  ($ends)"
 }
 
 @Composable
@@ -147,7 +154,8 @@ private fun Cell(cell: StatCell, modifier: Modifier, nameWidth: Int = NAME) {
     Row(modifier.padding(end = 4.dp)) {
         val muted = LocalPalette.current.muted
         Text(cell.name, Modifier.width(nameWidth.dp), color = muted, fontSize = 12.sp, maxLines = 1, overflow = TextOverflow.Ellipsis)
-        Text(withUnit(cell.text, cell.unit), Modifier.weight(1f), fontSize = 12.sp, maxLines = 1, overflow = TextOverflow.Ellipsis)
+        // A figure that is cut off is another one: rather two lines.
+        Text(withUnit(cell.text, cell.unit), Modifier.weight(1f), fontSize = 12.sp, lineHeight = 15.sp)
     }
 }
 

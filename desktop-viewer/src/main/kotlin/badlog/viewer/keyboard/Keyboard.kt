@@ -27,7 +27,7 @@ import androidx.compose.ui.platform.PlatformTextInputInterceptor
 import badlog.plot.gesture.Action
 import badlog.plot.gesture.HelpLine
 import badlog.plot.gesture.KeyStroke
-import badlog.viewer.menu.LocalOpenMenus
+import badlog.viewer.menu.MenuLayer
 import badlog.viewer.menu.OpenMenus
 
 /**
@@ -61,9 +61,9 @@ internal class Keyboard {
     @Composable
     fun Watch(content: @Composable () -> Unit) {
         val ring = remember { FocusRing(this) }
-        CompositionLocalProvider(LocalOpenMenus provides menus, LocalIndication provides ring) {
+        CompositionLocalProvider(LocalIndication provides ring) {
             InterceptPlatformTextInput(interceptor) {
-                Box(Modifier.hearsPresses(), propagateMinConstraints = true) { content() }
+                Box(Modifier.hearsPresses(), propagateMinConstraints = true) { MenuLayer(menus, content) }
             }
         }
     }

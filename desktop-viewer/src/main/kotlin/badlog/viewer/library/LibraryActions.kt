@@ -8,6 +8,7 @@ import java.nio.file.Path
  *
  * @property open shows a log.
  * @property openInGraphs shows a log, and the graphs instead of the table.
+ * @property openFindings shows a log in the graphs, its findings beside them, and the worst of those.
  * @property check compares with the log in a file, or no longer.
  * @property askForFolder asks for another folder and opens it.
  * @property askForLog asks for a log and opens it.
@@ -16,6 +17,7 @@ import java.nio.file.Path
 internal class LibraryActions(
     val open: (LogEntry) -> Unit,
     val openInGraphs: (LogEntry) -> Unit,
+    val openFindings: (LogEntry) -> Unit,
     val check: (Path) -> Unit,
     val askForFolder: () -> Unit,
     val askForLog: () -> Unit,

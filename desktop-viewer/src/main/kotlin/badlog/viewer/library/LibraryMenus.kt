@@ -2,7 +2,6 @@ package badlog.viewer.library
 
 import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Arrangement
-import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.height
@@ -11,7 +10,6 @@ import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.lazy.LazyColumn
 import androidx.compose.foundation.lazy.items
-import androidx.compose.material3.DropdownMenu
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.Icon
 import androidx.compose.material3.Text
@@ -31,7 +29,7 @@ import androidx.compose.ui.unit.dp
 import badlog.file.NaturalOrder
 import badlog.plot.search.Query
 import badlog.viewer.library.index.LogEntry
-import badlog.viewer.menu.ClosesByEscape
+import badlog.viewer.menu.MenuBox
 import badlog.viewer.menu.MenuLine
 import badlog.viewer.settings.SettingsStore
 import badlog.viewer.theme.Icons
@@ -46,11 +44,29 @@ import java.nio.file.Path
 internal fun FolderMenu(library: Library, settings: SettingsStore, actions: LibraryActions, modifier: Modifier = Modifier) {
     var isOpen by remember { mutableStateOf(false) }
     val folder = library.state.folder
-    Box(modifier) {
+    val lines = @Composable {
+        MenuLine("Open folder…") {
+            isOpen = false
+            actions.askForFolder()
+        }
+        MenuLine("Open file…") {
+            isOpen = false
+            actions.askForLog()
+        }
+        val others = settings.state.recentFolders.filter { it != folder?.toString() }
+        if (others.isNotEmpty()) HorizontalDivider()
+        for (recent in others) {
+            MenuLine(recent) {
+                isOpen = false
+                library.open(Path.of(recent))
+            }
+        }
+    }
+    MenuBox(isOpen, { isOpen = false }, modifier, lines) {
         Tip(folder?.toString() ?: "Open a folder of logs") {
             Row(
                 Modifier
-                    .clickable(role = Role.Button) { isOpen = true }
+                    .clickable(role = Role.Button) { isOpen = !isOpen }
                     .semantics { contentDescription = "Folder" }
                     .padding(4.dp),
                 horizontalArrangement = Arrangement.spacedBy(6.dp),
@@ -68,25 +84,6 @@ internal fun FolderMenu(library: Library, settings: SettingsStore, actions: Libr
                 Icon(Icons.Down, contentDescription = null, Modifier.size(12.dp), palette.muted)
             }
         }
-        ClosesByEscape(isOpen) { isOpen = false }
-        DropdownMenu(isOpen, onDismissRequest = { isOpen = false }) {
-            MenuLine("Open folder…") {
-                isOpen = false
-                actions.askForFolder()
-            }
-            MenuLine("Open file…") {
-                isOpen = false
-                actions.askForLog()
-            }
-            val others = settings.state.recentFolders.filter { it != folder?.toString() }
-            if (others.isNotEmpty()) HorizontalDivider()
-            for (recent in others) {
-                MenuLine(recent) {
-                    isOpen = false
-                    library.open(Path.of(recent))
-                }
-            }
-        }
     }
 }
 
@@ -95,21 +92,20 @@ internal fun FolderMenu(library: Library, settings: SettingsStore, actions: Libr
 internal fun SortMenu(library: Library) {
     var isOpen by remember { mutableStateOf(false) }
     val listing = library.state.listing
-    Box {
-        ToolButton("Sort logs", Icons.Sort) { isOpen = true }
-        ClosesByEscape(isOpen) { isOpen = false }
-        DropdownMenu(isOpen, onDismissRequest = { isOpen = false }) {
-            for (column in LogColumn.entries) {
-                val mark = if (column != listing.column) {
-                    null
-                } else if (listing.isDescending) {
-                    Icons.Down
-                } else {
-                    Icons.Up
-                }
-                MenuLine(column.title, mark) { library.change { sorted(column) } }
+    val lines = @Composable {
+        for (column in LogColumn.entries) {
+            val mark = if (column != listing.column) {
+                null
+            } else if (listing.isDescending) {
+                Icons.Down
+            } else {
+                Icons.Up
             }
+            MenuLine(column.title, mark) { library.change { sorted(column) } }
         }
+    }
+    MenuBox(isOpen, { isOpen = false }, menu = lines) {
+        ToolButton("Sort logs", Icons.Sort, isOn = isOpen) { isOpen = !isOpen }
     }
 }
 
@@ -119,10 +115,8 @@ private fun nameOf(folder: Path): String = folder.fileName?.toString() ?: folder
 @Composable
 internal fun PreviewMenu(entries: List<LogEntry>, settings: SettingsStore) {
     var isOpen by remember { mutableStateOf(false) }
-    Box {
-        ToolButton("Preview: ${settings.state.previewTopic ?: BATTERY}", Icons.Graph) { isOpen = true }
-        ClosesByEscape(isOpen) { isOpen = false }
-        DropdownMenu(isOpen, onDismissRequest = { isOpen = false }) { PreviewChoice(entries, settings) { isOpen = false } }
+    MenuBox(isOpen, { isOpen = false }, menu = { PreviewChoice(entries, settings) { isOpen = false } }) {
+        ToolButton("Preview: ${settings.state.previewTopic ?: BATTERY}", Icons.Graph, isOn = isOpen) { isOpen = !isOpen }
     }
 }
 

@@ -111,6 +111,7 @@ private fun Table(library: Library, settings: SettingsStore, shown: ShownLogs, a
                             library.select(entry.file)
                         },
                         onOpen = { actions.openInGraphs(entry) },
+                        onFindings = { actions.openFindings(entry) },
                     )
                 }
             }

@@ -32,6 +32,7 @@ import androidx.compose.ui.semantics.selected
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
+import androidx.compose.ui.text.style.TextDecoration
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
@@ -90,7 +91,7 @@ private fun PreviewTitle(topic: String?) {
     )
 }
 
-/** A log in the table. */
+/** A log in the table. A click on what the rules found calls [onFindings]. */
 @Composable
 internal fun TableRow(
     entry: LogEntry,
@@ -103,6 +104,7 @@ internal fun TableRow(
     onCheck: () -> Unit,
     onSelect: () -> Unit,
     onOpen: () -> Unit,
+    onFindings: () -> Unit,
 ) {
     val palette = LocalPalette.current
     val select by rememberUpdatedState(onSelect)
@@ -132,6 +134,7 @@ internal fun TableRow(
         for (column in LogColumn.entries) {
             if (column == LogColumn.FILE) RowPreview(entry, previews, palette)
             val color = cellColor(entry, column, palette)
+            val isWay = column == LogColumn.FINDINGS && entry.found?.worst != null
             val cell = @Composable { width: Modifier ->
                 Text(
                     cellText(entry, column, folder),
@@ -140,16 +143,29 @@ internal fun TableRow(
                     fontWeight = if (isOpen) FontWeight.SemiBold else FontWeight.Normal,
                     textAlign = if (column.isNumber) TextAlign.End else TextAlign.Start,
                     maxLines = 1,
+                    textDecoration = TextDecoration.Underline.takeIf { isWay && isHovered },
                     overflow = if (column == LogColumn.FILE) TextOverflow.MiddleEllipsis else TextOverflow.Ellipsis,
                 )
             }
             val width = Modifier.width(widthOf(column, spare))
-            // A tip costs as much as the rest of the row, so only the one under the pointer has it.
-            val tip = if (isHovered && column == LogColumn.FINDINGS) foundLines(entry) else ""
-            if (tip.isEmpty()) cell(width) else Tip(tip, width) { cell(Modifier.fillMaxWidth()) }
+            if (isWay) {
+                // The same all the time: a click may begin before the tip is there.
+                Box(width.then(wayTo(entry, onFindings)), propagateMinConstraints = true) {
+                    // A tip costs as much as the rest of the row, so only the one under the pointer has it.
+                    if (isHovered) Tip(foundLines(entry)) { cell(Modifier.fillMaxWidth()) } else cell(Modifier)
+                }
+            } else {
+                cell(width)
+            }
         }
     }
 }
+
+/** The keyboard goes from log to log; it has the findings of the one that is open. */
+private fun wayTo(entry: LogEntry, onFindings: () -> Unit) = Modifier
+    .focusProperties { canFocus = false }
+    .clickable(role = Role.Button, onClick = onFindings)
+    .semantics { contentDescription = "Findings of ${entry.fileName}" }
 
 @Composable
 private fun RowPreview(entry: LogEntry, previews: Previews, palette: Palette) {

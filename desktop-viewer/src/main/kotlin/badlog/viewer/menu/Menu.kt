@@ -2,14 +2,12 @@ package badlog.viewer.menu
 
 import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Arrangement
-import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.layout.widthIn
-import androidx.compose.material3.DropdownMenu
 import androidx.compose.material3.Icon
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
@@ -68,23 +66,22 @@ internal fun Menu(
         showsPanel = false
     }
     val isRoomy = LocalWindowInfo.current.containerSize.width >= with(LocalDensity.current) { ROOMY.toPx() }
-    Box {
-        ToolButton(description, icon, text = label.takeIf { isRoomy }, isOn = isOpen) { if (isOpen) close() else isOpen = true }
-        ClosesByEscape(isOpen, close)
-        DropdownMenu(isOpen, onDismissRequest = close) {
-            Column(Modifier.width(MENU_WIDTH)) {
-                if (showsPanel) {
-                    panel(close)
-                } else {
-                    for (entry in entries { showsPanel = true }) {
-                        EntryLine(entry) {
-                            if (!entry.keepsMenu) close()
-                            entry.action()
-                        }
+    val lines = @Composable {
+        Column(Modifier.width(MENU_WIDTH)) {
+            if (showsPanel) {
+                panel(close)
+            } else {
+                for (entry in entries { showsPanel = true }) {
+                    EntryLine(entry) {
+                        if (!entry.keepsMenu) close()
+                        entry.action()
                     }
                 }
             }
         }
+    }
+    MenuBox(isOpen, close, menu = lines) {
+        ToolButton(description, icon, text = label.takeIf { isRoomy }, isOn = isOpen) { if (isOpen) close() else isOpen = true }
     }
 }
 

@@ -3,18 +3,37 @@ package badlog.viewer.menu
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.DisposableEffect
 import androidx.compose.runtime.ProvidableCompositionLocal
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateListOf
+import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.rememberUpdatedState
+import androidx.compose.runtime.setValue
 import androidx.compose.runtime.staticCompositionLocalOf
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Rect
 
-/** The menus that are open. Nothing in a menu has the keyboard, so that it hears no Escape by itself. */
+/** The menus that are open, and what else Escape closes first. */
 internal class OpenMenus {
     private val closers = ArrayList<() -> Unit>()
+
+    /** The menus that [MenuLayer] shows, the latest last. */
+    val shown: MutableList<OpenMenu> = mutableStateListOf()
 
     /** Closes the one that was opened last; false when none is open. */
     fun closeLast(): Boolean {
         val close = closers.removeLastOrNull() ?: return false
         close()
         return true
+    }
+
+    /** The mouse is pressed at [place], in the window: closes the menus beside which that is, down to the one that it is in. */
+    fun pressed(place: Offset) {
+        for (menu in shown.asReversed().toList()) {
+            // A press on what opened a menu is for that: it closes the menu itself.
+            if (place in menu.bounds || place in menu.anchor) return
+            menu.wasLeft = true
+            menu.close()
+        }
     }
 
     fun add(close: () -> Unit) {
@@ -24,6 +43,24 @@ internal class OpenMenus {
     fun remove(close: () -> Unit) {
         closers -= close
     }
+}
+
+/**
+ * A menu that is open.
+ *
+ * @property takesKeys whether it has the keyboard as long as it is open.
+ * @property close closes it.
+ * @property content what stands in it.
+ */
+internal class OpenMenu(val takesKeys: Boolean, val close: () -> Unit, val content: @Composable () -> Unit) {
+    /** What it was opened from, in the window. */
+    var anchor: Rect by mutableStateOf(Rect.Zero)
+
+    /** Where it is itself, in the window. */
+    var bounds: Rect = Rect.Zero
+
+    /** Whether a press elsewhere closed it. */
+    var wasLeft: Boolean = false
 }
 
 /** The open menus of the window. */

@@ -53,7 +53,6 @@ import badlog.plot.board.Board
 import badlog.viewer.board.GraphBoard
 import badlog.viewer.formula.FormulaStore
 import badlog.viewer.formula.formulaMenu
-import badlog.viewer.graph.MOST_OFFERED
 import badlog.viewer.graph.quoted
 import badlog.viewer.graph.signalTransfer
 import badlog.viewer.panels.WindowPanels
@@ -172,7 +171,7 @@ private fun menuOf(board: GraphBoard, formulas: FormulaStore, topics: TopicListi
             topics.change { toggled(row.signal.name) }
         },
         ContextMenuItem("New formula with $these…") { formulas.write(names) },
-    ) + board.state.graphs.take(MOST_OFFERED).map { graph ->
+    ) + board.state.graphs.map { graph ->
         ContextMenuItem("Add $these to ${quoted(graph)}") {
             board.change { names.fold(this) { all, name -> all.withLine(graph.id, name) } }
         }

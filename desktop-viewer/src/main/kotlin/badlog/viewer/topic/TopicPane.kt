@@ -1,5 +1,7 @@
 package badlog.viewer.topic
 
+import androidx.compose.foundation.ContextMenuArea
+import androidx.compose.foundation.ContextMenuItem
 import androidx.compose.foundation.VerticalScrollbar
 import androidx.compose.foundation.background
 import androidx.compose.foundation.clickable
@@ -41,12 +43,14 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.text.withStyle
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
+import badlog.plot.board.Board
 import badlog.plot.gesture.Action
 import badlog.plot.search.Query
 import badlog.viewer.board.GraphBoard
 import badlog.viewer.compare.ComparedRecordings
 import badlog.viewer.formula.FormulaStore
 import badlog.viewer.formula.UnmadeFormulas
+import badlog.viewer.graph.plot.MAX_LINES
 import badlog.viewer.panels.WindowPanels
 import badlog.viewer.recording.CurrentRecording
 import badlog.viewer.recording.FilteredEvents
@@ -155,8 +159,10 @@ private fun Rows(
         LazyColumn(Modifier.fillMaxSize(), state) {
             items(listed, key = { it.key }, contentType = { it is FolderRow }) { row ->
                 when (row) {
-                    is FolderRow -> FolderLine(row, query) {
-                        topics.change { toggledFolder(row.path) }
+                    is FolderRow -> ContextMenuArea({ folderMenu(board, open, row.path) }) {
+                        FolderLine(row, query) {
+                            topics.change { toggledFolder(row.path) }
+                        }
                     }
 
                     is SignalRow -> {
@@ -168,6 +174,19 @@ private fun Rows(
         }
         VerticalScrollbar(rememberScrollbarAdapter(state), Modifier.align(Alignment.CenterEnd).fillMaxHeight())
     }
+}
+
+/** What can be drawn of the folder [path] of [open]. */
+private fun folderMenu(board: GraphBoard, open: OpenRecording, path: String): List<ContextMenuItem> {
+    val names = topicsIn(path, open.signals.filter { !open.isEvents(it) }).map { it.name }
+    if (names.isEmpty()) return emptyList()
+    val few = names.take(MAX_LINES)
+    val these = if (few.size < names.size) "the first ${few.size} topics of this folder" else "this folder"
+    return listOf(
+        ContextMenuItem("New graph of $these") { board.change { withGraph(few) } },
+        ContextMenuItem("Only a graph of $these") { board.change { Board().withGraph(few) } },
+        ContextMenuItem("Separate graphs of $these") { board.change { few.fold(this) { graphs, name -> graphs.withGraph(listOf(name)) } } },
+    )
 }
 
 /** A folder of the list of topics. */

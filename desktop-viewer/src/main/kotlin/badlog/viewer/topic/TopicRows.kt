@@ -37,6 +37,12 @@ internal fun foldersOf(signals: List<Signal>): Set<String> {
     return folders
 }
 
+/** Those of [signals] that the folder [path] lists, and the folders in it. */
+internal fun topicsIn(path: String, signals: List<Signal>): List<Signal> = signals.filter { signal ->
+    val folder = signal.folder.split('/').filter { it.isNotEmpty() }.joinToString("/")
+    folder == path || folder.startsWith("$path/")
+}
+
 private class TopicFolder(val path: String, val title: String) {
     val signals = ArrayList<Signal>()
     private val folders = HashMap<String, TopicFolder>()

@@ -79,6 +79,26 @@ class LogFindingsSpec : FunSpec({
         }
     }
 
+    test("the worst finding of a log that is being opened is gone to when it is known, but not after another one was opened") {
+        val folder = tempdir().toPath()
+        writeRules(folder, ruleText("Note", "A > 10", "note"), ruleText("Error", "A > 50", "error"))
+        val wanted = counted(folder)
+        over { viewer ->
+            viewer.scope.launch { viewer.findings.run() }
+            change { viewer.findings.showWorst(wanted.file) }
+            change { viewer.current.replace(wanted) }
+            eventually(60.seconds) { viewer.findings.state.selected?.rule shouldBe "Error" }
+            change { viewer.findings.change { copy(selected = null) } }
+            change { viewer.findings.showWorst(wanted.file) }
+            viewer.findings.state.selected?.rule shouldBe "Error"
+
+            change { viewer.findings.showWorst(folder.resolve("never opened.bag")) }
+            change { viewer.current.replace(counted(home)) }
+            eventually(60.seconds) { (viewer.findings.state.list != null) shouldBe true }
+            viewer.findings.state.selected shouldBe null
+        }
+    }
+
     test("another recording gives up what runs") {
         val began = CountDownLatch(1)
         val interrupted = CountDownLatch(1)

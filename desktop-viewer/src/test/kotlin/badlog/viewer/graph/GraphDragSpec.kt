@@ -1,6 +1,5 @@
 package badlog.viewer.graph
 
-import androidx.compose.runtime.CompositionLocalProvider
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.test.DesktopComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
@@ -11,7 +10,6 @@ import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.plot.board.Board
 import badlog.viewer.app.Viewer
 import badlog.viewer.bagOf
-import badlog.viewer.menu.LocalOpenMenus
 import badlog.viewer.recordingOf
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
@@ -27,7 +25,7 @@ class GraphDragSpec : FunSpec({
     fun graphs(test: DesktopComposeUiTest.(Viewer) -> Unit) = runDesktopComposeUiTest(900, 600) {
         val viewer = viewerOf(recording)
         viewer.board.replace(three)
-        setContent { CompositionLocalProvider(LocalOpenMenus provides viewer.keyboard.menus) { TestGraphs(viewer) } }
+        setContent { TestGraphs(viewer) }
         waitForPictures(viewer)
         test(viewer)
     }

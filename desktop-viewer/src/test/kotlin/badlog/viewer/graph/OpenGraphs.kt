@@ -58,7 +58,7 @@ internal fun bagOf(count: Int, unit: String = "V", value: (Int) -> Double): Stri
 /** The graphs of [viewer], in light colors. */
 @Composable
 internal fun TestGraphs(viewer: Viewer, theme: Theme = Theme.LIGHT) {
-    ViewerTheme(theme) { GraphPane(viewer.graphs, Modifier.fillMaxSize()) }
+    ViewerTheme(theme) { viewer.keyboard.Watch { GraphPane(viewer.graphs, Modifier.fillMaxSize()) } }
 }
 
 /** Waits until what is to be seen of [viewer] is drawn. */

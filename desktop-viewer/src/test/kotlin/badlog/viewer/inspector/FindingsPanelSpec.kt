@@ -3,6 +3,7 @@ package badlog.viewer.inspector
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.semantics.SemanticsActions
 import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.assertIsNotSelected
 import androidx.compose.ui.test.assertIsSelected
 import androidx.compose.ui.test.click
 import androidx.compose.ui.test.onAllNodesWithText
@@ -10,8 +11,12 @@ import androidx.compose.ui.test.onNodeWithContentDescription
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performMouseInput
+import androidx.compose.ui.test.performTextInput
+import androidx.compose.ui.test.performTextReplacement
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import androidx.compose.ui.text.TextLayoutResult
+import badlog.plot.gesture.Action
+import badlog.plot.search.hiddenBySearch
 import badlog.viewer.TestInspector
 import badlog.viewer.app.Viewer
 import badlog.viewer.app.ViewerScreen
@@ -20,6 +25,7 @@ import badlog.viewer.findings.findingsIn
 import badlog.viewer.findings.ruleText
 import badlog.viewer.findings.word
 import badlog.viewer.findings.writeRules
+import badlog.viewer.graph.sample
 import badlog.viewer.graph.savePicture
 import badlog.viewer.graph.viewerOf
 import badlog.viewer.graph.waitForPictures
@@ -30,6 +36,7 @@ import badlog.viewer.theme.Theme
 import badlog.viewer.theme.ViewerTheme
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldNotBeEmpty
 import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
@@ -83,6 +90,52 @@ class FindingsPanelSpec : FunSpec({
             layouts.shouldNotBeEmpty()
             layouts.forEach { it.hasVisualOverflow shouldBe false }
         }
+    }
+
+    test("a search narrows findings and incidents, says how many it hides, and shows them again") {
+        val viewer = inspecting(sample("qualification-42.bag"))
+        val list = viewer.findings.state.list.shouldNotBeNull()
+        runDesktopComposeUiTest(380, 900) {
+            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
+            onNodeWithContentDescription("Search findings").performTextInput("brown -arm")
+            val left = list.foundBy("brown -arm")
+            left.findings.map { it.rule } shouldContain "Browned out"
+            onNodeWithText(hiddenBySearch(list.incidents.size - left.incidents.size, list.all.size - left.findings.size)).assertExists()
+            onNodeWithContentDescription("Search findings").performTextReplacement("no such thing")
+            onNodeWithText(hiddenBySearch(list.incidents.size, list.all.size)).assertExists()
+            savePicture("findings-searched")
+            onNodeWithText("Show them").performClick()
+            onNodeWithContentDescription("Incident: ${list.incidents.first().name}").assertExists()
+        }
+    }
+
+    test("an incident’s name leads to what came first, and it is marked as long as a finding of it is open") {
+        val viewer = inspecting(sample("qualification-42.bag"))
+        val list = viewer.findings.state.list.shouldNotBeNull()
+        val incident = list.incidents.first()
+        runDesktopComposeUiTest(380, 900) {
+            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
+            val name = onNodeWithContentDescription("Incident: ${incident.name}")
+            name.assertIsNotSelected()
+            name.performClick()
+            viewer.findings.state.selected shouldBe incident.sentences.first().finding
+            name.assertIsSelected()
+            savePicture("incident-open")
+            runOnIdle { viewer.findings.goTo(list.all.first { it !in incident }) }
+            name.assertIsNotSelected()
+        }
+    }
+
+    test("the key for the next finding opens the panel that says what to look at next, unless another one is read") {
+        val viewer = viewerOf(sample("qualification-42.bag"))
+        viewer.findings.change { knowing(findingsIn(viewer.current.recording.shouldNotBeNull())) }
+        val next = viewer.commands.single { it.meaning == Action.NEXT_FINDING.meaning }
+        next.action()
+        viewer.panels.state.inspector shouldBe InspectorTab.FINDINGS
+        viewer.panels.state.front shouldBe FrontPart.GRAPHS
+        viewer.panels.change { inspecting(InspectorTab.EVENTS) }
+        next.action()
+        viewer.panels.state.inspector shouldBe InspectorTab.EVENTS
     }
 
     test("a wrong file of rules, and a log in which nothing was found, are reported") {

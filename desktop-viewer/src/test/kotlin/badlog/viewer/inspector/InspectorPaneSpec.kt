@@ -2,6 +2,7 @@ package badlog.viewer.inspector
 
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.assertIsSelected
+import androidx.compose.ui.test.onAllNodesWithContentDescription
 import androidx.compose.ui.test.onAllNodesWithText
 import androidx.compose.ui.test.onNodeWithContentDescription
 import androidx.compose.ui.test.onNodeWithText
@@ -94,6 +95,23 @@ class InspectorPaneSpec : FunSpec({
             waitFor { onAllNodesWithText("Selection").fetchSemanticsNodes().isNotEmpty() }
             onNodeWithText("1.5 V").assertDoesNotExist()
             onAllNodesWithText("4 V").fetchSemanticsNodes().size shouldBe 1
+        }
+    }
+
+    test("the panel of values draws a topic that a search finds, and then leads to its graph") {
+        val viewer = viewerOf(recordingOf(bagOf(listOf("Time|xaxis", "A", "Bus"), listOf("0,1,4", "1,2,5"))), InspectorTab.CURSOR)
+        viewer.board.replace(Board().withGraph(listOf("A")))
+        viewer.view.placeCursor(1.0)
+        runDesktopComposeUiTest(320, 600) {
+            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
+            waitFor { onAllNodesWithContentDescription("Go to the graph of A").fetchSemanticsNodes().isNotEmpty() }
+            onNodeWithContentDescription("Search topics").performTextInput("bus")
+            waitFor { onAllNodesWithContentDescription("Draw Bus").fetchSemanticsNodes().isNotEmpty() }
+            onNodeWithContentDescription("Draw Bus").performClick()
+            waitFor { onAllNodesWithContentDescription("Go to the graph of Bus").fetchSemanticsNodes().isNotEmpty() }
+            viewer.board.state.graphs.map { it.lines } shouldBe listOf(listOf("A"), listOf("Bus"))
+            onNodeWithContentDescription("Go to the graph of Bus").performClick()
+            viewer.board.wanted shouldBe viewer.board.state.graphs.last().id
         }
     }
 

@@ -3,12 +3,15 @@ package badlog.viewer.inspector
 import badlog.analysis.Span
 import badlog.file.UserFolders
 import badlog.plot.cursor.Cursors
+import badlog.plot.statistics.Statistic
 import badlog.viewer.app.Viewer
+import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.findings.counted
 import badlog.viewer.graph.sample
 import badlog.viewer.panels.StatisticsRange
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.shouldNotBe
@@ -47,6 +50,14 @@ class StatisticsPanelSpec : FunSpec({
         val enabled = spanOf(StatisticsRange.ENABLED, open, viewer.view).shouldNotBeNull().span
         enabled.from shouldBe open.enabled.first().span.from
         enabled.to shouldBe open.enabled.last().span.to
+        val parts = spanOf(StatisticsRange.ENABLED, open, viewer.view).shouldNotBeNull()
+        parts.parts.size shouldBe 2
+        parts.width shouldBeLessThan enabled.width - 1
+        val cells = rangeStatistics(listOf(DrawnRecording(open)), listOf("System/Enabled"), parts).signals.single().cells
+        cells.single { it.name == Statistic.MEAN.title }.text shouldBe "1"
+        viewer.view.changeCursors { pinnedAt(15.0).shiftClicked(12.0, 0.1) }
+        titleOfShown(viewer.view) shouldBe "A–B"
+        viewer.view.changeCursors { Cursors() }
         val never = counted(home)
         spanOf(StatisticsRange.ENABLED, never, viewer.view) shouldBe null
         askedFor(viewer.compared, viewer.board, viewer.view, null).part.name shouldBe "Visible range"

@@ -1,33 +1,126 @@
 package badlog.viewer.menu
 
+import androidx.compose.foundation.ContextMenuArea
+import androidx.compose.foundation.ContextMenuItem
+import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.size
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.input.key.onPreviewKeyEvent
+import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.assertIsFocused
+import androidx.compose.ui.test.click
 import androidx.compose.ui.test.onNodeWithContentDescription
+import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performKeyInput
+import androidx.compose.ui.test.performMouseInput
+import androidx.compose.ui.test.performScrollTo
+import androidx.compose.ui.test.pressKey
+import androidx.compose.ui.test.requestFocus
+import androidx.compose.ui.test.rightClick
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import androidx.compose.ui.unit.dp
 import badlog.viewer.keyboard.Keyboard
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.Theme
+import badlog.viewer.theme.ToolButton
 import badlog.viewer.theme.ViewerTheme
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
 
 @OptIn(ExperimentalTestApi::class)
 class OpenMenusSpec : FunSpec({
-    test("Escape closes the menu that is open, and nothing else while one is") {
-        val keyboard = Keyboard()
+    val keyboard = Keyboard()
+
+    /** A window of [content] that hears keys as the real one does. */
+    @Composable
+    fun TestWindow(content: @Composable () -> Unit) = ViewerTheme(Theme.LIGHT) {
+        Box(Modifier.fillMaxSize().onPreviewKeyEvent { keyboard.dispatchFirst(it, emptyList()) }) { keyboard.Watch(content) }
+    }
+
+    test("Escape closes the menu that is open, and nothing else while one is; the keyboard is its button’s again") {
         runDesktopComposeUiTest(400, 300) {
+            setContent { TestWindow { Box { Menu("Export", "Export menu", Icons.Graph) { listOf(MenuEntry("Save page") {}) } } } }
+            keyboard.menus.closeLast() shouldBe false
+            onNodeWithContentDescription("Export menu").requestFocus()
+            onNodeWithContentDescription("Export menu").performKeyInput { pressKey(Key.Enter) }
+            onNodeWithContentDescription("Save page").assertIsFocused()
+            onNodeWithContentDescription("Save page").performKeyInput { pressKey(Key.Escape) }
+            onNodeWithContentDescription("Save page").assertDoesNotExist()
+            onNodeWithContentDescription("Export menu").assertIsFocused()
+            runOnIdle { keyboard.menus.closeLast() shouldBe false }
+        }
+    }
+
+    test("a click beside a menu closes it and does what it is for, on another menu’s button as well; one on its own button closes it") {
+        val done = ArrayList<String>()
+        runDesktopComposeUiTest(900, 300) {
             setContent {
-                ViewerTheme(Theme.LIGHT) {
-                    keyboard.Watch { Box { Menu("Export", "Export menu", Icons.Graph) { listOf(MenuEntry("Save page") {}) } } }
+                TestWindow {
+                    Column(verticalArrangement = Arrangement.spacedBy(120.dp)) {
+                        Menu("One", "First menu", Icons.Graph) { listOf(MenuEntry("Do one") { done += "one" }) }
+                        ToolButton("Beside", text = "Beside") { done += "beside" }
+                        Menu("Two", "Second menu", Icons.Graph) { listOf(MenuEntry("Do two") { done += "two" }) }
+                    }
                 }
             }
-            keyboard.menus.closeLast() shouldBe false
-            onNodeWithContentDescription("Export menu").performClick()
-            onNodeWithContentDescription("Save page").assertExists()
+            onNodeWithContentDescription("First menu").performMouseInput { click() }
+            onNodeWithContentDescription("Do one").assertExists()
+            onNodeWithContentDescription("Beside").performMouseInput { click() }
+            onNodeWithContentDescription("Do one").assertDoesNotExist()
+            done shouldContainExactly listOf("beside")
+
+            onNodeWithContentDescription("First menu").performMouseInput { click() }
+            onNodeWithContentDescription("Second menu").performMouseInput { click() }
+            onNodeWithContentDescription("Do one").assertDoesNotExist()
+            onNodeWithContentDescription("Do two").performMouseInput { click() }
+            onNodeWithContentDescription("Do two").assertDoesNotExist()
+            done shouldContainExactly listOf("beside", "two")
+
+            repeat(2) { onNodeWithContentDescription("First menu").performMouseInput { click() } }
+            onNodeWithContentDescription("Do one").assertDoesNotExist()
+        }
+    }
+
+    test("the arrow keys go through a menu, and Enter does what its line says") {
+        val done = ArrayList<String>()
+        runDesktopComposeUiTest(400, 300) {
+            setContent { TestWindow { Menu("Do", "Menu", Icons.Graph) { listOf("one", "two").map { MenuEntry(it) { done += it } } } } }
+            onNodeWithContentDescription("Menu").performClick()
+            onNodeWithContentDescription("one").performKeyInput { pressKey(Key.DirectionDown) }
+            onNodeWithContentDescription("two").performKeyInput { pressKey(Key.Enter) }
+            done shouldContainExactly listOf("two")
+        }
+    }
+
+    test("a menu of the right button opens at the pointer, has all of its lines, and closes likewise") {
+        val done = ArrayList<String>()
+        runDesktopComposeUiTest(400, 300) {
+            setContent {
+                TestWindow {
+                    Column {
+                        ContextMenuArea({ List(40) { ContextMenuItem("Line $it") { done += "$it" } } }) { Box(Modifier.testTag("area").size(100.dp)) }
+                        ToolButton("Beside", text = "Beside") { done += "beside" }
+                    }
+                }
+            }
+            onNodeWithTag("area").performMouseInput { rightClick() }
+            onNodeWithText("Line 39").performScrollTo().performMouseInput { click() }
+            onNodeWithText("Line 0").assertDoesNotExist()
+            onNodeWithTag("area").performMouseInput { rightClick(Offset(2f, 2f)) }
+            onNodeWithText("Line 0").assertExists()
             runOnIdle { keyboard.menus.closeLast() shouldBe true }
-            onNodeWithContentDescription("Save page").assertDoesNotExist()
-            runOnIdle { keyboard.menus.closeLast() shouldBe false }
+            onNodeWithText("Line 0").assertDoesNotExist()
+            done shouldContainExactly listOf("39")
         }
     }
 })

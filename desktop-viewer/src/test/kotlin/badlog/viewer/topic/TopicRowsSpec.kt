@@ -64,4 +64,11 @@ class TopicRowsSpec : FunSpec({
         TopicList().toggled("Arm/Angle").selectedTo("Mode", rows).selected shouldContainExactly listOf("Arm/Angle", "Mode")
         TopicList().selectedTo("Mode", rows).selected shouldContainExactly listOf("Mode")
     }
+
+    test("a folder has its topics and those of the folders in it, not those of one whose name only begins alike") {
+        val more = signalsOf("Arm/Angle", "Arm/Wrist/Speed", "Arm 2/Angle", "Mode", "/Drive//Left")
+        topicsIn("Arm", more).map { it.name } shouldContainExactly listOf("Arm/Angle", "Arm/Wrist/Speed")
+        topicsIn("Arm/Wrist", more).map { it.name } shouldContainExactly listOf("Arm/Wrist/Speed")
+        topicsIn("Drive", more).map { it.name } shouldContainExactly listOf("/Drive//Left")
+    }
 })

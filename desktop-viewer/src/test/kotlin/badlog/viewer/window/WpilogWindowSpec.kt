@@ -8,6 +8,7 @@ import badlog.wpilog.largeLog
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe
+import java.awt.event.KeyEvent
 import java.nio.file.Files
 
 class WpilogWindowSpec : FunSpec({
@@ -19,6 +20,26 @@ class WpilogWindowSpec : FunSpec({
             window.look { it.topics.state.folded.contains("Chassis") } shouldBe true
             window.awaitGraphs()
             window.picture("large-log", guide = "viewer-large")
+        }
+    }
+
+    test("target and actual speed of a swerve module are compared after one search and one click").config(enabledOrReasonIf = { needsDisplay }) {
+        val file = Files.createDirectories(tempdir().toPath().resolve("Mill Creek")).resolve("FRC_20240316_104100.wpilog")
+        Files.write(file, largeLog())
+        val speeds = listOf("/Chassis/ActualFrontLeftModuleState/speed", "/Chassis/TargetFrontLeftModuleState/speed")
+        RealWindow(tempdir().toPath(), file, width = 1366, height = 768).use { window ->
+            window.awaitText("Folder Chassis")
+            window.press(KeyEvent.VK_F, KeyEvent.VK_CONTROL)
+            window.type("frontleft speed")
+            window.click("Topic ${speeds[0]}")
+            window.awaitState("both in one graph, in sight") { viewer ->
+                viewer.board.state.graphs.find { it.lines == speeds }?.let { it.id in viewer.board.inSight.orEmpty() } == true
+            }
+            window.awaitGraphs()
+            val title = window.look { viewer -> viewer.board.state.graphs.first { it.lines == speeds }.title }
+            window.point("Plot $title", 0.5, 0.5)
+            window.awaitGraphs()
+            window.picture("large-compare")
         }
     }
 

@@ -8,9 +8,10 @@ import badlog.page.dom.isNarrow
 import badlog.page.dom.showText
 import badlog.page.view.Scene
 import badlog.page.view.end
-import badlog.page.view.word
 import badlog.plot.search.Query
-import badlog.plot.search.Trait
+import badlog.plot.search.findsFound
+import badlog.plot.search.hiddenBySearch
+import badlog.plot.search.searchedText
 import badlog.plot.text.countText
 import badlog.plot.text.decimalsFor
 import badlog.plot.timeline.FindingPlace
@@ -93,7 +94,7 @@ internal class FindingList(
         this.incidents = incidents
         isSearching = false
         all = scene.findings.worstFirst
-        haystacks = all.map { "${it.rule} ${it.word} ${it.text}".lowercase() }
+        haystacks = all.map { it.searchedText }
         element.classList.toggle("has-spans", all.any { it.end > it.time })
         val (wrong, lacking) = skippedRules.partition { it.isMistake }
         for (rule in wrong) addProblem("The rule “${rule.rule}” is wrong. ${rule.message.substringBefore('\n')}", rule.message)
@@ -120,7 +121,7 @@ internal class FindingList(
     }
 
     private fun show(query: Query) {
-        found = if (query.isEmpty) all else all.filterIndexed { i, _ -> query.matchesLowercase(haystacks[i], FINDING) }
+        found = if (query.isEmpty) all else all.filterIndexed { i, _ -> query.findsFound(haystacks[i]) }
         showIncidents(query)
         showFound()
     }
@@ -156,7 +157,7 @@ internal class FindingList(
     private fun showIncidents(query: Query) {
         incidentList.textContent = ""
         incidentRows.clear()
-        val shown = incidents.filter { it.isFoundBy(query) }
+        val shown = incidents.filter { query.findsFound(it.searchedText) }
         for (incident in shown) {
             val pin = { onPin(incident.sentences.first().finding, incident) }
             val row = incidentRow(incident, decimals, pin) { visit(firstPlaceOf(it), incident) }
@@ -174,9 +175,9 @@ internal class FindingList(
         }
         val waiting = if (isSearching) listOf("rules are running…") else emptyList()
         count.showText(share + (parts + waiting).joinToString())
-        val hidden = listOf("incident" to incidents.size - incidentRows.size, "finding" to all.size - found.size).filter { it.second > 0 }
+        val hidden = hiddenBySearch(incidents.size - incidentRows.size, all.size - found.size)
         hiddenNote.isHidden = hidden.isEmpty()
-        hiddenCount.showText("${hidden.joinToString(" and ") { (name, number) -> countText(number, name) }} hidden by the search. ")
+        hiddenCount.showText("$hidden ")
         element.isHidden = all.isEmpty() && !isSearching && mistakes.isHidden
         list(FEW)
     }
@@ -237,7 +238,6 @@ internal class FindingList(
 
         /** So many rows are made at a time. */
         const val PAGE = 300
-        val FINDING = setOf(Trait.FINDING)
 
         /** Milliseconds for which nothing is said of rules that run. */
         const val PATIENCE = 400

@@ -6,8 +6,6 @@ import badlog.page.dom.addButton
 import badlog.page.dom.addIconButton
 import badlog.page.dom.element
 import badlog.page.view.isPlaced
-import badlog.plot.search.Query
-import badlog.plot.search.Trait
 import badlog.plot.text.fixedText
 import badlog.rules.Finding
 import badlog.rules.incident.Incident
@@ -43,7 +41,3 @@ internal fun incidentRow(incident: Incident, decimals: Int, pin: () -> Unit, go:
             addEventListener("click", { if (it.target.asDynamic().closest("button") == null) go(first) })
         }
     }
-
-/** Whether [query] finds [this] by what is said of it. */
-internal fun Incident.isFoundBy(query: Query): Boolean =
-    query.isEmpty || query.matchesLowercase("$name ${sentences.joinToString(" ") { it.text }} $next".lowercase(), setOf(Trait.FINDING))

@@ -2,8 +2,12 @@ package badlog.viewer.export.figure
 
 import badlog.analysis.PixelColumns
 import badlog.analysis.Span
-import badlog.analysis.Units
+import badlog.plot.axis.GraphAxis
+import badlog.plot.axis.SeenOfUnit
+import badlog.plot.axis.axisLimits
+import badlog.plot.axis.graphAxes
 import badlog.plot.axis.limitsFor
+import badlog.plot.axis.seenTogether
 import badlog.plot.board.BoardGraph
 import badlog.plot.curve.Curve
 import badlog.plot.curve.Scale
@@ -25,6 +29,8 @@ import badlog.viewer.theme.Palette
  * @param width how many pixels wide the figure will be.
  * @param events those of the open recording that are marked.
  * @param findings what rules found in it, if that is known.
+ * @param notes where a person wrote a note, on its x.
+ * @param board all graphs of the screen: some may share the limits of y with those that are drawn.
  */
 internal class FigureBuilder(
     private val recordings: List<DrawnRecording>,
@@ -32,6 +38,8 @@ internal class FigureBuilder(
     private val width: Int,
     private val events: EventTimeline = EventTimeline.NONE,
     private val findings: FindingTimeline<Finding>? = null,
+    private val notes: List<Double> = emptyList(),
+    private val board: List<BoardGraph> = emptyList(),
 ) {
     private val names = recordings.map { it.name }
     private val frameLetters = width / FRAME_LETTER
@@ -49,12 +57,13 @@ internal class FigureBuilder(
         val laneCount = sources.sumOf { it.sources.size } - lineCount
         val columns = PixelColumns(shareOf(MAX_POINTS / POINTS_PER_COLUMN, lineCount))
         val laneColumns = shareOf(MAX_BLOCKS / BLOCKS_PER_COLUMN, laneCount)
+        val shared = sharedBy(graphs, columns)
         return Figure(
             title = plainLine(names.joinToString(" · "), width / TITLE_LETTER),
             xTitle = plainLine(axis.title, NAME_LETTERS),
             x = x,
-            frames = sources.flatMap { framesOf(it, columns, laneColumns) },
-            marks = figureMarks(x, width, recordings.first().recording.modes, events, findings),
+            frames = sources.flatMap { framesOf(it, columns, laneColumns, shared) },
+            marks = figureMarks(x, width, recordings.first().recording.modes, events, findings, notes),
         )
     }
 
@@ -78,42 +87,69 @@ internal class FigureBuilder(
         }
     }
 
-    /** States have a frame of their own, and so has each unit: an axis shows one. */
-    private fun framesOf(graph: GraphSources, columns: PixelColumns, laneColumns: Int): List<FigureFrame> {
-        if (graph.graph.isXy) return listOfNotNull(xyFrame(graph.graph, recordings, x, width))
-        val (states, numbers) = graph.sources.partition { it.signal.states != null }
-        val units = numbers.groupBy { it.signal.unit }.values
-        return units.mapIndexed { i, lines -> lineFrame(graph.graph, lines, columns, isFirst = i == 0) } +
-            laneFrames(if (units.isEmpty()) graph.graph else graph.graph.copy(title = namesIn(states)), states, laneColumns)
+    /** What is to be seen of each unit in all graphs that share the limits of y, where one of [graphs] does. */
+    private fun sharedBy(graphs: List<BoardGraph>, columns: PixelColumns): Map<String, SeenOfUnit> {
+        if (graphs.none { it.sharesY }) return emptyMap()
+        val sharing = (graphs + board).distinctBy { it.id }.filter { it.sharesY && !it.isXy }
+        return seenTogether(sharing.flatMap { linesOfUnits(numbersOf(sourcesOf(it)), columns) }.map { it.seen })
     }
+
+    private fun numbersOf(sources: List<Source>) = sources.filter { it.signal.states == null }
+
+    /** States have a frame of their own, and so has each unit: an axis shows one. */
+    private fun framesOf(
+        graph: GraphSources,
+        columns: PixelColumns,
+        laneColumns: Int,
+        shared: Map<String, SeenOfUnit>,
+    ): List<FigureFrame> {
+        if (graph.graph.isXy) return listOfNotNull(xyFrame(graph.graph, recordings, x, width))
+        val numbers = linesOfUnits(numbersOf(graph.sources), columns)
+        val wholes = numbers.map { lines ->
+            val seen = shared[lines.axis.unit].takeIf { graph.graph.sharesY } ?: lines.seen
+            limitsFor(seen.least, seen.most, graph.graph.includesZero)
+        }
+        val limits = axisLimits(numbers.map { it.axis }, wholes, graph.graph.yRange, graph.graph.rightYRange)
+        val states = graph.sources.filter { it.signal.states != null }
+        return numbers.mapIndexed { i, lines -> lineFrame(graph.graph, lines, limits[i], isFirst = i == 0) } +
+            laneFrames(if (numbers.isEmpty()) graph.graph else graph.graph.copy(title = namesIn(states)), states, laneColumns)
+    }
+
+    /** The lines of one unit, and what is to be seen of them. */
+    private class LinesOfUnit(val axis: GraphAxis, val sources: List<Source>, val lines: List<FigureLine>, val seen: SeenOfUnit)
+
+    private fun linesOfUnits(numbers: List<Source>, columns: PixelColumns): List<LinesOfUnit> =
+        graphAxes(numbers.map { it.signal.unit }).map { axis ->
+            var least = Double.NaN
+            var most = Double.NaN
+            val sources = axis.lines.map(numbers::get)
+            val lines = sources.map { source ->
+                if (Thread.interrupted()) throw InterruptedException()
+                val curve = Curve(source.signal.series, source.drawn.recording.holdsUntil(source.signal))
+                val offset = source.drawn.offset
+                curve.draw(x.from - offset, x.to - offset, columns)
+                if (!(least <= curve.min)) least = if (curve.min.isNaN()) least else curve.min
+                if (!(most >= curve.max)) most = if (curve.max.isNaN()) most else curve.max
+                val strokes = Strokes().apply { trace(curve, Scale(0.0, 1.0, 1.0, start = offset), Scale.NONE) }
+                FigureLine(source.label, hexOf(Palette.LIGHT.line(source.color)), strokes)
+            }
+            LinesOfUnit(axis, sources, lines, SeenOfUnit(axis.unit, least, most))
+        }
 
     /** What stands above a frame that is not the first of its graph, whose title was read already. */
     private fun namesIn(sources: List<Source>) = sources.map { it.title }.distinct().joinToString()
 
-    private fun lineFrame(graph: BoardGraph, sources: List<Source>, columns: PixelColumns, isFirst: Boolean): FigureFrame {
-        var least = Double.NaN
-        var most = Double.NaN
-        val lines = sources.map { source ->
-            if (Thread.interrupted()) throw InterruptedException()
-            val curve = Curve(source.signal.series, source.drawn.recording.holdsUntil(source.signal))
-            val offset = source.drawn.offset
-            curve.draw(x.from - offset, x.to - offset, columns)
-            if (!(least <= curve.min)) least = if (curve.min.isNaN()) least else curve.min
-            if (!(most >= curve.max)) most = if (curve.max.isNaN()) most else curve.max
-            val strokes = Strokes().apply { trace(curve, Scale(0.0, 1.0, 1.0, start = offset), Scale.NONE) }
-            FigureLine(source.label, hexOf(Palette.LIGHT.line(source.color)), strokes)
-        }
-        val wanted = graph.yRange?.takeIf { isFirst && it.width > 0 }
-        val unit = sources.first().signal.unit
+    private fun lineFrame(graph: BoardGraph, lines: LinesOfUnit, y: Span, isFirst: Boolean): FigureFrame {
+        val sources = lines.sources
         val title = if (isFirst) graph.title else namesIn(sources)
         val saysItAll = sources.size == 1 && (!isFirst || isNamed(graph, sources[0].signal))
         return FigureFrame(
             title = plainLine(title, frameLetters),
-            yTitle = if (Units.isNone(unit)) "" else plainLine(unit, UNIT_LETTERS),
-            y = wanted ?: limitsFor(least, most, graph.includesZero),
+            yTitle = plainLine(lines.axis.unit, UNIT_LETTERS),
+            y = y,
             isFilled = graph.isFilled,
             hasLegend = recordings.size > 1 || !saysItAll,
-            lines = lines,
+            lines = lines.lines,
             lanes = emptyList(),
         )
     }

@@ -86,14 +86,16 @@ private fun behind(marks: FigureMarks, frame: FigureFrame): Plot {
             xmax = "to"
         }
     }
-    if (marks.events.isNotEmpty()) {
-        val color = hexOf(Palette.LIGHT.event)
-        plot +=
-            geomVLine(mapOf("at" to marks.events), color = color, alpha = EVENT, size = 0.5, sampling = samplingNone, showLegend = false) {
-                xintercept = "at"
-            }
-    }
-    return plot
+    return plot.withLinesAt(marks.events, hexOf(Palette.LIGHT.event), EVENT).withLinesAt(marks.notes, hexOf(Palette.LIGHT.accent), NOTE)
+}
+
+/** It with a line from bottom to top at each of [places]. */
+private fun Plot.withLinesAt(places: List<Double>, color: String, opacity: Double): Plot {
+    if (places.isEmpty()) return this
+    return this +
+        geomVLine(mapOf("at" to places), color = color, alpha = opacity, size = 0.5, sampling = samplingNone, showLegend = false) {
+            xintercept = "at"
+        }
 }
 
 /** [plot] with the marks of findings along its bottom. */
@@ -194,6 +196,7 @@ private const val STROKE = 0.8
 private const val DOT = 1.6
 private const val FILL = 0.15
 private const val EVENT = 0.5
+private const val NOTE = 1.0
 private const val FINDING = 3.4
 
 /** How far above the frame's bottom a finding's mark stands, as a share of its height. */

@@ -16,11 +16,13 @@ import badlog.viewer.theme.Palette
  * @property bands when the robot was enabled.
  * @property events where something happened.
  * @property findings where rules found something.
+ * @property notes where a person wrote a note.
  */
 internal class FigureMarks(
     val bands: List<FigureBand> = emptyList(),
     val events: List<Double> = emptyList(),
     val findings: List<FigurePoint> = emptyList(),
+    val notes: List<Double> = emptyList(),
 )
 
 /** A stretch of x behind the lines; [color] as `#rrggbb`. */
@@ -36,6 +38,7 @@ internal fun figureMarks(
     modes: ModeTimeline,
     events: EventTimeline,
     findings: FindingTimeline<Finding>?,
+    notes: List<Double>,
 ): FigureMarks {
     fun placeOf(pixel: Double) = x.from + pixel / width * x.width
     val bands = modes.spans.filter { it.span.from < x.to && it.span.to > x.from }.map { stretch ->
@@ -50,5 +53,6 @@ internal fun figureMarks(
         findings = List(findingMarks.size) {
             FigurePoint(placeOf(findingMarks.pixelOf(it)), hexOf(Palette.LIGHT.findingColor(findingMarks.severityOf(it))))
         },
+        notes = notes.filter { it in x },
     )
 }

@@ -5,12 +5,14 @@ import androidx.compose.runtime.getValue
 import androidx.compose.runtime.setValue
 import badlog.file.writeAtomically
 import badlog.plot.board.BoardGraph
+import badlog.viewer.board.GraphBoard
 import badlog.viewer.compare.ComparedRecordings
 import badlog.viewer.files.FileChoice
 import badlog.viewer.files.askToWrite
 import badlog.viewer.files.fileNameOf
 import badlog.viewer.files.sayNoLog
 import badlog.viewer.findings.LogFindings
+import badlog.viewer.note.LogNotes
 import badlog.viewer.recording.CurrentRecording
 import badlog.viewer.recording.FilteredEvents
 import badlog.viewer.task.LongTasks
@@ -31,6 +33,8 @@ internal class FigureSaver(
     private val view: AxisView,
     private val events: FilteredEvents,
     private val findings: LogFindings,
+    private val notes: LogNotes,
+    private val board: GraphBoard,
     private val files: FileChoice,
     private val tasks: LongTasks,
     private val notices: Notices,
@@ -62,8 +66,15 @@ internal class FigureSaver(
         }
     }
 
-    private fun builder(options: FigureOptions) =
-        FigureBuilder(compared.drawn, view.viewport.visible, options.width, events.matching, findings.state.list?.timeline)
+    private fun builder(options: FigureOptions) = FigureBuilder(
+        compared.drawn,
+        view.viewport.visible,
+        options.width,
+        events.matching,
+        findings.state.list?.timeline,
+        notes.state.notes.map { it.x },
+        board.state.graphs,
+    )
 
     private companion object {
         const val LONE_HEIGHT = 320

@@ -19,7 +19,10 @@ import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.labelFrame
 import kotlin.math.abs
 
-/** The text of the note or the event that the pointer is near to, or else the cursor, at its place along the top. */
+/**
+ * The text of the note or the event that the pointer is near to, or else the cursor, at its place above the graphs: what it is about is seen
+ * in them.
+ */
 @Composable
 internal fun EventLabel(scene: GraphScene) {
     val event by remember(scene) { derivedStateOf { scene.view.cursors.pointed?.let { saidNear(scene, it) } } }
@@ -36,12 +39,12 @@ internal fun EventLabel(scene: GraphScene) {
                         val beside = SIDE.dp.roundToPx()
                         // At the other side where there is no room.
                         val left = if (x + beside + label.width <= constraints.maxWidth) x + beside else x - beside - label.width
-                        label.place(left.toInt().coerceAtLeast(0), GraphScene.HEADER_HEIGHT.dp.roundToPx())
+                        label.place(left.toInt().coerceAtLeast(0), -label.height)
                     }
                 }
                 .labelFrame(palette.event),
             fontSize = 12.sp,
-            maxLines = 3,
+            maxLines = 2,
             overflow = TextOverflow.Ellipsis,
         )
     }

@@ -40,12 +40,14 @@ internal fun FindingLabel(scene: GraphScene, modifier: Modifier) {
         Column(
             Modifier
                 .layout { measurable, constraints ->
-                    val most = minOf(constraints.maxWidth, MAX_WIDTH.dp.roundToPx())
+                    val room = constraints.maxWidth
+                    fun pixelOf(x: Double) = pixelOf(x, scene.view.viewport.visible, room.toFloat()).toInt()
+                    val from = pixelOf(span.from)
+                    val to = pixelOf(span.to)
+                    val gap = GAP.dp.roundToPx()
+                    val most = widthBeside(from, to, room, gap, MIN_WIDTH.dp.roundToPx(), MAX_WIDTH.dp.roundToPx())
                     val label = measurable.measure(constraints.copy(minWidth = 0, maxWidth = most))
-                    layout(constraints.maxWidth, label.height) {
-                        fun pixelOf(x: Double) = pixelOf(x, scene.view.viewport.visible, constraints.maxWidth.toFloat()).toInt()
-                        label.place(besides(pixelOf(span.from), pixelOf(span.to), label.width, constraints.maxWidth, GAP.dp.roundToPx()), 0)
-                    }
+                    layout(room, label.height) { label.place(besides(from, to, label.width, room, gap), 0) }
                 }
                 .labelFrame(palette.findingColor(finding.severity)),
         ) {
@@ -60,6 +62,15 @@ internal fun FindingLabel(scene: GraphScene, modifier: Modifier) {
             Text(finding.textAt(span).take(MAX_LETTERS), fontSize = 12.sp, maxLines = 4, overflow = TextOverflow.Ellipsis)
         }
     }
+}
+
+/**
+ * How wide a label may be that does not cover what lies from pixel [from] to [to] of [room]: at most [most], and as wide as the wider side where
+ * that is at least [least].
+ */
+internal fun widthBeside(from: Int, to: Int, room: Int, gap: Int, least: Int, most: Int): Int {
+    val wider = maxOf(minOf(from, room), room - maxOf(to, 0)) - gap
+    return minOf(room, if (wider >= least) minOf(wider, most) else most)
 }
 
 /**
@@ -91,5 +102,8 @@ private fun placeOf(finding: Finding, scene: GraphScene): Span {
 private fun isAt(finding: Finding, cursor: Double?) = finding.time == cursor || finding.spans.any { it.from == cursor }
 
 private const val MAX_WIDTH = 340
+
+/** A narrower label would be all height. */
+private const val MIN_WIDTH = 150
 private const val GAP = 8
 private const val MAX_LETTERS = 600

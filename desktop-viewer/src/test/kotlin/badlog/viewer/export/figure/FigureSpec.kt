@@ -26,6 +26,7 @@ import io.kotest.matchers.collections.shouldNotContain
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.shouldBe
+import io.kotest.matchers.shouldNotBe
 import org.w3c.dom.Document
 import org.w3c.dom.Element
 import java.nio.file.Files
@@ -170,6 +171,25 @@ class FigureSpec : FunSpec({
         (svg.contains("rgb(179,38,30)") || svg.contains(error)) shouldBe true
         Files.createDirectories(Path.of("build/pictures"))
         ImageIO.write(imageOf(svg, options.width, 1), "png", Path.of("build/pictures/figure-marks.png").toFile())
+    }
+
+    test("it has the limits of y that the screen has: those of the right axis, and those that graphs share") {
+        val both = joint.copy(rightYRange = Span(-7.0, 77.0))
+        build(listOf(both), arm.span, arm).frames[1].y shouldBe Span(-7.0, 77.0)
+        val angle = BoardGraph(2, "Arm/Angle", listOf("Arm/Angle"), sharesY = true)
+        val other = BoardGraph(3, "Twice", listOf("Twice"), sharesY = true)
+        val open = arm.withFormulas(listOf("Twice [deg] = Arm/Angle * 2"))
+        val frames = build(listOf(angle, other), open.span, open).frames
+        frames[0].y shouldBe frames[1].y
+        val alone = FigureBuilder(listOf(DrawnRecording(open)), open.span, 900, board = listOf(angle, other)).build(listOf(angle))
+        alone.frames.single().y shouldBe frames[0].y
+        (build(listOf(angle.copy(sharesY = false)), open.span, open).frames.single().y == frames[0].y) shouldBe false
+    }
+
+    test("it has a line where a person wrote a note") {
+        val figure = FigureBuilder(listOf(DrawnRecording(arm)), Span(1.0, 5.0), 900, notes = listOf(0.5, 2.0)).build(listOf(joint))
+        figure.marks.notes shouldBe listOf(2.0)
+        svgOf(figure, options) shouldNotBe svgOf(build(listOf(joint), Span(1.0, 5.0), arm), options)
     }
 
     test("the picture has the colors of the lines, on white, at twice the size") {

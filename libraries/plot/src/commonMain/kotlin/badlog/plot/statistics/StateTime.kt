@@ -1,5 +1,6 @@
 package badlog.plot.statistics
 
+import badlog.analysis.Span
 import badlog.analysis.StateRuns
 import badlog.analysis.XAxis
 import badlog.plot.text.fixedText
@@ -38,19 +39,24 @@ public fun StateRuns.timesOf(
     states: List<String>,
     from: Double = Double.NEGATIVE_INFINITY,
     to: Double = Double.POSITIVE_INFINITY,
-): List<StateTime> {
+): List<StateTime> = timesOf(states, listOf(Span(from, to)))
+
+/** The same in several [parts] together, without what lies between them. A state that lasts over two of them was there twice. */
+public fun StateRuns.timesOf(states: List<String>, parts: List<Span>): List<StateTime> {
     val times = HashMap<Int, Double>()
     val counts = HashMap<Int, Int>()
-    for (run in firstReaching(from) until this.states.size) {
-        if (this.from[run] > to) {
-            if (isOrdered) break else continue
+    for ((from, to) in parts) {
+        for (run in firstReaching(from) until this.states.size) {
+            if (this.from[run] > to) {
+                if (isOrdered) break else continue
+            }
+            val time = minOf(this.to[run], to) - maxOf(this.from[run], from)
+            // What only touches the range was not in it.
+            if (time < 0 || (time == 0.0 && this.to[run] > this.from[run] && from < to)) continue
+            val state = this.states[run]
+            times[state] = (times[state] ?: 0.0) + time
+            counts[state] = (counts[state] ?: 0) + 1
         }
-        val time = minOf(this.to[run], to) - maxOf(this.from[run], from)
-        // What only touches the range was not in it.
-        if (time < 0 || (time == 0.0 && this.to[run] > this.from[run] && from < to)) continue
-        val state = this.states[run]
-        times[state] = (times[state] ?: 0.0) + time
-        counts[state] = (counts[state] ?: 0) + 1
     }
     val all = times.values.sum()
     return times.map { (state, time) ->
