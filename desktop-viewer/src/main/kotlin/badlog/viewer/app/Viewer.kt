@@ -3,6 +3,8 @@ package badlog.viewer.app
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.setValue
 import androidx.compose.runtime.snapshots.Snapshot
+import badlog.fetch.KnownHosts
+import badlog.fetch.RobotAddress
 import badlog.file.UserFolders
 import badlog.plot.board.Board
 import badlog.plot.range.Viewport
@@ -39,6 +41,7 @@ import badlog.viewer.recording.FilteredEvents
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.recording.RecordingLoader
 import badlog.viewer.recording.RecordingWatcher
+import badlog.viewer.robot.RobotLink
 import badlog.viewer.settings.Settings
 import badlog.viewer.settings.SettingsFile
 import badlog.viewer.settings.SettingsStore
@@ -59,6 +62,7 @@ import java.nio.file.Path
  *
  * @param scope lives as long as the window, on its thread.
  * @param kept the settings of last time.
+ * @param robots where the robot that a person typed may answer.
  */
 internal class Viewer(
     val scope: CoroutineScope,
@@ -66,6 +70,7 @@ internal class Viewer(
     kept: Settings = Settings(),
     val files: FileChoice = SystemFileChoice,
     val notices: Notices = Notices(),
+    robots: (String) -> List<RobotAddress> = { RobotAddress.of(it) },
 ) {
     val tasks = LongTasks(scope, notices)
     val settings = SettingsStore(SettingsFile(folders.settings.resolve(SettingsFile.NAME)), notices, kept)
@@ -102,6 +107,14 @@ internal class Viewer(
     val loader =
         RecordingLoader(scope, tasks, watcher, { library.state.folder }, definitions = { formulas.definitions }, overTime, ::show)
     val opener = LogOpener(library, loader, files, notices)
+    val robot = RobotLink(
+        scope,
+        KnownHosts(folders.settings.resolve("known_hosts")),
+        notices,
+        folder = { library.state.folder },
+        show = loader::open,
+        robots,
+    )
     val newest = NewestLog(library, current, loader, opener, notices, isInUse = ::isInUse)
     val logActions = LibraryActions(
         open = opener::open,

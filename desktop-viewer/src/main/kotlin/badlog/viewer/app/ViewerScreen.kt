@@ -77,7 +77,7 @@ private class Panes(
 
 private fun panesOf(viewer: Viewer) = with(viewer) {
     Panes(
-        logs = { LibraryPane(library, settings, shownLogs(), logActions, it) },
+        logs = { LibraryPane(library, robot, settings, shownLogs(), logActions, it) },
         topics = { TopicPane(current, compared, board, view, events, formulas, topics, panels, it) { findings.state.topics } },
         main = { MainPane(viewer, it) },
         details = { InspectorPane(current, compared, board, view, events, findings, notes, panels, it) },

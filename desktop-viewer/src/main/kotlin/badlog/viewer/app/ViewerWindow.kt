@@ -11,6 +11,7 @@ import androidx.compose.ui.window.ApplicationScope
 import androidx.compose.ui.window.FrameWindowScope
 import androidx.compose.ui.window.Window
 import androidx.compose.ui.window.WindowState
+import badlog.fetch.RobotAddress
 import badlog.file.UserFolders
 import badlog.viewer.failure.FailureBoundary
 import badlog.viewer.failure.FailureLog
@@ -28,19 +29,21 @@ import org.jetbrains.skia.Image
  * The window, from its opening on [start] to its closing, which ends the application.
  *
  * @param folders where the user's own files are.
+ * @param robots where the robot that a person typed may answer.
  * @param content what more is to happen in the window.
  */
 @Composable
 internal fun ApplicationScope.ViewerWindow(
     folders: UserFolders,
     start: (Viewer) -> StartPlace,
+    robots: (String) -> List<RobotAddress> = { RobotAddress.of(it) },
     content: @Composable FrameWindowScope.(Viewer) -> Unit = {},
 ) {
     val scope = rememberCoroutineScope()
     val notices = remember { Notices() }
     val failures = remember { Failures(FailureLog(folders.cache), notices) }
     val kept = remember { SettingsFile(folders.settings.resolve(SettingsFile.NAME)).read() }
-    val viewer = remember { Viewer(failures.guarded(scope), folders, kept, notices = notices) }
+    val viewer = remember { Viewer(failures.guarded(scope), folders, kept, notices = notices, robots = robots) }
     val place = remember { windowStateOf(kept.window) }
     val icon = remember { windowIcon() }
     val saveAll = { saveAll(viewer.layouts, viewer.settings, place) }

@@ -35,6 +35,8 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.viewer.library.index.LogEntry
+import badlog.viewer.robot.RobotBar
+import badlog.viewer.robot.RobotLink
 import badlog.viewer.settings.SettingsStore
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.KeepInSight
@@ -48,13 +50,15 @@ import badlog.viewer.theme.rememberAskedFocus
 @Composable
 internal fun LibraryPane(
     library: Library,
+    robot: RobotLink,
     settings: SettingsStore,
     shown: ShownLogs,
     actions: LibraryActions,
     modifier: Modifier = Modifier,
 ) {
     Column(modifier.background(LocalPalette.current.surface)) {
-        LibraryHead(library, settings, actions)
+        LibraryHead(library, robot, settings, actions)
+        RobotBar(robot, settings)
         HorizontalDivider()
         ReadingLine(library)
         val visible = library.state.visible
@@ -94,10 +98,13 @@ private fun LogList(library: Library, settings: SettingsStore, shown: ShownLogs,
 
 /** What stands above the list: which folder it is of, and what of it is listed how. */
 @Composable
-internal fun LibraryHead(library: Library, settings: SettingsStore, actions: LibraryActions) {
+internal fun LibraryHead(library: Library, robot: RobotLink, settings: SettingsStore, actions: LibraryActions) {
     Column(Modifier.padding(start = 8.dp, end = 8.dp, top = 6.dp, bottom = 2.dp)) {
         Row(verticalAlignment = Alignment.CenterVertically) {
             FolderMenu(library, settings, actions, Modifier.weight(1f))
+            ToolButton("Logs from the robot", Icons.Robot, isOn = robot.state.isShown || robot.state.isOn) {
+                robot.change { copy(isShown = !isShown) }
+            }
             ToolButton("All logs as a table", Icons.Table) { actions.toggleTable() }
         }
         LogSearch(library, actions.open, Modifier.fillMaxWidth().padding(top = 2.dp))

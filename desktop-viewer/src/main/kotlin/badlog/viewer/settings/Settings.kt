@@ -13,6 +13,7 @@ import kotlinx.serialization.Serializable
  * @property fitsGraphs whether graphs share the window's height instead where they are few enough.
  * @property window where the window was; null before the first time.
  * @property panes how wide the parts beside the graphs are.
+ * @property robot the robot that logs were fetched from last, as it was typed.
  */
 @Serializable
 internal data class Settings(
@@ -23,6 +24,7 @@ internal data class Settings(
     val fitsGraphs: Boolean = true,
     val window: WindowPlace? = null,
     val panes: PaneWidths = PaneWidths(),
+    val robot: String = "",
 ) {
     /** Remembers that [folder] was opened. */
     fun opened(folder: String): Settings = copy(recentFolders = (listOf(folder) + (recentFolders - folder)).take(MAX_RECENT))
@@ -40,6 +42,7 @@ internal fun merged(mine: Settings, before: Settings, theirs: Settings): Setting
         fitsGraphs = of(Settings::fitsGraphs),
         window = of(Settings::window),
         panes = of(Settings::panes),
+        robot = of(Settings::robot),
     )
 }
 

@@ -43,6 +43,7 @@ internal object Icons {
     val Copy = icon("M5.5 5.5 H13 V13.5 H5.5 Z M3 10.5 V2.5 H10.5")
     val Sort = icon("M2.5 4 H11 M2.5 8 H8 M2.5 12 H5 M11.5 7 V12.5 M9.5 10.5 L11.5 12.5 L13.5 10.5")
     val Hide = icon("M1.5 8 C4 4 12 4 14.5 8 C12 12 4 12 1.5 8 M3 13.5 L13 2.5")
+    val Robot = icon("M3 6 H13 V13 H3 Z M8 6 V3 M8 2.5 V2.6 M6 9 V9.6 M10 9 V9.6 M1.5 8.5 V10.5 M14.5 8.5 V10.5")
     val Reset = icon("M3 8 A5 5 0 1 0 5 4 M5 1.5 V4.5 H8")
 
     val Wave = icon("M1.5 9.5 L4.5 4.5 L8 11 L11 6 L14.5 9.5")

@@ -23,6 +23,7 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.graphics.SolidColor
+import androidx.compose.ui.graphics.vector.ImageVector
 import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.input.key.KeyEventType
 import androidx.compose.ui.input.key.key
@@ -30,12 +31,27 @@ import androidx.compose.ui.input.key.onPreviewKeyEvent
 import androidx.compose.ui.input.key.type
 import androidx.compose.ui.platform.LocalFocusManager
 import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.password
 import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.input.PasswordVisualTransformation
+import androidx.compose.ui.text.input.VisualTransformation
 import androidx.compose.ui.unit.dp
 
-/** A field of one line to search with; [hint] stands in it while it is empty. Escape empties it and gives the keyboard back. */
+/**
+ * A field of one line, to search with where no other [icon] says what for; [hint] stands in it while it is empty. Escape empties it
+ * and gives the keyboard back.
+ *
+ * @param isSecret whether nobody is to read what is typed.
+ */
 @Composable
-internal fun SearchField(text: String, hint: String, modifier: Modifier = Modifier, onChange: (String) -> Unit) {
+internal fun SearchField(
+    text: String,
+    hint: String,
+    modifier: Modifier = Modifier,
+    icon: ImageVector = Icons.Search,
+    isSecret: Boolean = false,
+    onChange: (String) -> Unit,
+) {
     val palette = LocalPalette.current
     val focus = LocalFocusManager.current
     val interactions = remember { MutableInteractionSource() }
@@ -53,10 +69,14 @@ internal fun SearchField(text: String, hint: String, modifier: Modifier = Modifi
                 }
                 leaves
             }
-            .semantics { contentDescription = hint },
+            .semantics {
+                contentDescription = hint
+                if (isSecret) password()
+            },
         textStyle = LocalTextStyle.current,
         singleLine = true,
         interactionSource = interactions,
+        visualTransformation = if (isSecret) PasswordVisualTransformation() else VisualTransformation.None,
         cursorBrush = SolidColor(palette.accent),
     ) { field ->
         Row(
@@ -68,7 +88,7 @@ internal fun SearchField(text: String, hint: String, modifier: Modifier = Modifi
             horizontalArrangement = Arrangement.spacedBy(6.dp),
             verticalAlignment = Alignment.CenterVertically,
         ) {
-            Icon(Icons.Search, contentDescription = null, Modifier.size(14.dp), palette.muted)
+            Icon(icon, contentDescription = null, Modifier.size(14.dp), palette.muted)
             Box(Modifier.weight(1f)) {
                 if (text.isEmpty()) Text(hint, color = palette.muted, maxLines = 1)
                 field()

@@ -8,6 +8,7 @@ import androidx.compose.ui.semantics.SemanticsNode
 import androidx.compose.ui.semantics.SemanticsProperties
 import androidx.compose.ui.semantics.getOrNull
 import androidx.compose.ui.window.application
+import badlog.fetch.RobotAddress
 import badlog.file.UserFolders
 import badlog.viewer.app.StartPlace
 import badlog.viewer.app.Viewer
@@ -38,7 +39,13 @@ import kotlin.math.roundToInt
  * @param opened the folder or file it is started on.
  */
 @OptIn(ExperimentalComposeUiApi::class, ComposeToolingApi::class)
-internal class RealWindow(home: Path, opened: Path, width: Int = 1400, height: Int = 860) : AutoCloseable {
+internal class RealWindow(
+    home: Path,
+    opened: Path,
+    width: Int = 1400,
+    height: Int = 860,
+    robots: (String) -> List<RobotAddress> = { RobotAddress.of(it) },
+) : AutoCloseable {
     // Never asked to wait until all is quiet: something always moves.
     private val robot = Robot().apply { autoDelay = 15 }
 
@@ -58,6 +65,7 @@ internal class RealWindow(home: Path, opened: Path, width: Int = 1400, height: I
             ViewerWindow(
                 folders = UserFolders(settings = home, cache = home),
                 start = { StartPlace.of(opened.toString(), it.settings.state, samples = null) },
+                robots = robots,
             ) { viewer ->
                 state = viewer
                 LaunchedEffect(Unit) { shown = window }

@@ -5,8 +5,8 @@ import java.net.InetSocketAddress
 import java.net.Socket
 import java.time.Duration
 import java.util.concurrent.ExecutionException
-import java.util.concurrent.Executors
 import java.util.concurrent.Future
+import java.util.concurrent.FutureTask
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.TimeoutException
 
@@ -15,14 +15,16 @@ import java.util.concurrent.TimeoutException
  * time: most do not exist in the network that the computer is in, and say nothing.
  */
 internal fun answering(addresses: List<RobotAddress>, patience: Duration): Sequence<RobotAddress> = sequence {
-    val threads = Executors.newFixedThreadPool(addresses.size) { Thread(it, "robot search").apply { isDaemon = true } }
-    try {
-        val end = System.nanoTime() + patience.toNanos()
-        val answers = addresses.map { address -> threads.submit<Boolean> { answers(address, patience) } }
-        for ((index, answer) in answers.withIndex()) if (isTrue(answer, end)) yield(addresses[index])
-    } finally {
-        threads.shutdownNow()
-    }
+    val end = System.nanoTime() + patience.toNanos()
+    val answers = addresses.map { address -> trying(address, patience) }
+    for ((index, answer) in answers.withIndex()) if (isTrue(answer, end)) yield(addresses[index])
+}
+
+// On a thread of its own, which ends with the answer: whoever has found a robot asks no further, and ends nothing.
+private fun trying(address: RobotAddress, patience: Duration): Future<Boolean> {
+    val answer = FutureTask { answers(address, patience) }
+    Thread(answer, "robot search").apply { isDaemon = true }.start()
+    return answer
 }
 
 private fun isTrue(answer: Future<Boolean>, end: Long): Boolean = try {
