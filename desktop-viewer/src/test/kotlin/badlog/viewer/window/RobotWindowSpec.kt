@@ -26,7 +26,7 @@ class RobotWindowSpec : FunSpec({
                     window.awaitState("both logs, and one of them shown") { it.library.state.entries.size == 2 && it.current.recording != null }
                     window.awaitState("nothing new") { "nothing new" in it.robot.state.status }
                     window.awaitGraphs()
-                    window.picture("robot", guide = "viewer-robot")
+                    window.picture("robot")
                 }
             }
         }
