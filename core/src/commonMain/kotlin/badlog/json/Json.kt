@@ -10,9 +10,11 @@ import badlog.text.isLetterOrDigit
  * @property text what it says, where it is a string; else null.
  * @property items its items, where it is an array; else null.
  * @property members its members in order, where it is an object; else null.
+ * @property start where in the text it begins.
  */
 public class JsonValue internal constructor(
     public val json: String,
+    public val start: Int,
     public val text: String? = null,
     public val items: List<JsonValue>? = null,
     public val members: List<JsonMember>? = null,
@@ -48,10 +50,10 @@ public class JsonReader private constructor(private val text: String) {
         skipBlanks()
         val start = at
         return when (peek()) {
-            '{' -> members(depth).let { JsonValue(text.substring(start, at), members = it) }
-            '[' -> items(depth).let { JsonValue(text.substring(start, at), items = it) }
-            '"' -> string().let { JsonValue(text.substring(start, at), text = it) }
-            else -> word().let { JsonValue(it) }
+            '{' -> members(depth).let { JsonValue(text.substring(start, at), start, members = it) }
+            '[' -> items(depth).let { JsonValue(text.substring(start, at), start, items = it) }
+            '"' -> string().let { JsonValue(text.substring(start, at), start, text = it) }
+            else -> word().let { JsonValue(it, start) }
         }
     }
 
@@ -130,7 +132,10 @@ public class JsonReader private constructor(private val text: String) {
         val start = at
         while (at < text.length && (isLetterOrDigit(text[at]) || text[at] in "+-.")) at++
         val word = text.substring(start, at)
-        if (word != "true" && word != "false" && word != "null" && !isNumber(word)) throw Malformed()
+        if (word != "true" && word != "false" && word != "null" && !isNumber(word)) {
+            at = start
+            throw Malformed()
+        }
         return word
     }
 
@@ -167,6 +172,16 @@ public class JsonReader private constructor(private val text: String) {
             JsonReader(text).document().members
         } catch (_: Malformed) {
             null
+        }
+
+        /** Where [text] ceases to be JSON; null where all of it is. */
+        public fun mistakeIn(text: String): Int? = JsonReader(text).run {
+            try {
+                document()
+                null
+            } catch (_: Malformed) {
+                at
+            }
         }
     }
 }

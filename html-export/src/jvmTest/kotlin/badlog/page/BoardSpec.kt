@@ -223,6 +223,7 @@ internal class BoardSpec : PageSpec({
     browserTest("the graphs of evidence move to the board by its pin, and Escape ends a drag") {
         onPage(TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN))) {
             await("the rules") { script("return document.documentElement.dataset.rules") == "done" }
+            click("#clear-board")
             press("n")
             val shown = texts("#evidence .graph-title")
             shown.size shouldBeGreaterThan 0
@@ -293,6 +294,18 @@ internal class BoardSpec : PageSpec({
         onPage(TestPages.of(large, additions = PageAdditions(rules = RuleSet.BUILT_IN))) {
             titles().first() shouldBe "Battery Voltage"
             titles().size shouldBe 24
+        }
+        // And one in between with what explains most of a match, and what its findings point at.
+        onPage(TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN))) {
+            await("the rules") { script("return document.documentElement.dataset.rules") == "done" }
+            settle()
+            keepScreenshot("board-first")
+            titles().take(3) shouldBe listOf("Battery and current", "System: Enabled, Autonomous…", "Loop Time")
+            elements("#board .legend-entry").mapNotNull { it.getDomAttribute("data-series") } shouldContain "Left Output"
+            click("#clear-board")
+            reload()
+            await("the rules") { script("return document.documentElement.dataset.rules") == "done" }
+            titles() shouldBe emptyList()
         }
     }
 })

@@ -41,6 +41,20 @@ internal class CursorPanelSpec : PageSpec({
         }
     }
 
+    browserTest("the pin of a value puts its topic on the board, and takes it off") {
+        onPage(page) {
+            press("v")
+            graph("Jump").click(0.45)
+            fun pin() = elements(".cursor-value:not([hidden]) .pin")[1]
+            pin().click()
+            settle()
+            texts("#board .graph-title") shouldBe listOf("Jump")
+            rows().single().startsWith("Jump") shouldBe true
+            click(".cursor-value:not([hidden]) .pin")
+            texts("#board .graph-title") shouldBe emptyList()
+        }
+    }
+
     browserTest("a search lists the topics that it finds, hidden ones too, and the panel stays open for the next visit") {
         onPage(page) {
             click("#values-button")

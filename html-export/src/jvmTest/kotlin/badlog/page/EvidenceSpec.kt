@@ -27,10 +27,13 @@ internal class EvidenceSpec : PageSpec({
         const top = document.querySelector('.zoom-bar').getBoundingClientRect().bottom
         return [...document.querySelectorAll('#evidence .graph')].filter(graph => {
             const box = graph.querySelector('canvas')?.getBoundingClientRect()
-            return box && box.height > 50 && box.top >= top && box.bottom <= innerHeight
-        }).map(graph => [graph.dataset.name, ...[...graph.querySelectorAll('[data-series]')].map(line => line.dataset.series)]).join()
+            return box && box.height > 30 && box.top >= top && box.bottom <= innerHeight
+        }).map(graph => [graph.dataset.name, ...[...graph.querySelectorAll('[data-series]')].map(line => line.dataset.series)].join()).join('\n')
         """.trimIndent(),
     ) as String
+
+    /** Of how many graphs not all is on the screen, below the bar. */
+    fun OpenPage.outOfSight() = elements("#evidence .graph").size - inSight().lines().count { it.isNotEmpty() }
 
     val match by lazy { TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN)) }
 
@@ -46,6 +49,8 @@ internal class EvidenceSpec : PageSpec({
                 (93.7 in visibleRange) shouldBe true
                 visibleRange.endInclusive - visibleRange.start shouldBeLessThan 20.0
                 for (name in listOf("Battery Voltage", "Total Current", "Left Output", "Right Output")) inSight() shouldContain name
+                elements("#evidence .graph").size shouldBe 4
+                outOfSight() shouldBe 0
                 element("#evidence .evidence-text").text shouldStartWith "The roboRIO browned out at 93.7"
                 element("#evidence .incident-next").text shouldStartWith "Next: "
                 element(".finding[aria-current]").text shouldContain "Browned out"
@@ -88,6 +93,34 @@ internal class EvidenceSpec : PageSpec({
                 1 -> if (row % 100 in 50..52) 1.0 + row / 100 % 5 else 12.0
                 else -> row % 7
             }
+        }
+    }
+
+    browserTest("of findings that begin together, a link and N name the one that is meant, also in a copied link") {
+        val both = listOf(
+            finding("First", Severity.ERROR, "first of two", 3.0),
+            finding("Second", Severity.WARNING, "second of two", 3.0),
+        )
+        onPage(TestPages.of(stepBag(graphs = 1), additions = PageAdditions(findings = both))) {
+            fun sentence() = texts("#evidence .evidence-text").first()
+            fun address() = element(".cursor-readout").getDomAttribute("href")
+            script("location.hash = '#t=3'")
+            settle()
+            sentence() shouldBe "first of two"
+            script("location.hash = '#t=3&finding=Second'")
+            settle()
+            settle()
+            sentence() shouldBe "second of two"
+            address() shouldBe "#t=3&finding=Second"
+            texts(".event-readout").single() shouldContain "second of two"
+            click("#close-evidence")
+            pressShift("n")
+            settle()
+            sentence() shouldBe "first of two"
+            address() shouldBe "#t=3&finding=First"
+            script("location.hash = '#t=3&finding=Gone;Topic'")
+            settle()
+            sentence() shouldBe "first of two"
         }
     }
 

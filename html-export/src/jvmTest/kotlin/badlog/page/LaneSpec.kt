@@ -1,6 +1,9 @@
 package badlog.page
 
 import badlog.bag.BagTopic
+import badlog.html.protocol.PageAdditions
+import badlog.rules.BUILT_IN
+import badlog.rules.RuleSet
 import io.kotest.assertions.withClue
 import io.kotest.inspectors.forAll
 import io.kotest.matchers.collections.shouldNotBeEmpty
@@ -92,6 +95,32 @@ internal class LaneSpec : PageSpec({
         }
         onPage(TestPages.of(bag), script = NOTING_TEXTS) {
             drawnTexts("On").none { "…" in it.text } shouldBe true
+        }
+    }
+
+    browserTest("lanes are shaded by the robot's modes, as lines are") {
+        val bag = bagOf(listOf(TIME, BagTopic("System/Enabled"), BagTopic("System/Autonomous"), BagTopic("Other/Pressed")), 101) { row, column ->
+            when (column) {
+                0 -> row / 10.0
+                1 -> row >= 50
+                2 -> false
+                else -> false
+            }
+        }
+        onPage(TestPages.of(bag, additions = PageAdditions(rules = RuleSet.BUILT_IN))) {
+            fun shadeAt(share: Double) = script(
+                """
+                const canvas = arguments[0].querySelector('canvas'), frame = arguments[0].querySelector('.plot-frame').getBoundingClientRect()
+                const box = canvas.getBoundingClientRect(), ratio = devicePixelRatio
+                const x = (frame.left - box.left + frame.width * arguments[1]) * ratio, y = (frame.top - box.top + 4) * ratio
+                const pixel = new OffscreenCanvas(1, 1).getContext('2d', {willReadFrequently: true})
+                pixel.drawImage(canvas, -x, -y)
+                return [...pixel.getImageData(0, 0, 1, 1).data].join()
+                """.trimIndent(),
+                graph("Other/Pressed").scrollTo().card,
+                share,
+            )
+            (shadeAt(0.25) == shadeAt(0.75)) shouldBe false
         }
     }
 

@@ -68,6 +68,23 @@ internal class LargeLogSpec : PageSpec({
         }
     }
 
+    browserTest("what is only listed, and what never changes, is put on the board by its pin") {
+        onPage(page) {
+            fun pinOf(row: String) = "$row .pin"
+            val before = elements("#board .graph").size
+            val name = checkNotNull(elements(".listed-graph[data-name]").first().getDomAttribute("data-name"))
+            click(pinOf(".listed-row"))
+            elements("#board .graph").size shouldBe before + 1
+            elements("#board .graph").last().getDomAttribute("data-name") shouldBe name
+            element(pinOf(".listed-row")).getDomAttribute("aria-pressed") shouldBe "true"
+            click("#constants .folder-toggle")
+            click(pinOf("#constants tr"))
+            elements("#board .graph").size shouldBe before + 2
+            click(pinOf("#constants tr"))
+            elements("#board .graph").size shouldBe before + 1
+        }
+    }
+
     browserTest("the folders are a tree, which a search opens") {
         onPage(page, Screen(1366, 768)) {
             seen(".folder-inner .folder-link").map { it.substringBefore(' ') } shouldContain "limelight-front"

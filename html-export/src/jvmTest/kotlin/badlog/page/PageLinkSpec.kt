@@ -66,10 +66,21 @@ internal class PageLinkSpec : PageSpec({
             visibleRange.start shouldBe (link.substringAfter("x=").substringBefore(':').toDouble() plusOrMinus 0.001)
             reload()
             titles() shouldBe listOf("Current", "Power")
+            val remembered = "return Object.keys(localStorage).filter(key => /:(formulas|board):/.test(key)).map(key => localStorage[key]).join()"
+            script(remembered) shouldBe ""
             click("#undo")
             titles() shouldBe emptyList()
             reload()
             titles() shouldBe emptyList()
+            // What uses them may be the reader's own by now.
+            script(remembered) as String shouldContain "Power [W] = Voltage * Current"
+        }
+        onPage(page) {
+            script("location.hash = arguments[0]", link)
+            settle()
+            script("history.replaceState(null, '', location.pathname)")
+            reload()
+            graphNames shouldBe listOf("Voltage", "Current")
         }
     }
 

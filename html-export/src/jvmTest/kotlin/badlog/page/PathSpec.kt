@@ -102,6 +102,19 @@ internal class PathSpec : PageSpec({
         }
     }
 
+    browserTest("Shift+click on the path sets the second cursor, where a ring is, and the legend says both places") {
+        onPage(page) {
+            val (x, y, width, height) = box()
+            fun at(share: Double) = (x + width * share).toInt() to (y + height * 0.45).toInt()
+            at(0.47).let { (toX, toY) -> act { mouseTo(toX, toY).mouseDown().mouseUp() } }
+            val one = pixels(0, layer = 1)
+            at(0.3).let { (toX, toY) -> act { keyDown(Keys.SHIFT).mouseTo(toX, toY).mouseDown().mouseUp().keyUp(Keys.SHIFT) } }
+            texts(".second-readout").single() shouldContain "B "
+            texts("#board .legend-entry .value").first() shouldContain " → "
+            pixels(0, layer = 1) shouldBeGreaterThan one
+        }
+    }
+
     browserTest("a trace is hidden by its legend, and that is remembered") {
         onPage(page) {
             // The red alliance's wall is of nearly the same color.

@@ -74,6 +74,29 @@ internal class PhoneSpec : PageSpec({
         }
     }
 
+    browserTest("a finger that rests sets the second cursor") {
+        onPage(page, Screen.PHONE) {
+            fun rest(share: Double) {
+                val (x, y) = graph("Step 1").scrollTo().frame.at(share)
+                val finger = PointerInput(Kind.TOUCH, "finger")
+                driver.perform(
+                    listOf(
+                        Sequence(finger, 0)
+                            .addAction(finger.createPointerMove(Duration.ZERO, Origin.viewport(), x, y))
+                            .addAction(finger.createPointerDown(MouseButton.LEFT.asArg())),
+                    ),
+                )
+                await("the second cursor") { elements(".cursor-line.is-second").any { it.isDisplayed } }
+                driver.perform(listOf(Sequence(finger, 0).addAction(finger.createPointerUp(MouseButton.LEFT.asArg()))))
+                settle()
+            }
+            val middle = graph("Step 1").scrollTo().frame.at(0.3)
+            touch(listOf(middle, middle))
+            rest(0.7)
+            texts(".second-readout").single() shouldContain "B 6.97"
+        }
+    }
+
     browserTest("a tap on a finding's mark shows what was found, on a page that is no wider than the phone") {
         val finding = finding("Brownout", Severity.ERROR, "a long text of what was found ".repeat(9), 5.0, Double.NaN)
         val line = PageSeries("Fit", "V", Series(doubleArrayOf(1.0), doubleArrayOf(1.0)))

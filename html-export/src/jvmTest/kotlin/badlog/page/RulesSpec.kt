@@ -54,6 +54,24 @@ internal class RulesSpec : PageSpec({
 
     fun bare(texts: List<String>) = texts.map { it.filterNot(Char::isWhitespace) }
 
+    browserTest("a search for what has findings, typed while the rules run, finds it when they are done") {
+        val typed = """
+            new MutationObserver((changes, observer) => {
+                const box = document.querySelector('#search')
+                if (!box || document.documentElement.dataset.state != 'ready') return
+                observer.disconnect()
+                box.value = 'has:finding'
+                box.dispatchEvent(new Event('input'))
+                window.typedDuring = document.documentElement.dataset.rules ?? 'running'
+            }).observe(document, {attributes: true, childList: true, subtree: true})
+        """.trimIndent()
+        onPage(TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN)), script = typed) {
+            awaitRules()
+            script("return window.typedDuring") shouldBe "running"
+            texts(".search-count").single() shouldContain "graph"
+        }
+    }
+
     for (sample in samples) {
         for ((name, rules) in listOf("the built-in rules" to RuleSet.BUILT_IN, "a team's rules" to own)) {
             browserTest("what the page's worker finds in $sample by $name is what the JVM finds") {

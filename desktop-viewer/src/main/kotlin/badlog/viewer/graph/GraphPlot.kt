@@ -12,6 +12,7 @@ import androidx.compose.runtime.rememberUpdatedState
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.clipToBounds
 import androidx.compose.ui.draw.drawBehind
+import androidx.compose.ui.graphics.drawscope.clipRect
 import androidx.compose.ui.graphics.graphicsLayer
 import androidx.compose.ui.input.pointer.PointerIcon
 import androidx.compose.ui.input.pointer.pointerHoverIcon
@@ -81,11 +82,15 @@ private fun GraphDrawing(scene: GraphScene, state: PlotState) {
     Spacer(
         Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind {
             val visible = scene.view.viewport.visible
-            drawModes(scene.current.recording?.modes, bands, visible, palette)
-            val picture = scene.pictureOf(state) ?: return@drawBehind
+            val modes = scene.current.recording?.modes
+            val picture = scene.pictureOf(state) ?: return@drawBehind drawModes(modes, bands, visible, palette)
+            val lanesTop = picture.plotHeight
+            clipRect(bottom = lanesTop) { drawModes(modes, bands, visible, palette) }
             drawGrid(picture, visible, palette)
             drawLines(picture, visible)
             drawLanes(picture, visible, palette, letters)
+            // They would hide it.
+            clipRect(top = lanesTop) { drawModes(modes, bands, visible, palette) }
             drawEventMarks(scene.events.matching, visible, palette)
             drawNoteMarks(scene.notes.state.notes, visible, palette)
         },

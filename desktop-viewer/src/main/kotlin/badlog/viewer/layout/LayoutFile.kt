@@ -1,8 +1,8 @@
 package badlog.viewer.layout
 
 import badlog.file.writeAtomically
+import badlog.plot.board.layoutMistake
 import badlog.viewer.settings.keyOf
-import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
 import java.io.IOException
 import java.nio.charset.CharacterCodingException
@@ -18,17 +18,18 @@ import java.nio.file.Path
  */
 internal fun readLayout(file: Path): Layout {
     val name = file.fileName
-    val layout = try {
+    val text = try {
         if (Files.size(file) > MAX_BYTES) throw IOException("$name is too large for a layout; select a file that badlog has saved.")
-        JSON.decodeFromString<Layout>(Files.readString(file))
-    } catch (e: SerializationException) {
-        throw IOException("$name is not a layout, or is damaged; select a file that badlog has saved.", e)
-    } catch (e: IllegalArgumentException) {
-        throw IOException("$name is not a layout, or is damaged; select a file that badlog has saved.", e)
+        Files.readString(file)
     } catch (e: CharacterCodingException) {
         throw IOException("$name is not a layout, since it is not text; select a file that badlog has saved.", e)
     } catch (e: NoSuchFileException) {
         throw IOException("$file does not exist any more; select another layout.", e)
+    }
+    val layout = try {
+        JSON.decodeFromString<Layout>(text)
+    } catch (e: IllegalArgumentException) {
+        throw IOException(layoutMistake("$name", text), e)
     }
     if (layout.version > Layout.VERSION) throw IOException("$name was saved by a newer badlog; update this one to open it.")
     return layout

@@ -23,7 +23,7 @@ import badlog.rules.withVirtualTopics
  */
 internal class Formulas(val logged: LogView, private val signals: SignalVocabulary, given: List<String>, fileKey: String) {
     private val key = "formulas:$fileKey"
-    private val remembered = LocalStorage[key].orEmpty().split('\n').filter { it.isNotBlank() && it !in given }.toMutableList()
+    private val persons = LocalStorage[key].orEmpty().split('\n').filter { it.isNotBlank() && it !in given }.toMutableList()
     private val formulas = ArrayList<Formula>()
 
     /** The recording with the topics that could be calculated. */
@@ -48,11 +48,11 @@ internal class Formulas(val logged: LogView, private val signals: SignalVocabula
     init {
         val ofPage = extend(given)
         this.given = view
-        errors = ofPage + extend(remembered)
+        errors = ofPage + extend(persons)
     }
 
-    /** The person's definitions, in the order in which they were made. */
-    val own: List<String> get() = remembered
+    /** The person's definitions and those of links, in the order in which they came. */
+    val own: List<String> get() = persons
 
     /** Whether [definition] is one of the page, or of the person. */
     fun has(definition: String): Boolean = formulas.any { it.definition == definition }
@@ -82,24 +82,29 @@ internal class Formulas(val logged: LogView, private val signals: SignalVocabula
         ) {
             vocabulary
         } else {
-            viewOf(remembered - replaced - usersOf(replaced).toSet()).namesWith(signals).vocabulary
+            viewOf(persons - replaced - usersOf(replaced).toSet()).namesWith(signals).vocabulary
         }
         return VirtualTopic.parse(text, known) as? ExpressionError
     }
 
-    /** Calculates [definition], which has no mistake, and remembers it. Returns its graph. */
-    fun add(definition: String): Graph {
+    /** Calculates [definition], which has no mistake, and remembers it, if it [isRemembered], with all others. Returns its graph. */
+    fun add(definition: String, isRemembered: Boolean = true): Graph {
         extend(listOf(definition))
-        remembered += definition
-        remember()
+        persons += definition
+        if (isRemembered) remember()
         return graphOf(definition)
     }
 
+    /** Remembers all of [own]. */
+    fun remember() {
+        LocalStorage[key] = own.joinToString("\n")
+    }
+
     /** Forgets [definition], which no other uses. */
-    fun remove(definition: String) = remember(remembered - definition)
+    fun remove(definition: String) = change(persons - definition)
 
     /** Calculates [definition], which has no mistake, in the place of [replaced], and those that use it again. */
-    fun replace(replaced: String, definition: String) = remember(remembered.map { if (it == replaced) definition else it })
+    fun replace(replaced: String, definition: String) = change(persons.map { if (it == replaced) definition else it })
 
     /** The graph of [definition], which makes one. */
     fun graphOf(definition: String): Graph {
@@ -109,13 +114,13 @@ internal class Formulas(val logged: LogView, private val signals: SignalVocabula
 
     private fun viewOf(definitions: List<String>) = if (definitions.isEmpty()) given else given.withVirtualTopics(definitions, signals).view
 
-    private fun remember(definitions: List<String>) {
-        formulas.removeAll { it.definition in remembered }
-        remembered.clear()
-        remembered += definitions
+    private fun change(definitions: List<String>) {
+        formulas.removeAll { it.definition in persons }
+        persons.clear()
+        persons += definitions
         remember()
         view = given
-        extend(remembered)
+        extend(persons)
     }
 
     private fun extend(definitions: List<String>): List<ExpressionError> {
@@ -124,9 +129,5 @@ internal class Formulas(val logged: LogView, private val signals: SignalVocabula
         view = extended.view
         formulas += formulasOf(definitions, extended)
         return extended.errors
-    }
-
-    private fun remember() {
-        LocalStorage[key] = remembered.joinToString("\n")
     }
 }

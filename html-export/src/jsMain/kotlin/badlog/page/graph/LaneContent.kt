@@ -21,6 +21,7 @@ internal class LaneContent(private val graph: Graph, private val palette: Palett
     private val blocks = LaneBlocks()
     private var span = Span(0.0, 1.0)
 
+    override val isOpaque: Boolean get() = true
     override val height: Int get() = heightOf(graph)
     override val axes: List<GraphAxis> get() = emptyList()
     override val limits: List<Span> get() = emptyList()

@@ -36,6 +36,7 @@ internal class LineContent(
     private val strokes = curves.map { Strokes() }
     private val axisOf = IntArray(curves.size)
 
+    override val isOpaque: Boolean get() = false
     override val height: Int = look().height ?: GraphHeight.MEDIUM.pixels
     override var axes: List<GraphAxis> = emptyList()
         private set

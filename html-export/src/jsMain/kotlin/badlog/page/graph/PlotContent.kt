@@ -10,6 +10,9 @@ internal interface PlotContent {
     /** How tall the plot is with its axis, in CSS pixels. */
     val height: Int
 
+    /** Whether it would hide the shading of the modes. */
+    val isOpaque: Boolean
+
     /** The axes of y, the one at the left first, none where y means nothing; settled by [prepare], as [limits] are. */
     val axes: List<GraphAxis>
 

@@ -18,8 +18,8 @@ import org.w3c.dom.pointerevents.PointerEvent
 import kotlin.math.abs
 
 /**
- * What a mouse or fingers do over a plot: those of [DragKind], [Wheel] and [Cursors]. Fingers pin the cursor, drag, and pinch; a vertical swipe is
- * the browser's, and scrolls the page.
+ * What a mouse or fingers do over a plot: those of [DragKind], [Wheel] and [Cursors]. Fingers pin the cursor, drag, and pinch; one that rests is
+ * a click with Shift; a vertical swipe is the browser's, and scrolls the page.
  *
  * @param onZoomY hears which part of the plot's height is to fill it, as shares from its top; null where y means nothing.
  * @param onReset hears that everything is to be shown.
@@ -44,6 +44,7 @@ internal class PlotGestures(
     private var hasMoved = false
     private var isShifted = false
     private var beforeTap = scene.cursor.now
+    private var resting = 0
 
     init {
         on("pointerdown") { press(it.unsafeCast<PointerEvent>()) }
@@ -51,6 +52,8 @@ internal class PlotGestures(
         on("pointerup") { release(it.unsafeCast<PointerEvent>()) }
         on("pointerleave") { if (drag == null) scene.cursor.change { left() } }
         on("pointercancel") { cancel(it.unsafeCast<PointerEvent>()) }
+        // Else a finger that rests opens the browser's menu.
+        on("contextmenu") { if (it.asDynamic().pointerType == TOUCH) it.preventDefault() }
         on("wheel") { wheel(it.unsafeCast<WheelEvent>()) }
     }
 
@@ -82,6 +85,15 @@ internal class PlotGestures(
         hasMoved = false
         isShifted = event.shiftKey
         escape.take()
+        if (event.pointerType == TOUCH) resting = window.setTimeout({ rest() }, REST_MILLISECONDS)
+    }
+
+    /** The finger has not moved for a while. */
+    private fun rest() {
+        if (drag == null || hasMoved) return
+        isShifted = true
+        tap(startX)
+        stop()
     }
 
     private fun move(event: PointerEvent) {
@@ -178,6 +190,7 @@ internal class PlotGestures(
     }
 
     private fun stop() {
+        window.clearTimeout(resting)
         escape.giveBack()
         drag = null
         selection.isHidden = true
@@ -203,5 +216,6 @@ internal class PlotGestures(
     private companion object {
         const val TOUCH = "touch"
         const val PIXELS_OF_LINE = 16.0
+        const val REST_MILLISECONDS = 500
     }
 }

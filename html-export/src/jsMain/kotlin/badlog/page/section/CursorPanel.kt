@@ -36,6 +36,7 @@ internal class CursorPanel(private val scene: Scene, private val shown: () -> Li
     private var query = Query("")
     private var lines = emptyList<GraphSeries>()
     private var values = CursorValues(lines, scene.xAxis)
+    private var pinned = emptySet<String>()
 
     val element: HTMLElement = element("aside", "cursor-panel card") {
         id = "cursor-values"
@@ -89,6 +90,7 @@ internal class CursorPanel(private val scene: Scene, private val shown: () -> Li
             }
         lines = lines.distinctBy { it.topic.name to it.isDerived to it.name }
         values = CursorValues(lines, scene.xAxis)
+        pinned = scene.board.now.graphs.mapNotNullTo(HashSet()) { it.lines.singleOrNull() }
         frame.ask()
     }
 
@@ -103,7 +105,8 @@ internal class CursorPanel(private val scene: Scene, private val shown: () -> Li
         val found = values.at(x)
         found.take(MOST).forEachIndexed { index, value ->
             if (index == rows.size) rows += Row(body)
-            rows[index].show(lines[value.line], value.hasChanged, x)
+            val line = lines[value.line]
+            rows[index].show(line, value.hasChanged, x, isPinned = line.called in pinned)
         }
         for (index in found.size until rows.size) rows[index].element.isHidden = true
         val more = lines.size - MOST
@@ -117,26 +120,34 @@ internal class CursorPanel(private val scene: Scene, private val shown: () -> Li
         )
     }
 
-    private class Row(parent: HTMLElement) {
+    private inner class Row(parent: HTMLElement) {
         private lateinit var name: HTMLElement
         private lateinit var value: HTMLElement
+        private lateinit var pin: HTMLElement
+        private var called = ""
 
         val element: HTMLElement = parent.add("div", "cursor-value") {
             name = add("bdi", "cursor-value-name")
             value = add("bdi", "cursor-value-text")
+            pin = addIconButton("pin", Icon.PIN, "Keep on the board") { scene.board.change { withOwnToggled(called) } }
         }
 
-        fun show(line: GraphSeries, hasChanged: Boolean, x: Double) {
+        fun show(line: GraphSeries, hasChanged: Boolean, x: Double, isPinned: Boolean) {
             element.isHidden = false
             element.classList.toggle("is-changed", hasChanged)
-            val called = if (line.isDerived) line.name else line.topic.name
+            called = line.called
             name.showText(called)
             name.title = called
+            // What an attribute derives may have its name in its graph alone.
+            pin.isHidden = scene.board.lines[called] == null
+            pin.setAttribute("aria-pressed", isPinned.toString())
             val text = line.textOf(line.indexAt(x)) { withUnit(if (line.isDerived) roundedText(it) else exactText(it), line.unit) }
             value.showText(text)
             value.title = text
         }
     }
+
+    private val GraphSeries.called: String get() = if (isDerived) name else topic.name
 
     private companion object {
         const val KEY = "values"

@@ -8,6 +8,7 @@ import badlog.page.dom.isNarrow
 import badlog.page.dom.showText
 import badlog.page.view.Scene
 import badlog.page.view.end
+import badlog.plot.address.FindingName
 import badlog.plot.search.Query
 import badlog.plot.search.findsFound
 import badlog.plot.search.hiddenBySearch
@@ -137,10 +138,11 @@ internal class FindingList(
         scene.findings.within(visited.finding, visited.span.from, steps)?.let { visit(it) }
     }
 
-    /** Goes to the worst finding that begins at [x], if there is one. */
-    fun visitAt(x: Double) {
-        val place = scene.findings.places.filter { it.span.from == x }.maxByOrNull { it.severity } ?: return
+    /** Goes to the finding that begins at [x] and is called [name], or else the worst there; returns whether there is one. */
+    fun visitAt(x: Double, name: FindingName?): Boolean {
+        val place = scene.findings.placeAt(x) { name?.isOf(it) == true } ?: return false
         visit(place)
+        return true
     }
 
     private fun addProblem(text: String, pointed: String = "") {

@@ -1,6 +1,7 @@
 package badlog.page.section
 
 import badlog.analysis.Graph
+import badlog.page.board.addPin
 import badlog.page.dom.Icon
 import badlog.page.dom.add
 import badlog.page.dom.addButton
@@ -10,6 +11,7 @@ import badlog.page.dom.showText
 import badlog.page.graph.GraphCard
 import badlog.page.view.Hits
 import badlog.page.view.Scene
+import badlog.plot.board.asBoardGraph
 import badlog.plot.outline.LogOutline
 import badlog.plot.outline.traits
 import badlog.plot.search.Query
@@ -30,6 +32,7 @@ internal class FoldedTopics(outline: LogOutline, private val scene: Scene, draw:
             add(constant.name, "${constant.name} ${constant.text}", { constant.graph.series[0].traits }) {
                 add("td").addButton("listed-graph", constant.name, "Draw ${constant.name}") { onDraw(draw(constant.graph)) }
                 add("td", "constant-value", constant.text)
+                add("td").addPin(scene.board, constant.graph.asBoardGraph())
             }
         }
     }

@@ -44,7 +44,11 @@ internal class HelpOverlay {
 
     private companion object {
         val OTHERS = listOf(
-            HelpLine("On the graphs", "Touch", "Tap pins the cursor, a sideways drag zooms or pans, a double tap shows everything."),
+            HelpLine(
+                "On the graphs",
+                "Touch",
+                "Tap pins the cursor, a long one sets the second; a sideways drag zooms or pans, a double tap shows everything.",
+            ),
             HelpLine("Board", "Drag a title", "Puts the graph there on the board; on another graph, draws both in one."),
             HelpLine("Page", "/", "Search"),
             HelpLine("Page", "Esc", "Clear the search, hide the cursors, cancel a drag"),

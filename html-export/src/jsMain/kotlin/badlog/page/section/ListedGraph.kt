@@ -1,6 +1,7 @@
 package badlog.page.section
 
 import badlog.analysis.Graph
+import badlog.page.board.addPin
 import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.element
@@ -8,6 +9,7 @@ import badlog.page.dom.isHidden
 import badlog.page.graph.GraphCard
 import badlog.page.view.Scene
 import badlog.page.view.SearchedGraph
+import badlog.plot.board.asBoardGraph
 import badlog.plot.search.Query
 import org.w3c.dom.HTMLElement
 
@@ -16,7 +18,7 @@ import org.w3c.dom.HTMLElement
  *
  * @param make gives it as it is drawn.
  */
-internal class ListedGraph(private val graph: Graph, scene: Scene, private val make: (Graph) -> GraphCard) {
+internal class ListedGraph(private val graph: Graph, private val scene: Scene, private val make: (Graph) -> GraphCard) {
     private val searched = SearchedGraph(graph, scene)
     private var isWanted = false
     private lateinit var row: HTMLElement
@@ -29,13 +31,17 @@ internal class ListedGraph(private val graph: Graph, scene: Scene, private val m
         private set
 
     val element: HTMLElement = element("div", "listed") {
-        row = addButton("listed-graph", "", "Draw ${graph.name}") {
-            isWanted = true
-            draw()
+        row = add("div", "listed-row") {
+            addButton("listed-graph", "", "Draw ${graph.name}") {
+                isWanted = true
+                draw()
+            }.apply {
+                setAttribute("data-name", graph.name)
+                add("span", "", graph.title)
+                if (graph.series.size > 1) add("span", "count", "${graph.series.size} lines")
+            }
+            addPin(scene.board, graph.asBoardGraph())
         }
-        row.setAttribute("data-name", graph.name)
-        row.add("span", "", graph.title)
-        if (graph.series.size > 1) row.add("span", "count", "${graph.series.size} lines")
     }
 
     /** Whether [query] finds it while it is not drawn. */

@@ -23,18 +23,18 @@ import badlog.page.view.Hits
 import badlog.page.view.PageBoard
 import badlog.page.view.Scene
 import badlog.page.view.timelineOf
-import badlog.plot.board.Board
+import badlog.plot.address.PageAddress
 import badlog.plot.board.BoardLayout
 import badlog.plot.board.BoardLines
-import badlog.plot.board.boardOfLarge
+import badlog.plot.board.boardAbove
 import badlog.plot.board.evidenceBoard
 import badlog.plot.board.fittedTo
-import badlog.plot.board.pathBoard
 import badlog.plot.formula.nameIn
 import badlog.plot.outline.outlineOf
 import badlog.plot.search.Query
 import badlog.plot.text.countText
 import badlog.plot.timeline.FindingPlace
+import badlog.recording.Severity
 import badlog.rules.Finding
 import badlog.rules.incident.Incident
 import badlog.rules.incident.evidenceOf
@@ -47,7 +47,7 @@ internal class LogPage(
     private val formulas: Formulas,
     private val about: About,
     additions: PageAdditions?,
-    layout: GivenLayout,
+    private val layout: GivenLayout,
     downloads: Downloads,
     theme: ThemeSwitch,
     axisChoice: HTMLElement?,
@@ -81,7 +81,7 @@ internal class LogPage(
     }
     private val values: CursorPanel = CursorPanel(scene, ::linesShown, ::allLines)
     private val ways = listOf(search.element, navigation.choice, eventsLink.element, formulaButton, values.button)
-    private val link = PageLink(scene, formulas, ::addFormulas, ::goWith)
+    private val link = PageLink(scene, formulas, { addFormulas(it, isRemembered = false) }, ::goWith)
     private val zoomBar = ZoomBar(scene, ways, link.element)
     private val help = HelpOverlay()
     private val findings = FindingList(scene, ::showEvidence, ::pinEvidence)
@@ -129,7 +129,7 @@ internal class LogPage(
 
     init {
         nothingFound.isHidden = true
-        board.begin { layout.board ?: boardOfLarge(view, signals) ?: pathBoard(view) }
+        board.begin { layout.board ?: boardAbove(view, signals) }
         board.onChange(values::refresh)
         BoardDrag(board, graphs, boardSection)
         Keyboard(scene, search, findings, evidence, BoardKeys(board, graphs, boardSection), values, formulaDialog, help)
@@ -149,7 +149,11 @@ internal class LogPage(
         RuleSearch(logged, additions.rules, about.name).start(
             onFindings = { found ->
                 scene.findings = timelineOf(found.findings + embeddedFindings)
-                findings.show(found.skipped, additions.rules.incidentsIn(found.findings, additions.differences))
+                val incidents = additions.rules.incidentsIn(found.findings, additions.differences)
+                findings.show(found.skipped, incidents)
+                if (layout.board == null) board.beginAgain(boardAbove(view, signals, pointedAt(incidents)))
+                // has:finding finds more now.
+                search.again()
                 // What the address names is known only now.
                 link.followAgain()
                 // Into the graphs that are there: somebody may be dragging over one.
@@ -171,6 +175,9 @@ internal class LogPage(
         graphs.repaint()
         zoomBar.repaint()
     }
+
+    private fun pointedAt(incidents: List<Incident>) = incidents.firstOrNull()?.evidence
+        ?: scene.findings.worstFirst.firstOrNull { it.severity != Severity.NOTE }?.evidence.orEmpty()
 
     private fun filter(query: Query): Hits {
         boardSection.filter(query)
@@ -195,6 +202,7 @@ internal class LogPage(
             .filter { it.states != null || it.topic.samples.isNotEmpty() }
 
     private fun addFormula(definition: String) {
+        link.leave()
         search.clear()
         graphs.add(folders.add(formulas.add(definition)))
         board.lines = linesNow()
@@ -202,12 +210,12 @@ internal class LogPage(
     }
 
     /** Adds those of [definitions], which a link or a layout has, that can be calculated here, and says in sentences why others cannot. */
-    private fun addFormulas(definitions: List<String>): List<String> {
+    private fun addFormulas(definitions: List<String>, isRemembered: Boolean): List<String> {
         val problems = ArrayList<String>()
         for (definition in definitions.filter { !formulas.has(it) }) {
             val mistake = formulas.mistakeIn(definition)
             if (mistake != null) problems += "Left out “$definition”: ${mistake.message}"
-            if (mistake == null) graphs.add(folders.add(formulas.add(definition), isWanted = false))
+            if (mistake == null) graphs.add(folders.add(formulas.add(definition, isRemembered), isWanted = false))
         }
         if (definitions.isEmpty()) return problems
         board.lines = linesNow()
@@ -220,18 +228,18 @@ internal class LogPage(
     private fun layoutNow() = BoardLayout(board.now, scene.range.now.takeIf { scene.range.isZoomed }, formulas.own)
 
     private fun open(opened: BoardLayout) {
-        val problems = addFormulas(opened.formulas)
+        val problems = addFormulas(opened.formulas, isRemembered = true)
         val fitted = opened.board?.fittedTo { board.lines[it] != null }
-        board.change { fitted?.board ?: boardOfLarge(view, signals) ?: pathBoard(view) }
+        board.change { fitted?.board ?: boardAbove(view, signals) }
         opened.visible?.let { wanted -> scene.range.change { showing(wanted.from, wanted.to) } }
         scene.notice.say(*(problems + (fitted?.sentence ?: "Opened the layout.")).toTypedArray())
         boardSection.bringIntoSight()
     }
 
-    private fun goWith(time: Double, linked: Board?) {
-        if (linked != null) return boardSection.bringIntoSight()
+    private fun goWith(address: PageAddress) {
+        if (address.board != null && address.finding == null) return boardSection.bringIntoSight()
         showAnyGraph()
-        findings.visitAt(time)
+        address.moment?.let { findings.visitAt(it, address.finding) }
     }
 
     private fun pinEvidence(finding: Finding, incident: Incident?) {
@@ -241,6 +249,7 @@ internal class LogPage(
     }
 
     private fun changeFormula(from: String, to: String) {
+        link.leave()
         search.clear()
         val users = formulas.usersOf(from)
         for (definition in users + from) takeAway(definition)
@@ -259,6 +268,7 @@ internal class LogPage(
     }
 
     private fun removeFormula(definition: String) {
+        link.leave()
         takeAway(definition)
         formulas.remove(definition)
         nameIn(definition)?.let { name -> board.change { withoutSignal(name) } }

@@ -7,7 +7,6 @@ import badlog.page.formula.Formulas
 import badlog.page.view.Scene
 import badlog.plot.address.PageAddress
 import badlog.plot.address.pageAddressOf
-import badlog.plot.board.Board
 import badlog.plot.board.fittedTo
 import kotlinx.browser.document
 import kotlinx.browser.window
@@ -20,13 +19,13 @@ import kotlin.js.Promise
  * address that asks for what is seen now.
  *
  * @param onFormulas is called with the formulas of an address, and says in sentences what is wrong with some of them.
- * @param onJump is called with the time to which the cursor was taken, and with the board that was shown, if any.
+ * @param onJump is called when the cursor and the board are where the address asks for them.
  */
 internal class PageLink(
     private val scene: Scene,
     private val formulas: Formulas,
     private val onFormulas: (List<String>) -> List<String>,
-    private val onJump: (Double, Board?) -> Unit,
+    private val onJump: (PageAddress) -> Unit,
 ) {
     /** What was asked for, for as long as the reader has not looked elsewhere. */
     private var followed: PageAddress? = null
@@ -35,44 +34,50 @@ internal class PageLink(
         addIconButton("", Icon.LINK, "Copy a link to this time, range and board") { copy() }.id = "copy-link"
     }
 
-    private var isFollowing = false
-
     /** Begins to follow the address. */
     fun start() {
         follow()
         window.addEventListener("hashchange", { follow() })
-        // Else the board of a link would come back when the page is loaded again, in the place of what its reader made of it.
-        scene.board.onChange { if (!isFollowing && "board=" in window.location.hash) showAddress("") }
+        scene.board.onKeep = ::leave
+    }
+
+    /**
+     * Makes the board and the formulas of a link the reader's own, who is changing one of them. Else they would come back when the page is
+     * loaded again, in the place of what the reader made of them.
+     */
+    fun leave() {
+        val hash = window.location.hash
+        if ("f=" in hash) formulas.remember()
+        if ("f=" in hash || "board=" in hash) showAddress("")
     }
 
     /** Goes where the address goes once more, unless the reader has looked elsewhere: what is found there is known only now. */
     fun followAgain() {
         val address = followed ?: return
         val isThere = if (address.visible == null) !scene.range.isZoomed else address.visible == scene.range.now
-        if (address.board == null && isThere) go(address)
+        if ((address.board == null || address.finding != null) && isThere) go(address)
     }
 
     private fun follow() {
         val address = pageAddressOf(window.location.hash)
         followed = address
-        isFollowing = true
         val problems = address.problems + onFormulas(address.formulas)
         val board = address.board?.fittedTo { scene.board.lines[it] != null }
         board?.let { scene.board.visit(it.board) }
-        isFollowing = false
         go(address)
         scene.notice.say(*(problems + listOfNotNull(board?.sentence)).toTypedArray())
     }
 
     private fun go(address: PageAddress) {
         address.moment?.let(scene::goTo)
-        if (address.moment != null || address.board != null) onJump(address.moment ?: Double.NaN, address.board)
+        if (address.moment != null || address.board != null) onJump(address)
         address.visible?.let { range -> scene.range.change { showing(range.from, range.to) } }
     }
 
     private fun copy() {
         val address = PageAddress(
             moment = scene.cursor.x.takeIf { scene.cursor.isPlaced },
+            finding = scene.visitedAt(scene.cursor.x),
             visible = scene.range.now.takeIf { scene.range.isZoomed },
             board = scene.board.now.takeIf { it.graphs.isNotEmpty() }?.renumbered(),
             formulas = formulas.own,

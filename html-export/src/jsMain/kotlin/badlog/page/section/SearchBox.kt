@@ -6,6 +6,7 @@ import badlog.page.dom.element
 import badlog.page.dom.showText
 import badlog.page.view.Hits
 import badlog.plot.search.Query
+import badlog.plot.search.Trait
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLInputElement
@@ -52,6 +53,11 @@ internal class SearchBox(private val search: (Query) -> Hits) {
         if (input.value.isEmpty()) input.blur()
         input.value = ""
         run()
+    }
+
+    /** Searches again where what was found by rules is asked for. */
+    fun again() {
+        if (Query(input.value).asksFor(Trait.FINDING)) run()
     }
 
     private fun run() {

@@ -77,7 +77,8 @@ internal class ZoomBar(private val scene: Scene, ways: List<HTMLElement>, link: 
     /** A link to what is pinned; on the way to it the pointer moves over other times. */
     private fun showLink(pinned: Double?) {
         cursor.title = if (pinned == null) "Click a graph to pin the cursor, and link to its time" else "Link to this time"
-        if (pinned == null) cursor.removeAttribute("href") else cursor.setAttribute("href", PageAddress(moment = pinned).toText())
+        val link = pinned?.let { PageAddress(it, finding = scene.visitedAt(it)).toText() }
+        if (link == null) cursor.removeAttribute("href") else cursor.setAttribute("href", link)
     }
 
     private fun zoom(steps: Int) = scene.range.change { zoomed(steps, scene.cursor.x) }

@@ -30,7 +30,12 @@ internal class Cursor(clocks: List<DoubleArray>) {
     fun change(step: Cursors.() -> Cursors) {
         val before = now
         now = before.step()
-        if (now != before) for (listener in listeners) listener()
+        if (now != before) announce()
+    }
+
+    /** Lets what stands at the cursors be read again. */
+    fun announce() {
+        for (listener in listeners) listener()
     }
 
     /** Moves the one that keys move by [count] samples, back when negative; to the one nearest to [start] when it is nowhere. */

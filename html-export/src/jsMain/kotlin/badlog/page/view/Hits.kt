@@ -4,7 +4,7 @@ import badlog.plot.search.Query
 import badlog.plot.text.countText
 
 /** How much of the page a [Query] found. */
-internal data class Hits(
+internal class Hits(
     val graphs: Int = 0,
     val values: Int = 0,
     val events: Int = 0,
@@ -28,13 +28,14 @@ internal data class Hits(
 
     /** As a person reads it: `3 graphs, 1 event`. */
     fun text(): String {
-        val parts = ArrayList<String>()
-        if (graphs > 0) parts += countText(graphs, "graph")
-        if (topics > 0) parts += countText(topics, "topic")
-        if (values > 0) parts += countText(values, "value")
-        if (events > 0) parts += countText(events, "event")
-        if (findings > 0) parts += countText(findings, "finding")
-        if (notes > 0) parts += countText(notes, "note")
-        return if (parts.isEmpty()) "nothing matches" else parts.joinToString()
+        val parts = listOf(
+            "graph" to graphs,
+            "topic" to topics,
+            "value" to values,
+            "event" to events,
+            "finding" to findings,
+            "note" to notes,
+        ).filter { it.second > 0 }
+        return if (parts.isEmpty()) "nothing matches" else parts.joinToString { (name, number) -> countText(number, name) }
     }
 }

@@ -19,6 +19,12 @@ internal class PageBoard(fileKey: String, lines: BoardLines) {
     private var history = BoardHistory()
     private val listeners = ArrayList<() -> Unit>()
 
+    /** What it began with, unless the browser remembered one. */
+    private var begun: BoardHistory? = null
+
+    /** Is called when the reader has changed it. */
+    var onKeep: () -> Unit = {}
+
     /** All that may be drawn; others when formulas have changed. */
     var lines: BoardLines = lines
         set(value) {
@@ -39,7 +45,18 @@ internal class PageBoard(fileKey: String, lines: BoardLines) {
     }
 
     /** Begins with what the browser remembers, else with [board]. */
-    fun begin(board: () -> Board) = show(BoardHistory(remembered() ?: board()))
+    fun begin(board: () -> Board) {
+        val own = remembered()
+        val first = BoardHistory(own ?: board())
+        if (own == null) begun = first
+        show(first)
+    }
+
+    /** Begins with [board] instead, unless the reader has another one already. */
+    fun beginAgain(board: Board) {
+        if (history !== begun || board.showsSame(history.now)) return
+        begun = BoardHistory(board).also(::show)
+    }
 
     /** Does [step], which can be undone, and remembers what comes of it. */
     fun change(step: Board.() -> Board) = keep(history.changed(now.step()))
@@ -55,6 +72,7 @@ internal class PageBoard(fileKey: String, lines: BoardLines) {
         if (changed === history) return
         show(changed)
         LocalStorage[key] = history.now.toJson()
+        onKeep()
     }
 
     private fun show(changed: BoardHistory) {

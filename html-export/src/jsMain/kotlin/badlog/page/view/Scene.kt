@@ -7,6 +7,7 @@ import badlog.analysis.LogView
 import badlog.analysis.XAxis
 import badlog.analysis.enabledSpans
 import badlog.html.note.Note
+import badlog.plot.address.FindingName
 import badlog.plot.outline.traits
 import badlog.plot.path.Pose
 import badlog.plot.path.posesOf
@@ -49,6 +50,12 @@ internal class Scene(val view: LogView, val palette: Palette, val board: PageBoa
 
     /** Where a person went last to look at a finding; null before. */
     var visited: FindingPlace<Finding>? = null
+        set(value) {
+            field = value
+            // Perhaps another one at the same place.
+            cursor.announce()
+        }
+
     val range: VisibleRange = VisibleRange(Viewport.of(xAxis.range))
     val cursor: Cursor = Cursor(xAxis.clocks)
     val sharedY: SharedY = SharedY(board, range)
@@ -68,6 +75,9 @@ internal class Scene(val view: LogView, val palette: Palette, val board: PageBoa
 
     /** The clocks besides the x axis. */
     val clocks: Clocks by lazy { Clocks(view, modes) }
+
+    /** What the finding is called that a person went to at [x]; null where nobody did. */
+    fun visitedAt(x: Double): FindingName? = visited?.takeIf { it.span.from == x }?.let { FindingName.of(it.finding) }
 
     /** The event that is pointed at when the cursor is at [x], or null. */
     fun eventAt(x: Double): Event? = events.nearest(x, range.now.width * REACH)

@@ -91,8 +91,16 @@ internal class XyDrawing(private val scene: Scene, private val look: () -> Board
         val canvas = overlay ?: return
         val plot = plot ?: return
         canvas.clear()
-        val time = scene.cursor.x
-        plot.traces.asReversed().forEachIndexed { i, trace -> values[i].showText(trace.textAt(time, plot.isField)) }
+        val second = scene.cursor.now.second
+        plot.traces.asReversed().forEachIndexed { i, trace ->
+            values[i].showText(listOfNotNull(scene.cursor.x, second).joinToString(" → ") { trace.textAt(it, plot.isField) })
+        }
+        second?.let { drawPlaces(canvas, plot, it, isSecond = true) }
+        drawPlaces(canvas, plot, scene.cursor.x, isSecond = false)
+    }
+
+    /** Draws where everything is at [time]; at the second cursor as rings. */
+    private fun drawPlaces(canvas: XyCanvas, plot: XyPlot, time: Double, isSecond: Boolean) {
         val seen = seen(canvas)
         for (trace in shown(plot)) {
             canvas.color(scene.palette.line(trace.color))
@@ -103,9 +111,9 @@ internal class XyDrawing(private val scene: Scene, private val look: () -> Board
             val index = trace.indexAt(time)
             if (index < 0) continue
             if (plot.isField && trace.role != PoseRole.SEEN) {
-                canvas.chain(trace.robotAt(time), seen, isClosed = true, isFilled = trace.role == PoseRole.DRIVEN)
+                canvas.chain(trace.robotAt(time), seen, isClosed = true, isFilled = trace.role == PoseRole.DRIVEN && !isSecond)
             }
-            canvas.dot(trace.trail.x[index], trace.trail.y[index], seen)
+            canvas.dot(trace.trail.x[index], trace.trail.y[index], seen, SECOND.takeIf { isSecond })
         }
         for (arrow in plot.arrowsAt(time)) {
             canvas.color(scene.palette[if (arrow.isTarget) Shade.MUTED else Shade.ACCENT], if (arrow.isTarget) TARGET else 1.0)
@@ -157,6 +165,7 @@ internal class XyDrawing(private val scene: Scene, private val look: () -> Board
 
     private companion object {
         const val FAINT = 0.25
+        const val SECOND = 5.0
         const val TARGET = 0.8
     }
 }

@@ -101,8 +101,8 @@ class BadlogHtmlSpec : FunSpec({
             layouts.clear()
             val said = made().lines().filter { it.isNotEmpty() }
             said shouldContainExactly listOf(
-                "The layout $all is not used: The graphs are damaged: graph 1 is not an object; select a file that badlog has saved.",
-                "The layout $practice is not used: It is not a layout, or is damaged; select a file that badlog has saved.",
+                "The layout $all is not used: The graphs are damaged: graph 1 is not an object (line 1, column 30); select a file that badlog has saved.",
+                "The layout $practice is not used: It is not a layout, or is damaged in line 1, column 1; select a file that badlog has saved.",
             )
             layouts shouldContainExactly listOf(null, null)
         }

@@ -11,9 +11,10 @@ import badlog.plot.text.addressText
 import badlog.plot.text.nameOfAddress
 
 /**
- * What the end of a page's address asks for: `#t=93.7&x=90:100&board=Voltage;Mode&f=Power+~003d+Voltage*Current`.
+ * What the end of a page's address asks for: `#t=93.7&finding=Brownout;Voltage&x=90:100&board=Voltage;Mode&f=Power+~003d+Voltage*Current`.
  *
  * @property moment where the cursor is to go, in the unit of the x axis; null for nowhere.
+ * @property finding the finding at [moment] that is meant; null for the worst one there.
  * @property visible the part of x to show; null for what suits the moment.
  * @property board the graphs to show together, by the names of their lines; null for those that there are.
  * @property formulas the definitions of topics that are calculated from others, in addition to those of the page.
@@ -25,6 +26,7 @@ public class PageAddress(
     public val board: Board? = null,
     public val formulas: List<String> = emptyList(),
     public val problems: List<String> = emptyList(),
+    public val finding: FindingName? = null,
 ) {
     /** Whether it asks for nothing. */
     public val isEmpty: Boolean get() = moment == null && visible == null && board == null && formulas.isEmpty()
@@ -32,7 +34,8 @@ public class PageAddress(
     /** The end of the address, from the `#` on; empty where it asks for nothing. */
     public fun toText(): String {
         val parts = listOfNotNull(
-            moment?.takeIf { it.isFinite() }?.let { "t=$it".replace("+", "") },
+            moment?.takeIf { it.isFinite() }?.let { "t=$it".replace("+", "").removeSuffix(".0") },
+            finding?.takeIf { moment?.isFinite() == true }?.let { "finding=" + it.toText() },
             visible?.takeIf { it.from < it.to && it.from.isFinite() && it.to.isFinite() }?.let { "x=" + spanText(it) },
             board?.let { "board=" + it.toText() },
             formulas.takeIf { it.isNotEmpty() }?.joinToString(";", "f=", transform = ::addressText),
@@ -63,6 +66,7 @@ public fun pageAddressOf(text: String): PageAddress {
         board = read("board", "board", ::boardOrNull),
         formulas = read("f", "formula", ::formulasOrNull).orEmpty(),
         problems = problems,
+        finding = read("finding", "finding", ::findingNameOf),
     )
 }
 

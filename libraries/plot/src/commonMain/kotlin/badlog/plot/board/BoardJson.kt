@@ -40,17 +40,33 @@ internal fun StringBuilder.appendSpan(key: String, span: Span?) {
  */
 public fun boardOfJson(text: String): Board {
     val members = JsonReader.readObject(text) ?: throw BoardException("This is not an object of JSON; select a file that badlog has saved.")
-    val graphs = members.findLast { it.key == "graphs" }?.value?.items ?: throw BoardException(damage("“graphs” is not a list"))
-    return Board(graphs.mapIndexed { i, graph -> graphOf(i + 1, graph) })
+    return boardOf(members.findLast { it.key == "graphs" }?.value) { "" }
+}
+
+/**
+ * The board that [graphs] is, the list of its graphs.
+ *
+ * @param placeText says where in the text a mistake begins, with a space before.
+ */
+internal fun boardOf(graphs: JsonValue?, placeText: (Int) -> String): Board = try {
+    val items = graphs?.items ?: throw Damage("“graphs” is not a list", graphs)
+    Board(items.mapIndexed { i, graph -> graphOf(i + 1, graph) })
+} catch (e: Damage) {
+    val place = e.place?.let(placeText).orEmpty()
+    throw BoardException("The graphs are damaged: ${e.what}$place; select a file that badlog has saved.")
+}
+
+private class Damage(val what: String, place: JsonValue?) : Exception() {
+    val place = place?.start
 }
 
 private fun graphOf(id: Int, graph: JsonValue): BoardGraph {
-    if (graph.members == null) throw BoardException(damage("graph $id is not an object"))
-    val lines = graph["lines"]?.items ?: throw BoardException(damage("graph $id has no list of “lines”"))
-    val names = lines.map { it.text ?: throw BoardException(damage("a line of graph $id is not a name")) }.distinct()
+    if (graph.members == null) throw Damage("graph $id is not an object", graph)
+    val lines = graph["lines"]?.items ?: throw Damage("graph $id has no list of “lines”", graph)
+    val names = lines.map { it.text ?: throw Damage("a line of graph $id is not a name", it) }.distinct()
     return BoardGraph(
         id = id,
-        title = graph["title"]?.text ?: throw BoardException(damage("graph $id has no “title”")),
+        title = graph["title"]?.text ?: throw Damage("graph $id has no “title”", graph),
         lines = names,
         isFilled = graph.isSet("filled", id),
         includesZero = graph.isSet("zero", id),
@@ -69,19 +85,17 @@ private operator fun JsonValue.get(key: String): JsonValue? = members?.findLast 
 private fun JsonValue.isSet(key: String, graph: Int): Boolean = when (get(key)?.json ?: "false") {
     "true" -> true
     "false" -> false
-    else -> throw BoardException(damage("“$key” of graph $graph is neither true nor false"))
+    else -> throw Damage("“$key” of graph $graph is neither true nor false", get(key))
 }
 
 private fun JsonValue.number(key: String, graph: Int): Double {
     val value = get(key)
     // What is a text says so by its quotes.
     return value?.json?.takeIf { it[0] == '-' || it[0] in '0'..'9' }?.toDoubleOrNull()
-        ?: throw BoardException(damage("“$key” of graph $graph is not a number"))
+        ?: throw Damage("“$key” of graph $graph is not a number", value ?: this)
 }
 
 private fun JsonValue.span(key: String, graph: Int): Span? =
     get(key)?.let { Span(it.number("from", graph), it.number("to", graph)).takeIf(::isWritable) }
-
-private fun damage(what: String) = "The graphs are damaged: $what; select a file that badlog has saved."
 
 private val HEIGHTS = BoardGraph.HEIGHTS.first.toDouble()..BoardGraph.HEIGHTS.last.toDouble()

@@ -42,13 +42,25 @@ public fun boardLayoutOf(name: String, text: String): BoardLayout {
     val members = JsonReader.readObject(text)?.associate { it.key to it.value }
     val version = members?.get(BoardLayout.VERSION_KEY)?.json?.toDoubleOrNull()
     if (members == null || version == null) {
-        throw BoardException("$name is not a layout, or is damaged; select a file that badlog has saved.")
+        throw BoardException(layoutMistake(name, text))
     }
     if (version > BoardLayout.VERSION) throw BoardException("$name was saved by a newer badlog; update this one to open it.")
     val visible = members["visible"]?.members?.associate { it.key to it.value.json.toDoubleOrNull() }
     return BoardLayout(
-        board = members["graphs"]?.takeIf { it.json != "null" }?.let { boardOfJson(text) },
+        board = members["graphs"]?.takeIf { it.json != "null" }?.let { boardOf(it) { place -> " (${lineAndColumn(text, place)})" } },
         visible = visible?.let { Span(it["from"] ?: Double.NaN, it["to"] ?: Double.NaN) }?.takeIf(::isWritable),
         formulas = members["formulas"]?.items.orEmpty().mapNotNull { it.text },
     )
+}
+
+/** Why [text], what the file called [name] says, is not a layout, as a sentence; with the place where it ceases to be JSON. */
+public fun layoutMistake(name: String, text: String): String {
+    val place = JsonReader.mistakeIn(text)?.let { " in ${lineAndColumn(text, it)}" }.orEmpty()
+    return "$name is not a layout, or is damaged$place; select a file that badlog has saved."
+}
+
+/** Where [place], an index of [text], is: `line 3, column 14`. */
+private fun lineAndColumn(text: String, place: Int): String {
+    val before = text.take(place)
+    return "line ${before.count { it == '\n' } + 1}, column ${place - before.lastIndexOf('\n')}"
 }

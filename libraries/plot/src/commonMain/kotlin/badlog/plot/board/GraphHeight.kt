@@ -9,8 +9,8 @@ import kotlin.math.abs
  * @property pixels how high it looks.
  */
 public enum class GraphHeight(public val label: String, public val pixels: Int) {
-    /** Four fit the first screen, as those that show a finding do. */
-    SMALL("Small", 110),
+    /** Four fit the first screen, also of a phone, as those that show a finding do; four numbers of y still fit each. */
+    SMALL("Small", 104),
 
     /** As high as graphs are without a choice. */
     MEDIUM("Medium", 190),

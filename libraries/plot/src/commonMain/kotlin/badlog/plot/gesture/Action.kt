@@ -103,7 +103,7 @@ public enum class Action(public val group: String, public val meaning: String, p
  *
  * @property key what stands on it.
  */
-public data class KeyStroke(
+public class KeyStroke(
     public val key: String,
     public val shift: Boolean = false,
     public val ctrl: Boolean = false,

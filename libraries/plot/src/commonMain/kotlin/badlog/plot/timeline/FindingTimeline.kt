@@ -30,6 +30,10 @@ public class FindingTimeline<F>(all: List<F>, private val severityOf: (F) -> Sev
     /** The places of [finding], in the order of x. */
     public fun placesOf(finding: F): List<FindingPlace<F>> = places.filter { it.finding == finding }
 
+    /** The place that begins at [x] of the finding that [isMeant], or else of the worst there; null for none. */
+    public fun placeAt(x: Double, isMeant: (F) -> Boolean): FindingPlace<F>? =
+        places.filter { it.span.from == x }.maxWithOrNull(compareBy({ isMeant(it.finding) }, { it.severity }))
+
     /** The index of the first place that begins after [x]. */
     private fun firstAfter(x: Double): Int {
         var low = 0

@@ -44,12 +44,24 @@ class BoardLayoutSpec : FunSpec({
     }
 
     test("what is not a layout is refused in a sentence that names the file") {
-        for (text in listOf("", "[]", "{\"graphs\":[]}", "\u0000")) {
+        for (text in listOf("[]", "{\"graphs\":[]}")) {
             shouldThrow<BoardException> { boardLayoutOf("my.json", text) }.message shouldBe
                 "my.json is not a layout, or is damaged; select a file that badlog has saved."
         }
         shouldThrow<BoardException> { boardLayoutOf("my.json", "{\"badlog-layout\":2}") }.message shouldBe
             "my.json was saved by a newer badlog; update this one to open it."
+    }
+
+    test("a mistake in a layout is named with its line and column") {
+        val mistakes = listOf(
+            "" to "my.json is not a layout, or is damaged in line 1, column 1; select a file that badlog has saved.",
+            "{\n \"badlog-layout\": 1,\n}" to "my.json is not a layout, or is damaged in line 3, column 1; select a file that badlog has saved.",
+            "{\"badlog-layout\": 1,\n \"graphs\": [\n  {\"title\": \"A\"}]}" to
+                "The graphs are damaged: graph 1 has no list of “lines” (line 3, column 3); select a file that badlog has saved.",
+            "{\"badlog-layout\": 1,\n \"graphs\": [{\"title\": \"A\", \"lines\": [\"A\"], \"height\": \"x\"}]}" to
+                "The graphs are damaged: “height” of graph 1 is not a number (line 2, column 54); select a file that badlog has saved.",
+        )
+        for ((text, sentence) in mistakes) shouldThrow<BoardException> { boardLayoutOf("my.json", text) }.message shouldBe sentence
     }
 
     test("a cut or changed layout is a layout or refused in a sentence") {

@@ -47,8 +47,8 @@ class FolderLayoutSpec : FunSpec({
         val file = folder.resolve(FolderLayout.NAME)
         fun problemOf(text: String) = FolderLayout.of(log.also { Files.writeString(file, text) }).also { it.layout.shouldBeNull() }.problem.shouldNotBeNull()
         problemOf("""{"badlog-layout":1,"graphs":[{"title":"A","lines":["A"]},{"lines":[]}]}""") shouldBe
-            "The layout $file is not used: The graphs are damaged: graph 2 has no “title”; select a file that badlog has saved."
-        problemOf("[") shouldContain "is not used: It is not a layout, or is damaged"
+            "The layout $file is not used: The graphs are damaged: graph 2 has no “title” (line 1, column 58); select a file that badlog has saved."
+        problemOf("[") shouldContain "is not used: It is not a layout, or is damaged in line 1, column 2"
         problemOf("""{"badlog-layout":99}""") shouldContain "saved by a newer badlog"
         problemOf(" ".repeat(2 shl 20)) shouldContain "larger than 1 MB"
         Files.write(file, byteArrayOf(-1, -2, 0))

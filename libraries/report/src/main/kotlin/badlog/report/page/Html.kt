@@ -1,6 +1,9 @@
 package badlog.report.page
 
+import badlog.plot.address.FindingName
+import badlog.plot.address.PageAddress
 import badlog.recording.Severity
+import badlog.rules.Finding
 import badlog.terminal.printable
 import java.net.URLEncoder
 import java.security.MessageDigest
@@ -20,13 +23,12 @@ internal fun escaped(text: String): String = buildString(text.length) {
     }
 }
 
-/** [text] as a link to [fragment] of the page [page], or without one where that is null. */
-internal fun linked(text: String, page: String?, fragment: String): String =
-    if (page == null || text.isEmpty()) escaped(text) else "<a href=\"${escaped("./" + urlOf(page))}$fragment\">${escaped(text)}</a>"
-
-/** `#t=` and the time, or nothing for what has none. */
-internal fun fragmentOf(time: Double): String =
-    if (time.isFinite()) "#t=" + time.toBigDecimal().stripTrailingZeros().toPlainString() else ""
+/** [text] as a link to [finding] on the page [page], or to its begin where that has no time; without a link where there is no page. */
+internal fun linked(text: String, page: String?, finding: Finding? = null): String {
+    if (page == null || text.isEmpty()) return escaped(text)
+    val place = finding?.takeIf { it.time.isFinite() }?.let { PageAddress(it.time, finding = FindingName.of(it)).toText() }.orEmpty()
+    return "<a href=\"${escaped("./" + urlOf(page) + place)}\">${escaped(text)}</a>"
+}
 
 /** [path] with everything but plain characters encoded, so that no name becomes a scheme, a query or a fragment. */
 private fun urlOf(path: String): String = path.split('/').joinToString("/") { URLEncoder.encode(it, Charsets.UTF_8).replace("+", "%20") }

@@ -28,7 +28,7 @@ internal class IndexedLog(val number: Int, val report: LogReport, val file: Stri
 internal fun matchPart(log: IndexedLog): String {
     val report = log.report
     val out = StringBuilder("<article id=\"${log.id}\" class=\"match card\" ${log.data} aria-labelledby=\"${log.id}-name\">\n")
-    out.append("<header><h3 id=\"${log.id}-name\">${linked(log.name, log.page, "")}</h3>")
+    out.append("<header><h3 id=\"${log.id}-name\">${linked(log.name, log.page)}</h3>")
     if (report.title != null) out.append("<small>${escaped(log.file)}</small>")
     out.append("</header>\n")
     val facts = factsOf(report)
@@ -54,18 +54,18 @@ private fun factsOf(report: LogReport): String {
 
 private fun findingItem(finding: Finding, page: String?): String {
     val told = "<span class=\"rule\">${escaped(finding.rule)}</span>${escaped(finding.text)}"
-    return item(finding.severity, finding.time, finding.timeUnit, page) + "<div class=\"told\">$told</div></li>\n"
+    return item(finding.severity, finding, page) + "<div class=\"told\">$told</div></li>\n"
 }
 
 /** What came first and what followed, each a link to its evidence. */
 private fun incidentItem(incident: Incident, page: String?): String {
-    val told = incident.sentences.joinToString("") { "<p>${linked(it.text, page, fragmentOf(it.finding.time))}</p>" }
+    val told = incident.sentences.joinToString("") { "<p>${linked(it.text, page, it.finding)}</p>" }
     val next = if (incident.next.isEmpty()) "" else "<p class=\"next\">Next: ${escaped(incident.next)}</p>"
-    return item(incident.severity, incident.time, incident.timeUnit, page) + "<div class=\"told\">$told$next</div></li>\n"
+    return item(incident.severity, incident.first, page) + "<div class=\"told\">$told$next</div></li>\n"
 }
 
-private fun item(severity: Severity, time: Double, unit: String, page: String?): String {
-    val moment = if (time.isFinite()) linked(timeText(time, unit), page, fragmentOf(time)) else "whole log"
+private fun item(severity: Severity, finding: Finding, page: String?): String {
+    val moment = if (finding.time.isFinite()) linked(timeText(finding.time, finding.timeUnit), page, finding) else "whole log"
     return "<li class=\"${severity.cssClass}\" data-level=\"${severity.ordinal}\"><span class=\"severity\">${severity.cssClass}</span>" +
         "<span class=\"time\">$moment</span>"
 }

@@ -2,6 +2,7 @@ package badlog.report.page
 
 import badlog.recording.Severity
 import badlog.report.LogReport
+import badlog.rules.Finding
 import badlog.rules.comparison.figureText
 import badlog.rules.figure.LogFigures
 import badlog.rules.figure.Measure
@@ -28,15 +29,15 @@ private val WORST_FIRST = compareBy<IndexedLog>(
 private fun row(log: IndexedLog): String {
     val out = StringBuilder("<tr ${log.data}>")
     val hasPart = log.report.findings.isNotEmpty()
-    val name = if (hasPart) "<a href=\"#${log.id}\">${escaped(log.shortName)}</a>" else linked(log.shortName, log.page, "")
+    val name = if (hasPart) "<a href=\"#${log.id}\">${escaped(log.shortName)}</a>" else linked(log.shortName, log.page)
     out.append("<th scope=\"row\">$name</th>")
     for (severity in listOf(Severity.ERROR, Severity.WARNING, Severity.NOTE)) {
         val count = log.report.count(severity)
         val told = if (count == 0) "–" else "<span class=\"of-${severity.cssClass}\">$count</span>"
         out.append("<td class=\"count\">$told</td>")
     }
-    val (first, time) = firstOf(log.report)
-    out.append("<td class=\"first\">${linked(first, log.page.takeIf { hasPart }, fragmentOf(time))}</td>")
+    val (first, finding) = firstOf(log.report)
+    out.append("<td class=\"first\">${linked(first, log.page.takeIf { hasPart }, finding)}</td>")
     for ((_, _, figure) in FIGURES) {
         val value = figure(log.report.figures)
         out.append("<td class=\"count figure\">${if (value.isNaN()) "–" else escaped(figureText(value, ""))}</td>")
@@ -44,9 +45,9 @@ private fun row(log: IndexedLog): String {
     return out.append("</tr>\n").toString()
 }
 
-/** What stands first of all in [report], and when. */
-private fun firstOf(report: LogReport): Pair<String, Double> = report.incidents.firstOrNull()?.let { it.name to it.time }
-    ?: report.findings.firstOrNull()?.let { it.text to it.time } ?: ("Nothing found" to Double.NaN)
+/** What stands first of all in [report], and the finding that shows it. */
+private fun firstOf(report: LogReport): Pair<String, Finding?> = report.incidents.firstOrNull()?.let { it.name to it.first }
+    ?: report.findings.firstOrNull()?.let { it.text to it } ?: ("Nothing found" to null)
 
 private fun LogReport.count(severity: Severity) = findings.count { it.severity == severity }
 

@@ -13,8 +13,8 @@ import badlog.report.summary
  * One page that shows all incidents and findings and needs nothing else: no network, no library, and a script only to filter and search.
  * It follows the system's light or dark colors.
  *
- * Each finding links to the page of its log at the finding's time, by the fragment `#t=` and the time in the unit of the log's x axis:
- * `Q42.html#t=93.7`.
+ * Each finding links to itself on the page of its log, by a fragment with its time in the unit of the log's x axis, its rule and its topic:
+ * `Q42.html#t=93.7&finding=Brownout;Voltage`.
  *
  * @param title what stands above everything.
  * @param pageOf where the page of a log is, as a path with `/` relative to this page, or null without one.

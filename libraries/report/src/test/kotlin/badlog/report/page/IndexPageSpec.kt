@@ -112,6 +112,6 @@ class IndexPageSpec : FunSpec({
         val incident = page.element("#log-2 .incidents li")
         incident.text.orEmpty() shouldContain "Likely cause: the robot drew more than its battery gives."
         val links = incident.findElements(By.tagName("a")).map { it.getDomAttribute("href") }
-        links shouldContain "./qualification-42.html#t=93.709649"
+        links shouldContain "./qualification-42.html#t=93.709649&finding=Browned+out;System/Browned+Out"
     }, page = samples)
 })

@@ -32,7 +32,7 @@ class ReportPageSpec : FunSpec({
             page.split("<script").size shouldBe 2
             page shouldNotContain "<i>"
             page shouldContain "&lt;script&gt;alert(1)&lt;/script&gt;&quot;&#39;&amp; &lt;i&gt;"
-            page shouldContain "href=\"./javascript%3Aalert%281%29/a%20b%23%3F.html#t=0\""
+            page shouldContain "href=\"./javascript%3Aalert%281%29/a%20b%23%3F.html#t=0&amp;finding=~003cb~003e;~003cscript~003e"
             val style = page.substringAfter("<style>").substringBefore("</style>")
             val script = page.substringAfter("<script>").substringBefore("</script>")
             page shouldContain "default-src 'none'; style-src '${hashOf(style)}'; script-src '${hashOf(script)}'; base-uri 'none'; form-action 'none'"
@@ -57,7 +57,7 @@ class ReportPageSpec : FunSpec({
             val index = report.writeIndex(Report(rules).over(logs) { log, hooks -> report.add(log, hooks) })
             Files.list(out).use { files -> files.map { it.fileName.toString() }.toList() }.sorted() shouldBe
                 listOf("Q1 (2).html", "Q1.html", "index (2).html", "index.html")
-            Files.readString(index) shouldContain "href=\"./Q1.html#t=0\""
+            Files.readString(index) shouldContain "href=\"./Q1.html#t=0&amp;finding=R"
             Files.readString(index) shouldContain "href=\"./index%20%282%29.html\""
         }
     }

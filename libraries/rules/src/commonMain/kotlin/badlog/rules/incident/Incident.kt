@@ -23,8 +23,11 @@ public class Incident internal constructor(
 ) {
     public val severity: Severity = (causes + effects).maxOf { it.severity }
 
+    /** Where it began: its first cause, or what followed first where the cause is of the whole log. */
+    public val first: Finding = causes[0].takeUnless { it.time.isNaN() } ?: effects.firstOrNull() ?: causes[0]
+
     /** When it began, in the unit of x; NaN where its cause is of the whole log and nothing followed at some time. */
-    public val time: Double = causes[0].time.takeUnless { it.isNaN() } ?: effects.firstOrNull()?.time ?: Double.NaN
+    public val time: Double get() = first.time
 
     /** The unit of [time]. */
     public val timeUnit: String get() = causes[0].timeUnit
