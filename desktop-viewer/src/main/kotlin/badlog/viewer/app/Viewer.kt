@@ -92,7 +92,7 @@ internal class Viewer(
     val notes = LogNotes(current, notices)
     val layouts = LayoutStore(folders, library, current, board, view, compared, axis, formulas, panels, notices)
     val layoutFiles = LayoutFiles(layouts, library, current, files, tasks, notices)
-    val pages = PageSaver(scope, current, compared, formulas, library, files, tasks, notices)
+    val pages = PageSaver(scope, current, compared, board, formulas, library, files, tasks, notices)
     val figures = FigureSaver(scope, current, compared, view, events, findings, notes, board, files, tasks, notices)
     val cuts = CutSaver(current, view, files, tasks, notices)
     val tables = TableSaver(files, tasks, notices)

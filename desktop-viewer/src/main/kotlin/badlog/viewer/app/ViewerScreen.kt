@@ -149,6 +149,7 @@ private fun MainPane(viewer: Viewer, modifier: Modifier) = with(viewer) {
                 library.state.entries,
                 compared.drawn.map { it.recording },
                 findings.state.topics,
+                board.state.graphs.flatMap { it.lines }.distinct(),
                 onOpen = { file ->
                     if (file != current.recording?.file) loader.open(file)
                     showGraphs()

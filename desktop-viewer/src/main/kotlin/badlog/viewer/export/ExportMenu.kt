@@ -2,7 +2,6 @@ package badlog.viewer.export
 
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.input.key.Key
-import badlog.recording.RecordingFormat
 import badlog.viewer.board.GraphBoard
 import badlog.viewer.compare.ComparedRecordings
 import badlog.viewer.export.cut.CutSaver
@@ -58,8 +57,9 @@ internal fun ExportMenu(
             MenuEntry("Copy the picture of the graphs", "To paste it into a chat or a document", whyNoGraph, COPY_GRAPHS.text) {
                 figures.copyShown(graphs)
             },
-            MenuEntry("$part as a bag…", "With all topics, metadata and attributes", whyNoLog) { cuts.save(RecordingFormat.BAG) },
-            MenuEntry("$part as CSV…", "With all topics, for a spreadsheet", whyNoLog) { cuts.save(RecordingFormat.CSV) },
+            MenuEntry("$part as a bag…", "With all topics, metadata and attributes", whyNoLog) { cuts.save() },
+            MenuEntry("$part as CSV…", "With all topics, for a spreadsheet", whyNoLog) { cuts.saveTable() },
+            MenuEntry("The graphs as CSV…", "$part of their topics, for a spreadsheet", whyNoGraph) { cuts.saveTable(graphs) },
         )
     }
 }

@@ -65,6 +65,7 @@ import java.nio.file.Path
  * @param entries the logs of the folder.
  * @param drawn the open log and those that are compared with it.
  * @param found the names of the topics that a finding is about.
+ * @param graphed the names of the topics that are drawn.
  * @param onOpen shows the log of a row.
  * @param onSave saves the table.
  * @param onClose shows the graphs again.
@@ -75,6 +76,7 @@ internal fun StatisticsTable(
     entries: List<LogEntry>,
     drawn: List<OpenRecording>,
     found: Set<String>,
+    graphed: List<String>,
     onOpen: (Path) -> Unit,
     onSave: (StatisticsGrid) -> Unit,
     onClose: () -> Unit,
@@ -95,7 +97,7 @@ internal fun StatisticsTable(
     val rows by produceState(emptyList<StatisticsRow>(), source, choice.topics) {
         value = withContext(Dispatchers.Default) { source.rowsOf(choice.topics) }
     }
-    val actions = TableActions(onOpen, onSave, onClose)
+    val actions = TableActions(onOpen, onSave, onClose) { statistics.change { copy(topics = graphed.filter(source.topics::contains)) } }
     val grid = remember(rows, choice) { StatisticsGrid(rows, choice) }
     BoxWithConstraints(modifier.background(LocalPalette.current.surface)) {
         if (maxWidth < NARROW) {
@@ -134,7 +136,7 @@ private fun Table(
     }
 }
 
-private class TableActions(val open: (Path) -> Unit, val save: (StatisticsGrid) -> Unit, val close: () -> Unit)
+private class TableActions(val open: (Path) -> Unit, val save: (StatisticsGrid) -> Unit, val close: () -> Unit, val takeGraphs: () -> Unit)
 
 @Composable
 private fun Head(statistics: SelectedStatistics, grid: StatisticsGrid, actions: TableActions) {
@@ -145,6 +147,9 @@ private fun Head(statistics: SelectedStatistics, grid: StatisticsGrid, actions: 
         }
         ToolButton("Every log of the folder", text = "All", isOn = choice.isOverAll, modifier = Modifier.padding(end = 16.dp)) {
             statistics.change { copy(isOverAll = true) }
+        }
+        ToolButton("The topics of the graphs, in their order", text = "Graphs", modifier = Modifier.padding(end = 16.dp)) {
+            actions.takeGraphs()
         }
         for (statistic in Statistic.entries) {
             ToolButton("Column ${statistic.title}", text = statistic.title, isOn = statistic in choice.statistics) {

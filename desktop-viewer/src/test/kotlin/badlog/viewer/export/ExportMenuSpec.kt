@@ -135,6 +135,17 @@ class ExportMenuSpec : FunSpec({
         }
     }
 
+    test("the topics of the graphs alone are a table for a spreadsheet, with their units") {
+        val file = home.resolve("board.csv")
+        window(file) { viewer, _ ->
+            viewer.board.change { without(graphs.first { "Arm/Angle" in it.lines }.id) }
+            viewer.view.select(Span(1.0, 1.1))
+            choose("Export", "The graphs as CSV…")
+            waitForNotice(viewer, "Wrote 6 rows to $file")
+            Files.readAllLines(file).first() shouldBe "Time (s),Arm/Current (A),Arm/Mode"
+        }
+    }
+
     test("who thinks better of it gets nothing, and hears nothing") {
         window(null) { viewer, files ->
             choose("Export", "The visible range as a bag…")

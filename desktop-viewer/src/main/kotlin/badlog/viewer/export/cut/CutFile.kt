@@ -3,6 +3,8 @@ package badlog.viewer.export.cut
 import badlog.analysis.Span
 import badlog.bag.RecordingWriter
 import badlog.file.writeAtomically
+import badlog.plot.board.BoardGraph
+import badlog.plot.table.CsvTable
 import badlog.recording.RecordingFormat
 import badlog.rules.ofPart
 import badlog.rules.timeText
@@ -15,22 +17,18 @@ import badlog.viewer.task.LongTasks
 import badlog.viewer.task.Notices
 import badlog.viewer.view.AxisView
 import java.io.IOException
-import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * Writes the rows of [recording] that lie in [span] to [target], as [format]. A bag keeps the values and the attributes. Where
+ * Writes the rows of [recording] that lie in [span] to [target], as a bag, which keeps the values and the attributes. Where
  * there are no rows they are made, with the last values at their times.
  *
  * @return what was written, in a sentence.
  * @throws IOException with a sentence for the person, when there is nothing to write or [target] is the recording's own file.
  */
-internal fun cutFile(recording: OpenRecording, span: Span, format: RecordingFormat, target: Path, progress: (Float) -> Unit = {}): String {
+internal fun cutFile(recording: OpenRecording, span: Span, target: Path, progress: (Float) -> Unit = {}): String {
     val part = partOf(recording, span)
-    if (part.rows.isEmpty()) throw IOException("There are no samples in the visible range; show a part of the log that has some.")
-    if (Files.exists(target) && Files.exists(recording.file) && Files.isSameFile(target, recording.file)) {
-        throw IOException("${target.fileName} is the open log itself; select another name.")
-    }
+    requireOther(recording, part.rows.last + 1 - part.rows.first, target)
     writeAtomically(target) { out ->
         val heard = { done: Int, total: Int ->
             if (Thread.interrupted()) throw InterruptedException()
@@ -38,7 +36,10 @@ internal fun cutFile(recording: OpenRecording, span: Span, format: RecordingForm
         }
         val unit = recording.view.xAxis.unit
         val said = part.recording.values.ofPart("${timeText(span.from, unit)} to ${timeText(span.to, unit)}")
-        RecordingWriter(part.recording.copy(values = said), format).write(part.rows.first, part.rows.last + 1, heard) { bytes, size ->
+        RecordingWriter(part.recording.copy(values = said), RecordingFormat.BAG).write(part.rows.first, part.rows.last + 1, heard) {
+                bytes,
+                size,
+            ->
             out.write(bytes, 0, size)
         }
     }
@@ -54,13 +55,25 @@ internal class CutSaver(
     private val tasks: LongTasks,
     private val notices: Notices,
 ) {
-    /** Asks for a file, and writes the selection or else the visible range to it as [format]. */
-    fun save(format: RecordingFormat) {
+    /** Asks for a file, and writes the selection or else the visible range to it as a bag. */
+    fun save() = ask("part", ".bag") { recording, span, target, progress -> cutFile(recording, span, target, progress) }
+
+    /** The same for a spreadsheet. */
+    fun saveTable() = ask("part", ".csv") { recording, span, target, progress ->
+        tableFile(recording, CsvTable.ofAll(recording.view, span), target, progress)
+    }
+
+    /** The same with the lines of [graphs] alone. */
+    fun saveTable(graphs: List<BoardGraph>) = ask("board", ".csv") { recording, span, target, progress ->
+        val lines = graphs.flatMap { it.lines }.distinct().mapNotNull { recording.signal(it)?.line }
+        tableFile(recording, CsvTable.of(recording.view, span, lines), target, progress)
+    }
+
+    private fun ask(name: String, ending: String, write: (OpenRecording, Span, Path, (Float) -> Unit) -> String) {
         val recording = current.recording ?: return
         val span = view.selection ?: view.viewport.visible
-        val ending = if (format == RecordingFormat.BAG) ".bag" else ".csv"
         val title = if (view.selection != null) "Save the selection" else "Save the visible range"
-        val target = askToWrite(files, notices, title, recording.file.parent, "${stemOf(recording.file)} part", ending) ?: return
-        tasks.run("Writing ${target.fileName}", { cutFile(recording, span, format, target, it) }) { notices.say(it) }
+        val target = askToWrite(files, notices, title, recording.file.parent, "${stemOf(recording.file)} $name", ending) ?: return
+        tasks.run("Writing ${target.fileName}", { write(recording, span, target, it) }) { notices.say(it) }
     }
 }

@@ -8,6 +8,8 @@ import badlog.html.ExportException
 import badlog.html.HtmlExporter
 import badlog.html.layoutFor
 import badlog.html.protocol.PageAdditions
+import badlog.plot.board.Board
+import badlog.plot.board.BoardLayout
 import badlog.rules.FolderRules
 import badlog.rules.namesWith
 import badlog.text.freeName
@@ -74,15 +76,21 @@ internal fun makePages(jobs: List<PageJob>, additions: Additions, progress: (Flo
  * @param known recordings that are read already.
  * @param definitions the formulas.
  * @param library the folder of logs, whose rules count.
+ * @param board the graphs with which they begin; null for those of the folder, or of the log.
  */
-internal class Additions(known: List<OpenRecording>, private val definitions: List<String>, private val library: Path?) {
+internal class Additions(
+    known: List<OpenRecording>,
+    private val definitions: List<String>,
+    private val library: Path?,
+    private val board: Board? = null,
+) {
     private val known = known.associateBy { it.file }
 
     /** Those of the page of [log]. */
     fun of(log: Path): PageAdditions {
         val rules = FolderRules.of(log, library)
-        val layout = layoutFor(log, rules.rules.signals, library)
-        return PageAdditions(workingIn(log), rules.rules, rules.problem, layout = layout.text)
+        val layout = board?.let { BoardLayout(it).toJson() } ?: layoutFor(log, rules.rules.signals, library).text
+        return PageAdditions(workingIn(log), rules.rules, rules.problem, layout = layout)
     }
 
     /** The formulas that make a topic in [log]; none where it cannot be read, which whoever makes the page reports. */

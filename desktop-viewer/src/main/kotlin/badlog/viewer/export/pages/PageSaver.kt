@@ -2,6 +2,8 @@ package badlog.viewer.export.pages
 
 import badlog.file.FolderScan
 import badlog.file.reading
+import badlog.plot.board.Board
+import badlog.viewer.board.GraphBoard
 import badlog.viewer.compare.ComparedRecordings
 import badlog.viewer.files.FileChoice
 import badlog.viewer.files.askToWrite
@@ -21,25 +23,26 @@ internal class PageSaver(
     private val scope: CoroutineScope,
     private val current: CurrentRecording,
     private val compared: ComparedRecordings,
+    private val board: GraphBoard,
     private val formulas: FormulaStore,
     private val library: Library,
     private val files: FileChoice,
     private val tasks: LongTasks,
     private val notices: Notices,
 ) {
-    /** Asks for a file, and makes the page of the current recording. */
+    /** Asks for a file, and makes the page of the current recording, which begins with the graphs of the window. */
     fun savePage() {
         val log = current.recording?.file ?: return sayNoLog(notices)
         val page = askToWrite(files, notices, "Export the page", log.parent, log.fileName.toString(), ".html") ?: return
-        save("Saving ${page.fileName}") { listOf(PageJob(log, page)) }
+        save("Saving ${page.fileName}", board.state) { listOf(PageJob(log, page)) }
     }
 
-    /** Asks for a folder, and makes the pages of all checked recordings. */
+    /** Asks for a folder, and makes the pages of all checked recordings likewise. */
     fun savePagesOfChecked() {
         val logs = compared.state.checked
         if (logs.isEmpty()) return
         val folder = files.folder("Export ${logs.size} pages into", library.state.folder ?: logs.first().parent) ?: return
-        save("Saving pages") { pageJobs(logs, folder) }
+        save("Saving pages", board.state) { pageJobs(logs, folder) }
     }
 
     /** Asks for a folder, and makes the pages of every log in the library's folder, those of its subfolders included. */
@@ -50,9 +53,9 @@ internal class PageSaver(
         save("Saving the pages of all logs") { pageJobs(logsIn(top).filter { it !in others }, folder) }
     }
 
-    private fun save(title: String, jobs: () -> List<PageJob>) {
+    private fun save(title: String, board: Board = Board(), jobs: () -> List<PageJob>) {
         val known = compared.drawn.map { it.recording }
-        val additions = Additions(known, formulas.definitions, library.state.folder)
+        val additions = Additions(known, formulas.definitions, library.state.folder, board.takeIf { it.graphs.isNotEmpty() })
         tasks.run(title, { progress -> makePages(jobs(), additions, progress) }, ::report)
     }
 

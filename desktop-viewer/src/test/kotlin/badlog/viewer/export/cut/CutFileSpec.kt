@@ -3,7 +3,7 @@ package badlog.viewer.export.cut
 import badlog.analysis.Span
 import badlog.file.readRecording
 import badlog.formats.LOG_FORMATS
-import badlog.recording.RecordingFormat
+import badlog.plot.table.CsvTable
 import badlog.recording.Severity
 import badlog.recording.Value
 import badlog.viewer.export.armBag
@@ -28,7 +28,7 @@ class CutFileSpec : FunSpec({
 
     test("a bag of a part has just its rows, with the values, units and attributes of the whole") {
         val target = folder.resolve("part.bag")
-        cutFile(whole, Span(1.0, 2.0), RecordingFormat.BAG, target) shouldBe "Wrote 51 rows to $target."
+        cutFile(whole, Span(1.0, 2.0), target) shouldBe "Wrote 51 rows to $target."
         val part = readRecording(target, LOG_FORMATS)
         val source = whole.view.recording
         part.values shouldBe source.values + Value("Part", "1 s to 2 s")
@@ -49,20 +49,20 @@ class CutFileSpec : FunSpec({
             loggedTopic("Gyro", *List(200) { 1 + it * 0.005 to it.toDouble() }.toTypedArray()),
         )
         val target = folder.resolve("wpilog part.bag")
-        cutFile(open, Span(0.0, 0.1), RecordingFormat.BAG, target) shouldBe
+        cutFile(open, Span(0.0, 0.1), target) shouldBe
             "Wrote 6 rows to $target, one every 20 ms, each with the last values before it."
         val part = readRecording(target, LOG_FORMATS)
         part.problems.filter { it.severity != Severity.NOTE }.shouldBeEmpty()
         part.topics.single { it.name == "Gain" }.samples.toList() shouldBe listOf(1.0, 1.0, 1.0, 2.0, 2.0, 2.0)
-        cutFile(open, Span(1.0, 1.5), RecordingFormat.CSV, target) shouldContain "one at each sample of “Gyro”"
+        tableFile(open, CsvTable.ofAll(open.view, Span(1.0, 1.5)), target) shouldContain "one at each sample of “Gyro”"
         Files.readAllLines(target).size shouldBe 102
-        shouldThrow<IOException> { cutFile(open, Span(5.0, 6.0), RecordingFormat.BAG, target) }.message shouldContain "no samples"
+        shouldThrow<IOException> { cutFile(open, Span(5.0, 6.0), target) }.message shouldContain "no samples"
     }
 
     test("formulas are columns of a part; one without a value in each row is left out, which is said") {
         val target = folder.resolve("formula part.bag")
         val open = whole.withFormulas(listOf("Twice [deg] = 2 * Arm/Angle", "Most = max(Arm/Angle)", "Is Far = Arm/Angle > 10"))
-        cutFile(open, Span(0.2, 0.4), RecordingFormat.BAG, target) shouldBe
+        cutFile(open, Span(0.2, 0.4), target) shouldBe
             "Wrote 11 rows to $target, without “Most”, which does not have a value in each row."
         val part = readRecording(target, LOG_FORMATS)
         part.problems.filter { it.severity != Severity.NOTE }.shouldBeEmpty()
@@ -72,15 +72,15 @@ class CutFileSpec : FunSpec({
         part.topics.single { it.name == "Is Far" }.samples.toList() shouldBe List(11) { if (it == 0) 0.0 else 1.0 }
     }
 
-    test("a CSV file of a part begins with the titles") {
+    test("a CSV file of a part begins with titles and units") {
         val target = folder.resolve("part.csv")
-        cutFile(whole, Span(0.02, 0.04), RecordingFormat.CSV, target)
-        Files.readAllLines(target).first() shouldBe "Time,Arm/Angle,Arm/Current,Arm/Mode"
+        tableFile(whole, CsvTable.ofAll(whole.view, Span(0.02, 0.04)), target)
+        Files.readAllLines(target).first() shouldBe "Time (s),Arm/Angle (deg),Arm/Current (A),Arm/Mode"
         Files.readAllLines(target).size shouldBe 3
     }
 
     test("the open file itself is never overwritten, and nothing else is left beside it") {
-        val failure = shouldThrow<IOException> { cutFile(whole, Span(1.0, 2.0), RecordingFormat.BAG, file) }
+        val failure = shouldThrow<IOException> { cutFile(whole, Span(1.0, 2.0), file) }
         failure.message shouldContain "select another name"
         Files.readString(file) shouldBe armBag(500)
         Files.list(folder).use { all -> all.map { it.fileName.toString() }.filter { "part" !in it }.toList() } shouldContainExactly
@@ -88,10 +88,10 @@ class CutFileSpec : FunSpec({
     }
 
     test("a part without samples, and a folder that cannot be written to, are reported in a sentence") {
-        shouldThrow<IOException> { cutFile(whole, Span(2000.0, 2001.0), RecordingFormat.BAG, folder.resolve("none.bag")) }
+        shouldThrow<IOException> { cutFile(whole, Span(2000.0, 2001.0), folder.resolve("none.bag")) }
             .message shouldContain "no samples"
         Files.writeString(folder.resolve("a part file"), "")
-        shouldThrow<IOException> { cutFile(whole, Span(0.0, 1.0), RecordingFormat.BAG, folder.resolve("a part file/part.bag")) }
+        shouldThrow<IOException> { cutFile(whole, Span(0.0, 1.0), folder.resolve("a part file/part.bag")) }
             .message shouldContain "cannot be written"
     }
 

@@ -1,6 +1,9 @@
 package badlog.viewer.export.pages
 
 import badlog.html.additionsIn
+import badlog.plot.board.Board
+import badlog.plot.board.BoardGraph
+import badlog.plot.board.boardLayoutOf
 import badlog.viewer.export.armBag
 import badlog.viewer.findings.ruleText
 import badlog.viewer.findings.writeRules
@@ -40,6 +43,15 @@ class PageExportSpec : FunSpec({
         val page = makePages(pageJobs(listOf(log), folder), Additions(emptyList(), formulas, folder)).made.single()
         additionsIn(page) shouldContain "The arm went to {value}."
         Additions(emptyList(), formulas, folder).of(folder.resolve("gone.bag")).virtualTopics shouldBe emptyList()
+    }
+
+    test("pages begin with the graphs of the window, where there are any") {
+        val folder = tempdir().toPath()
+        val log = Files.writeString(folder.resolve("a.bag"), armBag(100))
+        val board = Board(listOf(BoardGraph(1, "Arm/Angle", listOf("Arm/Angle", "Arm/Current"))))
+        val given = boardLayoutOf("board", checkNotNull(Additions(emptyList(), emptyList(), folder, board).of(log).layout))
+        given.board?.graphs?.map { it.lines } shouldBe listOf(listOf("Arm/Angle", "Arm/Current"))
+        Additions(emptyList(), emptyList(), folder).of(log).layout shouldBe null
     }
 
     test("logs of the same name in different folders get pages of different names") {

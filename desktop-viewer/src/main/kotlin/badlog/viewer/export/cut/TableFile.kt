@@ -1,0 +1,37 @@
+package badlog.viewer.export.cut
+
+import badlog.file.writeAtomically
+import badlog.plot.table.CsvTable
+import badlog.viewer.recording.OpenRecording
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+
+/**
+ * Writes [table], a part of [recording] for a spreadsheet, to [target].
+ *
+ * @return what was written, in a sentence.
+ * @throws IOException with a sentence for the person, when there is nothing to write or [target] is the recording's own file.
+ */
+internal fun tableFile(recording: OpenRecording, table: CsvTable, target: Path, progress: (Float) -> Unit = {}): String {
+    requireOther(recording, table.rowCount, target)
+    writeAtomically(target) { out ->
+        out.write(table.header.encodeToByteArray())
+        for (row in 0 until table.rowCount step ROWS) {
+            if (Thread.interrupted()) throw InterruptedException()
+            progress(row.toFloat() / table.rowCount)
+            out.write(table.text(row, ROWS).encodeToByteArray())
+        }
+    }
+    return "Wrote ${table.rowCount} rows to $target${table.remark}."
+}
+
+/** @throws IOException with a sentence for the person, when there is no row, or [target] is the file of [recording] itself. */
+internal fun requireOther(recording: OpenRecording, rows: Int, target: Path) {
+    if (rows == 0) throw IOException("There are no samples in the visible range; show a part of the log that has some.")
+    if (Files.exists(target) && Files.exists(recording.file) && Files.isSameFile(target, recording.file)) {
+        throw IOException("${target.fileName} is the open log itself; select another name.")
+    }
+}
+
+private const val ROWS = 2000
