@@ -46,7 +46,7 @@ class CsvTableSpec : FunSpec({
             val again = read(textOf(CsvTable.ofAll(view)))
             again.rowCount shouldBe rows.size
             again.topics.map { it.name.substringBefore(" (") } shouldContainExactly listOf("Time", "A", "Mode", "On")
-                .filter { name -> view.recording.topics.first { it.name == name }.run { samples.isNotEmpty() || texts.size > 0 } }
+                .filter { name -> view.recording.topics.first { it.name == name }.let { it.samples.isNotEmpty() || it.texts.size > 0 } }
             for (topic in again.topics) {
                 val logged = view.recording.topics.first { it.name == topic.name.substringBefore(" (") }
                 // Of zeros there is one.
