@@ -39,20 +39,16 @@ internal class WpilogTopics(private val span: ClosedFloatingPointRange<Double>, 
             block.timestamps.finish(span)
             for (column in block.columns) {
                 val name = uniqueName(entry.name + column.path)
-                val topic = column.build(name, withoutSamples, block.timestamps).let {
-                    if (it.counts.texts ==
-                        0
-                    ) {
-                        it.copy(attributes = it.attributes - LOG)
-                    } else {
-                        it
-                    }
-                }
+                val topic = withoutLog(column.build(name, withoutSamples, block.timestamps))
                 reportTopic(topic, column, block.timestamps, problems)
                 topics += topic
             }
         }
     }
+
+    // Of a message that is an event, only its texts are; times and counts beside them are numbers.
+    private fun withoutLog(topic: Topic) =
+        if (topic.counts.texts == 0 && topic.type.startsWith("proto:")) topic.copy(attributes = topic.attributes - LOG) else topic
 
     private fun uniqueName(wanted: String): String {
         val name = names.give(wanted)
