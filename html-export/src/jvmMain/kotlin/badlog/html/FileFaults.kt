@@ -17,7 +17,8 @@ internal class ReadGuard(private val file: Path, stream: InputStream) : FilterIn
 /** Runs [work], which reads [file]; its failures become [ExportException.Unreadable]. */
 internal fun <T> reading(file: Path, work: () -> T): T = refusing { badlog.file.reading(file, work) }
 
-private fun <T> refusing(work: () -> T): T = try {
+/** Runs [work]; a file that it cannot read or write is an [ExportException]. */
+internal fun <T> refusing(work: () -> T): T = try {
     work()
 } catch (e: UnreadableFileException) {
     throw ExportException.Unreadable(e.file, e.message, e.cause)

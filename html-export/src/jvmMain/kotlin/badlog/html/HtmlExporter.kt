@@ -51,7 +51,7 @@ public class HtmlExporter(private val attachments: List<Path> = emptyList(), pri
         val files = attachments + logParts
         files.forEach(::checkReadable)
         checkWritable(page, files)
-        return reading(input) {
+        return refusing {
             unpacked(input, { progress.advanced(0, Files.size(input)) }) { log ->
                 export(log, if (log.path == input) logParts else listOf(log.path), input, page, withNotes(additions, input), progress)
             }
