@@ -37,12 +37,7 @@ public sealed interface FlagReading {
         override fun isSet(sample: Double, states: List<String>): Boolean = sample == 0.0
     }
 
-    /** By the bit [place] of a word, counted from 0, the lowest. */
-    public data class Bit(public val place: Int) : FlagReading {
-        override fun isSet(sample: Double, states: List<String>): Boolean = sample.isFinite() && (sample.toLong() shr place) and 1L == 1L
-    }
-
-    /** By the bits from [first] to [last] of a word, which are [number]. */
+    /** By the bits from [first] to [last] of a word, counted from 0, the lowest, which are [number]. */
     public data class Bits(public val first: Int, public val last: Int, public val number: Long) : FlagReading {
         override fun isSet(sample: Double, states: List<String>): Boolean =
             sample.isFinite() && (sample.toLong() shr first) and ((2L shl (last - first)) - 1) == number

@@ -42,7 +42,8 @@ class EnabledSpanSpec : FunSpec({
             return LogView.of(parser.finish()).enabledBy(FlagTopic("Mode", reading)).map { it.span }
         }
         spans(FlagReading.Opposite, "true", "false", "true", "") shouldBe listOf(Span(1.0, 2.0))
-        spans(FlagReading.Bit(1), "1", "34", "35", "33") shouldBe listOf(Span(1.0, 3.0))
+        spans(FlagReading.Bits(1, 1, 1), "1", "34", "35", "33") shouldBe listOf(Span(1.0, 3.0))
+        spans(FlagReading.Bits(1, 2, 2), "1", "36", "37", "35") shouldBe listOf(Span(1.0, 3.0))
         spans(FlagReading.Text("auto"), "Disabled", "Autonomous", "Teleop", "Teleop") shouldBe listOf(Span(1.0, 2.0))
     }
 

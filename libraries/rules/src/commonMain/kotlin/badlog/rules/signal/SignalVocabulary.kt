@@ -79,7 +79,7 @@ internal class TopicPattern(val pattern: NamePattern, val unit: String?) {
 internal fun flagReadingOf(text: String): FlagReading? = when {
     text == "not" -> FlagReading.Opposite
     text.startsWith("bits ") -> bitsIn(text)
-    text.startsWith("bit ") -> text.substring(4).toIntOrNull()?.takeIf { it in BITS }?.let(FlagReading::Bit)
+    text.startsWith("bit ") -> text.substring(4).toIntOrNull()?.takeIf { it in BITS }?.let { FlagReading.Bits(it, it, 1) }
     text.startsWith("is ") && text.length > 3 -> FlagReading.Text(text.substring(3).trim())
     else -> null
 }
