@@ -61,6 +61,7 @@ public class LogFetch(
                     state?.close()
                     watch(address)
                 } catch (e: IOException) {
+                    if (RobotConnection.isInterruption(e)) throw InterruptedException()
                     if (e.isOfThisComputer) throw e
                     leave()
                     failures = if (transfer.received > before) 1 else failures + 1
@@ -83,6 +84,7 @@ public class LogFetch(
                 } catch (e: LoginRefusedException) {
                     reason = reason ?: e
                 } catch (e: IOException) {
+                    if (RobotConnection.isInterruption(e)) throw InterruptedException()
                     if (e.isOfThisComputer) throw e
                     reason = reason ?: LostConnectionException(address, reasonOf(e), e)
                 }

@@ -11,6 +11,7 @@ import java.io.IOException
 import java.io.InputStream
 import java.io.InterruptedIOException
 import java.net.SocketTimeoutException
+import java.nio.channels.ClosedByInterruptException
 import kotlin.math.min
 
 /**
@@ -103,10 +104,15 @@ internal class RobotConnection(val address: RobotAddress, val user: String, val 
          */
         fun <T> talking(work: () -> T): T = try {
             work()
-        } catch (e: InterruptedIOException) {
-            // A timeout is one, too.
-            if (e is SocketTimeoutException) throw e
-            throw InterruptedException()
+        } catch (e: IOException) {
+            throw if (isInterruption(e)) InterruptedException() else e
+        }
+
+        /** Whether [e] says that the thread was interrupted, which the library for SSH may have wrapped. */
+        fun isInterruption(e: IOException): Boolean = generateSequence<Throwable>(e) { it.cause }.any {
+            // A timeout is an interruption for Java, too.
+            it is InterruptedException || it is ClosedByInterruptException ||
+                (it is InterruptedIOException && it !is SocketTimeoutException)
         }
 
         private fun isLog(name: String) = !name.startsWith(".") && LogName.of(name).mayBeLog && !name.endsWith(".tar.gz", ignoreCase = true)
