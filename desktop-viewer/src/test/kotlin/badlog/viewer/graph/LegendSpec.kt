@@ -49,7 +49,7 @@ class LegendSpec : FunSpec({
         graphActions(viewer.graphs, viewer.board.state.graphs.first()).last() shouldHaveSize 29
     }
 
-    test("lanes of compared recordings are told apart by the recording") {
+    test("each lane of compared recordings has its recording's name") {
         val states = recordingOf(bagOf(listOf("Time|xaxis", "On", "Mode"), listOf("0,true,false", "1,false,true")))
         val two = listOf(DrawnRecording(states, name = "Qualification 42"), DrawnRecording(states, 1.0, "Qualification 57"))
         val alone = drawnLines(BoardGraph(1, "On", listOf("On")), two)

@@ -41,7 +41,7 @@ class StatisticsGridSpec : FunSpec({
         same.isLowest(maximum, rows[0]) shouldBe false
     }
 
-    test("two topics that end alike are told apart by their headings") {
+    test("two topics with the same ending keep enough of their headings to differ") {
         val grid = StatisticsGrid(emptyList(), choice.copy(topics = listOf("Drive/Left/Speed", "Drive/Right/Speed", "Arm/Angle")))
         grid.columns.filterIsInstance<FigureColumn>().map(grid::nameOf).distinct() shouldContainExactly listOf("Left/Speed", "Right/Speed", "Angle")
     }

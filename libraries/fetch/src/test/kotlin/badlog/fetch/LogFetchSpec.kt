@@ -146,7 +146,7 @@ class LogFetchSpec : FunSpec({
         }
     }
 
-    test("what is no log comes too, and is called so") {
+    test("a file that is not a log is copied too, and the result says that it is none") {
         inPit { pit, robot ->
             robot.log("broken.wpilog", ByteArray(500))
             pit.fetch(robot).fetched.single().isLog shouldBe false

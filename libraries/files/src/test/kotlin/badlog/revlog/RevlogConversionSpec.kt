@@ -110,7 +110,7 @@ internal class RevlogConversionSpec : FunSpec({
         recording.topics shouldBe emptyList()
     }
 
-    test("where bytes are damaged the next record is found, and the place is told") {
+    test("where bytes are damaged the next record is found, and the problem gives the place") {
         val whole = TestRevlog().record(2, status(10, 2, 0, 3, spark)).raw(9, 9, 9, 9, 9).record(2, status(20, 2, 0, 3, spark)).out.toByteArray()
         val (recording, problems) = convert(whole)
         recording.topics.first().times?.toList() shouldBe listOf(0.01, 0.02)
