@@ -18,7 +18,7 @@ internal fun inflateXz(file: Path, out: OutputStream, checkpoint: () -> Unit): L
     reading(file) { ReadGuard(file, Files.newInputStream(file)) }.use { source ->
         try {
             val stream = XZInputStream(source.buffered(), MEMORY_KB)
-            val piece = ByteArray(1 shl 16)
+            val piece = ByteArray(PIECE)
             while (inflated < MAX_BYTES) {
                 val size = stream.read(piece)
                 if (size < 0) return emptyList()
@@ -45,6 +45,9 @@ private class ReadGuard(private val file: Path, source: InputStream) : FilterInp
 
     override fun read(bytes: ByteArray, from: Int, size: Int): Int = reading(file) { super.read(bytes, from, size) }
 }
+
+/** Where a file breaks off, what was inflated of a piece is lost. */
+private const val PIECE = 1 shl 12
 
 /** Twice what `xz -9` needs. */
 private const val MEMORY_KB = 128 shl 10
