@@ -30,7 +30,7 @@ public class PageParts private constructor(
     }
 
     /** The program and its style as they stand in a page. */
-    internal val packedProgram: ByteArray = gzip?.let(::base94) ?: packed(style + SEPARATOR + program)
+    internal val packedProgram: ByteArray = gzip?.let(::base122) ?: packed(style + SEPARATOR + program)
 
     /** The Content-Security-Policy of a page with these parts: nothing from the network, no other script or style. */
     internal val policy: String
