@@ -74,26 +74,23 @@ internal class PhoneSpec : PageSpec({
         }
     }
 
-    browserTest("a finger that rests sets the second cursor") {
+    browserTest("a finger that rests sets the second cursor, and takes it away where it rests on it again") {
         onPage(page, Screen.PHONE) {
-            fun rest(share: Double) {
+            // Not by actions of WebDriver: of a finger that one list of them puts down, the next one does not lift it.
+            fun finger(type: String, vararg places: Pair<Int, Int>) = driver.executeCdpCommand("Input.dispatchTouchEvent", mapOf("type" to type, "touchPoints" to places.map { (x, y) -> mapOf("x" to x, "y" to y) }))
+
+            fun rest(share: Double, beside: Int, isSecondShown: Boolean) {
                 val (x, y) = graph("Step 1").scrollTo().frame.at(share)
-                val finger = PointerInput(Kind.TOUCH, "finger")
-                driver.perform(
-                    listOf(
-                        Sequence(finger, 0)
-                            .addAction(finger.createPointerMove(Duration.ZERO, Origin.viewport(), x, y))
-                            .addAction(finger.createPointerDown(MouseButton.LEFT.asArg())),
-                    ),
-                )
-                await("the second cursor") { elements(".cursor-line.is-second").any { it.isDisplayed } }
-                driver.perform(listOf(Sequence(finger, 0).addAction(finger.createPointerUp(MouseButton.LEFT.asArg()))))
+                finger("touchStart", x + beside to y)
+                await("the second cursor to come or go") { elements(".cursor-line.is-second").any { it.isDisplayed } == isSecondShown }
+                finger("touchEnd")
                 settle()
             }
             val middle = graph("Step 1").scrollTo().frame.at(0.3)
             touch(listOf(middle, middle))
-            rest(0.7)
+            rest(0.7, beside = 0, isSecondShown = true)
             texts(".second-readout").single() shouldContain "B 6.97"
+            rest(0.7, beside = 12, isSecondShown = false)
         }
     }
 

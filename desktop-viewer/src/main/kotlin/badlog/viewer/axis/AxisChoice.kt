@@ -27,7 +27,7 @@ internal class AxisChoice(
         val recording = before.overTime(overTime)
         if (recording === before) return
         // The time has a graph only where it is not the axis.
-        val isDefault = board.state.showsSame(before.standardGraphs)
+        val isDefault = board.kept.showsSame(before.standardGraphs)
         current.replace(recording)
         compared.share(recording)
         view.show(recording.span)

@@ -60,6 +60,16 @@ internal class GraphBoard {
         history = BoardHistory(board)
     }
 
+    /**
+     * Shows [board] instead while a person has changed nothing: what it has besides the graphs of before is there to show a finding.
+     */
+    fun beginWith(board: Board) {
+        if (canUndo) return
+        val before = state.graphs.map { it.lines }
+        history = BoardHistory(board)
+        added = board.graphs.filterNot { it.lines in before }.toSet()
+    }
+
     /** Shows what was shown before the last change. */
     fun undo() {
         history = history.undone()

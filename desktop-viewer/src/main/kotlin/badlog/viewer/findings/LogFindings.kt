@@ -7,6 +7,7 @@ import badlog.plot.board.evidenceBoard
 import badlog.rules.Finding
 import badlog.rules.FolderRules
 import badlog.rules.incident.evidenceOf
+import badlog.rules.incident.firstEvidenceOf
 import badlog.rules.incident.incidentsIn
 import badlog.rules.incident.nextOf
 import badlog.rules.over
@@ -59,7 +60,7 @@ internal class LogFindings(
                 val began = TimeSource.Monotonic.markNow()
                 val list = runInterruptible(Dispatchers.IO) { find(view, wanted.file, wanted.library) }
                 change { knowing(list) }
-                if (worstWanted == wanted.file) goToWorst()
+                if (worstWanted == wanted.file) goToWorst() else beginWithFirst(list)
                 delay(restAfter(began.elapsedNow()))
             }
         }
@@ -78,6 +79,13 @@ internal class LogFindings(
         worstWanted = null
         val list = state.list ?: return
         (list.incidents.firstOrNull()?.sentences?.first()?.finding ?: list.all.firstOrNull())?.let { goTo(it) }
+    }
+
+    /** Adds the graphs of what stands first, as far as nobody has arranged others. */
+    private fun beginWithFirst(list: FindingList) {
+        val open = current.recording ?: return
+        if (!board.state.showsSame(open.standardGraphs)) return
+        board.beginWith(open.standardGraphs(firstEvidenceOf(list.incidents, list.all)))
     }
 
     /** Runs the rules once more. */

@@ -88,9 +88,12 @@ internal class OpenRecording(
     fun of(name: String): List<Signal> = signalTopics.of(name).mapNotNull { signal(it.topic) }
 
     /** The graphs that it begins with: those of the [layout] beside it, as far as it has them, or else of its topics. */
-    val standardGraphs: Board by lazy {
-        layout.layout?.board?.fittedTo { signal(it) != null }?.board?.takeIf { it.graphs.isNotEmpty() } ?: standardBoard(logged, vocabulary)
-    }
+    val standardGraphs: Board by lazy { standardGraphs(pointed = emptyList()) }
+
+    /** [standardGraphs], and those of the topics [pointed], which a finding points at, where not all graphs are among them anyway. */
+    fun standardGraphs(pointed: List<String>): Board =
+        layout.layout?.board?.fittedTo { signal(it) != null }?.board?.takeIf { it.graphs.isNotEmpty() }
+            ?: standardBoard(logged, vocabulary, pointed)
 
     /** The events of all topics of texts. */
     val eventLogs: List<EventLog> = view.folders.flatMap { it.eventLogs }

@@ -1,6 +1,7 @@
 package badlog.viewer.board
 
 import badlog.plot.board.Board
+import badlog.plot.board.BoardGraph
 import badlog.plot.gesture.Action
 import badlog.viewer.app.Viewer
 import badlog.viewer.findings.findingsIn
@@ -123,5 +124,22 @@ class GraphBoardSpec : FunSpec({
         viewer.board.kept.graphs shouldContain graph
         viewer.perform(Action.PIN)
         viewer.board.state.graphs shouldNotContain graph
+    }
+
+    test("what findings point at joins the graphs that a log begins with, as no change of a person's, and makes room for another finding") {
+        val board = abc()
+        board.beginWith(board.state.withGraphs(listOf(BoardGraph(0, "Found", listOf("D"))), before = 2))
+        lines(board) shouldBe listOf("A", "D", "B", "C").map(::listOf)
+        board.canUndo shouldBe false
+        board.kept.graphs.flatMap { it.lines } shouldBe listOf("A", "B", "C")
+        board.showEvidence(Board().withGraph(listOf("E")))
+        lines(board) shouldBe listOf("E", "A", "B", "C").map(::listOf)
+    }
+
+    test("what findings point at comes too late for graphs that a person has arranged") {
+        val board = abc()
+        board.change { without(2) }
+        board.beginWith(board.state.withGraph(listOf("D")))
+        lines(board) shouldBe listOf("A", "C").map(::listOf)
     }
 })

@@ -12,6 +12,7 @@ import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.analysis.Span
 import badlog.plot.board.Board
 import badlog.plot.board.BoardGraph
+import badlog.plot.board.defaultBoard
 import badlog.viewer.app.actionCommands
 import badlog.viewer.theme.Palette
 import badlog.viewer.theme.Theme
@@ -109,6 +110,7 @@ class GraphPaneSpec : FunSpec({
         val names = (0 until 10_000).joinToString(",") { """{"name":"S$it","unit":"ul","attrs":[]}""" }
         val row = (0 until 10_000).joinToString(",") { "A" }
         val viewer = viewerOf(recordingOf("""{"topics":[$names],"values":[]}""" + "\n" + (0 until 10_000).joinToString(",") { "S$it" } + "\n$row\n$row\n"))
+        viewer.board.replace(defaultBoard(checkNotNull(viewer.current.recording).view))
         viewer.board.state.graphs.all { it.lines.size <= 16 } shouldBe true
         runDesktopComposeUiTest(900, 600) {
             setContent { TestGraphs(viewer) }

@@ -12,7 +12,6 @@ import androidx.compose.ui.test.onRoot
 import badlog.analysis.LogView
 import badlog.bag.BagParser
 import badlog.file.UserFolders
-import badlog.plot.board.defaultBoard
 import badlog.plot.range.Viewport
 import badlog.viewer.app.Viewer
 import badlog.viewer.recording.OpenRecording
@@ -31,7 +30,7 @@ internal fun viewerOf(recording: OpenRecording?): Viewer {
     return Viewer(MainScope(), UserFolders(nowhere, nowhere)).apply {
         if (recording == null) return@apply
         current.replace(recording)
-        board.replace(defaultBoard(recording.view))
+        board.replace(recording.standardGraphs)
         view.show(recording.span)
     }
 }

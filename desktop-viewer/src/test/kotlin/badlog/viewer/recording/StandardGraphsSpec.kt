@@ -38,8 +38,10 @@ class StandardGraphsSpec : FunSpec({
         open.standardGraphs.graphs.flatMap { it.lines } shouldNotContain "/SystemStats/BatteryVoltage"
     }
 
-    test("a log that a person can look through begins with all that its attributes ask for") {
+    test("a log that a person can look through begins with what explains most of a match, then all else that its attributes ask for") {
         val match = sample("qualification-42.bag")
-        match.standardGraphs shouldBe defaultBoard(match.logged)
+        val graphs = match.standardGraphs.graphs
+        graphs.first().title shouldBe "Battery and current"
+        graphs.flatMap { it.lines }.toSet() shouldBe defaultBoard(match.logged).graphs.flatMap { it.lines }.toSet()
     }
 })

@@ -23,7 +23,7 @@ class CompareWindowSpec : FunSpec({
             window.click(Alignment.ENABLED.hint)
             window.awaitState("the alignment") { it.compared.state.alignment == Alignment.ENABLED }
             window.awaitGraphs()
-            window.point("Plot Arm/Angle", 0.5, 0.5)
+            window.point("Plot Battery and current", 0.5, 0.5)
             window.picture("compare", guide = "viewer-compare")
 
             window.press(KeyEvent.VK_S)

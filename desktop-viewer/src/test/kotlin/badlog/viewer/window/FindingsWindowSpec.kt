@@ -77,7 +77,7 @@ class FindingsWindowSpec : FunSpec({
             window.awaitText("Search events")
             window.picture("brownout", guide = "viewer-recording")
 
-            window.click("Plot Match Time")
+            window.click("Plot Battery and current")
             window.press(KeyEvent.VK_F)
             window.awaitText("Formula sheet")
             window.type("twice = battery vol")

@@ -43,6 +43,7 @@ internal class PlotGestures(
     private var lastX = 0.0
     private var hasMoved = false
     private var isShifted = false
+    private var isFinger = false
     private var beforeTap = scene.cursor.now
     private var resting = 0
 
@@ -84,8 +85,9 @@ internal class PlotGestures(
         lastX = startX
         hasMoved = false
         isShifted = event.shiftKey
+        isFinger = event.pointerType == TOUCH
         escape.take()
-        if (event.pointerType == TOUCH) resting = window.setTimeout({ rest() }, REST_MILLISECONDS)
+        if (isFinger) resting = window.setTimeout({ rest() }, REST_MILLISECONDS)
     }
 
     /** The finger has not moved for a while. */
@@ -161,7 +163,7 @@ internal class PlotGestures(
     }
 
     private fun tap(x: Double) {
-        val reach = Cursors.REACH / over.clientWidth * range.now.width
+        val reach = (if (isFinger) Cursors.FINGER_REACH else Cursors.REACH) / over.clientWidth * range.now.width
         when {
             isShifted -> scene.cursor.change { shiftClicked(xAt(x), reach) }
 

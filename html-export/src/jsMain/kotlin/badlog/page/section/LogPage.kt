@@ -34,10 +34,10 @@ import badlog.plot.outline.outlineOf
 import badlog.plot.search.Query
 import badlog.plot.text.countText
 import badlog.plot.timeline.FindingPlace
-import badlog.recording.Severity
 import badlog.rules.Finding
 import badlog.rules.incident.Incident
 import badlog.rules.incident.evidenceOf
+import badlog.rules.incident.firstEvidenceOf
 import badlog.rules.incident.incidentsIn
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
@@ -151,7 +151,7 @@ internal class LogPage(
                 scene.findings = timelineOf(found.findings + embeddedFindings)
                 val incidents = additions.rules.incidentsIn(found.findings, additions.differences)
                 findings.show(found.skipped, incidents)
-                if (layout.board == null) board.beginAgain(boardAbove(view, signals, pointedAt(incidents)))
+                if (layout.board == null) board.beginAgain(boardAbove(view, signals, firstEvidenceOf(incidents, scene.findings.worstFirst)))
                 // has:finding finds more now.
                 search.again()
                 // What the address names is known only now.
@@ -175,9 +175,6 @@ internal class LogPage(
         graphs.repaint()
         zoomBar.repaint()
     }
-
-    private fun pointedAt(incidents: List<Incident>) = incidents.firstOrNull()?.evidence
-        ?: scene.findings.worstFirst.firstOrNull { it.severity != Severity.NOTE }?.evidence.orEmpty()
 
     private fun filter(query: Query): Hits {
         boardSection.filter(query)

@@ -105,6 +105,8 @@ class XyPaneSpec : FunSpec({
 
     test("a trace is hidden by its legend") {
         path { viewer ->
+            viewer.board.change { Board(graphs.take(1)) }
+            waitForPictures(viewer)
             val before = savePicture("path-hidden").count(Palette.LIGHT.line(1))
             onNodeWithContentDescription("Hide Target Pose").performClick()
             waitForIdle()

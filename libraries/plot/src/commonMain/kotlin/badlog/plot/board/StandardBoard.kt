@@ -9,15 +9,23 @@ import badlog.rules.signal.SignalTopics
 import badlog.rules.signal.SignalVocabulary
 
 /**
- * The graphs that a log begins with: [pathBoard], then [defaultBoard], where that is one that a person can look through, else [boardOfLarge].
+ * The graphs that a log begins with where all of them stand on the board: [boardAbove], then what else [defaultBoard] has. Of a log with more
+ * than a person looks through, [boardAbove] alone.
+ *
+ * @param pointed the topics that the first of all findings points at; they count where not all graphs stand here anyway.
  */
-public fun standardBoard(view: LogView, vocabulary: SignalVocabulary): Board =
-    boardOfLarge(view, vocabulary) ?: pathBoard(view).withGraphs(defaultBoard(view).graphs)
+public fun standardBoard(view: LogView, vocabulary: SignalVocabulary, pointed: List<String> = emptyList()): Board {
+    boardOfLarge(view, vocabulary, pointed)?.let { return it }
+    val above = boardAbove(view, vocabulary)
+    // A path is drawn over a field: what it is made of is not yet drawn over time.
+    val shown = above.graphs.filterNot { it.isXy }.flatMapTo(HashSet()) { it.lines }
+    return above.withGraphs(defaultBoard(view).graphs.filterNot { shown.containsAll(it.lines) })
+}
 
 /**
- * The graphs that begin above all graphs of a log: those that [standardBoard] has of one with more than a person looks through. Else
- * [pathBoard], and where the others would stand far apart, low ones of what explains most of a match, as far as it changes: battery and
- * current together, modes, loop time, and what [pointed] names.
+ * The graphs that begin above all graphs of a log: of one with more than a person looks through, those of its signals, of what [pointed] names,
+ * and of several topics, 24 at most. Else [pathBoard], and where the others would stand far apart, low ones of what explains most of a match, as
+ * far as it changes: battery and current together, modes, loop time, and what [pointed] names.
  *
  * @param pointed the topics that the first of all findings points at.
  */

@@ -70,5 +70,8 @@ public data class Cursors(public val pinned: Double? = null, public val second: 
 
         /** So many CSS pixels or dp beside a cursor a click is still on it. */
         public const val REACH: Double = 5.0
+
+        /** So many CSS pixels beside a cursor a finger is still on it. */
+        public const val FINGER_REACH: Double = 24.0
     }
 }

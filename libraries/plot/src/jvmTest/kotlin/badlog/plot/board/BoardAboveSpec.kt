@@ -45,4 +45,11 @@ class BoardAboveSpec : FunSpec({
         board.graphs.map { it.lines.first() }.take(4) shouldBe listOf(VOLTAGE, CURRENT, LOOP, "Dashboard/Value 60")
         board.graphs.size shouldBeLessThanOrEqual 24
     }
+
+    test("where all graphs stand on the board, those that stand above are not repeated below") {
+        val board = standardBoard(logOf(12, *power), RuleSet.BUILT_IN.signals, listOf("Dashboard/Value 3"))
+        board.graphs.map { it.lines }.take(3) shouldBe listOf(listOf(VOLTAGE, CURRENT), listOf(LOOP), listOf("Dashboard/Value 0"))
+        board.graphs.flatMap { it.lines }.groupingBy { it }.eachCount().values.toSet() shouldBe setOf(1)
+        board.graphs.size shouldBe 2 + 12
+    }
 })

@@ -85,5 +85,12 @@ public class Incident internal constructor(
 /** The full names of the topics that show [finding], then of those that show this incident, where it is a part of one. */
 public fun Incident?.evidenceOf(finding: Finding): List<String> = (finding.evidence + this?.evidence.orEmpty()).distinct()
 
+/**
+ * The full names of the topics that show what stands first: the first of [incidents], else the first of [worstFirst] that is more than a note.
+ * Empty without either.
+ */
+public fun firstEvidenceOf(incidents: List<Incident>, worstFirst: List<Finding>): List<String> =
+    incidents.firstOrNull()?.evidence ?: worstFirst.firstOrNull { it.severity != Severity.NOTE }?.evidence.orEmpty()
+
 /** What to look at next for [finding]: what this incident calls for, where it is a part of one, or else the finding alone; may be empty. */
 public fun Incident?.nextOf(finding: Finding): String = this?.next.orEmpty().ifEmpty { finding.next }
