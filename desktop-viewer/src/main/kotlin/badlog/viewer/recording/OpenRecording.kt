@@ -17,9 +17,7 @@ import badlog.plot.board.standardBoard
 import badlog.plot.cursor.CursorSteps
 import badlog.plot.formula.Formula
 import badlog.plot.formula.formulasOf
-import badlog.plot.path.Pose
 import badlog.plot.path.XyPlot
-import badlog.plot.path.posesOf
 import badlog.plot.path.swerveModulesOf
 import badlog.plot.path.xyPlotOf
 import badlog.plot.range.Viewport
@@ -30,6 +28,8 @@ import badlog.recording.Topic
 import badlog.rules.BUILT_IN
 import badlog.rules.FolderRules
 import badlog.rules.RuleSet
+import badlog.rules.path.Pose
+import badlog.rules.path.posesOf
 import badlog.rules.signal.LoggedMatch
 import badlog.rules.signal.SignalTopics
 import badlog.rules.signal.SignalVocabulary

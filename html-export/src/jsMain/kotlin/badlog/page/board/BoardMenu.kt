@@ -4,8 +4,8 @@ import badlog.page.dom.MenuEntry
 import badlog.page.view.PageBoard
 import badlog.plot.board.BoardGraph
 import badlog.plot.board.GraphHeight
-import badlog.plot.path.Pose
 import badlog.plot.path.xyLabelOf
+import badlog.rules.path.Pose
 
 /** What may be done with [graph], one of those of [board], which [item] shows; [topics] may be added to it. The log has these [poses]. */
 internal fun boardMenu(board: PageBoard, graph: BoardGraph, item: BoardItem, topics: TopicDialog, poses: List<Pose>): List<MenuEntry> {

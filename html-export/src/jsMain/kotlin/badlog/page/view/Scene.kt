@@ -9,8 +9,6 @@ import badlog.analysis.enabledSpans
 import badlog.html.note.Note
 import badlog.plot.address.FindingName
 import badlog.plot.outline.traits
-import badlog.plot.path.Pose
-import badlog.plot.path.posesOf
 import badlog.plot.range.Viewport
 import badlog.plot.search.Query
 import badlog.plot.search.Trait
@@ -22,6 +20,8 @@ import badlog.plot.timeline.FindingPlace
 import badlog.plot.timeline.FindingTimeline
 import badlog.plot.timeline.ModeTimeline
 import badlog.rules.Finding
+import badlog.rules.path.Pose
+import badlog.rules.path.posesOf
 import kotlin.math.abs
 
 /** What all parts of the page share: the recording, what was found in it, what of it is seen, the cursor, and the [board]. */

@@ -12,11 +12,11 @@ import badlog.plot.color.LINE_COLORS
 import badlog.plot.color.Shade
 import badlog.plot.curve.Strokes
 import badlog.plot.path.Plane
-import badlog.plot.path.PoseRole
 import badlog.plot.path.XyPlot
 import badlog.plot.path.XyTrace
 import badlog.plot.path.swerveModulesOf
 import badlog.plot.path.xyPlotOf
+import badlog.rules.path.PoseRole
 import kotlinx.browser.window
 import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLElement

@@ -4,6 +4,8 @@ import badlog.analysis.LogView
 import badlog.expression.LogViewSignals
 import badlog.expression.signals.Vocabulary
 import badlog.recording.TopicKind
+import badlog.rules.path.PlannedPath
+import badlog.rules.path.posesOf
 import badlog.rules.signal.SignalTopics
 import badlog.rules.signal.SignalVocabulary
 
@@ -14,12 +16,14 @@ import badlog.rules.signal.SignalVocabulary
  * @property timeTopic the topic of the x axis, or null.
  * @property hasClock whether x is time, though no topic has it.
  * @property empty the names of the topics that hold nothing, which are no signals.
+ * @property path what the robot drove beside what was planned; null for none.
  */
 public data class LogShape(
     public val vocabulary: Vocabulary,
     public val timeTopic: String?,
     public val hasClock: Boolean,
     public val empty: Set<String> = emptySet(),
+    public val path: PlannedPath? = null,
 ) {
     /** Which of the topics are the signals of [signals]. */
     public fun topicsOf(signals: SignalVocabulary): SignalTopics = SignalTopics(signals, vocabulary, timeTopic, empty)
@@ -29,7 +33,13 @@ public data class LogShape(
         public fun of(view: LogView): LogShape {
             val x = view.xAxis
             val empty = view.recording.topics.filter { it.kind == TopicKind.EMPTY }.mapTo(HashSet()) { it.name }
-            return LogShape(LogViewSignals(view).vocabulary, x.topic?.name, hasClock = x.topic == null && !x.isIndex, empty)
+            return LogShape(
+                LogViewSignals(view).vocabulary,
+                x.topic?.name,
+                hasClock = x.topic == null && !x.isIndex,
+                empty,
+                PlannedPath.of(posesOf(view.recording.topics)),
+            )
         }
     }
 }

@@ -8,6 +8,7 @@ import badlog.expression.signals.Signal
 import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Signals
 import badlog.expression.signals.Vocabulary
+import badlog.rules.path.PlannedPath
 import badlog.rules.signal.FRACTION
 import badlog.rules.signal.SignalTopic
 import kotlin.math.abs
@@ -21,19 +22,23 @@ internal val CLOCK = Signal(RuleProgram.TIME, SignalKind.NUMBER, "s")
  */
 internal data class ScaledSignal(val signal: Signal, val scale: Double?, val whole: Double = 1.0, val reading: FlagReading? = null)
 
-/** The sum of [summands], mostly a single one, under the name [name], in [unit]. */
-internal class NamedSignal(val name: String, val summands: List<ScaledSignal>, unit: String) {
+/** The sum of [summands], mostly a single one, under the name [name], in [unit]; of one that is calculated, [madeOf] are the topics. */
+internal class NamedSignal(val name: String, val summands: List<ScaledSignal>, unit: String, private val madeOf: List<String>? = null) {
     /** How a vocabulary lists it. */
     val listed: Signal = Signal(name, kindOf(summands), unit)
 
     /** The names of its topics. */
-    val topics: List<String> get() = summands.map { it.signal }.filter { it !== CLOCK && it !== ACTIVITY }.map { it.name }
+    val topics: List<String> get() = madeOf ?: summands.map { it.signal }.filter { it !== CLOCK && it !== ACTIVITY }.map { it.name }
 
     /** The only one; null of a sum. */
     val only: Signal? get() = summands.singleOrNull()?.signal
 
     companion object {
         fun of(name: String, signal: Signal): NamedSignal = NamedSignal(name, listOf(ScaledSignal(signal, 1.0)), signal.unit)
+
+        /** The distance from a plan, where the log has this [path]. */
+        fun of(path: PlannedPath): NamedSignal =
+            NamedSignal(DEVIATION.name, listOf(ScaledSignal(DEVIATION, 1.0)), DEVIATION.unit, path.topics)
 
         /** The sum of [topics] as [name]. */
         fun of(name: String, topics: List<SignalTopic>): NamedSignal =
@@ -68,6 +73,7 @@ internal class NamedSamples(private val log: Signals, private val view: LogView)
     private fun scaled(source: ScaledSignal): Series {
         if (source.signal === CLOCK) return log.axis
         if (source.signal === ACTIVITY) return activeIn(view, log.enabled.orEmpty())
+        if (source.signal === DEVIATION) return planDistanceIn(view, log)
         val series = log.series(source.signal.name)
         if (source.reading != null) return flagged(series, source.reading, source.signal)
         val scale = source.scale ?: if (isFraction(series)) source.whole else source.whole / PERCENT

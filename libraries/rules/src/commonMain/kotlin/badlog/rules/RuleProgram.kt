@@ -83,6 +83,9 @@ public class RuleProgram(private val rules: RuleSet, private val shape: LogShape
                 found[signal.name] = NamedSignal.of(signal.name, topics)
             }
         }
+        if (rules.signals.find(PLAN_DISTANCE) == null) {
+            if (shape.path == null) lacking[PLAN_DISTANCE] = DEVIATION else found[PLAN_DISTANCE] = NamedSignal.of(shape.path)
+        }
         val aliases = LinkedHashMap<String, NamedSignal>()
         missing = rules.aliases.filter { alias ->
             val signal = alias.find(vocabulary.signals)
@@ -191,6 +194,7 @@ public class RuleProgram(private val rules: RuleSet, private val shape: LogShape
         }
         val lacked = lacking.find { it.name in expression.topics }
         return when {
+            lacked === DEVIATION -> Refused(Refusal(NO_PLAN))
             lacked != null -> Refused(Refusal("no topic is the signal “${lacked.name}”"))
             expression.topics.any { names[it]?.only === CLOCK } && !shape.hasClock -> Refused(Refusal(NO_AXIS))
             expression.type.isCondition -> question(rule, expression, turn)
@@ -262,8 +266,12 @@ public class RuleProgram(private val rules: RuleSet, private val shape: LogShape
 
         /** Whether the robot is enabled, or nothing tells. */
         const val ACTIVE = "active"
+
+        /** How far the robot is from where its plan has it. */
+        const val PLAN_DISTANCE = "plan distance"
         private const val IS_PART = "the log is only a part of one, as its value “$PART_VALUE” says"
         private const val NO_AXIS = "the log has no x axis"
+        private const val NO_PLAN = "no topics are the pose of the robot and the pose that was planned for it"
         private const val NO_CONDITION = "“when” is a number"
 
         // Where a name is missing, what is left of it may read as anything.

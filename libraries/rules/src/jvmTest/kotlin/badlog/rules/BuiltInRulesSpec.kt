@@ -1,6 +1,8 @@
 package badlog.rules
 
 import badlog.analysis.LogView
+import badlog.rules.path.PLAN_LIMIT
+import badlog.rules.path.PLAN_PATIENCE
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
@@ -56,6 +58,7 @@ private val FAULTS: Map<String, TestMatch.() -> Unit> = mapOf(
     "Setpoint missed" to { from(24.0, "Elevator/Height") { "0.8" } },
     "Encoders disagree" to { from(20.0, "Drive/Right/PositionRad") { "10" } },
     "Pose jumped" to { from(20.0, "Odometry/Robot/translation/x") { (6 + TestMatch.wave(it / 10)).toString() } },
+    "Left the plan" to { from(10.0, "Odometry/TrajectorySetpoint/translation/x") { (5 + TestMatch.wave(it / 10) + (it - 10) / 2).toString() } },
     "Gyro drifts" to {
         flag("/DriverStation/Enabled") { it in 15.0..38.0 }
         number("Gyro/Angle") { if (it < 15) 10 + 0.4 * it else 16 + 20 * TestMatch.wave(it - 15) }
@@ -150,6 +153,22 @@ class BuiltInRulesSpec : FunSpec({
             finding.evidence.shouldNotBeEmpty()
             (finding.evidence - view.recording.topics.map { it.name }.toSet()).shouldBeEmpty()
         }
+    }
+
+    test("what a path says of leaving the plan has the limits of the rule") {
+        rules.rules.first { it.name == "Left the plan" }.condition shouldBe "plan distance > $PLAN_LIMIT for $PLAN_PATIENCE s"
+    }
+
+    test("the finding of leaving the plan names the topics of both poses, and how far") {
+        val match = TestMatch().apply(FAULTS.getValue("Left the plan"))
+        val finding = match.findings(rules).single { it.rule == "Left the plan" }
+        finding.text shouldBe "The robot left its plan at 11 s, by up to 2.5 m."
+        finding.evidence shouldBe listOf("Robot", "TrajectorySetpoint").flatMap { name -> listOf("x", "y").map { "Odometry/$name/translation/$it" } }
+        // Who drives by hand follows no plan.
+        val byHand = TestMatch().apply { from(15.1, "Odometry/TrajectorySetpoint/translation/x") { ((it - 15) / 2).toString() } }
+        byHand.findings(rules).map { it.rule }.shouldBeEmpty()
+        rules.over(TestMatch().apply { without("Odometry/TrajectorySetpoint/translation/x") }.view(), "test.bag").skipped
+            .single { it.rule == "Left the plan" }.message shouldBe "no topics are the pose of the robot and the pose that was planned for it"
     }
 
     test("a part that was cut out of a log neither restarted nor ended in the match") {

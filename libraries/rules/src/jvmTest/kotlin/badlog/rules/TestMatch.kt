@@ -47,6 +47,8 @@ internal class TestMatch(private val seconds: Int = 40) {
         number("Elevator/Output") { (setpoint(it) - height(it)).coerceIn(-0.9, 0.9) }
         number("Odometry/Robot/translation/x") { 5 + wave(it / 10) }
         number("Odometry/Robot/translation/y") { 3 + wave(it / 7) }
+        number("Odometry/TrajectorySetpoint/translation/x") { 5 + wave(it / 10) }
+        number("Odometry/TrajectorySetpoint/translation/y") { 3.1 + wave(it / 7) }
         number("DS:joystick0/axes[0]") { if (it in ENABLED) wave(it) else 0.01 }
         flag("DS:joystick0/buttons[0]") { it in ENABLED && wave(it) > 0.9 }
         number("Vision/Latency") { 30 + 5 * wave(it) }

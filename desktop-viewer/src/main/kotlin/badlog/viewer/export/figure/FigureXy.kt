@@ -4,7 +4,7 @@ import badlog.analysis.Span
 import badlog.plot.board.BoardGraph
 import badlog.plot.curve.Scale
 import badlog.plot.curve.Strokes
-import badlog.plot.path.PoseRole
+import badlog.rules.path.PoseRole
 import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.graph.xy.drawnXys
 import badlog.viewer.graph.xy.wholeOf

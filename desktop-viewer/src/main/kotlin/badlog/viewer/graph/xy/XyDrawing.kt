@@ -20,11 +20,11 @@ import badlog.plot.board.BoardGraph
 import badlog.plot.curve.Strokes
 import badlog.plot.path.Field
 import badlog.plot.path.Plane
-import badlog.plot.path.PoseRole
 import badlog.plot.path.XyPlot
 import badlog.plot.path.XyTrace
 import badlog.plot.text.placeText
 import badlog.plot.text.withUnit
+import badlog.rules.path.PoseRole
 import badlog.viewer.theme.Palette
 
 /** The numbers of both axes, around the frame [box]. */

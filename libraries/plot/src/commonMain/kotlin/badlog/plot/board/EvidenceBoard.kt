@@ -7,18 +7,22 @@ import badlog.expression.signalOf
 import badlog.expression.signals.Vocabulary
 import badlog.plot.text.shortNames
 import badlog.recording.PathName
+import badlog.rules.path.posesOf
 import badlog.rules.signal.SignalTopics
 import badlog.rules.signal.SignalVocabulary
 
 /**
- * The graphs that show together what the topics called [evidence] were, low enough for one screen: numbers of one unit share a graph,
- * then the states share one. Names that [view] lacks, topics without samples and texts, which are marks in every graph, are left out.
+ * The graphs that show together what the topics called [evidence] were, low enough for one screen: poses are paths on a field, other
+ * numbers of one unit share a graph, then the states share one. Names that [view] lacks, topics without samples and texts, which are marks in every graph, are left out.
  *
  * @param vocabulary tells the units of topics without one: volts and amperes in one graph would hide each other.
  */
 public fun evidenceBoard(view: LogView, evidence: List<String>, vocabulary: SignalVocabulary): Board {
     val topics = view.recording.topics.associateBy { it.name }
-    val lines = evidence.distinct().mapNotNull(topics::get)
+    val poses = posesOf(view.recording.topics).filter { it.x in evidence && it.y in evidence }
+    val places = poses.flatMap { listOf(it.x, it.y) }
+    val paths = if (places.isEmpty()) emptyList() else listOf(BoardGraph(1, "Path", places, isXy = true))
+    val lines = (evidence.distinct() - places.toSet()).mapNotNull(topics::get)
         .filter(::isDrawable).map(view::seriesOf)
     val names = Vocabulary(lines.map { signalOf(it.topic) })
     val meant = SignalTopics(vocabulary, names, timeTopic = null).all.associate { it.topic to it.unit }
@@ -26,10 +30,10 @@ public fun evidenceBoard(view: LogView, evidence: List<String>, vocabulary: Sign
     val (states, numbers) = lines.partition { it.states != null }
     val groups = numbers.groupBy(::unitOf).values.map { it.take(MAX_LINES) }
     val lanes = listOf(states.take(MAX_LANES)).filter { it.isNotEmpty() }
-    val shown = groups.take(MAX_GRAPHS - lanes.size) + lanes
+    val shown = groups.take(MAX_GRAPHS - lanes.size - paths.size) + lanes
     return Board(
-        shown.mapIndexed { i, group ->
-            BoardGraph(i + 1, titleOf(group), group.map { it.topic.name }, height = GraphHeight.SMALL.pixels)
+        paths + shown.mapIndexed { i, group ->
+            BoardGraph(paths.size + i + 1, titleOf(group), group.map { it.topic.name }, height = GraphHeight.SMALL.pixels)
         },
     )
 }

@@ -2,15 +2,15 @@ package badlog.plot.board
 
 import badlog.analysis.LogView
 import badlog.plot.outline.everChanges
-import badlog.plot.path.Pose
-import badlog.plot.path.PoseRole
-import badlog.plot.path.posesOf
+import badlog.rules.path.Pose
+import badlog.rules.path.PoseRole
+import badlog.rules.path.posesOf
 
 /** The paths of [view] in one graph: what was driven, planned and seen, a few of each; no graph in a log without a driven path. */
 public fun pathBoard(view: LogView): Board {
     val changing = view.recording.topics.filter(::everChanges).mapTo(HashSet()) { it.name }
     val poses = posesOf(view.recording.topics).filter { it.x in changing || it.y in changing }
-    fun of(role: PoseRole, most: Int) = poses.filter { it.role == role }.distinctBy { it.list ?: it.name }.sortedBy(::depth).take(most)
+    fun of(role: PoseRole, most: Int) = poses.filter { it.role == role }.distinctBy { it.list ?: it.name }.sortedBy { it.depth }.take(most)
     val driven = of(PoseRole.DRIVEN, MAX_DRIVEN)
     if (driven.isEmpty()) return Board()
     val shown = driven + of(PoseRole.PLANNED, MAX_PLANNED) + of(PoseRole.SEEN, MAX_SEEN)
@@ -18,9 +18,6 @@ public fun pathBoard(view: LogView): Board {
         listOf(BoardGraph(0, "Path", shown.flatMap { listOf(it.x, it.y) }.distinct(), isXy = true)),
     )
 }
-
-/** A robot's own pose stands in few folders; what a vendor's library logs besides stands in many. */
-private fun depth(pose: Pose) = pose.name.count { it == '/' }
 
 private const val MAX_DRIVEN = 2
 private const val MAX_PLANNED = 2

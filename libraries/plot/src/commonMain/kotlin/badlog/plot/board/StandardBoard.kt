@@ -71,7 +71,7 @@ private fun boardOfLarge(view: LogView, vocabulary: SignalVocabulary, pointed: L
         joint + graphsOf(view, names - joint.flatMap { it.lines }.toSet(), vocabulary)
     }.distinctBy { it.lines }
     val path = pathBoard(view)
-    val first = signals + evidenceBeside(signals, view, pointed, vocabulary).map { it.copy(height = null) }
+    val first = signals + evidenceBeside(path.graphs + signals, view, pointed, vocabulary).map { it.copy(height = null) }
     val shown = first.flatMapTo(HashSet()) { it.lines }
     val others = outlined.map { it.second }.filter { graph -> graph.lines.none { it in shown } }
         .sortedByDescending { it.lines.size > 1 }.take(maxOf(0, MOST - first.size - path.graphs.size))

@@ -1,7 +1,7 @@
 package badlog.plot.cursor
 
 import badlog.analysis.GraphSeries
-import badlog.analysis.Series
+import badlog.rules.path.lastAtOrBefore
 
 /**
  * Which sample of this line a cursor at [x] reads; -1 for none, and for an x that is NaN.
@@ -37,14 +37,6 @@ public fun GraphSeries.textOf(index: Int, numberText: (Double) -> String): Strin
     val value = data.y[index]
     if (value.isNaN()) return NOTHING
     return states?.let { it.getOrElse(value.toInt()) { "?" } } ?: numberText(value)
-}
-
-/** The index of the last sample at or before [position], the last in the order of the file where x goes backwards; -1 without one. */
-public fun Series.lastAtOrBefore(position: Double): Int {
-    if (isOrdered) return firstAfter(position) - 1
-    var index = size - 1
-    while (index >= 0 && !(x[index] <= position)) index--
-    return index
 }
 
 private const val NOTHING = "–"

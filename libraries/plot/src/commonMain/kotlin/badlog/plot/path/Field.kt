@@ -1,6 +1,7 @@
 package badlog.plot.path
 
 import badlog.analysis.Span
+import badlog.rules.path.Trail
 
 /** The field that paths are on: its outline and its middle line, in meters from the corner at the right of the blue alliance's wall. */
 public object Field {

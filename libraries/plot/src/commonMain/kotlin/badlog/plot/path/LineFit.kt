@@ -4,6 +4,7 @@ import badlog.analysis.Span
 import badlog.analysis.Units
 import badlog.plot.text.fixedText
 import badlog.plot.text.withUnit
+import badlog.rules.path.Trail
 import kotlin.math.abs
 import kotlin.math.floor
 import kotlin.math.log10

@@ -1,8 +1,10 @@
 package badlog.plot.path
 
-import badlog.plot.outline.TARGET_WORDS
-import badlog.plot.outline.wordsOf
 import badlog.recording.Topic
+import badlog.rules.path.ANGLES
+import badlog.rules.path.LENGTHS
+import badlog.rules.signal.TARGET_WORDS
+import badlog.rules.signal.wordsOf
 
 /**
  * The swerve modules of which [topics] tell speed and angle apart from each other, as `Chassis/FrontLeft/Speed` and `Chassis/FrontLeft/Angle`:

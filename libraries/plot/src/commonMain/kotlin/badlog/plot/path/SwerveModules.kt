@@ -2,9 +2,9 @@ package badlog.plot.path
 
 import badlog.analysis.GraphSeries
 import badlog.plot.cursor.indexAt
-import badlog.plot.outline.TARGET_WORDS
-import badlog.plot.outline.wordsOf
 import badlog.recording.Topic
+import badlog.rules.signal.TARGET_WORDS
+import badlog.rules.signal.wordsOf
 import kotlin.math.abs
 import kotlin.math.cos
 import kotlin.math.sin

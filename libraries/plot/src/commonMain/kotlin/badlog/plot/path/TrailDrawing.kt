@@ -2,6 +2,7 @@ package badlog.plot.path
 
 import badlog.plot.curve.Scale
 import badlog.plot.curve.Strokes
+import badlog.rules.path.Trail
 import kotlin.math.abs
 import kotlin.math.ceil
 import kotlin.math.floor

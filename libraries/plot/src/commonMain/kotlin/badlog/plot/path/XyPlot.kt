@@ -4,11 +4,14 @@ import badlog.analysis.GraphSeries
 import badlog.analysis.LogView
 import badlog.analysis.Span
 import badlog.analysis.Units
-import badlog.analysis.enabledSpans
-import badlog.analysis.knowsAutonomous
-import badlog.analysis.knowsEnabled
 import badlog.plot.axis.limitsFor
 import badlog.plot.text.shortNames
+import badlog.rules.path.PlannedPath
+import badlog.rules.path.Pose
+import badlog.rules.path.PoseRole
+import badlog.rules.path.planDistance
+import badlog.rules.path.planSpans
+import badlog.rules.path.trailOf
 import kotlin.math.abs
 
 /**
@@ -38,22 +41,27 @@ public class XyPlot internal constructor(
     }
 
     /** What is driven; null for none, as where this is not a field. */
-    public val driven: XyTrace? get() = traces.findLast { it.role == PoseRole.DRIVEN && isField }
-
-    /**
-     * Where the robot of [view] left its plan while it drove by itself, or was enabled where that is not known; null for nowhere, and
-     * without a plan.
-     */
-    public fun departure(view: LogView): Departure? {
-        val spans = view.enabledSpans().filter { it.isAutonomous || !view.knowsAutonomous }.map { it.span }
-        val all = view.xAxis.range?.takeIf { !view.knowsEnabled }?.let { listOf(Span(it.start, it.endInclusive)) }
-        return departure(all ?: spans, 1 / (Units.secondsIn(view.xAxis.unit) ?: 1.0))
+    public val driven: XyTrace? get() = if (isField) {
+        path?.let {
+            traceOf(it.driven)
+        } ?: traces.findLast { it.role == PoseRole.DRIVEN }
+    } else {
+        null
     }
+
+    private val path by lazy { PlannedPath.of(traces.mapNotNull { it.pose }) }
+
+    private fun traceOf(pose: Pose) = traces.find { it.pose == pose }
+
+    /** Where the robot of [view] left its plan, as [planDistance] has it; null for nowhere, and without a plan. */
+    public fun departure(view: LogView): Departure? = departure(planSpans(view), 1 / (Units.secondsIn(view.xAxis.unit) ?: 1.0))
 
     /** The same during [spans], on an x axis of which [second] is one second. */
     internal fun departure(spans: List<Span>, second: Double): Departure? {
-        val planned = traces.find { it.role == PoseRole.PLANNED && it.followers.isEmpty() } ?: return null
-        return driven?.let { Departure.of(it.trail, planned.trail, spans, PATIENCE * second) }
+        val path = path ?: return null
+        val driven = traceOf(path.driven) ?: return null
+        val planned = traceOf(path.planned) ?: return null
+        return Departure.of(planDistance(driven.trail, planned.trail, spans), second)
     }
 
     /** What the modules of the driven robot were told, and did, at [time]: what was wanted first. */
@@ -108,9 +116,6 @@ public class XyPlot internal constructor(
         limitsFor(spans.minOfOrNull { it.from } ?: Double.NaN, spans.maxOfOrNull { it.to } ?: Double.NaN, includesZero = false)
 
     private companion object {
-        /** So many seconds a robot may be beside its plan. */
-        const val PATIENCE = 0.3
-
         /** So many square pixels further away is no other place. */
         const val SAME_PLACE = 9.0
     }
@@ -140,10 +145,11 @@ public fun xyPlotOf(
             names[i],
             i,
             pose.role,
-            trailOf(x, y, pose.meters),
+            trailOf(x.data, y.data, pose.meters),
             listOf(pose.x, pose.y),
             Heading.of(pose, line),
-            followers.mapNotNull { next -> line(next.x)?.let { a -> line(next.y)?.let { b -> trailOf(a, b, next.meters) } } },
+            followers.mapNotNull { next -> line(next.x)?.let { a -> line(next.y)?.let { b -> trailOf(a.data, b.data, next.meters) } } },
+            pose,
         )
     }
     val wheels = modules.mapNotNull { ModuleLines.of(it, line) }
@@ -159,7 +165,7 @@ private fun plainPlot(found: List<GraphSeries>): XyPlot? {
     val over = found[0]
     val names = shortNames(found.map { it.topic.name })
     val traces = found.drop(1).mapIndexed { i, series ->
-        XyTrace(names[i + 1], i, PoseRole.SEEN, trailOf(over, series), listOf(series.topic.name))
+        XyTrace(names[i + 1], i, PoseRole.SEEN, trailOf(over.data, series.data), listOf(series.topic.name))
     }
     fun title(series: GraphSeries, name: String) = if (Units.isNone(series.unit)) name else "$name (${series.unit})"
     return XyPlot(traces, isField = false, title(over, names[0]), title(found[1], names[1]), over.unit, found[1].unit)

@@ -5,6 +5,9 @@ import badlog.analysis.Span
 import badlog.plot.cursor.indexAt
 import badlog.plot.curve.Strokes
 import badlog.plot.text.fixedText
+import badlog.rules.path.Pose
+import badlog.rules.path.PoseRole
+import badlog.rules.path.Trail
 import kotlin.math.PI
 import kotlin.math.atan2
 import kotlin.math.cos
@@ -28,6 +31,7 @@ public class XyTrace internal constructor(
     public val lines: List<String>,
     private val heading: Heading? = null,
     public val followers: List<Trail> = emptyList(),
+    internal val pose: Pose? = null,
 ) {
     private val drawing = TrailDrawing()
 

@@ -3,11 +3,11 @@ package badlog.plot.table
 import badlog.analysis.GraphSeries
 import badlog.analysis.LogView
 import badlog.analysis.Series
-import badlog.plot.cursor.lastAtOrBefore
 import badlog.plot.text.exactText
 import badlog.plot.text.unitText
 import badlog.recording.Topic
 import badlog.recording.TopicKind
+import badlog.rules.path.lastAtOrBefore
 
 /** A column of CSV: its [title], and its [cell] in each row. */
 internal class CsvColumn(val title: String, val cell: (Int) -> String)

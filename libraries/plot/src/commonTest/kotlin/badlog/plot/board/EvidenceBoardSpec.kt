@@ -2,6 +2,8 @@ package badlog.plot.board
 
 import badlog.analysis.LogView
 import badlog.plot.bagView
+import badlog.plot.path.poseTopics
+import badlog.plot.timedView
 import badlog.rules.signal.SignalVocabulary
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.ints.shouldBeLessThan
@@ -40,5 +42,12 @@ class EvidenceBoardSpec : FunSpec({
     test("what shows several things is named by them, wherever they are") {
         boardOf(view, listOf("A/Voltage")).graphs.single().title shouldBe "A/Voltage"
         boardOf(view, listOf("A/Voltage", "B/Voltage")).graphs.single().title shouldEndWith "A/Voltage, B/Voltage"
+    }
+
+    test("poses are paths on the field, whose headings have a graph of their own") {
+        val view = timedView(*(poseTopics("Pose") + poseTopics("Target Pose")).toTypedArray())
+        val board = evidenceBoard(view, view.recording.topics.map { it.name }, SignalVocabulary.NONE)
+        board.graphs.map { it.isXy to it.lines.size } shouldBe listOf(true to 4, false to 2)
+        board.graphs.map { it.id } shouldBe listOf(1, 2)
     }
 })

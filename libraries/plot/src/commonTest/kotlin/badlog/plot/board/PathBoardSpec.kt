@@ -3,6 +3,7 @@ package badlog.plot.board
 import badlog.plot.path.poseTopics
 import badlog.plot.timedTopic
 import badlog.plot.timedView
+import badlog.rules.path.Pose
 import badlog.rules.signal.SignalVocabulary
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe

@@ -5,6 +5,7 @@ import badlog.analysis.Series
 import badlog.plot.bagView
 import badlog.plot.timedTopic
 import badlog.plot.timedView
+import badlog.rules.path.lastAtOrBefore
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb

@@ -31,11 +31,4 @@ class ThingSpec : FunSpec({
         arePair("Elevator/Target", "Elevator/Current") shouldBe false
         arePair("Elevator/Target Height", "Elevator/Current Height") shouldBe true
     }
-
-    test("names are read as words") {
-        wordsOf("/Chassis/ActualFrontLeftModule0State/speed") shouldBe listOf("chassis", "actual", "front", "left", "module", "0", "state", "speed")
-        wordsOf("CANLoad_max") shouldBe listOf("can", "load", "max")
-        wordsOf("Größe/2x") shouldBe listOf("größe", "2", "x")
-        wordsOf("") shouldBe emptyList()
-    }
 })

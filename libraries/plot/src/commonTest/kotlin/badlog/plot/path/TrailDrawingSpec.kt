@@ -2,6 +2,7 @@ package badlog.plot.path
 
 import badlog.analysis.Span
 import badlog.plot.curve.Strokes
+import badlog.rules.path.Trail
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.booleans.shouldBeTrue
 import io.kotest.matchers.ints.shouldBeLessThanOrEqual

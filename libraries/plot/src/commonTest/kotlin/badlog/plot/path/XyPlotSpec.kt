@@ -6,6 +6,9 @@ import badlog.plot.bagView
 import badlog.plot.timedTopic
 import badlog.plot.timedView
 import badlog.recording.Topic
+import badlog.rules.path.Pose
+import badlog.rules.path.PoseRole
+import badlog.rules.path.posesOf
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.nulls.shouldBeNull

@@ -1,6 +1,6 @@
-package badlog.plot.path
+package badlog.rules.path
 
-import badlog.plot.timedTopic
+import badlog.recording.CellCounts
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.doubles.plusOrMinus
@@ -57,6 +57,6 @@ class PoseSearchSpec : FunSpec({
     }
 
     test("what has no samples is not a pose") {
-        posesOf(listOf(timedTopic("X").copy(unit = "m"), timedTopic("Y").copy(unit = "m")).map { it.copy(samples = DoubleArray(0)) }).shouldBeEmpty()
+        posesOf(poseTopics("Pose").map { it.copy(counts = CellCounts(0, 0, 0, 0, 0, 0)) }).shouldBeEmpty()
     }
 })

@@ -1,4 +1,4 @@
-package badlog.plot.path
+package badlog.rules.path
 
 /** What a pose is, as its name says. */
 public enum class PoseRole {
@@ -21,9 +21,10 @@ public enum class PoseRole {
  * @property heading the topic of the heading, or the four of a quaternion: w, x, y, z; empty where none tells it.
  * @property meters how many meters one of [x] and [y] is.
  * @property radians how many radians one of [heading] is.
+ * @property role what the name says that it is.
  * @property list the array that it is an element of; null for none.
  */
-public class Pose internal constructor(
+public data class Pose(
     public val name: String,
     public val x: String,
     public val y: String,
@@ -32,4 +33,7 @@ public class Pose internal constructor(
     public val radians: Double,
     public val role: PoseRole,
     public val list: String?,
-)
+) {
+    /** In how many folders it stands: what a vendor's library logs besides a robot's own pose stands in many. */
+    public val depth: Int get() = name.count { it == '/' }
+}

@@ -1,8 +1,9 @@
-package badlog.plot.path
+package badlog.rules.path
 
-import badlog.plot.outline.TARGET_WORDS
-import badlog.plot.outline.wordsOf
 import badlog.recording.Topic
+import badlog.recording.TopicKind
+import badlog.rules.signal.TARGET_WORDS
+import badlog.rules.signal.wordsOf
 import kotlin.math.PI
 
 /**
@@ -11,11 +12,13 @@ import kotlin.math.PI
  * - the structs `Pose2d`, `Pose3d` and `Translation2d` of WPILib, and arrays of them;
  * - three numbers x, y and degrees, as of a `Field2d`, in an array whose name says that it is a pose; of a Limelight, `botpose_wpiblue`;
  * - two topics in a unit of length whose names end in X and Y, with a third one for the heading: `Drive/Pose X`, `… Y`, `… Heading`.
+ *
+ * Needs no samples.
  */
 public fun posesOf(topics: List<Topic>): List<Pose> = PoseSearch(topics).poses
 
 private class PoseSearch(topics: List<Topic>) {
-    private val byName = topics.filter { it.samples.isNotEmpty() }.associateBy { it.name }
+    private val byName = topics.filter { it.kind == TopicKind.NUMERIC }.associateBy { it.name }
     private val byWords = HashMap<String, Topic>()
 
     init {
@@ -71,9 +74,7 @@ private class PoseSearch(topics: List<Topic>) {
             base,
             x.name,
             y,
-            heading.takeIf {
-                it.size != 2 && it.size != 3
-            }.orEmpty(),
+            heading.takeIf { it.size != 2 && it.size != 3 }.orEmpty(),
             meters,
             radians,
             roleOf(base, list != null),
@@ -97,9 +98,13 @@ private const val STRUCT = "struct:"
 private const val DEGREE = PI / 180
 private val QUATERNION = listOf("w", "x", "y", "z")
 private val BOT_POSES = listOf("botpose_wpiblue", "botpose_orb_wpiblue")
-internal val LENGTHS =
+
+/** How many meters units of length have. */
+public val LENGTHS: Map<String, Double> =
     mapOf("m" to 1.0, "meters" to 1.0, "cm" to 0.01, "in" to 0.0254, "inches" to 0.0254, "ft" to 0.3048, "feet" to 0.3048)
-internal val ANGLES = mapOf("deg" to DEGREE, "°" to DEGREE, "degrees" to DEGREE, "rad" to 1.0, "radians" to 1.0)
+
+/** How many radians units of an angle have. */
+public val ANGLES: Map<String, Double> = mapOf("deg" to DEGREE, "°" to DEGREE, "degrees" to DEGREE, "rad" to 1.0, "radians" to 1.0)
 private val HEADINGS = listOf("heading", "rotation", "angle", "theta", "yaw")
 private val POSE_WORDS = setOf("pose", "field", "odometry", "botpose")
 private val PLAN_WORDS = setOf("trajectory", "plan", "planned", "auto", "autonomous")

@@ -1,9 +1,7 @@
-package badlog.plot.path
+package badlog.rules.path
 
-import badlog.analysis.GraphSeries
 import badlog.analysis.Series
 import badlog.analysis.Span
-import badlog.plot.cursor.lastAtOrBefore
 
 /**
  * Where something was over time: sample `i` is `(x[i], y[i])` at [times]`[i]`.
@@ -51,25 +49,23 @@ public class Trail(public val times: DoubleArray, public val x: DoubleArray, pub
  * The samples of [x] over those of [y] at the same time, each times [scale]. Where they do not share their times, there is a sample at each
  * time of either, with what the other one said last.
  */
-public fun trailOf(x: GraphSeries, y: GraphSeries, scale: Double = 1.0): Trail {
-    val a = x.data
-    val b = y.data
+public fun trailOf(x: Series, y: Series, scale: Double = 1.0): Trail {
     fun scaled(values: DoubleArray) = if (scale == 1.0) values else DoubleArray(values.size) { values[it] * scale }
-    if (a.x === b.x || a.x.contentEquals(b.x)) return Trail(a.x, scaled(a.y), scaled(b.y))
-    val times = DoubleArray(a.size + b.size)
+    if (x.x === y.x || x.x.contentEquals(y.x)) return Trail(x.x, scaled(x.y), scaled(y.y))
+    val times = DoubleArray(x.size + y.size)
     val ax = DoubleArray(times.size)
     val by = DoubleArray(times.size)
     var size = 0
     var i = 0
     var j = 0
-    while (i < a.size || j < b.size) {
-        val time = minOf(if (i < a.size) a.x[i] else Double.POSITIVE_INFINITY, if (j < b.size) b.x[j] else Double.POSITIVE_INFINITY)
-        while (i < a.size && a.x[i] <= time) i++
-        while (j < b.size && b.x[j] <= time) j++
+    while (i < x.size || j < y.size) {
+        val time = minOf(if (i < x.size) x.x[i] else Double.POSITIVE_INFINITY, if (j < y.size) y.x[j] else Double.POSITIVE_INFINITY)
+        while (i < x.size && x.x[i] <= time) i++
+        while (j < y.size && y.x[j] <= time) j++
         if (i == 0 || j == 0) continue
         times[size] = time
-        ax[size] = a.y[i - 1] * scale
-        by[size++] = b.y[j - 1] * scale
+        ax[size] = x.y[i - 1] * scale
+        by[size++] = y.y[j - 1] * scale
     }
     return Trail(times.copyOf(size), ax.copyOf(size), by.copyOf(size))
 }

@@ -1,16 +1,14 @@
-package badlog.plot.path
+package badlog.rules.path
 
+import badlog.analysis.Series
 import badlog.analysis.Span
-import badlog.plot.timedTopic
-import badlog.plot.timedView
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
 class TrailSpec : FunSpec({
     fun trail(x: List<Pair<Double, Double>>, y: List<Pair<Double, Double>>, scale: Double = 1.0): Trail {
-        val view = timedView(timedTopic("X", *x.toTypedArray()), timedTopic("Y", *y.toTypedArray()))
-        val (a, b) = view.recording.topics.map(view::seriesOf)
-        return trailOf(a, b, scale)
+        fun series(samples: List<Pair<Double, Double>>) = Series(samples.map { it.first }.toDoubleArray(), samples.map { it.second }.toDoubleArray())
+        return trailOf(series(x), series(y), scale)
     }
 
     fun Trail.samples() = List(size) { Triple(times[it], x[it], y[it]) }

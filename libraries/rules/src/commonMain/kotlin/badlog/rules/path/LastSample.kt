@@ -1,0 +1,11 @@
+package badlog.rules.path
+
+import badlog.analysis.Series
+
+/** The index of the last sample at or before [position], the last in the order of the file where x goes backwards; -1 without one. */
+public fun Series.lastAtOrBefore(position: Double): Int {
+    if (isOrdered) return firstAfter(position) - 1
+    var index = size - 1
+    while (index >= 0 && !(x[index] <= position)) index--
+    return index
+}

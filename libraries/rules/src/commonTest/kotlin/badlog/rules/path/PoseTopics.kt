@@ -1,0 +1,25 @@
+package badlog.rules.path
+
+import badlog.recording.CellCounts
+import badlog.recording.TextColumn
+import badlog.recording.Topic
+
+/** A topic called [name] of a [unit] and a [type], whose [samples] are times and numbers. */
+internal fun poseTopic(
+    name: String,
+    unit: String = "",
+    type: String = "",
+    samples: List<Pair<Double, Double>> = listOf(0.0 to 1.0, 1.0 to 2.0),
+): Topic = Topic(
+    name,
+    unit,
+    emptyList(),
+    samples.map { it.second }.toDoubleArray(),
+    TextColumn.EMPTY,
+    CellCounts(samples.size, 0, 0, 0, 0, 0),
+    samples.map { it.first }.toDoubleArray(),
+    type,
+)
+
+/** The topics of a struct Pose2d called [name]. */
+internal fun poseTopics(name: String, type: String = "struct:Pose2d"): List<Topic> = listOf("translation/x", "translation/y", "rotation/value").map { poseTopic("$name/$it", type = type) }
