@@ -13,7 +13,7 @@ import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
 /** Four seconds of a robot: a number at 50 Hz, one at 10 Hz that ends early, a pose, a state and messages. */
-private fun wpilog(): ByteArray {
+internal fun wpilog(): ByteArray {
     val out = ByteArrayOutputStream()
     fun bytes(size: Int, fill: ByteBuffer.() -> Unit) = out.write(ByteBuffer.allocate(size).order(ByteOrder.LITTLE_ENDIAN).apply(fill).array())
     fun record(id: Int, micros: Int, size: Int, fill: ByteBuffer.() -> Unit) = bytes(13 + size) { put(0x3F).putInt(id).putInt(size).putInt(micros).fill() }
@@ -58,7 +58,6 @@ internal class WpilogSpec : PageSpec({
                 texts(".fact") shouldContain "4 s"
                 texts(".event-text span") shouldContain "ERROR: something happened"
                 texts(".info dd") shouldContain "WPILOG: each topic has its own times"
-                elements("#download-csv").size shouldBe 0
             }
         }
     }

@@ -6,45 +6,46 @@ import badlog.plot.color.Shade
 import badlog.plot.timeline.EventMarks
 import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D
-import org.w3c.dom.Path2D
 
 /** Draws the marks of the events of [span] on the time line of a plot. */
 internal fun drawEventMarks(context: CanvasRenderingContext2D, frame: PlotFrame, scene: Scene, span: Span = scene.range.now) {
     if (scene.events.placedCount == 0) return
     val ratio = window.devicePixelRatio
     val head = HEAD * ratio
-    val heads = Path2D()
-    val lines = Path2D()
-    val seriousLines = Path2D()
-    val ticks = Path2D()
     marks.place(scene.events, span, frame.width, ratio)
-    for (i in 0 until marks.size) {
-        val pixel = frame.left + marks.pixelOf(i) + 0.5
-        if (marks.hasHead(i)) {
-            heads.moveTo(pixel - head, frame.top)
-            heads.lineTo(pixel + head, frame.top)
-            heads.lineTo(pixel, frame.top + head * 1.5)
-            heads.closePath()
-        } else {
-            ticks.rect(pixel - ratio / 2, frame.top, ratio, head)
+    fun path(add: (Int, Double) -> Unit) {
+        context.beginPath()
+        for (i in 0 until marks.size) add(i, frame.left + marks.pixelOf(i) + 0.5)
+    }
+    fun lines(isSerious: Boolean) {
+        path { i, pixel ->
+            if (marks.hasLine(i) && marks.isSerious(i) == isSerious) {
+                context.moveTo(pixel, frame.top)
+                context.lineTo(pixel, frame.bottom)
+            }
         }
-        if (marks.hasLine(i)) {
-            val path = if (marks.isSerious(i)) seriousLines else lines
-            path.moveTo(pixel, frame.top)
-            path.lineTo(pixel, frame.bottom)
-        }
+        context.stroke()
     }
     context.save()
     context.fillStyle = scene.palette[Shade.EVENT]
     context.strokeStyle = scene.palette[Shade.EVENT]
     context.lineWidth = 1.0
     context.globalAlpha = LINE_OPACITY
-    context.stroke(lines)
+    lines(isSerious = false)
     context.globalAlpha = SERIOUS_OPACITY
-    context.stroke(seriousLines)
-    context.fill(ticks)
+    lines(isSerious = true)
+    path { i, pixel -> if (!marks.hasHead(i)) context.rect(pixel - ratio / 2, frame.top, ratio, head) }
+    context.fill()
     context.globalAlpha = 1.0
-    context.fill(heads)
+    path { i, pixel ->
+        if (marks.hasHead(i)) {
+            context.moveTo(pixel - head, frame.top)
+            context.lineTo(pixel + head, frame.top)
+            context.lineTo(pixel, frame.top + head * 1.5)
+            context.closePath()
+        }
+    }
+    context.fill()
     context.restore()
 }
 

@@ -10,6 +10,9 @@ import badlog.page.dom.addIconButton
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.dom.openMenu
+import badlog.page.export.Sheet
+import badlog.page.export.imageEntries
+import badlog.page.export.saveTable
 import badlog.page.view.PageBoard
 import badlog.page.view.Scene
 import badlog.page.view.SearchedGraph
@@ -18,6 +21,7 @@ import badlog.plot.board.BoardGraph
 import badlog.plot.board.asBoardGraph
 import badlog.plot.board.lineNames
 import badlog.plot.search.Query
+import badlog.plot.table.CsvTable
 import badlog.plot.text.unitText
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
@@ -57,6 +61,7 @@ internal class GraphCard(
     private var statisticsTimer = 0
     private var shown: PlotContent? = null
     private lateinit var resetButton: HTMLElement
+    private lateinit var saveButton: HTMLElement
     private var pinButton: HTMLElement? = null
     private var addButton: HTMLElement? = null
 
@@ -86,7 +91,8 @@ internal class GraphCard(
                     toggleStatistics()
                 }
                 statisticsButton.setAttribute("aria-expanded", "false")
-                addIconButton("save-image", Icon.IMAGE, "Save as an image") { saveImage() }
+                saveButton = addIconButton("save-image", Icon.IMAGE, "Export this graph") { offerFiles() }
+                saveButton.setAttribute("aria-haspopup", "menu")
                 if (onLook == null) {
                     addButton = addIconButton("add-to-graph", Icon.PLUS, "Add to graph…") { addToGraph() }
                     addButton?.setAttribute("aria-haspopup", "menu")
@@ -177,11 +183,7 @@ internal class GraphCard(
             showEmpty()
             return
         }
-        val content = if (graph.showsStates) {
-            LaneContent(graph, scene.palette, isShown, scene.range.full.to)
-        } else {
-            LineContent(graph, scene, isShown) { look }
-        }
+        val content = newContent()
         host.textContent = ""
         host.style.height = "${content.height}px"
         val drawn = Plot(scene, content, host, width)
@@ -197,6 +199,20 @@ internal class GraphCard(
             drawn.resize(host.clientWidth)
             overlay?.update()
         }.also { it.observe(host) }
+    }
+
+    private fun newContent() = if (graph.showsStates) {
+        LaneContent(graph, scene.palette, isShown, scene.range.full.to)
+    } else {
+        LineContent(graph, scene, isShown) { look }
+    }
+
+    /** Draws it on [sheet], as it is looked at now and with the values at the cursor, whether or not it is near the screen. */
+    fun drawOn(sheet: Sheet) {
+        legend.update(scene.cursor, scene.xAxis.unit)
+        val paths = xy?.takeIf { !it.isEmpty }?.apply { list() }
+        drawGraphHead(sheet, graph, paths?.legend ?: legend.element, scene)
+        if (paths != null) paths.drawOn(sheet) else drawGraphPlot(sheet, graph, newContent(), scene)
     }
 
     /** Gives back what drawing takes. */
@@ -287,11 +303,12 @@ internal class GraphCard(
         statisticsTimer = window.setTimeout({ statistics.update() }, PAUSE_MILLISECONDS)
     }
 
-    private fun saveImage() {
-        approach()
-        refresh()
-        val none = BooleanArray(isShown.size)
-        xy?.canvas?.let { saveGraphImage(graph, scene, none, it) } ?: plot?.let { saveGraphImage(graph, scene, isShown, it.canvas) }
+    private fun offerFiles() {
+        val table = MenuEntry("${graph.title} as a table (CSV)") {
+            saveTable(scene, graph.title, CsvTable.of(scene.view, scene.range.now.takeIf { scene.range.isZoomed }, graph.series))
+        }
+        val entries = imageEntries(scene, graph.title) { listOf(::drawOn) } + table
+        openMenu(saveButton, element.parentElement.unsafeCast<HTMLElement>(), entries)
     }
 
     private companion object {

@@ -1,5 +1,6 @@
 package badlog.page.graph
 
+import badlog.page.export.isSvg
 import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D
@@ -24,6 +25,12 @@ internal class KeptPictures {
         draw: (CanvasRenderingContext2D, Double) -> Unit,
     ) {
         if (!(width >= 1 && height >= 1)) return
+        if (isSvg(target)) {
+            target.save()
+            target.translate(left, top)
+            draw(target, height)
+            return target.restore()
+        }
         val picture = kept.find { it.width == width } ?: KeptPicture(width).also {
             if (kept.size == MOST) kept.removeAt(0)
             kept += it

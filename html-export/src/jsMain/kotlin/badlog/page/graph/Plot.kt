@@ -38,13 +38,7 @@ internal class Plot(private val scene: Scene, private val content: PlotContent, 
         frame = frame.showing(now)
         content.prepare(now, columns)
         context.clearRect(0.0, 0.0, canvas.width.toDouble(), canvas.height.toDouble())
-        if (!content.isOpaque) drawModes(context, frame, scene)
-        drawAxes(context, frame, scene, content)
-        content.draw(context, frame)
-        if (content.isOpaque) drawModes(context, frame, scene)
-        drawFindingMarks(context, frame, scene)
-        drawEventMarks(context, frame, scene)
-        drawNoteMarks(context, frame, scene)
+        drawPlot(context, frame, scene, content)
     }
 
     /** Draws at another width. */
@@ -60,19 +54,15 @@ internal class Plot(private val scene: Scene, private val content: PlotContent, 
         canvas.style.height = "${content.height}px"
         canvas.width = round(width * ratio).toInt()
         canvas.height = round(content.height * ratio).toInt()
-        val left = round(GUTTER * ratio)
-        val top = round(TOP * ratio)
-        val right = round((width - RIGHT) * ratio)
-        val bottom = round((content.height - X_AXIS_HEIGHT) * ratio)
-        frame = PlotFrame(left, top, maxOf(1.0, right - left), bottom - top, 0.0, 1.0)
+        frame = plotFrame(width, content.height)
         columns = PixelColumns(frame.width.toInt())
     }
 
     internal companion object {
         // Every plot has the same margins, which the style sheet knows too, so that one place on x is one place on the screen in all of them.
-        private const val GUTTER = 62
-        private const val RIGHT = 14
-        private const val TOP = 6
+        const val GUTTER = 62
+        const val RIGHT = 14
+        const val TOP = 6
         private const val MIN_WIDTH = 100
 
         /** How much room the numbers of x have below the frame, in CSS pixels. */

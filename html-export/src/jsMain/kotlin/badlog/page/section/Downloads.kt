@@ -1,5 +1,6 @@
 package badlog.page.section
 
+import badlog.analysis.LogView
 import badlog.page.dom.Icon
 import badlog.page.dom.add
 import badlog.page.dom.addButton
@@ -8,6 +9,8 @@ import badlog.page.dom.saveFile
 import badlog.page.embedded.About
 import badlog.page.embedded.CsvPart
 import badlog.page.embedded.EmbeddedFile
+import badlog.page.export.fileOf
+import badlog.plot.table.CsvTable
 import badlog.recording.Recording
 import kotlinx.browser.document
 import org.w3c.dom.Element
@@ -17,9 +20,9 @@ import org.w3c.files.Blob
 import kotlin.js.Promise
 
 /**
- * The buttons that give files back: the original, byte for byte, its CSV part, and whatever else the page carries.
+ * The buttons that give files back: the original, byte for byte, its samples as CSV, and whatever else the page carries.
  *
- * @param read what the file was read as; only of rows there is a CSV part.
+ * @param read what the file was read as.
  */
 internal class Downloads(private val about: About, recording: Element, private val read: Recording) {
     private val file = EmbeddedFile(recording)
@@ -35,9 +38,7 @@ internal class Downloads(private val about: About, recording: Element, private v
             }
         }
         val csvName = if (about.name.lowercase().endsWith(".csv")) about.name else "${about.name}.csv"
-        if (read.format.hasRows) {
-            addDownload("download-csv", Icon.TABLE, "CSV", "Save the samples for a spreadsheet", csvName) { csv() }
-        }
+        addDownload("download-csv", Icon.TABLE, "CSV", "Save the samples for a spreadsheet", csvName) { csv() }
         val attachments = document.querySelectorAll("script.attachment").asList()
         attachments.forEachIndexed { index, node ->
             val carrier = node.unsafeCast<HTMLElement>()
@@ -54,7 +55,14 @@ internal class Downloads(private val about: About, recording: Element, private v
     private fun original(): Promise<Blob> =
         if (about.isCompressed) Promise.resolve(file.compressed()) else file.inflated(about.inflatedBytes)
 
-    private fun csv(): Promise<Blob> = file.inflated(about.inflatedBytes, !about.isCompressed, CsvPart(read.headerLine != null)::filter)
+    /** Of a whole file of rows its own text; of others what was read, so that what is damaged is left out or mended. */
+    private fun csv(): Promise<Blob> = if (read.isSalvaged || !read.format.hasRows) {
+        Promise.resolve(fileOf(CsvTable.ofAll(LogView.of(read))))
+    } else {
+        ownCsv()
+    }
+
+    private fun ownCsv(): Promise<Blob> = file.inflated(about.inflatedBytes, !about.isCompressed, CsvPart(read.headerLine != null)::filter)
 
     private fun HTMLElement.addDownload(
         id: String,

@@ -127,6 +127,11 @@ internal class FindingList(
         showFound()
     }
 
+    /** Lists for paper, where nothing unfolds, more than for the screen. */
+    fun print(isOnPaper: Boolean) {
+        list(if (isOnPaper) PAGE else FEW)
+    }
+
     /** Goes to the next finding after the cursor, or the one before it when [steps] is negative. */
     fun step(steps: Int) {
         scene.findings.beside(current, scene.cursor.x, steps)?.let { visit(it) }

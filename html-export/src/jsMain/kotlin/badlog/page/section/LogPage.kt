@@ -58,7 +58,7 @@ internal class LogPage(
     private val signals = this.additions.rules.signals
     private val hookGraphs = this.additions.hooks.flatMap { folderOf(it).graphs }
     private val board = PageBoard(about.fileKey, linesNow())
-    private val scene = Scene(view, theme.palette, board).apply {
+    private val scene = Scene(view, about.name, theme.palette, board).apply {
         findings = timelineOf(embeddedFindings)
         notes = this@LogPage.additions.notes
     }
@@ -90,11 +90,14 @@ internal class LogPage(
     private val topicDialog = TopicDialog(scene)
     private val layouts = LayoutButtons(about.name, scene.notice, ::layoutNow, ::open)
     private val boardSection = BoardSection(scene, graphs, topicDialog, layouts.element)
+    private val printing = Printing(scene, { boardSection.cards + evidence.cards }, { folders.cards }, findings::print)
+    private val export = ExportMenu(scene, printing) { boardSection.cards }
     private val nothingFound = element("p", "nothing-found", "Nothing matches. Escape clears the search.")
 
     private lateinit var content: HTMLElement
 
     private val tools = listOf(
+        export.element,
         downloads.element,
         element("div", "page-settings") {
             appendChild(theme.element)
@@ -109,6 +112,7 @@ internal class LogPage(
         appendChild(ProblemStrip(view, additionProblems(formulas, additions, layout)).element)
         appendChild(findings.element)
         appendChild(notes.element)
+        appendChild(printing.element)
         appendChild(zoomBar.element)
         appendChild(evidence.element)
         appendChild(boardSection.element)

@@ -25,7 +25,7 @@ import badlog.rules.path.posesOf
 import kotlin.math.abs
 
 /** What all parts of the page share: the recording, what was found in it, what of it is seen, the cursor, and the [board]. */
-internal class Scene(val view: LogView, val palette: Palette, val board: PageBoard) {
+internal class Scene(val view: LogView, val fileName: String, val palette: Palette, val board: PageBoard) {
     val xAxis: XAxis = view.xAxis
     val events: EventTimeline = EventTimeline.of(view.folders.flatMap { it.eventLogs })
 

@@ -15,11 +15,16 @@ import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLElement
 import kotlin.math.PI
 
-/** A canvas over all of [host] with a frame in it, whose pixels are those of the screen. */
-internal class XyCanvas(host: HTMLElement) {
-    val canvas: HTMLCanvasElement = host.add("canvas", "xy").unsafeCast<HTMLCanvasElement>()
+/**
+ * A canvas with a frame in it, whose pixels are those of the screen.
+ *
+ * @param wide how wide it is, and [high] how high, in those pixels.
+ */
+internal class XyCanvas(private val context: CanvasRenderingContext2D, wide: Double, high: Double) {
+    /** What it draws on. */
+    val canvas: HTMLCanvasElement = context.canvas
+
     private val ratio = pixelRatio
-    private val context = canvas.getContext("2d").unsafeCast<CanvasRenderingContext2D>()
 
     /** How wide the frame is. */
     val width: Double
@@ -28,10 +33,8 @@ internal class XyCanvas(host: HTMLElement) {
     val height: Double
 
     init {
-        canvas.width = (host.clientWidth * ratio).toInt()
-        canvas.height = (host.clientHeight * ratio).toInt()
-        width = maxOf(1.0, canvas.width - (LEFT + RIGHT) * ratio)
-        height = maxOf(1.0, canvas.height - (TOP + BOTTOM) * ratio)
+        width = maxOf(1.0, wide - (LEFT + RIGHT) * ratio)
+        height = maxOf(1.0, high - (TOP + BOTTOM) * ratio)
         context.translate(LEFT * ratio, TOP * ratio)
         context.font = "${LETTERS * ratio}px system-ui, sans-serif"
     }
@@ -177,6 +180,15 @@ internal class XyCanvas(host: HTMLElement) {
     }
 
     internal companion object {
+        /** One over all of [host]. */
+        fun over(host: HTMLElement): XyCanvas {
+            val canvas = host.add("canvas", "xy").unsafeCast<HTMLCanvasElement>()
+            canvas.width = (host.clientWidth * pixelRatio).toInt()
+            canvas.height = (host.clientHeight * pixelRatio).toInt()
+            val context = canvas.getContext("2d").unsafeCast<CanvasRenderingContext2D>()
+            return XyCanvas(context, canvas.width.toDouble(), canvas.height.toDouble())
+        }
+
         // As other graphs have it.
         private const val LEFT = 62
         private const val RIGHT = 14

@@ -5,6 +5,7 @@ import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.element
 import badlog.page.dom.showText
+import badlog.page.export.Sheet
 import badlog.page.view.Scene
 import badlog.plot.board.BoardGraph
 import badlog.plot.board.GraphHeight
@@ -52,13 +53,27 @@ internal class XyDrawing(private val scene: Scene, private val look: () -> Board
     fun start(host: HTMLElement) {
         val plot = plot ?: return
         host.textContent = ""
-        val most = GraphHeight.LARGE.pixels
-        val usual = if (plot.isField) minOf(most, XyCanvas.heightOf(plot.full, host.clientWidth)) else most
-        host.style.height = "${look().height ?: usual}px"
-        if (legend.childElementCount == 0) list(plot)
-        picture = XyCanvas(host)
-        overlay = XyCanvas(host).also { XyGestures(it, scene, plot, ::seen) { wanted -> show(wanted) } }
+        host.style.height = "${heightOf(plot, host.clientWidth)}px"
+        list()
+        picture = XyCanvas.over(host)
+        overlay = XyCanvas.over(host).also { XyGestures(it, scene, plot, ::seen) { wanted -> show(wanted) } }
         draw()
+    }
+
+    private fun heightOf(plot: XyPlot, width: Int): Int {
+        val most = GraphHeight.LARGE.pixels
+        return look().height ?: if (plot.isField) minOf(most, XyCanvas.heightOf(plot.full, width)) else most
+    }
+
+    /** Draws it on [sheet] with everything at the cursors. */
+    fun drawOn(sheet: Sheet) {
+        val plot = plot ?: return
+        val high = heightOf(plot, sheet.width)
+        sheet.part(high) {
+            val canvas = XyCanvas(sheet.context, sheet.width * sheet.ratio, high * sheet.ratio)
+            drawOn(canvas, plot)
+            drawPlaces(canvas, plot)
+        }
     }
 
     /** Gives back what drawing takes. */
@@ -71,8 +86,12 @@ internal class XyDrawing(private val scene: Scene, private val look: () -> Board
     /** Draws what is visible now. */
     fun draw() {
         val canvas = picture ?: return
-        val plot = plot ?: return
         canvas.clear()
+        drawOn(canvas, plot ?: return)
+        updateCursor()
+    }
+
+    private fun drawOn(canvas: XyCanvas, plot: XyPlot) {
         val seen = seen(canvas)
         canvas.drawGround(seen, plot, scene.palette)
         val visible = scene.range.now
@@ -83,7 +102,6 @@ internal class XyDrawing(private val scene: Scene, private val look: () -> Board
             drawTrace(canvas, trace, visible, seen, 1.0)
         }
         canvas.drawNotes(seen, plot, departure, scene)
-        updateCursor()
     }
 
     /** Shows where everything is at the cursor. */
@@ -91,11 +109,16 @@ internal class XyDrawing(private val scene: Scene, private val look: () -> Board
         val canvas = overlay ?: return
         val plot = plot ?: return
         canvas.clear()
-        val second = scene.cursor.now.second
-        plot.traces.asReversed().forEachIndexed { i, trace ->
-            values[i].showText(listOfNotNull(scene.cursor.x, second).joinToString(" → ") { trace.textAt(it, plot.isField) })
-        }
-        second?.let { drawPlaces(canvas, plot, it, isSecond = true) }
+        showValues(plot)
+        drawPlaces(canvas, plot)
+    }
+
+    private fun showValues(plot: XyPlot) = plot.traces.asReversed().forEachIndexed { i, trace ->
+        values[i].showText(listOfNotNull(scene.cursor.x, scene.cursor.now.second).joinToString(" → ") { trace.textAt(it, plot.isField) })
+    }
+
+    private fun drawPlaces(canvas: XyCanvas, plot: XyPlot) {
+        scene.cursor.now.second?.let { drawPlaces(canvas, plot, it, isSecond = true) }
         drawPlaces(canvas, plot, scene.cursor.x, isSecond = false)
     }
 
@@ -141,8 +164,10 @@ internal class XyDrawing(private val scene: Scene, private val look: () -> Board
         draw()
     }
 
-    // The one that matters most comes first.
-    private fun list(plot: XyPlot) {
+    /** Fills [legend]; the trace that matters most comes first. */
+    fun list() {
+        val plot = plot ?: return
+        if (legend.childElementCount > 0) return showValues(plot)
         for (trace in plot.traces.asReversed()) {
             legend.addButton("legend-entry", "", "${trace.name} – press to hide or show this line") {
                 onToggle(trace.lines)
@@ -153,6 +178,7 @@ internal class XyDrawing(private val scene: Scene, private val look: () -> Board
                 values += add("span", "value")
             }
         }
+        showValues(plot)
         mark(plot)
     }
 
