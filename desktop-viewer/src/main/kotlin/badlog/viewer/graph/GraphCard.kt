@@ -38,6 +38,8 @@ internal fun GraphCard(scene: GraphScene, spec: BoardGraph, height: Int) {
     val palette = LocalPalette.current
     val interactions = remember { MutableInteractionSource() }
     val isHovered by interactions.collectIsHoveredAsState()
+    val header = remember { MutableInteractionSource() }
+    val isHeaderHovered by header.collectIsHoveredAsState()
     var isMenuOpen by remember(spec.id) { mutableStateOf(false) }
     LaunchedEffect(isHovered) { if (isHovered) scene.board.pointed = spec.id }
     Box(
@@ -54,7 +56,7 @@ internal fun GraphCard(scene: GraphScene, spec: BoardGraph, height: Int) {
                     scene,
                     spec,
                     maxLines = if (height < ROOMY) 1 else MAX_HEADER_LINES,
-                    Modifier.takesGraph(scene.drag, spec.id)
+                    Modifier.hoverable(header).takesGraph(scene.drag, spec.id)
                         .receivesSignals(scene) { names -> scene.board.change { withGraph(names, before = spec.id) } },
                 )
             }
@@ -64,24 +66,29 @@ internal fun GraphCard(scene: GraphScene, spec: BoardGraph, height: Int) {
             if (spec.isXy) XyPane(scene, spec, plot) else GraphPlot(scene, spec, plot)
             HorizontalDivider()
         }
-        val hasButtons = isHovered || isMenuOpen
-        if (hasButtons || spec.yRange != null || spec.sharesY || spec.id in scene.planes) {
-            GraphButtons(scene, spec, hasButtons, isMenuOpen, { isMenuOpen = it }, Modifier.align(Alignment.TopEnd))
+        val isInUse = isHovered || isMenuOpen
+        if (isInUse || spec.yRange != null || spec.sharesY || spec.id in scene.planes) {
+            val menu = @Composable { GraphMenu(scene, spec, isMenuOpen) { isMenuOpen = it } }
+            // Over the plot a person reads the legend, which all buttons would cover.
+            GraphButtons(scene, spec, hasAll = isHeaderHovered || isMenuOpen, menu, Modifier.align(Alignment.TopEnd).hoverable(header))
         }
     }
 }
 
 @Composable
-private fun GraphButtons(
-    scene: GraphScene,
-    spec: BoardGraph,
-    isHovered: Boolean,
-    isMenuOpen: Boolean,
-    onMenu: (Boolean) -> Unit,
-    modifier: Modifier,
-) {
+private fun GraphButtons(scene: GraphScene, spec: BoardGraph, hasAll: Boolean, menu: @Composable () -> Unit, modifier: Modifier) {
     val palette = LocalPalette.current
     Row(modifier.padding(end = 12.dp).background(palette.surface.copy(alpha = 0.9f), RoundedCornerShape(5.dp))) {
+        // At the left: no button moves away from the pointer that comes to it.
+        if (hasAll) {
+            if (scene.board.isEvidence(spec.id)) {
+                ToolButton("Keep this graph on the board", Icons.Pin) { scene.board.keep(spec.id) }
+            }
+            ToolButton("Copy a picture of this graph", Icons.Copy) { scene.copy(listOf(spec)) }
+            ToolButton("Move up", Icons.Up) { scene.board.change { moved(spec.id, -1) } }
+            ToolButton("Move down", Icons.Down) { scene.board.change { moved(spec.id, 1) } }
+            ToolButton("Remove the graph", Icons.Close) { scene.board.change { without(spec.id) } }
+        }
         if (spec.isXy && spec.id in scene.planes) {
             ToolButton("Show all of it", Icons.Reset, isOn = true) { scene.planes.remove(spec.id) }
         }
@@ -93,16 +100,7 @@ private fun GraphButtons(
                 scene.board.change { withSharedY(spec.id, false) }
             }
         }
-        if (isHovered) {
-            if (scene.board.isEvidence(spec.id)) {
-                ToolButton("Keep this graph on the board", Icons.Pin) { scene.board.keep(spec.id) }
-            }
-            ToolButton("Copy a picture of this graph", Icons.Copy) { scene.copy(listOf(spec)) }
-            ToolButton("Move up", Icons.Up) { scene.board.change { moved(spec.id, -1) } }
-            ToolButton("Move down", Icons.Down) { scene.board.change { moved(spec.id, 1) } }
-            GraphMenu(scene, spec, isMenuOpen, onMenu)
-            ToolButton("Remove the graph", Icons.Close) { scene.board.change { without(spec.id) } }
-        }
+        menu()
     }
 }
 

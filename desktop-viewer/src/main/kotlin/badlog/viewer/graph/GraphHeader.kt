@@ -43,7 +43,7 @@ import java.awt.Cursor
 @Composable
 internal fun GraphHeader(scene: GraphScene, spec: BoardGraph, maxLines: Int, modifier: Modifier) {
     val lines = remember(spec, scene.recordings) { drawnLines(spec, scene.recordings) }
-    val room = modifier.fillMaxWidth().heightIn(min = (GraphScene.HEADER_HEIGHT - 2).dp).padding(start = 10.dp, end = 12.dp, top = 2.dp)
+    val room = modifier.fillMaxWidth().heightIn(min = (GraphScene.HEADER_HEIGHT - 2).dp).padding(start = 10.dp, end = MENU_ROOM, top = 2.dp)
     if (spec.isXy) {
         FlowRow(room, Arrangement.spacedBy(14.dp), itemVerticalAlignment = Alignment.CenterVertically, maxLines = maxLines) {
             GraphTitle(spec.title)
@@ -113,3 +113,6 @@ private fun GraphTitle(title: String) {
 private fun plain(title: String) = title.substringAfterLast('/').removePrefix("[ ").removeSuffix(" ]")
 
 private const val MAX_FOLDER_LETTERS = 60
+
+/** The menu of a graph stands beside its legend. */
+private val MENU_ROOM = 42.dp

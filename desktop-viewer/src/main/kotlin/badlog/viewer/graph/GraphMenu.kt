@@ -1,23 +1,33 @@
 package badlog.viewer.graph
 
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.width
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.unit.dp
 import badlog.plot.axis.AxisSide
 import badlog.plot.board.Board
 import badlog.plot.board.BoardGraph
 import badlog.plot.board.GraphHeight
 import badlog.plot.path.xyLabelOf
+import badlog.plot.search.Query
 import badlog.viewer.compare.shortLabel
 import badlog.viewer.graph.scene.GraphScene
 import badlog.viewer.menu.MenuBox
 import badlog.viewer.menu.MenuLine
 import badlog.viewer.theme.Icons
+import badlog.viewer.theme.SearchField
 import badlog.viewer.theme.ToolButton
 
 /** What can be done with a graph: how a menu says it, and whether that is so already. */
 internal class GraphAction(val label: String, val isOn: Boolean = false, val run: () -> Unit)
 
-/** What can be done with [spec], in groups. */
+/** What can be done with [spec], in groups; the last one adds it to another graph. */
 internal fun graphActions(scene: GraphScene, spec: BoardGraph): List<List<GraphAction>> {
     val board = scene.board
     return listOf(
@@ -42,10 +52,12 @@ internal fun graphActions(scene: GraphScene, spec: BoardGraph): List<List<GraphA
                 .takeIf { spec.lines.size > 1 },
             GraphAction("A graph for each line") { board.change { separated(spec.id) } }.takeIf { spec.lines.size > 1 },
         ),
-        board.state.graphs.filter { it.id != spec.id }.map { other ->
-            GraphAction("Add to ${quoted(other)}") { board.change { joined(other.id, spec.id) } }
-        },
+        additionsOf(scene, spec),
     ).filter { it.isNotEmpty() }
+}
+
+private fun additionsOf(scene: GraphScene, spec: BoardGraph) = scene.board.state.graphs.filter { it.id != spec.id }.map { other ->
+    GraphAction("Add to ${quoted(other)}") { scene.board.change { joined(other.id, spec.id) } }
 }
 
 /** The title of [graph] as a line of a menu has it. */
@@ -64,10 +76,25 @@ private fun fixY(scene: GraphScene, spec: BoardGraph) {
 /** A button that opens what can be done with [spec]; [onOpen] hears whether it is open. */
 @Composable
 internal fun GraphMenu(scene: GraphScene, spec: BoardGraph, isOpen: Boolean, onOpen: (Boolean) -> Unit) {
+    var search by remember(isOpen) { mutableStateOf("") }
     val lines = @Composable {
-        graphActions(scene, spec).forEachIndexed { i, group ->
+        val groups = graphActions(scene, spec)
+        val isLong = groups.last().size > FEW
+        val query = Query(search)
+        groups.forEachIndexed { i, group ->
             if (i > 0) HorizontalDivider()
-            for (action in group) {
+            val isSearched = isLong && i == groups.lastIndex
+            if (isSearched) {
+                SearchField(
+                    search,
+                    "Search graphs to add it to",
+                    Modifier.padding(horizontal = 12.dp, vertical = 4.dp).width(SEARCH_WIDTH),
+                ) {
+                    search =
+                        it
+                }
+            }
+            for (action in group.filter { !isSearched || query.matches(it.label) }) {
                 MenuLine(action.label, Icons.Check.takeIf { action.isOn }) {
                     onOpen(false)
                     action.run()
@@ -79,3 +106,7 @@ internal fun GraphMenu(scene: GraphScene, spec: BoardGraph, isOpen: Boolean, onO
         ToolButton("More for this graph", Icons.More, isOn = isOpen) { onOpen(!isOpen) }
     }
 }
+
+/** So many lines are found without a search. */
+private const val FEW = 8
+private val SEARCH_WIDTH = 280.dp

@@ -1,5 +1,6 @@
 package badlog.viewer.graph
 
+import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.graphics.toPixelMap
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.captureToImage
@@ -83,7 +84,13 @@ class GraphPaneSpec : FunSpec({
         val viewer = viewerOf(recordingOf(bagOf(100) { 0.0 }))
         runDesktopComposeUiTest(900, 600) {
             setContent { TestGraphs(viewer) }
-            onNodeWithContentDescription("Graph A/Voltage").performMouseInput { moveTo(center) }
+            val graph = onNodeWithContentDescription("Graph A/Voltage")
+            graph.performMouseInput { moveTo(center) }
+            waitForIdle()
+            // Over the plot the legend is read: only the menu is there, beside it.
+            onNodeWithContentDescription("More for this graph").assertExists()
+            onNodeWithContentDescription("Remove the graph").assertDoesNotExist()
+            graph.performMouseInput { moveTo(Offset(300f, 8f)) }
             waitForIdle()
             onNodeWithContentDescription("Remove the graph").performClick()
             viewer.board.state.graphs.size shouldBe 0

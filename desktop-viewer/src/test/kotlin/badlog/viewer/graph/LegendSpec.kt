@@ -5,7 +5,10 @@ import androidx.compose.ui.test.onAllNodesWithContentDescription
 import androidx.compose.ui.test.onAllNodesWithText
 import androidx.compose.ui.test.onLast
 import androidx.compose.ui.test.onNodeWithContentDescription
+import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performMouseInput
+import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.plot.board.Board
 import badlog.plot.board.BoardGraph
@@ -47,6 +50,21 @@ class LegendSpec : FunSpec({
     test("the menu of a graph offers every other graph to add it to") {
         val viewer = viewerOf(long).apply { board.replace(Board(List(30) { BoardGraph(it + 1, "Graph $it", listOf(names[it % 8])) })) }
         graphActions(viewer.graphs, viewer.board.state.graphs.first()).last() shouldHaveSize 29
+    }
+
+    test("the menu of a graph among many finds the one to add it to") {
+        val viewer = viewerOf(long).apply { board.replace(Board(List(30) { BoardGraph(it + 1, "Graph $it", listOf(names[it % 8])) })) }
+        runDesktopComposeUiTest(900, 900) {
+            setContent { TestGraphs(viewer) }
+            waitForPictures(viewer)
+            onNodeWithContentDescription("Graph Graph 0").performMouseInput { moveTo(center) }
+            waitForIdle()
+            onNodeWithContentDescription("More for this graph").performClick()
+            onNodeWithContentDescription("Search graphs to add it to").performTextInput("17")
+            onNodeWithText("Add to “Graph 16”").assertDoesNotExist()
+            onNodeWithText("Add to “Graph 17”").performClick()
+            viewer.board.state.graphs.single { it.title == "Graph 17" }.lines shouldBe listOf(names[1], names[0])
+        }
     }
 
     test("each lane of compared recordings has its recording's name") {
