@@ -1,17 +1,16 @@
 package badlog.cli.merge
 
 import badlog.analysis.LogView
-import badlog.analysis.Span
 import badlog.analysis.Units
-import badlog.analysis.enabledSpans
-import badlog.cli.cut.samplePart
 import badlog.cli.input.Failure
 import badlog.cli.search.signalsBeside
+import badlog.rules.station.ClockFit
+import badlog.rules.station.EnabledEdge
+import badlog.rules.station.enabledEdges
 import badlog.rules.withSignals
 import java.math.BigDecimal
 import java.nio.file.Path
 import java.util.IdentityHashMap
-import kotlin.math.abs
 import kotlin.math.round
 
 /** By how many seconds the log [file] is to be moved. */
@@ -33,7 +32,7 @@ internal class Offset private constructor(val file: Path, val seconds: Double) {
  * A log that was moved.
  *
  * @property edges how many beginnings and ends of enabled fit those of the first log; 0 where the move was given.
- * @property error how far they are from those at most, in s.
+ * @property error how far they are from those at most, or else how far the clocks may be off, in s; 0 where the move was given.
  */
 internal class Move(val part: LogPart, val edges: Int, val error: Double)
 
@@ -70,17 +69,17 @@ internal class ClockChoice(private val offsets: List<Offset>, private val aligns
     /**
      * [parts], moved.
      *
-     * @param station the one of them that is a Driver Station log, to be put beside the first: by its enabled, or else by the time of day.
+     * @param station the one of them that is a Driver Station log, to be put beside the first.
      * @throws Failure when one cannot be.
      */
-    fun moved(parts: List<LogPart>, station: LogPart? = null): MovedLogs {
+    fun moved(parts: List<LogPart>, station: StationPart? = null): MovedLogs {
         val moves = ArrayList<Move>()
         val edges = if (alignsEnabled) edgesOf(parts.first()) else emptyList()
         val all = parts.mapIndexed { index, part ->
             val offset = offsets.find { it.isOf(part.file) }
             when {
                 offset != null -> part.later(offset.seconds).also { moves += Move(it, 0, 0.0) }
-                part === station -> besides(parts.first(), part).also { moves += it }.part
+                part === station?.part -> station.beside(parts.first()).also { moves += Move(it, station.fit.edges, station.fit.error) }
                 alignsEnabled && index > 0 -> aligned(part, edges).also { moves += it }.part
                 else -> part
             }
@@ -88,68 +87,17 @@ internal class ClockChoice(private val offsets: List<Offset>, private val aligns
         return MovedLogs(all, moves)
     }
 
-    /** [station] at the times of [robot]: what was before that began is left out. */
-    private fun besides(robot: LogPart, station: LogPart): Move {
-        val byClocks = offsetByClocks(station, robot)
-        val fitting = try {
-            fitting(edgesOf(station), edgesOf(robot))
-        } catch (e: Failure) {
-            if (byClocks == null) throw e
-            null
-        }
-        val offset = round((fitting?.average() ?: checkNotNull(byClocks)) * MICROS) / MICROS
-        val part = if (station.firstX + offset < 0) station.from(-offset + ONE_MICRO) else station
-        val moved = withStartOf(robot, part.later(offset))
-        return Move(moved, fitting?.size ?: 0, fitting?.maxOf { abs(it - offset) } ?: 0.0)
-    }
-
-    private fun aligned(part: LogPart, edges: List<Edge>): Move {
-        val best = fitting(edgesOf(part), edges)
-        val offset = best.average()
-        return Move(part.later(offset), best.size, best.maxOf { abs(it - offset) })
-    }
-
-    /** By how much each of those edges of [own] would have to move that fit [edges] when all move alike: as many as can. */
-    private fun fitting(own: List<Edge>, edges: List<Edge>): List<Double> =
-        own.flatMap { edge -> edges.filter { it.isRise == edge.isRise }.map { it.seconds - edge.seconds } }
-            .map { candidate -> fit(own, edges, candidate) }
-            .maxWithOrNull(compareBy({ it.size }, { fits -> -fits.sumOf { abs(it - fits.average()) } }))
+    private fun aligned(part: LogPart, edges: List<EnabledEdge>): Move {
+        val fit = ClockFit.ofEdges(edgesOf(part), edges)
             ?: throw Failure("No beginning or end of enabled is in both logs; give --offset instead.")
-
-    /** By how much each edge of [own] would have to move to be one of [edges], of those that are near it when all move by [candidate]. */
-    private fun fit(own: List<Edge>, edges: List<Edge>, candidate: Double): List<Double> = own.mapNotNull { edge ->
-        edges.filter { it.isRise == edge.isRise }.map { it.seconds - edge.seconds }.minByOrNull { abs(it - candidate) }
-            ?.takeIf { abs(it - candidate) <= NEAR_SECONDS }
+        return Move(part.later(fit.seconds), fit.edges, fit.error)
     }
 
-    private class Edge(val seconds: Double, val isRise: Boolean)
-
-    /** When the robot was enabled and disabled; not where the log itself begins and ends. */
-    private fun edgesOf(part: LogPart): List<Edge> {
-        val spans = LogView.of(part.recording).withSignals(signalsBeside(part.file)).enabledSpans().map { it.span }
-        val edges = spans.flatMap { span ->
-            listOfNotNull(
-                span.from.takeIf { from -> from > part.firstX && spans.none { it.to == from } }?.let { Edge(it * part.secondsPerX, true) },
-                span.to.takeIf { to -> to < part.lastX && spans.none { it.from == to } }?.let { Edge(it * part.secondsPerX, false) },
-            )
+    private fun edgesOf(part: LogPart): List<EnabledEdge> =
+        LogView.of(part.recording).withSignals(signalsBeside(part.file)).enabledEdges().ifEmpty {
+            throw Failure("${part.file} does not show when the robot was enabled or disabled; give --offset ${part.file}=SECONDS instead.")
         }
-        if (edges.isNotEmpty()) return edges.take(MAX_EDGES)
-        throw Failure("${part.file} does not show when the robot was enabled or disabled; give --offset ${part.file}=SECONDS instead.")
-    }
-
-    private companion object {
-        /** Clocks of one robot differ by no more while it runs for some minutes. */
-        const val NEAR_SECONDS = 0.25
-        const val MAX_EDGES = 200
-
-        /** So that rounding brings nothing before 0. */
-        const val ONE_MICRO = 1e-6
-    }
 }
-
-/** The same log from [seconds] on. */
-private fun LogPart.from(seconds: Double): LogPart =
-    LogPart(file, samplePart(LogView.of(recording), listOf(Span(seconds, maxOf(seconds, lastX)))).recording)
 
 /** How many seconds one of x is. */
 internal val LogPart.secondsPerX: Double

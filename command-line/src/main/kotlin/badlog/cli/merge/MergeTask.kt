@@ -45,7 +45,7 @@ internal class MergeTask(
             for (failure in found.failures) outcomes.failed(failure.file, failure.message)
             val logs = found.inputs.mapNotNull { read(it, console, outcomes) }
             val beside = if (station == null || logs.isEmpty()) null else stationOf(logs.first(), station)
-            val parts = logs + listOfNotNull(beside)
+            val parts = logs + listOfNotNull(beside?.part)
             if (parts.size < 2) {
                 throw Failure("Merging needs two logs or more, and there is ${if (parts.isEmpty()) "none" else "one"}.")
             }
@@ -56,9 +56,9 @@ internal class MergeTask(
         return outcomes.end()
     }
 
-    private fun stationOf(robot: LogPart, folder: Path): LogPart {
+    private fun stationOf(robot: LogPart, folder: Path): StationPart {
         val beside = robot.file.toAbsolutePath().parent
-        return StationSearch(robot, if (folder.toString().isEmpty()) beside else folder).found()
+        return StationPart.of(robot, if (folder.toString().isEmpty()) beside else folder)
     }
 
     /** Topics keep times of their own where one log has them, or the result can. */

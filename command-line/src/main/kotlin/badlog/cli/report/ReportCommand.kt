@@ -12,7 +12,9 @@ import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.help
 import com.github.ajalt.clikt.parameters.options.option
+import com.github.ajalt.clikt.parameters.options.optionalValue
 import com.github.ajalt.clikt.parameters.types.path
+import java.nio.file.Path
 
 /** `badlog report`. */
 internal class ReportCommand :
@@ -29,6 +31,8 @@ internal class ReportCommand :
         .help("Also write a page per log and an index.html there.")
     private val isForced by option("--force").flag().help("Replace files that badlog did not make, but never a log.")
     private val xTopic by option("--x", metavar = "TOPIC").help("Use this topic as x axis; CSV does not name one.")
+    private val station by option("--with-ds", metavar = "FOLDER").path().optionalValue(Path.of(""))
+        .help("Also use the Driver Station log of each match.")
     private val isFresh by option("--no-cache").flag().help("Read every log again, and store no results.")
 
     override fun makeTask(): Task {
@@ -38,6 +42,9 @@ internal class ReportCommand :
                 "--x and --out exclude each other, since pages show logs as they are; make bags of them with convert --x first",
             )
         }
+        if (station != null && folder != null) {
+            throw UsageError("--with-ds and --out exclude each other, since a page shows one log; merge both with merge --with-ds first")
+        }
         return ReportTask(
             paths,
             search.search(hooks, virtual.definitions),
@@ -46,6 +53,7 @@ internal class ReportCommand :
             isForced,
             if (isFresh) null else cacheFolder(),
             xTopic,
+            station,
         )
     }
 }

@@ -10,6 +10,7 @@ import badlog.cli.console.Console
 import badlog.cli.search.Search
 import badlog.cli.search.SearchException
 import badlog.cli.search.rulesBeside
+import badlog.cli.station.StationsBeside
 import badlog.cli.text.jsonOf
 import badlog.html.ExportException
 import badlog.report.LogReport
@@ -32,6 +33,8 @@ import java.nio.file.Path
  * @param isForced whether files are replaced there that badlog did not make.
  * @param cache where findings are kept; null for nowhere.
  * @param xTopic the topic to take as x axis, or null.
+ * @param station below which folder Driver Station logs of the same matches are, from which rules get what the robot's logs lack; empty
+ *   for the folder of each log, null for none.
  */
 internal class ReportTask(
     private val paths: List<Path>,
@@ -41,14 +44,17 @@ internal class ReportTask(
     private val isForced: Boolean,
     private val cache: Path?,
     private val xTopic: String?,
+    private val station: Path?,
 ) : Task {
     override fun run(console: Console): ExitCode {
         val rules: RuleSet
+        val stations: StationsBeside?
         val report = try {
             val named = search.namedRules()
             val beside = rulesBeside(paths, console::warn)
             rules = named?.rules?.with(beside.signals) ?: beside
-            Report(rules, search.hooksWith(named), search.virtualTopics, cache, xTopic)
+            stations = station?.let { StationsBeside(it, rules.signals) }
+            Report(rules, search.hooksWith(named), search.virtualTopics, cache, xTopic, stations?.let { it::over })
         } catch (e: SearchException) {
             console.warn(e.message)
             return ExitCode.USAGE
@@ -69,7 +75,7 @@ internal class ReportTask(
         logs.report(outcomes) { input, file ->
             val log = reportOf.getValue(file)
             val unreadable = log.unreadable
-            if (unreadable != null) outcomes.unreadable(input, unreadable, log.isNoLog) else report(log, pages, outcomes, console)
+            if (unreadable != null) outcomes.unreadable(input, unreadable, log.isNoLog) else report(log, pages, stations, outcomes, console)
         }
         pages?.finish(result, outcomes)
         val refused = result.logs.filter { it.unreadable == null }.map { it.skipped }
@@ -79,9 +85,14 @@ internal class ReportTask(
         return if (result.skipped.any { it.isMistake }) ExitCode.USAGE else code
     }
 
-    private fun report(log: LogReport, pages: ReportPages?, outcomes: Outcomes, console: Console) {
+    private fun report(log: LogReport, pages: ReportPages?, stations: StationsBeside?, outcomes: Outcomes, console: Console) {
         val failure = pages?.failureOf(log)
-        val json = if (form == ResultForm.JSON) jsonOf(ReportJson(log)) + pages?.let { jsonOf(it.json(log)) }.orEmpty() else emptyMap()
+        val json = if (form == ResultForm.JSON) {
+            jsonOf(ReportJson(log)) + pages?.let { jsonOf(it.json(log)) }.orEmpty() + stations?.jsonOf(log.file).orEmpty()
+        } else {
+            emptyMap()
+        }
+        if (form != ResultForm.JSON) stations?.sentenceOf(log.file)?.let(console::warn)
         outcomes.done(log.file.path, Outcome(log.isSalvaged || log.hookFailures.isNotEmpty() || failure != null, "", json))
         if (failure != null && form != ResultForm.JSON) console.warn(failure)
     }

@@ -45,6 +45,7 @@ import badlog.viewer.robot.RobotLink
 import badlog.viewer.settings.Settings
 import badlog.viewer.settings.SettingsFile
 import badlog.viewer.settings.SettingsStore
+import badlog.viewer.station.StationChoice
 import badlog.viewer.statistics.SelectedStatistics
 import badlog.viewer.statistics.TableSaver
 import badlog.viewer.task.LongTasks
@@ -83,6 +84,7 @@ internal class Viewer(
     val compared: ComparedRecordings =
         ComparedRecordings(current, tasks, { library.state.folder }, definitions = { formulas.definitions }, overTime)
     val axis: AxisChoice = AxisChoice(current, compared, board, view)
+    val stations = StationChoice(current, compared, board, view, settings, folder = { library.state.folder })
     val formulas: FormulaStore = FormulaStore(current, compared, board, notices)
     val events = FilteredEvents(current)
     val topics = TopicListing()
@@ -96,7 +98,8 @@ internal class Viewer(
     val figures = FigureSaver(scope, current, compared, view, events, findings, notes, board, files, tasks, notices)
     val cuts = CutSaver(current, view, files, tasks, notices)
     val tables = TableSaver(files, tasks, notices)
-    val graphs = GraphScene(current, board, view, compared, events, findings, notes, player, settings, figures::copy, ::askForTopics, axis)
+    val graphs =
+        GraphScene(current, board, view, compared, events, findings, notes, player, settings, figures::copy, ::askForTopics, axis, stations)
     private val watcher = RecordingWatcher(
         notices,
         read = { shown, isGrowing ->
@@ -144,6 +147,7 @@ internal class Viewer(
     fun start() {
         scope.launch { layouts.autosave() }
         scope.launch { formulas.recalculate() }
+        scope.launch { stations.run() }
         scope.launch { findings.run() }
         scope.launch { notes.run() }
         scope.launch { settings.autosave() }
@@ -155,7 +159,7 @@ internal class Viewer(
         // Formulas and the axis may have come while the file was read, or formulas lie beside it. They are calculated on the window's thread
         // then, which is rare and better than graphs that change as soon as they are seen.
         val definitions = layouts.formulasFor(opened)
-        val over = opened.overTime(overTime())
+        val over = stations.with(opened.overTime(overTime()))
         val recording = if (over.definitions == definitions) over else over.withFormulas(definitions)
         current.replace(recording)
         formulas.replaceAll(definitions)
@@ -185,7 +189,8 @@ internal class Viewer(
         }
     }
 
-    private fun showGrown(recording: OpenRecording) = Snapshot.withMutableSnapshot {
+    private fun showGrown(read: OpenRecording) = Snapshot.withMutableSnapshot {
+        val recording = stations.with(read)
         current.replace(recording)
         compared.share(recording)
         view.change { grown(recording.span) }

@@ -45,7 +45,7 @@ internal fun ViewerScreen(viewer: Viewer) = with(viewer) {
                 val isNarrow = maxWidth < NARROW
                 Column(Modifier.fillMaxSize().background(LocalPalette.current.page)) {
                     TopBar(panels, current, findings, notes, settings, isNarrow) {
-                        LayoutMenu(current, layouts, layoutFiles, axis)
+                        LayoutMenu(current, layouts, layoutFiles, axis, stations)
                         ExportMenu(current, library, compared, board, view, pages, figures, cuts)
                     }
                     Box(Modifier.weight(1f).fillMaxWidth()) {

@@ -56,7 +56,7 @@ internal class LogFindings(
             before = wanted.file
             if (wanted.file == null) return@collectLatest
             withTimeoutOrNull(PATIENCE) { awaitDrawn() }
-            snapshotFlow { current.recording?.takeIf { it.file == wanted.file }?.logged }.filterNotNull().conflate().collect { view ->
+            snapshotFlow { current.recording?.takeIf { it.file == wanted.file }?.forRules }.filterNotNull().conflate().collect { view ->
                 val began = TimeSource.Monotonic.markNow()
                 val list = runInterruptible(Dispatchers.IO) { find(view, wanted.file, wanted.library) }
                 change { knowing(list) }

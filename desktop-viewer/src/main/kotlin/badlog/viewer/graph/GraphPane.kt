@@ -16,6 +16,7 @@ import badlog.viewer.axis.AxisOffer
 import badlog.viewer.graph.mark.FindingStrip
 import badlog.viewer.graph.scene.GraphScene
 import badlog.viewer.playback.PlayerFrames
+import badlog.viewer.station.StationOffer
 import badlog.viewer.theme.LocalPalette
 
 /**
@@ -34,6 +35,7 @@ internal fun GraphPane(scene: GraphScene, modifier: Modifier = Modifier, isOpeni
     Column(modifier.background(LocalPalette.current.surface).takesKeyboard()) {
         GraphToolbar(scene)
         AxisOffer(scene.axis)
+        StationOffer(scene.stations)
         Overview(scene)
         Box(
             Modifier.weight(1f).fillMaxWidth().receivesSignals(scene) { names ->

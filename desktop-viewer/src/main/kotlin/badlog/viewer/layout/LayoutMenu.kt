@@ -15,6 +15,7 @@ import badlog.viewer.library.Library
 import badlog.viewer.menu.Menu
 import badlog.viewer.menu.MenuEntry
 import badlog.viewer.recording.CurrentRecording
+import badlog.viewer.station.StationChoice
 import badlog.viewer.task.LongTasks
 import badlog.viewer.task.Notices
 import badlog.viewer.theme.Icons
@@ -22,7 +23,7 @@ import java.nio.file.Path
 
 /** The menu that saves how the window is arranged, and arranges it so again. */
 @Composable
-internal fun LayoutMenu(current: CurrentRecording, layouts: LayoutStore, files: LayoutFiles, axis: AxisChoice) {
+internal fun LayoutMenu(current: CurrentRecording, layouts: LayoutStore, files: LayoutFiles, axis: AxisChoice, stations: StationChoice) {
     Menu("Layout", "Layout: graphs, ranges and panels", Icons.Layout) {
         val why = "Open a log first.".takeIf { current.recording == null }
         listOfNotNull(
@@ -36,6 +37,10 @@ internal fun LayoutMenu(current: CurrentRecording, layouts: LayoutStore, files: 
                 val isOver = axis.state == true
                 val name = if (isOver) "row numbers" else "“${PathName.baseNameOf(column.name)}”"
                 MenuEntry("Draw over $name", "For all logs of the folder that name no x axis") { axis.choose(!isOver) }
+            },
+            stations.found?.let { found ->
+                val verb = if (stations.isShown) "Hide" else "Show"
+                MenuEntry("$verb the Driver Station log", "${found.log.name}, of the same match") { stations.choose(!stations.isShown) }
             },
         )
     }

@@ -5,6 +5,7 @@ import badlog.analysis.EventLog
 import badlog.analysis.LogView
 import badlog.analysis.Span
 import badlog.analysis.enabledSpans
+import badlog.file.LogFile
 import badlog.file.readRecording
 import badlog.formats.LOG_FORMATS
 import badlog.plot.axis.over
@@ -35,6 +36,8 @@ import badlog.rules.signal.SignalTopics
 import badlog.rules.signal.SignalVocabulary
 import badlog.rules.signal.matchOf
 import badlog.rules.signalTopicsOf
+import badlog.rules.station.FoundStation
+import badlog.rules.station.RobotBesideStation
 import badlog.rules.withSignals
 import badlog.rules.withVirtualTopics
 import java.io.IOException
@@ -49,6 +52,7 @@ import java.nio.file.Path
  * @property vocabulary what its topics are called.
  * @property layout the layout that lies beside it.
  * @param rows the same over its rows, where it is drawn over its time because a person wants that.
+ * @property station the Driver Station's log of the same match that is shown with it; null for none.
  */
 internal class OpenRecording(
     val file: Path,
@@ -57,9 +61,19 @@ internal class OpenRecording(
     val vocabulary: SignalVocabulary = RuleSet.BUILT_IN.signals,
     val layout: FolderLayout = FolderLayout.NONE,
     private val rows: LogView? = null,
+    val station: FoundStation<LogFile>? = null,
 ) {
-    /** What the file holds. */
-    val logged: LogView = read.withSignals(vocabulary)
+    private val own = read.withSignals(vocabulary)
+    private val beside = station?.let { RobotBesideStation(own, it.station.recording, it.fit, vocabulary) }
+
+    /** What the file holds, and its [station]'s. */
+    val logged: LogView = beside?.both ?: own
+
+    /** What rules are run over. */
+    val forRules: LogView get() = beside?.forRules ?: own
+
+    /** The names of the topics that its [station] brings. */
+    val stationTopics: Set<String> = beside?.stationTopics.orEmpty()
 
     /** What match it is of. */
     val match: LoggedMatch by lazy { vocabulary.matchOf(read.recording) }
@@ -138,7 +152,7 @@ internal class OpenRecording(
 
     /** The same file with the formulas [definitions] instead. Takes its time. */
     fun withFormulas(definitions: List<String>): OpenRecording =
-        OpenRecording(file, logged, definitions, vocabulary, layout, rows).also { it.prepare() }
+        OpenRecording(file, own, definitions, vocabulary, layout, rows, station).also { it.prepare() }
 
     /** What has the time in it, where it names no x axis; null where there is no such column, or nothing to choose. */
     val timeColumn: Topic? by lazy { (rows ?: read).recording.timeColumn() }
@@ -148,12 +162,22 @@ internal class OpenRecording(
         val column = timeColumn
         if (column == null || isWanted == (rows != null)) return this
         val changed = if (isWanted) LogView.of(read.recording.over(column)) else rows ?: read
-        return OpenRecording(file, changed, definitions, vocabulary, layout, if (isWanted) read else null).also { it.prepare() }
+        return OpenRecording(file, changed, definitions, vocabulary, layout, if (isWanted) read else null, station).also { it.prepare() }
+    }
+
+    /** The same with the log of the Driver Station [station] beside it, or with none. Takes its time. */
+    fun withStation(station: FoundStation<LogFile>?): OpenRecording = if (station ===
+        this.station
+    ) {
+        this
+    } else {
+        OpenRecording(file, own, definitions, vocabulary, layout, rows, station).also { it.prepare() }
     }
 
     /** Finds out now what the first frame needs, so that the window's thread does not have to. */
     private fun prepare() {
         enabled
+        forRules
         modes
         events
     }

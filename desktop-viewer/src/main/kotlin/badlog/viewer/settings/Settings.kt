@@ -14,6 +14,7 @@ import kotlinx.serialization.Serializable
  * @property window where the window was; null before the first time.
  * @property panes how wide the parts beside the graphs are.
  * @property robot the robot that logs were fetched from last, as it was typed.
+ * @property stations of which logs the Driver Station's log of the same match is shown, and of which it is not, by their paths; the latest last.
  */
 @Serializable
 internal data class Settings(
@@ -25,10 +26,18 @@ internal data class Settings(
     val window: WindowPlace? = null,
     val panes: PaneWidths = PaneWidths(),
     val robot: String = "",
+    val stations: Map<String, Boolean> = emptyMap(),
 ) {
     /** Remembers that [folder] was opened. */
     fun opened(folder: String): Settings = copy(recentFolders = (listOf(folder) + (recentFolders - folder)).take(MAX_RECENT))
+
+    /** Remembers whether the Driver Station's log [isShown] with [log]. */
+    fun withStation(log: String, isShown: Boolean): Settings = copy(stations = stations.latest(mapOf(log to isShown)))
 }
+
+/** This with [changes], of which the latest [MAX_STATIONS] stay. */
+private fun Map<String, Boolean>.latest(changes: Map<String, Boolean>): Map<String, Boolean> =
+    (filterKeys { it !in changes } + changes).toList().takeLast(MAX_STATIONS).toMap()
 
 /** What two windows have made of the settings: what [mine] has not changed since [before] is as in [theirs]. */
 internal fun merged(mine: Settings, before: Settings, theirs: Settings): Settings {
@@ -43,10 +52,14 @@ internal fun merged(mine: Settings, before: Settings, theirs: Settings): Setting
         window = of(Settings::window),
         panes = of(Settings::panes),
         robot = of(Settings::robot),
+        stations = theirs.stations.latest(mine.stations.filter { (log, isShown) -> before.stations[log] != isShown }),
     )
 }
 
 private const val MAX_RECENT = 10
+
+/** More logs than a team opens in a season. */
+private const val MAX_STATIONS = 500
 
 /** Where a window is on the screen, in dp, and whether it fills it. */
 @Serializable

@@ -10,6 +10,17 @@ import java.nio.file.Path
 public fun partsOfLog(file: Path): List<Path> =
     listOfNotNull(file, sibling(file, LogName.DSLOG, LogName.DSEVENTS)?.takeIf(Files::isRegularFile))
 
+/**
+ * The logs of the Driver Station below [folder], named so; a pair is there once.
+ *
+ * @param checkpoint is called for each file, and may throw to give up.
+ * @throws java.io.IOException when [folder] cannot be looked into.
+ */
+public fun stationLogsIn(folder: Path, checkpoint: () -> Unit = {}): List<LogFile> =
+    FolderScan.of(folder, checkpoint).files.filter { LogName.of(it.name).ending.lowercase() in STATION_ENDINGS }
+
+private val STATION_ENDINGS = setOf(LogName.DSLOG, LogName.DSEVENTS)
+
 /** Those of [files], whose paths are [pathOf] them, that are not the second file of a log among them. */
 public fun <T> wholeLogs(files: List<T>, pathOf: (T) -> Path): List<T> {
     val paths = files.mapTo(HashSet(), pathOf)

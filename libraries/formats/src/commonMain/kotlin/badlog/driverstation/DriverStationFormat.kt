@@ -10,7 +10,22 @@ public object DriverStationFormat : LogFormat {
     override fun matches(bytes: ByteArray, size: Int): Boolean = size >= SIGNATURE_SIZE && isHeader(bytes, 0)
 
     override fun parser(keepSamples: Boolean): LogParser = DriverStationParser(keepSamples)
+
+    /** How many bytes [startOf] needs. */
+    public const val HEAD_SIZE: Int = HEADER_SIZE
+
+    /** When the log began whose first [HEAD_SIZE] bytes are [head], in s since 1970; null where those are not of such a log. */
+    public fun startOf(head: ByteArray): Double? = if (head.size < HEAD_SIZE ||
+        !isHeader(head, 0)
+    ) {
+        null
+    } else {
+        secondsAt(head, Int.SIZE_BYTES) + fractionAt(head, Int.SIZE_BYTES) - SECONDS_TO_1970
+    }
 }
+
+/** From the beginning of 1904, from which Driver Stations count, to that of 1970. */
+internal const val SECONDS_TO_1970 = 2082844800.0
 
 /** Version, the seconds since 1904 and their fraction. */
 internal const val HEADER_SIZE = 20

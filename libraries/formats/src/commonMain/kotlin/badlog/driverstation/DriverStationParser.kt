@@ -129,7 +129,6 @@ public class DriverStationParser(keepSamples: Boolean = true) : LogParser {
 
         /** After so many bytes it looks whether there are too many records. */
         const val PIECE = 1 shl 16
-        const val SECONDS_TO_1970 = 2082844800.0
         const val MICROS = 1e6
         val NO_CELLS = CellCounts(0, 0, 0, 0, 0, 0)
     }

@@ -92,7 +92,7 @@ public class Find(
 
     private fun ask(file: LogFile, cores: Int): CachedResult<Stored> {
         if (mistake != null) return CachedResult(Stored(null, mistake), isLasting = false)
-        return LogContent.examined(file, virtualTopics, usedSignals, xTopic, named, cores, ::ask)
+        return LogContent.examined(file, virtualTopics, usedSignals, xTopic, named, cores, work = ::ask)
     }
 
     private fun ask(content: LogContent): CachedResult<Stored> = when (content) {

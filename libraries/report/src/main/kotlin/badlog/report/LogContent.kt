@@ -39,13 +39,24 @@ internal sealed interface LogContent {
             xTopic: String?,
             sinks: NumberSinks,
             cores: Int,
+            beside: (LogFile, LogView) -> LogView,
         ): LogContent = try {
             val recording = readRecording(file.path, LOG_FORMATS, sinks = sinks, cores = cores)
             val problem = recording.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
             if (problem != null) {
                 None(problem.message, isNoLog = true)
             } else {
-                withVirtualTopics(if (xTopic == null) recording else recording.withX(xTopic, file.path), definitions, signals)
+                withVirtualTopics(
+                    if (xTopic ==
+                        null
+                    ) {
+                        recording
+                    } else {
+                        recording.withX(xTopic, file.path)
+                    },
+                    definitions,
+                    signals,
+                ) { beside(file, it) }
             }
         } catch (e: UnreadableFileException) {
             None(e.message, isNoLog = false)
@@ -55,7 +66,7 @@ internal sealed interface LogContent {
 
         /**
          * What [work] makes of [file], read on [cores] cores with the topics of [definitions], which may name [signals], and with [xTopic]
-         * as x axis if it is not null; [sinks] says which numbers are needed.
+         * as x axis if it is not null; [sinks] says which numbers are needed, and [beside] puts another log beside its view.
          * Whatever fails, fails for this file alone: [work] is then given a [None] that says so.
          *
          * @throws InterruptedException when the thread was interrupted.
@@ -67,9 +78,10 @@ internal sealed interface LogContent {
             xTopic: String? = null,
             sinks: NumberSinks = NumberSinks.RECORDING,
             cores: Int = 1,
+            beside: (LogFile, LogView) -> LogView = { _, view -> view },
             work: (LogContent) -> R,
         ): R = try {
-            work(of(file, definitions, signals, xTopic, sinks, cores))
+            work(of(file, definitions, signals, xTopic, sinks, cores, beside))
         } catch (_: OutOfMemoryError) {
             work(tooLarge())
         } catch (e: InterruptedException) {
@@ -85,8 +97,13 @@ internal sealed interface LogContent {
 
         private fun tooLarge() = None("It is too large for the available memory; give the program more, or cut the file.", isNoLog = false)
 
-        private fun withVirtualTopics(recording: Recording, definitions: List<String>, signals: SignalVocabulary): Log {
-            val with = LogView.of(recording).withSignals(signals).withVirtualTopics(definitions, signals)
+        private fun withVirtualTopics(
+            recording: Recording,
+            definitions: List<String>,
+            signals: SignalVocabulary,
+            beside: (LogView) -> LogView,
+        ): Log {
+            val with = beside(LogView.of(recording).withSignals(signals)).withVirtualTopics(definitions, signals)
             return Log(recording, with.view, with.errors.map { UndefinedTopic(it) })
         }
     }

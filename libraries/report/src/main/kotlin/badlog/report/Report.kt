@@ -1,5 +1,6 @@
 package badlog.report
 
+import badlog.analysis.LogView
 import badlog.file.LogFile
 import badlog.report.hook.HookOutcome
 import badlog.report.hook.HookRunner
@@ -33,6 +34,8 @@ import java.util.concurrent.ConcurrentHashMap
  * @param cache a folder for what was found out before, so that a file that did not change is not read again; null for none. What
  *   hooks return is not kept there: nobody knows what it depends on.
  * @param xTopic the topic to take as x axis, which plain CSV does not name; null for what the log itself says.
+ * @param beside gives what rules are asked of the view of a log: mostly itself, or that with another log beside it. Called on many
+ *   threads; what is found so is not kept in the cache.
  */
 public class Report(
     private val rules: RuleSet = RuleSet.BUILT_IN,
@@ -40,6 +43,7 @@ public class Report(
     private val virtualTopics: List<String> = emptyList(),
     private val cache: Path? = null,
     private val xTopic: String? = null,
+    private val beside: ((LogFile, LogView) -> LogView)? = null,
 ) {
     private val isComparing = rules.comparisons.isNotEmpty()
     private val alike = ConcurrentHashMap<List<RuleOutcome>, List<RuleOutcome>>()
@@ -79,7 +83,7 @@ public class Report(
         val question = "report $isComparing\n${virtualTopics.joinToString("\n")}\n\n${xTopic.orEmpty()}\n${rules.toJson()}"
         val examined = ArrayList<Stored>(files.size)
         val steps = if (hooks.isEmpty()) 1 else 2
-        runCached(files, cache?.let { ResultCache(it, question, Stored.serializer()) }, ::examine) { _, stored ->
+        runCached(files, cache?.takeIf { beside == null }?.let { ResultCache(it, question, Stored.serializer()) }, ::examine) { _, stored ->
             examined += stored
             progress(examined.size, files.size * steps)
         }
@@ -142,7 +146,9 @@ public class Report(
     }
 
     private fun examine(file: LogFile, cores: Int): CachedResult<Stored> =
-        LogContent.examined(file, virtualTopics, rules.signals, xTopic, cores = cores) { examine(file, it) }
+        LogContent.examined(file, virtualTopics, rules.signals, xTopic, cores = cores, beside = beside ?: { _, view -> view }) {
+            examine(file, it)
+        }
 
     private fun examine(file: LogFile, content: LogContent): CachedResult<Stored> = when (content) {
         is LogContent.None -> CachedResult(Stored(null, emptyList(), emptyList(), content.message, content.isNoLog), content.isNoLog)

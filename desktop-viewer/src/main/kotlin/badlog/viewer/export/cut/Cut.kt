@@ -22,8 +22,14 @@ internal class Cut(val recording: Recording, val rows: IntRange, val remark: Str
  * a robot's program runs, or one at each sample of the topic that has more than that.
  */
 internal fun partOf(recording: OpenRecording, span: Span): Cut {
-    val whole = recording.view.recording
-    if (recording.logged.recording.topics.none { it.times != null }) return rowsOf(recording, whole, span)
+    // What the Driver Station logged stays in its own file.
+    val whole = recording.view.recording.run { copy(topics = topics.filter { it.name !in recording.stationTopics }) }
+    if (recording.logged.recording.topics.none {
+            it.times != null && it.name !in recording.stationTopics
+        }
+    ) {
+        return rowsOf(recording, whole, span)
+    }
     val range = recording.view.xAxis.range ?: return Cut(whole, IntRange.EMPTY)
     val from = maxOf(span.from, range.start)
     val to = minOf(span.to, range.endInclusive)

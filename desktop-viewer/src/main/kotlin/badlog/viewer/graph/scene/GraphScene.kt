@@ -27,6 +27,7 @@ import badlog.viewer.playback.Player
 import badlog.viewer.recording.CurrentRecording
 import badlog.viewer.recording.FilteredEvents
 import badlog.viewer.settings.SettingsStore
+import badlog.viewer.station.StationChoice
 import badlog.viewer.view.AxisView
 import kotlinx.coroutines.flow.first
 
@@ -49,6 +50,7 @@ internal class GraphScene(
     val copy: (List<BoardGraph>) -> Unit,
     val addTopics: (Int) -> Unit,
     val axis: AxisChoice,
+    val stations: StationChoice,
 ) {
     /** The pictures of the graphs. */
     val plots = Plots()

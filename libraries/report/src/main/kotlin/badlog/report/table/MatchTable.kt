@@ -95,7 +95,7 @@ public class MatchTable(
             listOf("table", xTopic.orEmpty(), condition.orEmpty(), usedSignals.toJson()) + questions + "by" + by + "topics" + virtualTopics
         val known = cache?.takeIf { hooks.isEmpty() }?.let { ResultCache(it, parts.joinToString("\n"), Stored.serializer()) }
         runCached(files, known, { file, cores ->
-            LogContent.examined(file, virtualTopics, usedSignals, xTopic, sinks, cores, ::ask)
+            LogContent.examined(file, virtualTopics, usedSignals, xTopic, sinks, cores, work = ::ask)
         }) { file, stored ->
             rows += rowOf(file, stored)
             progress(rows.size, files.size)

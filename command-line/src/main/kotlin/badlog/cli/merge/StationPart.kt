@@ -1,0 +1,66 @@
+package badlog.cli.merge
+
+import badlog.analysis.LogView
+import badlog.analysis.Span
+import badlog.cli.cut.samplePart
+import badlog.cli.input.Failure
+import badlog.cli.search.signalsBeside
+import badlog.cli.station.StationLogs
+import badlog.recording.Value
+import badlog.rules.station.ClockFit
+import badlog.rules.station.ClockedLog
+import badlog.rules.station.START_VALUE
+import badlog.rules.station.loggedStart
+import java.nio.file.Path
+import java.time.LocalDateTime
+import java.time.ZoneOffset
+import java.time.format.DateTimeFormatter
+
+/** A Driver Station log that becomes part of a merge, beside the robot's log on whose clock it stands as [fit] says. */
+internal class StationPart(val part: LogPart, val fit: ClockFit) {
+    /** It at the times of [robot]; what was before those begin is left out. */
+    fun beside(robot: LogPart): LogPart {
+        val all = if (part.firstX + fit.seconds < 0) part.from(-fit.seconds + ONE_MICRO) else part
+        return all.later(fit.seconds).withStartOf(robot)
+    }
+
+    companion object {
+        /** So that rounding brings nothing before 0. */
+        private const val ONE_MICRO = 1e-6
+
+        /**
+         * The Driver Station log of the match that [robot] is the log of, below [folder].
+         *
+         * @throws Failure when none can be told to be it.
+         */
+        fun of(robot: LogPart, folder: Path): StationPart {
+            val logs = StationLogs(folder)
+            if (logs.size == 0) throw Failure("There is no Driver Station log below $folder; name its folder by --with-ds=FOLDER.")
+            val clocked = ClockedLog(robot.file.fileName.toString(), robot.recording, signalsBeside(robot.file))
+            val found = logs.of(clocked, robot.file, acceptsOnly = true) ?: throw Failure(
+                "None of the ${logs.size} Driver Station logs below $folder is of the time or the match of ${robot.file}; " +
+                    "name the one that is as a log to merge, with --align enabled.",
+            )
+            return StationPart(LogPart(found.log.path, found.station.recording), found.fit)
+        }
+    }
+}
+
+/** The same log from [seconds] on. */
+private fun LogPart.from(seconds: Double): LogPart =
+    LogPart(file, samplePart(LogView.of(recording), listOf(Span(seconds, maxOf(seconds, lastX)))).recording)
+
+/** This log, which was moved beside [robot], with the time of day at which x is 0 now; without it where [robot] has its own. */
+private fun LogPart.withStartOf(robot: LogPart): LogPart {
+    val start = loggedStart(recording)
+    val values = recording.values.mapNotNull { value ->
+        when {
+            value.name != START_VALUE -> value
+            start == null || robot.recording.values.any { it.name == START_VALUE } -> null
+            else -> Value(START_VALUE, TIME.format(LocalDateTime.ofEpochSecond((start - offset).toLong(), 0, ZoneOffset.UTC)) + " UTC")
+        }
+    }
+    return LogPart(file, recording.copy(values = values), offset)
+}
+
+private val TIME = DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm:ss")

@@ -1,0 +1,70 @@
+package badlog.cli.station
+
+import badlog.analysis.LogView
+import badlog.cli.text.JsonNumber
+import badlog.cli.text.jsonOf
+import badlog.cli.text.shortNumber
+import badlog.file.LogFile
+import badlog.recording.RecordingFormat
+import badlog.rules.signal.SignalVocabulary
+import badlog.rules.station.ClockFit
+import badlog.rules.station.ClockedLog
+import badlog.rules.station.RobotBesideStation
+import kotlinx.serialization.Serializable
+import kotlinx.serialization.json.JsonElement
+import java.nio.file.Path
+import java.util.concurrent.ConcurrentHashMap
+
+/**
+ * Puts the Driver Station's log beside each log of a robot, for rules. Safe for several threads.
+ *
+ * @param folder below which those are; empty for the folder of each log.
+ */
+internal class StationsBeside(private val folder: Path, private val signals: SignalVocabulary) {
+    private val logsIn = ConcurrentHashMap<Path, StationLogs>()
+    private val found = ConcurrentHashMap<Path, Found>()
+
+    private class Found(val name: String, val fit: ClockFit)
+
+    /** What rules are to be run over for the robot's log [view] of [file]: that, and what only the Driver Station's tells. */
+    fun over(file: LogFile, view: LogView): LogView {
+        if (view.recording.format == RecordingFormat.DRIVER_STATION) return view
+        val below = if (folder.toString().isEmpty()) file.path.toAbsolutePath().parent else folder
+        val robot = ClockedLog(file.name, view.recording, signals)
+        val station = logsIn.computeIfAbsent(below, ::StationLogs).of(robot, file.path) ?: return view
+        found[file.path] = Found(station.log.name, station.fit)
+        return RobotBesideStation(view, station.station.recording, station.fit, signals).forRules
+    }
+
+    /** Which log was put beside [file], as a sentence; null for none. */
+    fun sentenceOf(file: LogFile): String? = found[file.path]?.run {
+        val how = if (fit.edges >
+            1
+        ) {
+            "${fit.edges} edges of enabled fit within ${shortNumber(fit.error, DIGITS)} s"
+        } else {
+            "aligned by the clocks, to about 1 s"
+        }
+        "${file.path}: rules also used the Driver Station log $name; $how."
+    }
+
+    /** The same for programs. */
+    fun jsonOf(file: LogFile): Map<String, JsonElement> = found[file.path]?.run {
+        jsonOf(StationJson(StationFitJson(name, fit.seconds, fit.edges, fit.error)))
+    }.orEmpty()
+
+    private companion object {
+        const val DIGITS = 3
+    }
+}
+
+@Serializable
+private class StationJson(private val driverStation: StationFitJson)
+
+@Serializable
+private class StationFitJson(
+    private val log: String,
+    private val seconds: JsonNumber,
+    private val edges: Int,
+    private val error: JsonNumber,
+)

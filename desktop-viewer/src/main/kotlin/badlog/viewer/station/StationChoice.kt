@@ -1,0 +1,87 @@
+package badlog.viewer.station
+
+import androidx.compose.runtime.snapshotFlow
+import androidx.compose.runtime.snapshots.Snapshot
+import badlog.file.LogFile
+import badlog.recording.RecordingFormat
+import badlog.rules.station.FoundStation
+import badlog.viewer.board.GraphBoard
+import badlog.viewer.compare.ComparedRecordings
+import badlog.viewer.part.Part
+import badlog.viewer.recording.CurrentRecording
+import badlog.viewer.recording.OpenRecording
+import badlog.viewer.settings.SettingsStore
+import badlog.viewer.view.AxisView
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.flow.collectLatest
+import kotlinx.coroutines.runInterruptible
+import java.nio.file.Path
+
+/**
+ * The Driver Station's log of the match that [robot] is the log of.
+ *
+ * @property robot a log that was opened; null before one was.
+ * @property found that of the Driver Station; null while none is known.
+ */
+internal data class StationOfLog(val robot: Path? = null, val found: FoundStation<LogFile>? = null)
+
+/**
+ * Finds the Driver Station's log of the same match as the current recording, and shows it with that where a person wants it, which is
+ * remembered for each log. To be used on the window's thread only.
+ *
+ * @param folder gives the folder of logs.
+ * @param find finds it, off the window's thread.
+ */
+internal class StationChoice(
+    private val current: CurrentRecording,
+    private val compared: ComparedRecordings,
+    private val board: GraphBoard,
+    private val view: AxisView,
+    private val settings: SettingsStore,
+    private val folder: () -> Path?,
+    private val find: (OpenRecording, Path?) -> FoundStation<LogFile>? = ::stationBeside,
+) : Part<StationOfLog>(StationOfLog()) {
+    /** The Driver Station's log that belongs to the current recording; null where none is known. */
+    val found: FoundStation<LogFile>? get() = state.found.takeIf { state.robot == current.recording?.file }
+
+    /** The one that a person was not asked about yet; else null. */
+    val offered: FoundStation<LogFile>? get() = found?.takeIf { state.robot.toString() !in settings.state.stations }
+
+    /** Whether it is shown. */
+    val isShown: Boolean get() = current.recording?.station != null
+
+    /** Looks for that of whatever is opened, until cancelled. */
+    suspend fun run() = snapshotFlow { current.recording?.file to folder() }.collectLatest { (file, folder) ->
+        if (state.robot != file) change { StationOfLog(file) }
+        val open = current.recording?.takeIf { it.file == file } ?: return@collectLatest
+        // One that is a Driver Station's log itself needs none.
+        if (open.view.recording.format == RecordingFormat.DRIVER_STATION) return@collectLatest
+        val found = runInterruptible(Dispatchers.IO) { find(open.withStation(null), folder) }
+        change { StationOfLog(file, found) }
+        show()
+    }
+
+    /** Shows it with the current recording from now on, or leaves it out. */
+    fun choose(isShown: Boolean) {
+        val file = current.recording?.file ?: return
+        settings.change { withStation(file.toString(), isShown) }
+        show()
+    }
+
+    /** [recording] with the Driver Station's log where that is known and wanted. Takes its time. */
+    fun with(recording: OpenRecording): OpenRecording {
+        val isWanted = recording.file == state.robot && settings.state.stations[recording.file.toString()] == true
+        return recording.withStation(state.found.takeIf { isWanted })
+    }
+
+    private fun show() = Snapshot.withMutableSnapshot {
+        val before = current.recording ?: return@withMutableSnapshot
+        val recording = with(before)
+        if (recording === before) return@withMutableSnapshot
+        val isDefault = board.state.showsSame(before.standardGraphs)
+        current.replace(recording)
+        compared.share(recording)
+        view.change { grown(recording.span) }
+        if (isDefault) board.replace(recording.standardGraphs)
+    }
+}

@@ -1,0 +1,60 @@
+package badlog.viewer.station
+
+import badlog.driverstation.DriverStationFormat
+import badlog.file.LogFile
+import badlog.file.UnreadableFileException
+import badlog.file.readRecording
+import badlog.file.stationLogsIn
+import badlog.formats.LOG_FORMATS
+import badlog.recording.RecordingFormat
+import badlog.rules.FolderRules
+import badlog.rules.station.ClockedLog
+import badlog.rules.station.FoundStation
+import badlog.rules.station.StationSearch
+import badlog.viewer.recording.OpenRecording
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+
+/**
+ * The Driver Station's log of the same match as [robot], in its folder, in the folder of logs [library], or where the Driver Station of this
+ * computer keeps its logs; null when none can be told to be it. Interrupting the thread gives up.
+ */
+internal fun stationBeside(robot: OpenRecording, library: Path?): FoundStation<LogFile>? {
+    val clocked = ClockedLog(robot.file.fileName.toString(), robot.view.recording, robot.vocabulary)
+    if (!clocked.hasClock) return null
+    val logs = listOfNotNull(robot.file.parent, library, OF_THIS_COMPUTER).distinct().flatMap(::logsIn).distinctBy { it.path }
+    // Without a time of day all of them would have to be read.
+    if (clocked.start == null && logs.size > MAX_READ) return null
+    return StationSearch(clocked, ::startOf) { clockedLog(it, library) }.over(logs)
+}
+
+private fun logsIn(folder: Path): List<LogFile> = try {
+    stationLogsIn(folder, ::checkInterrupt)
+} catch (_: IOException) {
+    emptyList()
+}
+
+private fun clockedLog(log: LogFile, library: Path?): ClockedLog? = try {
+    checkInterrupt()
+    val recording = readRecording(log.path, LOG_FORMATS, cores = 1)
+    val isStation = recording.format == RecordingFormat.DRIVER_STATION && recording.sampleCount > 0
+    if (isStation) ClockedLog(log.name, recording, FolderRules.of(log.path, library).rules.signals) else null
+} catch (_: UnreadableFileException) {
+    null
+}
+
+private fun startOf(log: LogFile): Double? = try {
+    DriverStationFormat.startOf(Files.newInputStream(log.path).use { it.readNBytes(DriverStationFormat.HEAD_SIZE) })
+} catch (_: IOException) {
+    null
+}
+
+private fun checkInterrupt() {
+    if (Thread.interrupted()) throw InterruptedException()
+}
+
+/** Where a Driver Station keeps its logs, on Windows. */
+private val OF_THIS_COMPUTER: Path? = System.getenv("PUBLIC")?.let { Path.of(it, "Documents", "FRC", "Log Files", "DSLogs") }
+
+private const val MAX_READ = 100

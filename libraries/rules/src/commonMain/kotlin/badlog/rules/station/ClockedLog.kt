@@ -1,0 +1,72 @@
+package badlog.rules.station
+
+import badlog.analysis.LogView
+import badlog.analysis.Units
+import badlog.recording.Recording
+import badlog.rules.signal.SignalVocabulary
+import badlog.rules.signal.matchOf
+import badlog.rules.withSignals
+
+/**
+ * A log, with all that shows which other log is of the same time. Nothing is looked for before it is needed.
+ *
+ * @property name the name of its file.
+ * @property recording what is in it.
+ * @param vocabulary what its topics are called.
+ */
+public class ClockedLog(public val name: String, public val recording: Recording, private val vocabulary: SignalVocabulary) {
+    private val view: LogView = LogView.of(recording)
+
+    /** Whether its x is a time, or a number without a unit that a person has made the x axis. */
+    public val hasClock: Boolean =
+        view.xAxis.run { !isIndex && (Units.secondsIn(unit) != null || Units.isNone(unit)) && range != null }
+
+    /** Its first x, in s; NaN without any. */
+    public val first: Double = (view.xAxis.range?.start ?: Double.NaN) * view.secondsPerX
+
+    /** Its last x, in s; NaN without any. */
+    public val last: Double = (view.xAxis.range?.endInclusive ?: Double.NaN) * view.secondsPerX
+
+    /** The time of day at which its x is 0, in s since 1970, as its values or its name tell; null where neither does. */
+    public val start: Double? by lazy {
+        // What is logged is the time of the first sample.
+        loggedStart(recording)?.let { it - if (first.isNaN()) 0.0 else first } ?: NAMED.find(name)?.let { secondsOf(it.groupValues) }
+    }
+
+    /** When the robot was enabled and disabled. */
+    public val edges: List<EnabledEdge> by lazy { view.withSignals(vocabulary).enabledEdges() }
+
+    /** The type and the number of its match; null where it does not tell. */
+    internal val match: Pair<String?, String>? by lazy { vocabulary.matchOf(recording).run { number?.let { type to it } } }
+
+    private companion object {
+        /** As WPILib names its logs: in UTC. */
+        val NAMED = Regex("(?<!\\d)(\\d{4})(\\d{2})(\\d{2})_(\\d{2})(\\d{2})(\\d{2})(?!\\d)")
+    }
+}
+
+/** The value that tells when a log began. */
+public const val START_VALUE: String = "Start Time"
+
+/** When the log [recording] says that it began, in s since 1970, where it says it in UTC; else null. */
+public fun loggedStart(recording: Recording): Double? =
+    recording.values.find { it.name == START_VALUE }?.let { LOGGED.matchEntire(it.text) }?.let { secondsOf(it.groupValues) }
+
+private val LOGGED = Regex("(\\d{4})-(\\d{2})-(\\d{2})[ T](\\d{2}):(\\d{2}):(\\d{2}(?:\\.\\d+)?)(?: UTC|Z)")
+
+/** The seconds since 1970 of a year, month, day, hour, minute and second, which stand in [parts] from 1 on; null for no such time. */
+private fun secondsOf(parts: List<String>): Double? {
+    val (year, month, day, hour, minute) = parts.subList(1, 6).map { it.toInt() }
+    val second = parts[6].toDouble()
+    if (month !in 1..12 || day !in 1..31 || hour > 23 || minute > 59 || second >= 60 || year !in YEARS) return null
+    // Years that begin in March have their odd day at the end.
+    val marchYear = if (month > 2) year else year - 1
+    val dayOfYear = (153 * (if (month > 2) month - 3 else month + 9) + 2) / 5 + day - 1
+    val days = marchYear * 365 + marchYear / 4 - marchYear / 100 + marchYear / 400 + dayOfYear - DAYS_TO_1970
+    return days * DAY + hour * 3600 + minute * 60 + second
+}
+
+/** A robot's clock begins at 1970 or so until something sets it. */
+private val YEARS = 2000..2199
+private const val DAYS_TO_1970 = 719468
+private const val DAY = 86400.0

@@ -1,0 +1,35 @@
+package badlog.rules.station
+
+import badlog.analysis.LogView
+import badlog.analysis.Units
+import badlog.analysis.enabledSpans
+
+/**
+ * A moment at which the robot was enabled or disabled.
+ *
+ * @property seconds when, in s on the clock of its log.
+ * @property isRise whether it was enabled then; else disabled.
+ */
+public class EnabledEdge(public val seconds: Double, public val isRise: Boolean)
+
+/**
+ * When the robot was enabled and disabled, the first [MAX_EDGES] times; not where the log itself begins and ends. Empty where the log
+ * does not show it.
+ */
+public fun LogView.enabledEdges(): List<EnabledEdge> {
+    val range = xAxis.range ?: return emptyList()
+    val spans = enabledSpans().map { it.span }
+    val begins = spans.mapTo(HashSet()) { it.from }
+    val ends = spans.mapTo(HashSet()) { it.to }
+    return spans.flatMap { span ->
+        listOfNotNull(
+            span.from.takeIf { it > range.start && it !in ends }?.let { EnabledEdge(it * secondsPerX, true) },
+            span.to.takeIf { it < range.endInclusive && it !in begins }?.let { EnabledEdge(it * secondsPerX, false) },
+        )
+    }.take(MAX_EDGES)
+}
+
+/** How many seconds one of x is; what is not a unit of time counts as a second. */
+internal val LogView.secondsPerX: Double get() = Units.secondsIn(xAxis.unit) ?: 1.0
+
+private const val MAX_EDGES = 200
