@@ -4,9 +4,11 @@ import badlog.analysis.LogView
 import badlog.analysis.Units
 import badlog.cli.input.Failure
 import badlog.cli.search.signalsBeside
+import badlog.file.LogName
 import badlog.rules.station.ClockFit
 import badlog.rules.station.EnabledEdge
 import badlog.rules.station.enabledEdges
+import badlog.rules.station.motorFit
 import badlog.rules.withSignals
 import java.math.BigDecimal
 import java.nio.file.Path
@@ -31,10 +33,10 @@ internal class Offset private constructor(val file: Path, val seconds: Double) {
 /**
  * A log that was moved.
  *
- * @property edges how many beginnings and ends of enabled fit those of the first log; 0 where the move was given.
+ * @property edges how many beginnings and ends of [what] fit those of the first log; 0 where the move was given.
  * @property error how far they are from those at most, or else how far the clocks may be off, in s; 0 where the move was given.
  */
-internal class Move(val part: LogPart, val edges: Int, val error: Double)
+internal class Move(val part: LogPart, val edges: Int, val error: Double, val what: String = "enabled")
 
 /** A time in which no log has anything, after [one] and before [other], of so many [seconds]. */
 internal class Pause(val one: LogPart, val other: LogPart, val seconds: Double)
@@ -80,11 +82,27 @@ internal class ClockChoice(private val offsets: List<Offset>, private val aligns
             when {
                 offset != null -> part.later(offset.seconds).also { moves += Move(it, 0, 0.0) }
                 part === station?.part -> station.beside(parts.first()).also { moves += Move(it, station.fit.edges, station.fit.error) }
+                index > 0 && isOfMotors(part) -> byMotors(part, parts.first())?.also { moves += it }?.part ?: part
                 alignsEnabled && index > 0 -> aligned(part, edges).also { moves += it }.part
                 else -> part
             }
         }
         return MovedLogs(all, moves)
+    }
+
+    private fun isOfMotors(part: LogPart) = LogName.of(part.file.fileName.toString()).ending.equals(LogName.REVLOG, ignoreCase = true)
+
+    /** A log of REV's motor controllers, which has no topic of enabled, beside [robot]; null where no motor tells how it stands there. */
+    private fun byMotors(part: LogPart, robot: LogPart): Move? {
+        val signals = signalsBeside(robot.file)
+        val (own, others) = listOf(part, robot).map { LogView.of(it.recording).withSignals(signals) }
+        val fit = motorFit(own, others, signals)
+        if (fit == null &&
+            alignsEnabled
+        ) {
+            throw Failure("Nothing in ${part.file} fits ${robot.file}; give --offset ${part.file}=SECONDS instead.")
+        }
+        return fit?.let { Move(part.later(maxOf(it.seconds, -part.firstX)), it.edges, it.error, "motors driven") }
     }
 
     private fun aligned(part: LogPart, edges: List<EnabledEdge>): Move {

@@ -66,8 +66,8 @@ private fun clockLines(moved: MovedLogs): List<String> = moved.moves.map { move 
     val by = "${move.part.file} by ${shortNumber(move.part.offset, DIGITS)} s"
     val how = when (move.edges) {
         0 -> if (move.error > 0) "; aligned by the clocks, to about ${shortNumber(move.error, ERROR_DIGITS)} s" else ""
-        1 -> "; one edge of enabled fits, which may be chance"
-        else -> "; ${move.edges} edges of enabled fit within ${shortNumber(move.error, ERROR_DIGITS)} s"
+        1 -> "; one edge of ${move.what} fits, which may be chance"
+        else -> "; ${move.edges} edges of ${move.what} fit within ${shortNumber(move.error, ERROR_DIGITS)} s"
     }
     wrapped("  moved: ", by + how, INDENT)
 } + moved.pauses.map { pause ->

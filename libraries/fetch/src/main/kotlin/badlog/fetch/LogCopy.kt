@@ -10,7 +10,10 @@ import java.nio.file.Path
 import java.nio.file.StandardOpenOption.APPEND
 import java.nio.file.StandardOpenOption.CREATE
 import java.nio.file.StandardOpenOption.WRITE
+import java.nio.file.attribute.FileTime
 import java.security.MessageDigest
+import java.time.Duration
+import java.time.Instant
 import java.util.HexFormat
 import kotlin.math.min
 
@@ -22,12 +25,14 @@ internal class ShrunkLogException : Exception()
  *
  * @param limit lets no more bytes pass than are wanted.
  * @param room how many bytes the disk of a folder has left.
+ * @param write writes all of the bytes.
  * @param checkpoint is called for each piece, and may throw to give up.
  */
 internal class LogCopy(
     private val folder: Path,
     private val limit: BandwidthLimit,
     private val room: (Path) -> Long = { Files.getFileStore(it).usableSpace },
+    private val write: (FileChannel, ByteBuffer) -> Unit = { file, bytes -> while (bytes.hasRemaining()) file.write(bytes) },
     private val checkpoint: () -> Unit,
 ) {
     /** A part with all bytes of its log; [from] of them were here before. */
@@ -39,6 +44,7 @@ internal class LogCopy(
      * @param former an older copy of it, which may be its beginning; or null.
      * @param progress hears how many bytes are there.
      * @throws IOException when the connection is lost; what has come stays.
+     * @throws NoRoomException when there is not enough room for it, also when the disk becomes full meanwhile; what has come stays.
      * @throws ShrunkLogException when the log does not have so many bytes any longer.
      */
     fun copy(connection: RobotConnection, log: RemoteLog, former: Path?, progress: (Long) -> Unit): Whole {
@@ -54,15 +60,27 @@ internal class LogCopy(
         progress(from)
         writing(part) { FileChannel.open(part, CREATE, WRITE, APPEND) }.use { file ->
             append(connection, log, from, progress) { bytes, size ->
-                writing(part) {
-                    val buffer = ByteBuffer.wrap(bytes, 0, size)
-                    while (buffer.hasRemaining()) file.write(buffer)
-                }
+                filling(log, part, size) { write(file, ByteBuffer.wrap(bytes, 0, size)) }
             }
             // Whoever removes the log from the robot relies on it.
-            writing(part) { file.force(true) }
+            filling(log, part, 1) { file.force(true) }
         }
         return Whole(part, from)
+    }
+
+    /** Runs [work], which writes [bytes] of [log] to [part]. */
+    private fun filling(log: RemoteLog, part: Path, bytes: Int, work: () -> Unit) = writing(part) {
+        try {
+            work()
+        } catch (e: IOException) {
+            // The system's own words for it differ by platform and language; the room that is left does not.
+            if (RobotConnection.isInterruption(e) || room(folder) >= bytes) throw e
+            throw NoRoomException(
+                "The disk of $folder is full, so ${safeName(
+                    log.name,
+                )} is only partly here; make room and fetch again, which goes on where it stopped.",
+            )
+        }
     }
 
     private fun append(connection: RobotConnection, log: RemoteLog, from: Long, progress: (Long) -> Unit, write: (ByteArray, Int) -> Unit) {
@@ -90,6 +108,7 @@ internal class LogCopy(
         writing(part) { Files.deleteIfExists(part) }
         val size = former?.takeIf(Files::isRegularFile)?.let(Files::size) ?: 0
         if (former == null || size !in 1..log.size || !isBeginning(connection, log, former)) return 0
+        if (size > room(folder)) return 0
         writing(part) { Files.copy(former, part) }
         return Files.size(part)
     }
@@ -107,15 +126,30 @@ internal class LogCopy(
         }
     }
 
-    private fun partOf(robot: String, log: RemoteLog): Path {
-        val digest = MessageDigest.getInstance("SHA-256").digest("$robot\n${log.path}".encodeToByteArray())
-        return folder.resolve(".badlog-fetch-${HexFormat.of().formatHex(digest, 0, DIGEST)}.part")
+    /**
+     * The parts of logs of [robot] that are not among its [logs], and that nothing was added to for a day: these never become whole. A robot's
+     * stick may be out for a while.
+     */
+    fun leftParts(robot: String, logs: List<RemoteLog>): List<Path> {
+        val wanted = logs.mapTo(HashSet()) { partOf(robot, it) }
+        val latest = FileTime.from(Instant.now().minus(LEFT_AFTER))
+        return Files.newDirectoryStream(folder, "${startOf(robot)}*.part").use { parts ->
+            parts.filter { it !in wanted && Files.getLastModifiedTime(it) < latest }
+        }
     }
+
+    private fun partOf(robot: String, log: RemoteLog): Path = folder.resolve("${startOf(robot)}${digestOf(log.path)}.part")
+
+    private fun startOf(robot: String) = ".badlog-fetch-${digestOf(robot)}-"
+
+    private fun digestOf(text: String) =
+        HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(text.encodeToByteArray()), 0, DIGEST)
 
     private companion object {
         const val PIECE = 1 shl 16
         const val LOOK = 1 shl 14
-        const val DIGEST = 10
+        const val DIGEST = 8
+        val LEFT_AFTER: Duration = Duration.ofDays(1)
         const val MEGA = 1_000_000
     }
 }

@@ -63,6 +63,7 @@ internal class Transfer(
             isTold = true
         }
         for (log in settled(connection, wanted)) fetch(connection, log)
+        copy.leftParts(connection.robot, listing.logs).forEach(::keepUnfinished)
         options.deleteOlderThan?.let { age -> listing.logs.forEach { deleteIfOld(connection, it, age) } }
     }
 
@@ -111,7 +112,7 @@ internal class Transfer(
     /** Makes a log of the whole part. */
     private fun keep(connection: RobotConnection, log: RemoteLog, whole: LogCopy.Whole) {
         val recording = try {
-            readRecording(whole.part, LOG_FORMATS)
+            readRecording(whole.part, LOG_FORMATS, name = log.name)
         } catch (_: UnreadableFileException) {
             null
         }
@@ -129,6 +130,32 @@ internal class Transfer(
         val result = FetchedLog(printablePath(log.path), file, log.size, whole.from, place.title, isLog, isSalvaged)
         fetched += result
         listener.fetched(result)
+    }
+
+    /** Makes a log of [part], whose log is no longer on the robot, where anything of it can be read; removes it otherwise. */
+    private fun keepUnfinished(part: Path) {
+        val recording = try {
+            readRecording(part, LOG_FORMATS)
+        } catch (_: UnreadableFileException) {
+            null
+        }
+        val size = Files.size(part)
+        if (recording == null || !recording.isReadable || recording.sampleCount == 0L) {
+            writing(part) { Files.deleteIfExists(part) }
+            val message = "A part of a log that is no longer on the robot was removed: nothing in its $size bytes could be read."
+            return listener.skipped(part.fileName.toString(), message, isGrowing = false)
+        }
+        val place = LogPlace.of("unfinished${endingOf(recording.format)}", RuleSet.BUILT_IN.signals.matchOf(recording))
+        val file = moveTo(part, place, former = null)
+        val message = "$file has the first $size bytes of a log that is no longer on the robot."
+        listener.skipped(options.folder.relativize(file).joinToString("/"), message, isGrowing = false)
+    }
+
+    private fun endingOf(format: RecordingFormat) = when (format) {
+        RecordingFormat.BAG -> ".bag"
+        RecordingFormat.CSV -> ".csv"
+        RecordingFormat.WPILOG -> ".wpilog"
+        RecordingFormat.DRIVER_STATION -> ".dslog"
     }
 
     // Any bytes with line ends among them are a damaged table.

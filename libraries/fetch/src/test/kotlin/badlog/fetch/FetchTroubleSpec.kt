@@ -10,8 +10,11 @@ import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.longs.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import java.io.IOException
 import java.nio.file.Files
+import java.nio.file.attribute.FileTime
 import java.time.Duration
+import java.time.Instant
 import kotlin.io.path.appendText
 import kotlin.io.path.div
 import kotlin.io.path.name
@@ -93,6 +96,59 @@ class FetchTroubleSpec : FunSpec({
                 }
             }
             pit.parts().shouldBeEmpty()
+        }
+    }
+
+    test("a disk that becomes full in the middle is reported, and the next fetch goes on with what has come") {
+        inPit { pit, robot ->
+            robot.log("log.csv", LARGE)
+            Files.createDirectories(pit.folder)
+            RobotLogin(pit.hosts, pit.person, true, null, IMPATIENCE).use { login ->
+                login.into(robot.address()).use { connection ->
+                    var left = 1_000_000L
+                    val copy = LogCopy(pit.folder, BandwidthLimit(null), room = { if (left < 1_000_000) left else 10_000_000 }, write = { file, bytes ->
+                        if (bytes.remaining() > left) {
+                            left = 0
+                            // As a system writes what still fits.
+                            file.write(bytes.limit(bytes.position() + 100))
+                            throw IOException("No space left on device")
+                        }
+                        left -= bytes.remaining()
+                        while (bytes.hasRemaining()) file.write(bytes)
+                    }) {}
+                    val log = connection.list(listOf("/home/lvuser/logs")).logs.single()
+                    shouldThrow<NoRoomException> { copy.copy(connection, log, null) {} }.message shouldBe
+                        "The disk of ${pit.folder} is full, so log.csv is only partly here; make room and fetch again, which goes on where it stopped."
+                }
+            }
+            pit.parts() shouldHaveSize 1
+            val log = pit.fetch(robot).fetched.single()
+            log.resumedAt shouldBeGreaterThan 900_000
+            log.file.readText() shouldBe LARGE
+            pit.parts().shouldBeEmpty()
+        }
+    }
+
+    test("the part of a log that has gone from the robot becomes a log of its own after a day, and one without anything goes") {
+        inPit { pit, robot ->
+            class End : Exception()
+            fun cut(name: String, text: String) {
+                val log = robot.log(name, text)
+                shouldThrow<End> { pit.fetch(robot, Heard { done -> if (done > 300_000) throw End() }) }
+                Files.delete(log)
+            }
+            cut("log.csv", LARGE)
+            pit.fetch(robot)
+            // The robot's stick may be out for a while.
+            pit.parts() shouldHaveSize 1
+            cut("noise.csv", "\u0000".repeat(2_000_000))
+            for (part in pit.parts()) Files.setLastModifiedTime(pit.folder / part, FileTime.from(Instant.now().minus(Duration.ofHours(25))))
+            val heard = Heard()
+            pit.fetch(robot, heard)
+            pit.parts().shouldBeEmpty()
+            pit.logs() shouldContainExactly listOf("unfinished.csv")
+            LARGE.startsWith((pit.folder / "unfinished.csv").readText()) shouldBe true
+            heard.said.count { "no longer on the robot" in it } shouldBe 2
         }
     }
 

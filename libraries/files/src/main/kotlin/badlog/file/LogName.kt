@@ -20,7 +20,10 @@ public class LogName private constructor(public val stem: String, public val end
         internal const val DSLOG = ".dslog"
         internal const val DSEVENTS = ".dsevents"
         internal const val HOOT = ".hoot"
-        private val ENDINGS = listOf(".bag", ".badbag", CSV, ".wpilog", ".wpilogxz", ".revlog", HOOT, DSLOG, DSEVENTS)
+
+        /** What logs of REV's motor controllers end in. */
+        public const val REVLOG: String = ".revlog"
+        private val ENDINGS = listOf(".bag", ".badbag", CSV, ".wpilog", ".wpilogxz", REVLOG, HOOT, DSLOG, DSEVENTS)
 
         /** The parts of [name], which is without folders. */
         public fun of(name: String): LogName {

@@ -23,7 +23,7 @@ internal object Owlet {
 
     /** Makes the WPILOG [made] of [hoot] by [program]. */
     fun convert(hoot: Path, made: Path, checkpoint: () -> Unit, program: String = NAME): List<Problem> {
-        val said = Files.createTempFile("badlog-", ".txt")
+        val said = newMadeFile(".txt")
         try {
             val process = start(hoot, made, program, said)
             try {

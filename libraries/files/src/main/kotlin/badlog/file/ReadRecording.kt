@@ -28,6 +28,7 @@ import java.nio.file.Path
  *   all the same. It is asked, and each of its sinks is called, on one thread at a time, though not always on the same and not on the
  *   calling one; all calls have returned when this one does. Each sink gets each row once, in order. Logs of records have no use for it.
  * @param cores on how many cores a large file is read; 1 for the calling thread alone, where others read other files meanwhile.
+ * @param name what the log is called, where the file has another name meanwhile.
  * @param progress hears, on the calling thread and about once a megabyte, how many bytes of the file are read and how many
  *   it had at the beginning. What it throws stops the reading and is passed on.
  * @throws UnreadableFileException when the file is missing, is not a regular file, or cannot be read.
@@ -40,11 +41,12 @@ public fun readRecording(
     untilLastLineEnd: Boolean = false,
     sinks: NumberSinks = NumberSinks.RECORDING,
     cores: Int = Runtime.getRuntime().availableProcessors(),
+    name: String = file.fileName.toString(),
     progress: (doneBytes: Long, totalBytes: Long) -> Unit = { _, _ -> },
 ): Recording {
     requireRegularFile(file)
     return withinMemory(file) {
-        unpacked(file, { progress(0, Files.size(file)) }) { log ->
+        unpacked(file, { progress(0, Files.size(file)) }, name) { log ->
             val recording = read(log.path, formats, keepSamples, untilLastLineEnd, sinks, cores, progress)
             if (log.problems.isEmpty()) recording else recording.copy(problems = log.problems + recording.problems)
         }

@@ -22,11 +22,12 @@ public class Unpacked internal constructor(public val path: Path, public val nam
  * one that was compressed with xz, a `.revlog` of REV's devices can be written as one, and of a `.hoot` of CTRE's devices CTRE's own
  * program makes one. All but the last are known by their content.
  *
+ * @param name what the log is called, where the file has another name meanwhile.
  * @param checkpoint is called now and then while a WPILOG is made, and may throw to give up.
  * @throws UnreadableFileException when the file cannot be read, or no WPILOG can be made of it.
  * @throws InterruptedException when the thread was interrupted.
  */
-public fun <T> unpacked(file: Path, checkpoint: () -> Unit = {}, work: (Unpacked) -> T): T {
+public fun <T> unpacked(file: Path, checkpoint: () -> Unit = {}, name: String = file.fileName.toString(), work: (Unpacked) -> T): T {
     val head = reading(file) { Files.newInputStream(file).use { it.readNBytes(SIGNATURE_SIZE) } }
     val isXz = head.size >= XZ.HEADER_MAGIC.size && XZ.HEADER_MAGIC.indices.all { head[it] == XZ.HEADER_MAGIC[it] }
     val make: (Path) -> List<Problem> = when {
@@ -34,16 +35,15 @@ public fun <T> unpacked(file: Path, checkpoint: () -> Unit = {}, work: (Unpacked
 
         RevlogConversion.isRevlog(head) -> { made -> writing(made) { outputOf(made).use { convertRevlog(file, it, checkpoint) } } }
 
-        LogName.of(file.fileName.toString()).ending.equals(LogName.HOOT, ignoreCase = true) -> { made ->
+        LogName.of(name).ending.equals(LogName.HOOT, ignoreCase = true) -> { made ->
             Owlet.convert(file, made, checkpoint)
         }
 
-        else -> return work(Unpacked(file, file.fileName.toString(), emptyList()))
+        else -> return work(Unpacked(file, name, emptyList()))
     }
-    val made = Files.createTempFile("badlog-", WPILOG)
+    val made = newMadeFile(WPILOG)
     try {
         val problems = make(made)
-        val name = file.fileName.toString()
         return work(Unpacked(made, name.dropLast(LogName.of(name).run { name.length - stem.length }) + WPILOG, problems))
     } finally {
         Files.deleteIfExists(made)

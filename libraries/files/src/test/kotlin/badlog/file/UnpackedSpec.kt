@@ -95,6 +95,30 @@ internal class UnpackedSpec : FunSpec({
         }
     }
 
+    test("a hoot log that has another name while it is copied is known by its own") {
+        inFolder { folder ->
+            val part = Files.write(folder.resolve(".copy.part"), log)
+            unpacked(part) { it.path } shouldBe part
+            if (!Owlet.isInstalled) {
+                shouldThrow<UnreadableFileException> { readRecording(part, LOG_FORMATS, name = "a.hoot") }.message shouldContain "owlet"
+            }
+        }
+    }
+
+    test("what a program that was killed has left is removed, and nothing of a program that runs or of others") {
+        inFolder { folder ->
+            val killed = ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-version").start()
+            killed.waitFor()
+            val left = listOf(Files.createFile(folder.resolve("badlog-${killed.pid()}-12.wpilog")), Files.createFile(folder.resolve("badlog-${killed.pid()}-3.txt")))
+            val kept = listOf("badlog-${ProcessHandle.current().pid()}-12.wpilog", "badlog-${killed.pid()}-12.bag", "badlog-12.wpilog")
+                .map { Files.createFile(folder.resolve(it)) }
+            removeLeftFiles(folder)
+            left.filter(Files::exists) shouldBe emptyList()
+            kept.filter(Files::exists) shouldBe kept
+            newMadeFile(".wpilog", folder).fileName.toString().startsWith("badlog-${ProcessHandle.current().pid()}-") shouldBe true
+        }
+    }
+
     test("a conversion that somebody gives up ends") {
         inFolder { folder ->
             val made = Files.createFile(folder.resolve("made.wpilog"))

@@ -8,7 +8,7 @@ import kotlin.math.round
  *
  * @property seconds how much later its times are there, in s, to the microsecond.
  * @property edges how many moments of enabled and disabled fit; 0 where only clocks or names tell.
- * @property error how far those are from the other log's at most, in s; where there are none, how far the clocks may be off.
+ * @property error how far those are from the other log's at most, in s, to the microsecond; where there are none, how far the clocks may be off.
  */
 public class ClockFit(public val seconds: Double, public val edges: Int, public val error: Double) {
     public companion object {
@@ -23,21 +23,38 @@ public class ClockFit(public val seconds: Double, public val edges: Int, public 
                 val mean = fits.average()
                 return if (near != null) abs(mean - near) else fits.sumOf { abs(it - mean) }
             }
-            val best = own.flatMap { edge -> others.filter { it.isRise == edge.isRise }.map { it.seconds - edge.seconds } }
-                .map { candidate -> movesAt(candidate, own, others) }
+            val rises = timesOf(others, isRise = true)
+            val falls = timesOf(others, isRise = false)
+            val best = own.flatMap { edge -> (if (edge.isRise) rises else falls).map { it - edge.seconds } }
+                .map { candidate -> movesAt(candidate, own, rises, falls) }
                 .maxWithOrNull(compareBy({ it.size }, { -distance(it) })) ?: return null
-            val seconds = round(best.average() * MICROS) / MICROS
-            return ClockFit(seconds, best.size, best.maxOf { abs(it - seconds) })
+            val seconds = toMicros(best.average())
+            return ClockFit(seconds, best.size, toMicros(best.maxOf { abs(it - seconds) }))
         }
 
-        /** By how much each of [own] would have to move to be one of [others], of those that are near it when all move by [candidate]. */
-        private fun movesAt(candidate: Double, own: List<EnabledEdge>, others: List<EnabledEdge>): List<Double> = own.mapNotNull { edge ->
-            var best = Double.NaN
-            for (other in others) {
-                val move = other.seconds - edge.seconds
-                if (other.isRise == edge.isRise && !(abs(move - candidate) >= abs(best - candidate))) best = move
+        private fun toMicros(seconds: Double) = round(seconds * MICROS) / MICROS
+
+        /** By how much each of [own] would have to move to be one of the others, of those that are near one when all move by [candidate]. */
+        private fun movesAt(candidate: Double, own: List<EnabledEdge>, rises: DoubleArray, falls: DoubleArray): List<Double> =
+            own.mapNotNull { edge ->
+                val nearest = (if (edge.isRise) rises else falls).nearest(edge.seconds + candidate) ?: return@mapNotNull null
+                (nearest - edge.seconds).takeIf { abs(it - candidate) <= NEAR_SECONDS }
             }
-            best.takeIf { abs(it - candidate) <= NEAR_SECONDS }
+
+        private fun timesOf(edges: List<EnabledEdge>, isRise: Boolean) =
+            edges.filter { it.isRise == isRise }.map { it.seconds }.sorted().toDoubleArray()
+
+        /** The one of these, which ascend, that is nearest to [x]; null without any. */
+        private fun DoubleArray.nearest(x: Double): Double? {
+            var low = 0
+            var high = size
+            while (low < high) {
+                val middle = (low + high) / 2
+                if (this[middle] < x) low = middle + 1 else high = middle
+            }
+            val before = getOrNull(low - 1)
+            val after = getOrNull(low)
+            return if (after == null || (before != null && x - before <= after - x)) before else after
         }
 
         /** Clocks of one robot differ by no more while it runs for some minutes. */

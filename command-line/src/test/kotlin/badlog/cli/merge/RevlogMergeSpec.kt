@@ -1,0 +1,58 @@
+package badlog.cli.merge
+
+import badlog.cli.Logged
+import badlog.cli.badlog
+import badlog.cli.inFolder
+import badlog.cli.with
+import badlog.cli.wpilog
+import badlog.file.readRecording
+import badlog.formats.LOG_FORMATS
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldNotContain
+import java.nio.ByteBuffer
+import java.nio.ByteOrder
+import kotlin.io.path.div
+
+/** The bytes of a `.revlog` of Spark 3, which is at half of its output in [driven] s; a status frame every 20 ms from [from] s until 30 s. */
+private fun revlog(from: Double, driven: List<ClosedRange<Double>>): ByteArray {
+    val frames = ((from * 50).toInt() until 1500).map { it * 20 }
+    val bytes = ByteBuffer.allocate(frames.size * 20).order(ByteOrder.LITTLE_ENDIAN)
+    for (millis in frames) {
+        // A record of 16 bytes of status, whose kind has one byte and whose size has two.
+        bytes.put(0b0100).put(2).putShort(16)
+        bytes.putInt(millis).putInt((2 shl 24) or (5 shl 16) or (46 shl 10) or 3)
+        bytes.putLong(if (driven.any { millis / 1000.0 in it }) 16221L else 0L)
+    }
+    return bytes.array()
+}
+
+class RevlogMergeSpec : FunSpec({
+    fun said(vararg arguments: Any) = badlog(*arguments).run { (out + err).replace(Regex("\\s+"), " ") }
+
+    fun outputs(driven: List<ClosedRange<Double>>) = List(1500) { it / 50.0 }.map { time -> time to if (driven.any { time in it }) 0.5 else 0.0 }
+
+    val arm = listOf(3.0..5.0, 7.0..8.5, 12.0..20.0)
+
+    test("the log of REV's motor controllers is put where their motors were driven in the robot's log, and the error is reported") {
+        inFolder { folder ->
+            val robot = folder.wpilog("robot.wpilog", listOf(Logged("Arm/Applied Output", "double", "", outputs(arm))))
+            val late = arm.map { it.start + 0.6..it.endInclusive + 0.6 }
+            val said = said("merge", robot, folder.with("REV_1.revlog", revlog(1.0, late)), "-o", folder / "both.wpilog")
+            said shouldContain "REV_1.revlog by -0.6 s; 6 edges of motors driven fit within 0 s"
+            val both = readRecording(folder / "both.wpilog", LOG_FORMATS)
+            both.topics.single { it.name == "REV/Spark-3/APPLIED_OUTPUT" }.times?.first() shouldBe (0.4 plusOrMinus 0.001)
+        }
+    }
+
+    test("where no motor tells it, the log stays as it is, since both count from the start of the robot's program") {
+        inFolder { folder ->
+            val robot = folder.wpilog("robot.wpilog", listOf(Logged("Arm/Angle", "double", "", outputs(arm))))
+            val said = said("merge", robot, folder.with("REV_1.revlog", revlog(1.0, arm)), "-o", folder / "both.wpilog")
+            said shouldNotContain "moved"
+            readRecording(folder / "both.wpilog", LOG_FORMATS).topics.single { it.name == "REV/Spark-3/APPLIED_OUTPUT" }.times?.first() shouldBe 1.0
+        }
+    }
+})
