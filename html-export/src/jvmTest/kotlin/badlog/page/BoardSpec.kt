@@ -134,6 +134,8 @@ internal class BoardSpec : PageSpec({
             titles() shouldBe listOf("Speed", "Amp")
             lines(0) shouldBe listOf("Speed", "Volt")
             texts("#board .board-graph .legend .unit").filter { it.isNotEmpty() } shouldContain "V, right"
+            // The legend says which unit is whose, so the title names none.
+            number("return document.querySelectorAll('#board .board-graph')[0].querySelectorAll('.graph-head > .unit').length") shouldBe 0.0
             keepScreenshot("board-axes")
             graph("Speed").pixelsOfLine(0) shouldBeGreaterThan 300
             graph("Speed").pixelsOfLine(1) shouldBeGreaterThan 300

@@ -53,7 +53,7 @@ internal class ExportSpec : PageSpec({
             val texts = drawing.texts()
             texts shouldContain "Mill Creek Regional Qualification 42"
             texts.single { it.startsWith("qualification-42.bag · 0.00 – 155.99 s · cursor at 93.70 s · Teleop 1:31") }
-            texts shouldContainAll listOf("Battery and current (V)", "Loop Time (ms)", "Time (s)", "error · 93.71 s")
+            texts shouldContainAll listOf("Battery and current", "Loop Time (ms)", "Time (s)", "error · 93.71 s")
             texts.single { it.startsWith("Browned out: ") } shouldContain "The roboRIO browned out"
             texts.single { it.startsWith("Battery Voltage ") } shouldBe "Battery Voltage ${texts(".board .value").first()} V"
             // Paper is light.

@@ -82,7 +82,7 @@ internal class GraphCard(
         setAttribute("data-kind", if (graph.showsStates) "states" else "lines")
         add("header", "graph-head") {
             add("h3", "graph-title", graph.title).title = hintOf(graph)
-            add("bdi", "unit graph-unit", unitText(graph.unit))
+            graph.titleUnit.let { if (it.isNotEmpty()) add("bdi", "unit graph-unit", it) }
             if (origin.isNotEmpty()) add("span", "origin", origin).title = hintOf(graph)
             appendChild(xy?.legend ?: legend.element)
             tools = add("div", "graph-tools") {
@@ -315,6 +315,9 @@ internal class GraphCard(
         const val PAUSE_MILLISECONDS = 150
     }
 }
+
+/** What stands beside its title; empty for lines of several units, of which the legend says which is whose. */
+internal val Graph.titleUnit: String get() = if (series.all { it.unit == unit }) unitText(unit) else ""
 
 /** The whole name, and what the file says of the topic besides. */
 private fun hintOf(graph: Graph): String {

@@ -7,7 +7,6 @@ import badlog.page.view.Scene
 import badlog.plot.color.LINE_COLORS
 import badlog.plot.color.Shade
 import badlog.plot.cursor.dotAt
-import badlog.plot.text.unitText
 import org.w3c.dom.Element
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.asList
@@ -16,7 +15,7 @@ import kotlin.math.PI
 /** Writes the title of [graph] and what its [legend] says now of the lines that are drawn. */
 internal fun drawGraphHead(sheet: Sheet, graph: Graph, legend: HTMLElement, scene: Scene) {
     sheet.line(HEADING)
-    val unit = unitText(graph.unit)
+    val unit = graph.titleUnit
     sheet.text(graph.title + if (unit.isEmpty()) "" else " ($unit)", TITLE, scene.palette[Shade.TEXT], isBold = true)
     sheet.line(LINE)
     for (entry in legend.querySelectorAll("[aria-pressed=true]").asList().map { it.unsafeCast<Element>() }) {
