@@ -24,9 +24,7 @@ internal fun stationBeside(robot: OpenRecording, library: Path?): FoundStation<L
     val clocked = ClockedLog(robot.file.fileName.toString(), robot.view.recording, robot.vocabulary)
     if (!clocked.hasClock) return null
     val logs = listOfNotNull(robot.file.parent, library, OF_THIS_COMPUTER).distinct().flatMap(::logsIn).distinctBy { it.path }
-    // Without a time of day all of them would have to be read.
-    if (clocked.start == null && logs.size > MAX_READ) return null
-    return StationSearch(clocked, ::startOf) { clockedLog(it, library) }.over(logs)
+    return StationSearch(clocked, ::startOf) { clockedLog(it, library) }.over(logs, mostRead = MAX_READ)
 }
 
 private fun logsIn(folder: Path): List<LogFile> = try {
@@ -57,4 +55,5 @@ private fun checkInterrupt() {
 /** Where a Driver Station keeps its logs, on Windows. */
 private val OF_THIS_COMPUTER: Path? = System.getenv("PUBLIC")?.let { Path.of(it, "Documents", "FRC", "Log Files", "DSLogs") }
 
-private const val MAX_READ = 100
+/** More than a team plays on a day would take long, and much memory. */
+private const val MAX_READ = 40

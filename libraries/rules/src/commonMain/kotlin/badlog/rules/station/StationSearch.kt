@@ -21,12 +21,16 @@ public class StationSearch<F>(private val robot: ClockedLog, private val startOf
      * The one of [logs]; null when none can be told to be it.
      *
      * @param acceptsOnly whether the only one that there is will do, though nothing but a moment of enabled speaks for it.
+     * @param mostRead of more logs than these only those are read that may be of the time of day.
      */
-    public fun over(logs: List<F>, acceptsOnly: Boolean = false): FoundStation<F>? {
+    public fun over(logs: List<F>, acceptsOnly: Boolean = false, mostRead: Int = Int.MAX_VALUE): FoundStation<F>? {
         if (!robot.hasClock) return null
-        val atTime = logs.filter(::mayBeAtTime).mapNotNull(::candidate)
+        // A Driver Station writes one log after another, so those that began last are of the time.
+        val near = logs.filter(::mayBeAtTime).sortedByDescending { startOf(it) ?: Double.POSITIVE_INFINITY }.take(MOST_AT_TIME).toSet()
+        val atTime = near.mapNotNull(::candidate)
         byTime(atTime)?.let { found -> fitOf(found.station)?.let { return FoundStation(found.log, found.station, it) } }
-        val all = atTime + logs.filterNot(::mayBeAtTime).mapNotNull(::candidate)
+        if (logs.size > mostRead) return null
+        val all = atTime + logs.filter { it !in near }.mapNotNull(::candidate)
         val found = byMatch(all) ?: byEdges(all) ?: all.singleOrNull()?.takeIf { acceptsOnly } ?: return null
         return fitOf(found.station)?.let { FoundStation(found.log, found.station, it) }
     }
@@ -71,6 +75,9 @@ public class StationSearch<F>(private val robot: ClockedLog, private val startOf
     }
 
     private companion object {
+        /** So many logs may begin while a robot's log goes on, and before it. */
+        const val MOST_AT_TIME = 16
+
         /** No Driver Station log is longer, in s. */
         const val LONGEST = 86_400.0
 

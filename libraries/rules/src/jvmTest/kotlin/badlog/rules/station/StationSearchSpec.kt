@@ -45,6 +45,20 @@ class StationSearchSpec : FunSpec({
         found(log(3.0, null), practice, stations[0])?.station?.name shouldBe "a"
     }
 
+    test("of many logs only those are read that may be of the time of day") {
+        val read = ArrayList<Int>()
+        fun search(robot: ClockedLog) = StationSearch(robot, { hour: Int -> hour * 3600.0 }, { hour ->
+            read += hour
+            log(0.0, "1970-01-01 00:00:00 UTC", name = "$hour")
+        })
+        search(log(3.0, "2026-03-07 15:04:08 UTC")).over((1..100).toList(), mostRead = 40).shouldBeNull()
+        search(log(3.0, null)).over((1..100).toList(), mostRead = 40).shouldBeNull()
+        read shouldBe emptyList()
+        // Fewer may be of the match, or have the moments of enabled; here all have those.
+        search(log(3.0, null)).over((1..10).toList(), mostRead = 40).shouldBeNull()
+        read shouldBe (1..10).toList()
+    }
+
     test("a single moment of enabled that the clocks speak against is not believed") {
         val robot = clocked(logOf(listOf(flag("DS:enabled", 0.0, listOf(5.0), 17.0)), "2026-03-07 15:04:05 UTC"))
         val station = clocked(logOf(listOf(flag("DS:enabled", 0.0, listOf(300.0), 600.0)), "2026-03-07 15:00:05 UTC"))
