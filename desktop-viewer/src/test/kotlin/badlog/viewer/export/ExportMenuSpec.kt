@@ -116,6 +116,19 @@ class ExportMenuSpec : FunSpec({
         }
     }
 
+    test("a figure has the values at the pinned cursor, and says where it stands") {
+        val file = home.resolve("cursor.svg")
+        window(file) { viewer, _ ->
+            viewer.view.changeCursors { pinnedAt(1.0) }
+            choose("Export", "Figure for a report…")
+            onNodeWithContentDescription("File: SVG").performClick()
+            onNodeWithContentDescription("Save the figure").performClick()
+            waitForNotice(viewer, "Saved $file")
+            Files.readString(file) shouldContain "match.bag · 0.00"
+            Files.readString(file) shouldContain " s · cursor at 1.00"
+        }
+    }
+
     test("a picture gets its ending, and is twice as large as its points") {
         window(home.resolve("picture")) { viewer, _ ->
             choose("Export", "Figure for a report…")

@@ -2,7 +2,7 @@ package badlog.page.section
 
 import badlog.page.dom.element
 import badlog.page.export.Sheet
-import badlog.page.export.placeText
+import badlog.page.export.figureNotes
 import badlog.page.graph.GraphCard
 import badlog.page.view.Scene
 import kotlinx.browser.document
@@ -49,7 +49,7 @@ internal class Printing(
         scene.palette.apply()
         val whole = isWhole || first().isEmpty()
         document.documentElement?.setAttribute("data-print", if (whole) "all" else "board")
-        element.textContent = scene.placeText
+        element.textContent = scene.figureNotes.place
         for (card in first() + if (whole) others() else emptyList()) {
             val parsed = js("new DOMParser()").parseFromString(Sheet.svg(Sheet.PAPER, scene.palette, card::drawOn), "image/svg+xml")
             val drawing = document.importNode(parsed.documentElement.unsafeCast<Element>(), true).unsafeCast<Element>()

@@ -2,6 +2,7 @@ package badlog.viewer.export.figure
 
 import badlog.analysis.Span
 import badlog.plot.curve.Strokes
+import badlog.plot.figure.FigureNotes
 
 /**
  * A picture of graphs below one another over the same x, with all that is to be read in it. Holds as many points as its
@@ -12,6 +13,7 @@ import badlog.plot.curve.Strokes
  * @property x the part of x that it shows.
  * @property frames its graphs, from top to bottom.
  * @property marks what every frame shows of the whole recording.
+ * @property notes what stands below it in words; null for nothing.
  */
 internal class Figure(
     val title: String,
@@ -19,6 +21,7 @@ internal class Figure(
     val x: Span,
     val frames: List<FigureFrame>,
     val marks: FigureMarks = FigureMarks(),
+    val notes: FigureNotes? = null,
 )
 
 /**

@@ -9,9 +9,13 @@ import badlog.plot.axis.graphAxes
 import badlog.plot.axis.limitsFor
 import badlog.plot.axis.seenTogether
 import badlog.plot.board.BoardGraph
+import badlog.plot.cursor.Cursors
+import badlog.plot.cursor.indexAt
+import badlog.plot.cursor.textOf
 import badlog.plot.curve.Curve
 import badlog.plot.curve.Scale
 import badlog.plot.curve.Strokes
+import badlog.plot.figure.FigureNotes
 import badlog.plot.timeline.EventTimeline
 import badlog.plot.timeline.FindingTimeline
 import badlog.recording.PathName
@@ -31,6 +35,7 @@ import badlog.viewer.theme.Palette
  * @param findings what rules found in it, if that is known.
  * @param notes where a person wrote a note, on its x.
  * @param board all graphs of the screen: some may share the limits of y with those that are drawn.
+ * @param cursors where on the open recording's x values are read, which the legends then have.
  */
 internal class FigureBuilder(
     private val recordings: List<DrawnRecording>,
@@ -40,6 +45,7 @@ internal class FigureBuilder(
     private val findings: FindingTimeline<Finding>? = null,
     private val notes: List<Double> = emptyList(),
     private val board: List<BoardGraph> = emptyList(),
+    private val cursors: Cursors = Cursors(),
 ) {
     private val names = recordings.map { it.name }
     private val frameLetters = width / FRAME_LETTER
@@ -63,7 +69,8 @@ internal class FigureBuilder(
             xTitle = plainLine(axis.title, NAME_LETTERS),
             x = x,
             frames = sources.flatMap { framesOf(it, columns, laneColumns, shared) },
-            marks = figureMarks(x, width, recordings.first().recording.modes, events, findings, notes),
+            marks = figureMarks(x, width, recordings.first().recording.modes, events, findings, notes, cursors),
+            notes = with(recordings.first().recording) { FigureNotes.of("${file.fileName}", axis, x, cursors, clocks, findings) },
         )
     }
 
@@ -75,6 +82,14 @@ internal class FigureBuilder(
             val place = recordings.indexOfFirst { it.recording === line.recording && it.offset == line.offset }
             Source(recordings[place], line.signal, line.title, labelOf(line.title, names[place], graph), line.color)
         }
+
+    /** [label] in at most [letters] letters, with the value at the cursor where that is placed. */
+    private fun labelOf(label: String, source: Source, letters: Int): String {
+        val x = cursors.x ?: return plainLine(label, letters)
+        val line = source.signal.line
+        val value = plainLine(line.textOf(line.indexAt(x - source.drawn.offset), source.signal::numberText), letters / 2)
+        return "${plainLine(label, letters - value.length - 1)} $value"
+    }
 
     private fun labelOf(lineTitle: String, recording: String, graph: BoardGraph): String = when {
         recordings.size == 1 -> plainLine(lineTitle, LABEL_LETTERS)
@@ -131,7 +146,7 @@ internal class FigureBuilder(
                 if (!(least <= curve.min)) least = if (curve.min.isNaN()) least else curve.min
                 if (!(most >= curve.max)) most = if (curve.max.isNaN()) most else curve.max
                 val strokes = Strokes().apply { trace(curve, Scale(0.0, 1.0, 1.0, start = offset), Scale.NONE) }
-                FigureLine(source.label, hexOf(Palette.LIGHT.line(source.color)), strokes)
+                FigureLine(labelOf(source.label, source, LABEL_LETTERS), hexOf(Palette.LIGHT.line(source.color)), strokes)
             }
             LinesOfUnit(axis, sources, lines, SeenOfUnit(axis.unit, least, most))
         }
@@ -148,7 +163,7 @@ internal class FigureBuilder(
             yTitle = plainLine(lines.axis.unit, UNIT_LETTERS),
             y = y,
             isFilled = graph.isFilled,
-            hasLegend = recordings.size > 1 || !saysItAll,
+            hasLegend = recordings.size > 1 || !saysItAll || cursors.x != null,
             lines = lines.lines,
             lanes = emptyList(),
         )
@@ -173,7 +188,7 @@ internal class FigureBuilder(
         hasLegend = false,
         lines = emptyList(),
         lanes = sources.map { source ->
-            FigureLane(plainLine(label(source), LANE_LETTERS), figureBlocks(source.signal, source.drawn, x, columns))
+            FigureLane(labelOf(label(source), source, LANE_LETTERS), figureBlocks(source.signal, source.drawn, x, columns))
         },
     )
 

@@ -98,20 +98,21 @@ private fun Plot.withLinesAt(places: List<Double>, color: String, opacity: Doubl
         }
 }
 
-/** [plot] with the marks of findings along its bottom. */
-private fun above(plot: Plot, marks: FigureMarks, frame: FigureFrame): Plot =
-    marks.findings.groupBy { it.color }.entries.fold(plot) { drawn, (color, points) ->
-        drawn + geomPoint(
-            mapOf("at" to points.map { it.x }),
-            y = frame.y.from + frame.y.width * FINDING_PLACE,
-            color = color,
-            shape = DIAMOND,
-            size = FINDING,
-            sampling = samplingNone,
-            showLegend = false,
-            tooltips = null,
-        ) { x = "at" }
-    }
+/** [plot] with the cursors, and the marks of findings along its bottom. */
+private fun above(plot: Plot, marks: FigureMarks, frame: FigureFrame): Plot = marks.findings.groupBy {
+    it.color
+}.entries.fold(plot.withLinesAt(marks.cursors, hexOf(Palette.LIGHT.accent), CURSOR)) { drawn, (color, points) ->
+    drawn + geomPoint(
+        mapOf("at" to points.map { it.x }),
+        y = frame.y.from + frame.y.width * FINDING_PLACE,
+        color = color,
+        shape = DIAMOND,
+        size = FINDING,
+        sampling = samplingNone,
+        showLegend = false,
+        tooltips = null,
+    ) { x = "at" }
+}
 
 private fun drawLines(behind: Plot, frame: FigureFrame, size: FrameSize): Plot {
     val keys = frame.lines.indices.map { it.toString() }
@@ -197,6 +198,7 @@ private const val DOT = 1.6
 private const val FILL = 0.15
 private const val EVENT = 0.5
 private const val NOTE = 1.0
+private const val CURSOR = 1.0
 private const val FINDING = 3.4
 
 /** How far above the frame's bottom a finding's mark stands, as a share of its height. */

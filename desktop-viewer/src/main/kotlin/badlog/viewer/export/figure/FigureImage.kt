@@ -1,5 +1,9 @@
 package badlog.viewer.export.figure
 
+import badlog.plot.figure.FigureNotes
+import badlog.plot.text.countText
+import badlog.viewer.findings.findingColor
+import badlog.viewer.theme.Palette
 import org.apache.batik.transcoder.SVGAbstractTranscoder
 import org.apache.batik.transcoder.TranscoderInput
 import org.apache.batik.transcoder.TranscoderOutput
@@ -12,24 +16,39 @@ import java.io.IOException
 import java.io.StringReader
 import java.util.Locale
 
-/** [figure] as a document of SVG in the sizes of [options], with a white margin around it. */
+/** [figure] as a document of SVG in the sizes of [options], with its notes below and a white margin around it. */
 internal fun svgOf(figure: Figure, options: FigureOptions): String {
     val drawing = drawingOf(figure, options.copy(width = options.width - 2 * MARGIN)).toSpec()
     val svg = PlotSvgExport.buildSvgImageFromRawSpecs(drawing, useCssPixelatedImageRendering = false)
-    return withMargin(PATH.replace(svg) { path -> LONG_NUMBER.replace(path.value, ::shortened) })
+    return withMargin(PATH.replace(svg) { path -> LONG_NUMBER.replace(path.value, ::shortened) }, figure.notes)
 }
 
 // A hundredth of a point is nothing to see, and the other digits are two thirds of the file.
 private fun shortened(number: MatchResult) = "%.2f".format(Locale.ROOT, number.value.toDouble())
 
-private fun withMargin(svg: String): String {
+private fun withMargin(svg: String, notes: FigureNotes?): String {
     val root = checkNotNull(ROOT.find(svg)) { "lets-plot begins its SVG in a new way." }
     val width = root.groupValues[2].toDouble() + 2 * MARGIN
-    val height = root.groupValues[3].toDouble() + 2 * MARGIN
+    val drawn = root.groupValues[3].toDouble()
+    val lines = notes?.let { noteLines(it, ((width - 2 * MARGIN) / LETTER).toInt()) }.orEmpty()
+    val texts = lines.withIndex().joinToString("") { (i, line) -> "<g transform=\"translate(0, ${drawn + (i + 1) * LINE})\">$line</g>" }
+    val height = drawn + lines.size * LINE + 2 * MARGIN
     val box = """width="$width" height="$height" viewBox="-$MARGIN -$MARGIN $width $height""""
     val tag = "<svg${root.groupValues[1]}$box${root.groupValues[4]}>"
     val paper = """<rect x="-$MARGIN" y="-$MARGIN" width="$width" height="$height" fill="white"/>"""
-    return svg.replaceRange(root.range, tag + paper)
+    return svg.replaceRange(root.range, tag + paper).replaceAfterLast("</svg>", "").removeSuffix("</svg>") + "$texts</svg>"
+}
+
+/** What [notes] say, each line as an element of SVG of at most so many letters. */
+private fun noteLines(notes: FigureNotes, letters: Int): List<String> {
+    fun text(color: String, content: String) = "<text fill=\"$color\" font-family=\"sans-serif\" font-size=\"12\">$content</text>"
+    val muted = hexOf(Palette.LIGHT.muted)
+    val more = if (notes.moreFindings == 0) emptyList() else listOf("${countText(notes.moreFindings, "more finding")} in this range")
+    return listOf(text(muted, escaped(plainLine(notes.place, letters)))) + notes.findings.map { finding ->
+        val color = hexOf(Palette.LIGHT.findingColor(finding.severity))
+        val found = escaped(plainLine(finding.text, letters - finding.head.length))
+        text(muted, "<tspan fill=\"$color\" font-weight=\"bold\">${escaped(finding.head)}</tspan>  $found")
+    } + more.map { text(muted, it) }
 }
 
 /**
@@ -60,7 +79,12 @@ private class Rendering : ImageTranscoder() {
     }
 }
 
+/** [text], which [plainLine] made, between tags. */
+private fun escaped(text: String) = text.replace("&", "&amp;").replace("<", "&lt;")
+
 private const val MARGIN = 14
+private const val LINE = 17
+private const val LETTER = 6.4
 private const val MAX_PIXELS = 60_000_000
 private val ROOT = Regex("""<svg([^>]*?)width="([\d.]+)" height="([\d.]+)"([^>]*)>""")
 private val PATH = Regex(""" d="[^"]*"""")

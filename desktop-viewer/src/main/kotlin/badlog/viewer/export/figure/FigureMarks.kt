@@ -1,6 +1,7 @@
 package badlog.viewer.export.figure
 
 import badlog.analysis.Span
+import badlog.plot.cursor.Cursors
 import badlog.plot.timeline.EventMarks
 import badlog.plot.timeline.EventTimeline
 import badlog.plot.timeline.FindingMarks
@@ -17,12 +18,14 @@ import badlog.viewer.theme.Palette
  * @property events where something happened.
  * @property findings where rules found something.
  * @property notes where a person wrote a note.
+ * @property cursors where values are read.
  */
 internal class FigureMarks(
     val bands: List<FigureBand> = emptyList(),
     val events: List<Double> = emptyList(),
     val findings: List<FigurePoint> = emptyList(),
     val notes: List<Double> = emptyList(),
+    val cursors: List<Double> = emptyList(),
 )
 
 /** A stretch of x behind the lines; [color] as `#rrggbb`. */
@@ -39,6 +42,7 @@ internal fun figureMarks(
     events: EventTimeline,
     findings: FindingTimeline<Finding>?,
     notes: List<Double>,
+    cursors: Cursors,
 ): FigureMarks {
     fun placeOf(pixel: Double) = x.from + pixel / width * x.width
     val bands = modes.spans.filter { it.span.from < x.to && it.span.to > x.from }.map { stretch ->
@@ -54,5 +58,6 @@ internal fun figureMarks(
             FigurePoint(placeOf(findingMarks.pixelOf(it)), hexOf(Palette.LIGHT.findingColor(findingMarks.severityOf(it))))
         },
         notes = notes.filter { it in x },
+        cursors = listOfNotNull(cursors.x, cursors.second).filter { it in x },
     )
 }

@@ -74,6 +74,8 @@ internal class FigureSaver(
         findings.state.list?.timeline,
         notes.state.notes.map { it.x },
         board.state.graphs,
+        // Where the pointer happened to be is nothing to report.
+        view.cursors.copy(hover = null),
     )
 
     private companion object {

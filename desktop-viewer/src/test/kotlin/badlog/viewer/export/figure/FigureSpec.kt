@@ -4,12 +4,16 @@ import badlog.analysis.LogView
 import badlog.analysis.Span
 import badlog.plot.board.BoardGraph
 import badlog.plot.board.defaultBoard
+import badlog.plot.cursor.Cursors
+import badlog.plot.timeline.FindingTimeline
 import badlog.plot.timeline.RobotMode
 import badlog.recording.CellCounts
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
+import badlog.recording.Severity
 import badlog.recording.TextColumn
 import badlog.recording.Topic
+import badlog.rules.Finding
 import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.export.armBag
 import badlog.viewer.export.recordingOf
@@ -184,6 +188,34 @@ class FigureSpec : FunSpec({
         val alone = FigureBuilder(listOf(DrawnRecording(open)), open.span, 900, board = listOf(angle, other)).build(listOf(angle))
         alone.frames.single().y shouldBe frames[0].y
         (build(listOf(angle.copy(sharesY = false)), open.span, open).frames.single().y == frames[0].y) shouldBe false
+    }
+
+    test("it explains itself: the file, the visible range, the values at the cursor, and what was found by name") {
+        val match = sample("qualification-42.bag")
+        val list = findingsOf(match.logged, match.file, null)
+        val figure = FigureBuilder(
+            listOf(DrawnRecording(match)),
+            Span(90.0, 100.0),
+            options.width,
+            match.events,
+            list.timeline,
+            cursors = Cursors(pinned = 93.7),
+        ).build(listOf(BoardGraph(1, "Voltage", listOf("System/Battery Voltage")), BoardGraph(2, "Modes", listOf("System/Enabled"))))
+        figure.marks.cursors shouldBe listOf(93.7)
+        figure.frames[0].lines.single().label shouldBe "Battery Voltage 6.73"
+        figure.frames[1].lanes.single().label shouldBe "Enabled true"
+        val svg = svgOf(figure, options)
+        val texts = textsIn(svg)
+        texts.count { it.startsWith("qualification-42.bag · 90.000 – 100.000 s · cursor at 93.700 s · Teleop 1:31") } shouldBe 1
+        texts.count { it.startsWith("error · 93.710 s") && "The roboRIO browned out" in it } shouldBe 1
+        writeFigure(figure, FigureOptions(format = FigureFormat.PNG), Files.createDirectories(Path.of("build", "pictures")).resolve("figure-notes.png"))
+    }
+
+    test("what a rule says is text in a figure, whatever signs it has") {
+        val found = Finding("<a href=''>", Severity.ERROR, null, "x < y && z", 1.0, emptyList(), 1, "s")
+        val timeline = FindingTimeline(listOf(found), { it.severity }, { it.places })
+        val figure = FigureBuilder(listOf(DrawnRecording(arm)), arm.span, options.width, findings = timeline).build(listOf(joint))
+        textsIn(svgOf(figure, options)).count { it.endsWith("<a href=''>: x < y && z") } shouldBe 1
     }
 
     test("it has a line where a person wrote a note") {

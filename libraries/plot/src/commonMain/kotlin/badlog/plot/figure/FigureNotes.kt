@@ -1,0 +1,64 @@
+package badlog.plot.figure
+
+import badlog.analysis.Span
+import badlog.analysis.XAxis
+import badlog.plot.cursor.Cursors
+import badlog.plot.text.cursorText
+import badlog.plot.text.differenceText
+import badlog.plot.text.placeText
+import badlog.plot.text.withUnit
+import badlog.plot.timeline.Clocks
+import badlog.plot.timeline.FindingTimeline
+import badlog.recording.Severity
+import badlog.rules.Finding
+
+/**
+ * What a figure that leaves the program says besides its graphs, so that it explains itself.
+ *
+ * @property place the file, the visible range and where the cursors are, in one line.
+ * @property findings those with a place in that range, the worst first, at most [MAX_NAMED] of them.
+ * @property moreFindings how many more there are in that range.
+ */
+public class FigureNotes private constructor(
+    public val place: String,
+    public val findings: List<NamedFinding>,
+    public val moreFindings: Int,
+) {
+    public companion object {
+        /** More would take more room than the graphs. */
+        public const val MAX_NAMED: Int = 8
+
+        /** The notes of a figure of [visible] on [axis]; [fileName] is empty where the title says it already, [found] null where nothing is known. */
+        public fun of(
+            fileName: String,
+            axis: XAxis,
+            visible: Span,
+            cursors: Cursors,
+            clocks: Clocks,
+            found: FindingTimeline<Finding>?,
+        ): FigureNotes {
+            fun at(x: Double) = placeText(x, axis, visible.width)
+            val second = cursors.second
+            val place = listOfNotNull(
+                fileName.ifEmpty { null },
+                "${at(visible.from)} – ${withUnit(at(visible.to), axis.unit)}",
+                cursors.x?.let { "cursor at ${cursorText(it, axis, visible.width, clocks.textAt(it))}" },
+                second?.let { "B at ${withUnit(at(it), axis.unit)}, ${differenceText(cursors.x ?: it, it, axis)}" },
+            ).joinToString(" · ")
+            val seen = found?.worstFirst.orEmpty().mapNotNull { finding ->
+                val span = finding.places.firstOrNull { it.from <= visible.to && it.to >= visible.from } ?: return@mapNotNull null
+                val head = "${finding.severity.name.lowercase()} · ${withUnit(at(span.from), axis.unit)}"
+                NamedFinding(finding.severity, head, "${finding.rule}: ${finding.textAt(span)}")
+            }
+            return FigureNotes(place, seen.take(MAX_NAMED), maxOf(0, seen.size - MAX_NAMED))
+        }
+    }
+}
+
+/**
+ * A finding as a figure names it.
+ *
+ * @property head how bad it is and where it was found first in the visible range: `error · 93.71 s`.
+ * @property text the rule and what it found there.
+ */
+public class NamedFinding internal constructor(public val severity: Severity, public val head: String, public val text: String)
