@@ -1,5 +1,6 @@
 package badlog.page
 
+import badlog.html.protocol.PageAdditions
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.ints.shouldBeGreaterThan
@@ -8,6 +9,10 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.shouldNotBe
 import io.kotest.matchers.string.shouldContain
 import org.openqa.selenium.Keys
+import java.awt.image.BufferedImage
+import java.io.ByteArrayOutputStream
+import java.util.Base64
+import javax.imageio.ImageIO
 
 /** The paths of robots, and topics over topics. */
 internal class PathSpec : PageSpec({
@@ -112,6 +117,51 @@ internal class PathSpec : PageSpec({
             texts(".second-readout").single() shouldContain "B "
             texts("#board .legend-entry .value").first() shouldContain " → "
             pixels(0, layer = 1) shouldBeGreaterThan one
+        }
+    }
+
+    browserTest("what is seen of a path and its origin are in the link, and a double click shows everything") {
+        onPage(page) {
+            fun picture() = script("return document.querySelector('.xy').toDataURL()")
+            val whole = picture()
+            script("location.hash = '#board=Drive/Pose+X,Drive/Pose+Y,y=3:5,p=,w=2:6'")
+            reload()
+            val zoomed = picture()
+            zoomed shouldNotBe whole
+            click("#board .graph-menu")
+            elements("#board .menu button").first { "Red origin" in it.text }.click()
+            settle()
+            val flipped = picture()
+            flipped shouldNotBe zoomed
+            val (x, y, width, height) = box()
+            act { mouseTo((x + width * 0.5).toInt(), (y + height * 0.5).toInt()).mouseDown().mouseUp().mouseDown().mouseUp() }
+            picture() shouldNotBe flipped
+            keepScreenshot("path-red-origin")
+        }
+    }
+
+    browserTest("the picture of the field lies behind the path, as large as its corners say") {
+        val picture = ByteArrayOutputStream().also { out ->
+            // Nothing else on the page is so green.
+            val image = BufferedImage(200, 100, BufferedImage.TYPE_INT_RGB)
+            for (x in 0 until 200) for (y in 0 until 100) image.setRGB(x, y, 0x00FF00)
+            ImageIO.write(image, "png", out)
+        }.toByteArray()
+        val source = "data:image/png;base64," + Base64.getEncoder().encodeToString(picture)
+        val field = "{\"field-image\":\"$source\",\"field-corners\":{\"top-left\":[0,0],\"bottom-right\":[200,100]},\"field-size\":[16.5,8],\"field-unit\":\"meter\"}"
+        onPage(TestPages.ofSample("wrong-turn.bag", PageAdditions(field = field))) {
+            settle()
+            val share = number(
+                """
+                const canvas = document.querySelector('.xy')
+                const data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data
+                let green = 0
+                for (let i = 0; i < data.length; i += 4) if (data[i + 1] > 200 && data[i] < 60 && data[i + 2] < 60) green++
+                return green / canvas.width / canvas.height
+                """.trimIndent(),
+            )
+            (share > 0.4) shouldBe true
+            keepScreenshot("path-picture")
         }
     }
 

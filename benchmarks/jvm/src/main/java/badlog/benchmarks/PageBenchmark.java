@@ -53,6 +53,10 @@ public final class PageBenchmark {
         }
         lines.add("");
         lines.addAll(boards);
+        lines.add("");
+        lines.add("| page of, with a path | poses | script of a zoom into the path, median | slowest |");
+        lines.add("|---|---|---|---|");
+        lines.add(PathOnPage.measure(args[0], work));
         Files.write(Path.of(args[2]), lines);
         lines.forEach(System.out::println);
     }
@@ -120,7 +124,7 @@ public final class PageBenchmark {
         return text.toString();
     }
 
-    private static ChromeDriver start() {
+    static ChromeDriver start() {
         ChromeOptions options = new ChromeOptions();
         options.setBinary(onPath("chromium"));
         options.addArguments("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
@@ -146,7 +150,7 @@ public final class PageBenchmark {
     }
 
     /** Seconds from the start of loading to the first graphs. */
-    private static double open(ChromeDriver browser, String page) throws InterruptedException {
+    static double open(ChromeDriver browser, String page) throws InterruptedException {
         browser.get("about:blank");
         browser.get(page);
         for (int tries = 0; tries < 6000; tries++) {

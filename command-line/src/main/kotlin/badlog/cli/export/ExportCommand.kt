@@ -23,9 +23,12 @@ internal class ExportCommand :
     private val output by OutputOptions()
     private val attachments by option("-a", "--attach", metavar = "FILE").path().multiple()
         .help("Include this file in each page; may be given again.")
+    private val field by option("--field", metavar = "FILE").path()
+        .help("WPILib's field file; without it, field.json by the log.")
     private val search by SearchOptions()
     private val hooks by HookOptions()
     private val virtual by VirtualTopicOption()
 
-    override fun makeTask(): Task = ExportTask(paths, output.plan(paths), attachments, search.search(hooks, virtual.definitions), isJson)
+    override fun makeTask(): Task =
+        ExportTask(paths, output.plan(paths), attachments, search.search(hooks, virtual.definitions), isJson, field)
 }

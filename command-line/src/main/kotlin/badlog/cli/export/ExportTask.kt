@@ -23,6 +23,7 @@ import badlog.file.UnreadableFileException
 import badlog.file.requireRegularFile
 import badlog.html.ExportException
 import badlog.html.HtmlExporter
+import badlog.html.fieldFor
 import badlog.html.layoutFor
 import badlog.html.protocol.PageAdditions
 import badlog.report.HookFailureJson
@@ -42,6 +43,7 @@ import java.nio.file.Path
  * Makes a page of each log, one after the other: each takes all cores by itself.
  *
  * @param search what the pages look for, and what is looked for in the logs for them.
+ * @param field the field of all pages; null for those beside the logs.
  */
 internal class ExportTask(
     private val paths: List<Path>,
@@ -49,6 +51,7 @@ internal class ExportTask(
     private val attachments: List<Path>,
     private val search: Search,
     private val isJson: Boolean,
+    private val field: Path? = null,
 ) : Task {
     override fun run(console: Console): ExitCode {
         try {
@@ -56,6 +59,10 @@ internal class ExportTask(
         } catch (e: UnreadableFileException) {
             console.warn(e.message)
             return ExitCode.NOTHING
+        }
+        field?.let { fieldFor(it, it).problem }?.let {
+            console.warn(it)
+            return ExitCode.USAGE
         }
         val named = try {
             search.namedRules()
@@ -71,7 +78,9 @@ internal class ExportTask(
             val all = rules?.rules ?: checkNotNull(named).rules.with(signalsBeside(input.file))
             val layout = layoutFor(input.file, all.signals)
             layout.problem?.let { if (layoutProblems.add(it)) console.warn(it) }
-            val additions = PageAdditions(search.virtualTopics, all, rules?.problem, layout = layout.text)
+            val ground = fieldFor(input.file, field)
+            ground.problem?.let { if (layoutProblems.add(it)) console.warn(it) }
+            val additions = PageAdditions(search.virtualTopics, all, rules?.problem, layout = layout.text, field = ground.json)
             // Only what looks for something here reads a log before it is in a page.
             if (hooks.isEmpty()) return@run export(exporter, input, additions, rules, PageFindings.NONE, refused, progress)
             val found = PageFindings.of(input.file, hooks) { done, total -> progress.advanced(done, total * 2) }
@@ -98,7 +107,9 @@ internal class ExportTask(
     ): Outcome {
         val name = "${input.file.fileName}.html"
         val target = plan.place(input, name, name)
-        val additions = own.run { PageAdditions(virtualTopics, rules, rulesProblem, hooks = hookParts(found.hooks), layout = layout) }
+        val additions = own.run {
+            PageAdditions(virtualTopics, rules, rulesProblem, hooks = hookParts(found.hooks), layout = layout, field = field)
+        }
         val report = try {
             exporter.export(input.file, target, additions, progress)
         } catch (e: ExportException.NotARecording) {
@@ -111,6 +122,7 @@ internal class ExportTask(
         val reported = search.reportedOf(skipped)
         val text = listOf("${input.file} -> $target") +
             listOfNotNull(folder?.file?.let { wrapped("  ", "with the rules of $it") }) +
+            listOfNotNull(own.field?.let { "  with the picture of a field, ${it.length / BYTES} kB" }) +
             listOfNotNull(found.count?.let { "  " + counted(it.toLong(), "finding") + " of hooks" }) +
             listOfNotNull(found.unreadable?.let { wrapped("  ", "no hook was run: $it") }) +
             reported.flatMap { it.toString().lines() }.map { "  $it" } +
@@ -133,5 +145,10 @@ internal class ExportTask(
             found.failures.isNotEmpty() || found.unreadable != null || folder?.problem != null || reported.isNotEmpty() ||
                 layoutProblems.isNotEmpty()
         return Outcome(report.recording.isSalvaged || isIncomplete, text.joinToString("\n"), json)
+    }
+
+    private companion object {
+        /** In a kB. */
+        const val BYTES = 1000
     }
 }

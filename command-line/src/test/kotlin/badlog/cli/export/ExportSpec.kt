@@ -17,6 +17,8 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
 import kotlinx.serialization.json.jsonPrimitive
+import java.awt.image.BufferedImage
+import javax.imageio.ImageIO
 import kotlin.io.path.div
 import kotlin.io.path.readText
 
@@ -109,6 +111,31 @@ class ExportSpec : FunSpec({
                 ended.err shouldContain "default.badlog-layout.json is not used: The graphs are damaged: graph 1 has no list of “lines”"
             }
             additionsIn(folder / "a.bag.html") shouldNotContain "Ours"
+        }
+    }
+
+    test("a page carries the field beside its log, or the one that was named, with its picture, and says how large that is") {
+        inFolder { folder ->
+            val log = folder.with("a.bag", BAG)
+            val corners = "\"field-corners\":{\"top-left\":[0,0],\"bottom-right\":[4,2]}"
+            val text = """{"field-image":"f.png",$corners,"field-size":[54,27],"field-unit":"foot"}"""
+            val field = folder.with("field.json", text)
+            ImageIO.write(BufferedImage(4, 2, BufferedImage.TYPE_INT_RGB), "png", (folder / "f.png").toFile())
+            val ended = badlog("export", log)
+            ended.code shouldBe ExitCode.WHOLE
+            ended.out shouldContain "with the picture of a field, 0 kB"
+            additionsIn(folder / "a.bag.html") shouldContain "data:image/png;base64,"
+            val named = folder.with("other.json", text.replace("f.png", "gone.png"))
+            badlog("export", log, "--force", "--field", named).run {
+                code shouldBe ExitCode.USAGE
+                err shouldContain "other.json is not used: Its picture “gone.png” cannot be read; put it beside the file."
+            }
+            badlog("export", log, "--force", "--field", field).code shouldBe ExitCode.WHOLE
+            folder.with("field.json", "{}")
+            val damaged = badlog("export", log, "--force")
+            damaged.code shouldBe ExitCode.SALVAGED
+            damaged.err shouldContain "field.json is not used: "
+            additionsIn(folder / "a.bag.html") shouldNotContain "data:image"
         }
     }
 

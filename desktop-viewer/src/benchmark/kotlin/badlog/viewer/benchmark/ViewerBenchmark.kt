@@ -12,9 +12,10 @@ fun main(args: Array<String>) {
     val report = Path.of(args[0])
     val bags = args.getOrElse(1) { "" }
     val pictures = Path.of("build", "pictures")
+    val paths = measurePathFrames(pictures)
     val frames = measureFrames(pictures)
     val openings = if (bags.isEmpty()) emptyList() else openingsOf(Path.of(bags), pictures)
-    val text = reportOf(frames, openings)
+    val text = reportOf(frames, paths, openings)
     Files.writeString(report, text)
     println(text)
     println("Written to $report")
@@ -26,7 +27,7 @@ private fun openingsOf(folder: Path, pictures: Path): List<Pair<Path, List<Openi
         file to List(OPENINGS) { measureOpening(file, pictures.resolve("${file.name}.png")) }
     }
 
-private fun reportOf(frames: List<FrameTimes>, openings: List<Pair<Path, List<Opening>>>): String = buildString {
+private fun reportOf(frames: List<FrameTimes>, paths: List<FrameTimes>, openings: List<Pair<Path, List<Opening>>>): String = buildString {
     val system = listOf("os.name", "os.arch").joinToString(" ") { System.getProperty(it) }
     val command = "./gradlew :desktop-viewer:benchmark" + if (openings.isEmpty()) "" else " -PbenchmarkBags=DIR"
     appendLine("# Benchmarks of the viewer")
@@ -39,12 +40,11 @@ private fun reportOf(frames: List<FrameTimes>, openings: List<Pair<Path, List<Op
     appendLine()
     appendLine("From the change to the picture with the new data, what is computed beside the window's thread included.")
     appendLine()
-    appendLine("| change | median | 95th percentile | slowest | of frames |")
-    appendLine("|---|---|---|---|---|")
-    for (times in frames) {
-        val figures = listOf(50, 95, 100).joinToString(" | ") { "%.1f ms".format(times.percentile(it)) }
-        appendLine("| ${times.name} | $figures | ${times.millis.size} |")
-    }
+    appendTimes(frames)
+    appendLine()
+    appendLine("## A frame, with the path of a million poses and its plan of as many")
+    appendLine()
+    appendTimes(paths)
     if (openings.isEmpty()) return@buildString
     appendLine()
     appendLine("## Opening")
@@ -58,6 +58,15 @@ private fun reportOf(frames: List<FrameTimes>, openings: List<Pair<Path, List<Op
         val memory = runs.maxOf { it.megabytes }
         val megabytes = "%.1f MB".format(file.fileSize() / 1e6)
         appendLine("| ${file.name} | $megabytes | ${"%.2f s".format(seconds)} | ${"%.0f MB".format(memory)} |")
+    }
+}
+
+private fun StringBuilder.appendTimes(frames: List<FrameTimes>) {
+    appendLine("| change | median | 95th percentile | slowest | of frames |")
+    appendLine("|---|---|---|---|---|")
+    for (times in frames) {
+        val figures = listOf(50, 95, 100).joinToString(" | ") { "%.1f ms".format(times.percentile(it)) }
+        appendLine("| ${times.name} | $figures | ${times.millis.size} |")
     }
 }
 

@@ -170,6 +170,7 @@ internal class Viewer(
         panels.change { copy(front = FrontPart.GRAPHS) }
         library.select(recording.file)
         recording.layout.problem?.let(notices::complain)
+        recording.field.problem?.let(notices::complain)
     }
 
     /** Puts the keyboard into the search of the topics, which are added to graph [id] from then on. */

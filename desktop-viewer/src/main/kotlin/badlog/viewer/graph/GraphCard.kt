@@ -92,7 +92,7 @@ private fun GraphButtons(scene: GraphScene, spec: BoardGraph, hasAll: Boolean, m
         if (spec.isXy && spec.id in scene.planes) {
             ToolButton("Show all of it", Icons.Reset, isOn = true) { scene.planes.remove(spec.id) }
         }
-        if (spec.yRange != null) {
+        if (spec.yRange != null && !spec.isXy) {
             ToolButton("Reset Y zoom", Icons.Reset, isOn = true) { scene.board.change { withYRange(spec.id, null) } }
         }
         if (spec.sharesY) {

@@ -14,10 +14,12 @@ import badlog.plot.axis.AxisSide
 import badlog.plot.board.Board
 import badlog.plot.board.BoardGraph
 import badlog.plot.board.GraphHeight
+import badlog.plot.path.FieldOrigin
 import badlog.plot.path.xyLabelOf
 import badlog.plot.search.Query
 import badlog.viewer.compare.shortLabel
 import badlog.viewer.graph.scene.GraphScene
+import badlog.viewer.graph.xy.drawnXys
 import badlog.viewer.menu.MenuBox
 import badlog.viewer.menu.MenuLine
 import badlog.viewer.theme.Icons
@@ -52,6 +54,9 @@ internal fun graphActions(scene: GraphScene, spec: BoardGraph): List<List<GraphA
                 .takeIf { spec.lines.size > 1 },
             GraphAction("A graph for each line") { board.change { separated(spec.id) } }.takeIf { spec.lines.size > 1 },
         ),
+        FieldOrigin.entries.map { origin ->
+            GraphAction(origin.label, spec.origin == origin) { board.change { withOrigin(spec.id, origin) } }
+        }.takeIf { spec.isXy && drawnXys(spec, scene.recordings).any { it.plot.isField } }.orEmpty(),
         additionsOf(scene, spec),
     ).filter { it.isNotEmpty() }
 }

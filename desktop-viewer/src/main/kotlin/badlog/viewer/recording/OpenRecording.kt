@@ -1,5 +1,7 @@
 package badlog.viewer.recording
 
+import androidx.compose.ui.graphics.ImageBitmap
+import androidx.compose.ui.graphics.toComposeImageBitmap
 import badlog.analysis.EnabledSpan
 import badlog.analysis.EventLog
 import badlog.analysis.LogView
@@ -18,6 +20,8 @@ import badlog.plot.board.standardBoard
 import badlog.plot.cursor.CursorSteps
 import badlog.plot.formula.Formula
 import badlog.plot.formula.formulasOf
+import badlog.plot.path.FieldFile
+import badlog.plot.path.FieldOrigin
 import badlog.plot.path.XyPlot
 import badlog.plot.path.swerveModulesOf
 import badlog.plot.path.xyPlotOf
@@ -40,6 +44,7 @@ import badlog.rules.station.FoundStation
 import badlog.rules.station.RobotBesideStation
 import badlog.rules.withSignals
 import badlog.rules.withVirtualTopics
+import org.jetbrains.skia.Image
 import java.io.IOException
 import java.nio.file.Path
 
@@ -51,6 +56,7 @@ import java.nio.file.Path
  * @property definitions those of the formulas that are calculated in it.
  * @property vocabulary what its topics are called.
  * @property layout the layout that lies beside it.
+ * @property field the field that lies beside it.
  * @param rows the same over its rows, where it is drawn over its time because a person wants that.
  * @property station the Driver Station's log of the same match that is shown with it; null for none.
  */
@@ -62,6 +68,7 @@ internal class OpenRecording(
     val layout: FolderLayout = FolderLayout.NONE,
     private val rows: LogView? = null,
     val station: FoundStation<LogFile>? = null,
+    val field: FieldFile = FieldFile.NONE,
 ) {
     private val own = read.withSignals(vocabulary)
     private val beside = station?.let { RobotBesideStation(own, it.station.recording, it.fit, vocabulary) }
@@ -144,15 +151,22 @@ internal class OpenRecording(
 
     private val modules by lazy { swerveModulesOf(view.recording.topics) }
 
-    /** What a graph that draws [lines] shows of y over x; null where it has none of them. */
-    fun xyPlot(lines: List<String>): XyPlot? = xyPlotOf(lines, poses, modules) { signal(it)?.line }
+    /** The picture of its field; null for none, or where it cannot be drawn. */
+    val fieldPicture: ImageBitmap? by lazy {
+        // Skia refuses what only begins as a picture.
+        runCatching { field.picture?.let { Image.makeFromEncoded(it).toComposeImageBitmap() } }.getOrNull()
+    }
+
+    /** What a graph that draws [lines] shows of y over x, where poses are measured from [origin]; null where it has none of them. */
+    fun xyPlot(lines: List<String>, origin: FieldOrigin = FieldOrigin.BLUE): XyPlot? =
+        xyPlotOf(lines, poses, modules, origin.flipIn(view, field.field), field.field) { signal(it)?.line }
 
     /** The signal called [name], or null when this recording has none. */
     fun signal(name: String): Signal? = byName[name]
 
     /** The same file with the formulas [definitions] instead. Takes its time. */
     fun withFormulas(definitions: List<String>): OpenRecording =
-        OpenRecording(file, own, definitions, vocabulary, layout, rows, station).also { it.prepare() }
+        OpenRecording(file, own, definitions, vocabulary, layout, rows, station, field).also { it.prepare() }
 
     /** What has the time in it, where it names no x axis; null where there is no such column, or nothing to choose. */
     val timeColumn: Topic? by lazy { (rows ?: read).recording.timeColumn() }
@@ -162,7 +176,9 @@ internal class OpenRecording(
         val column = timeColumn
         if (column == null || isWanted == (rows != null)) return this
         val changed = if (isWanted) LogView.of(read.recording.over(column)) else rows ?: read
-        return OpenRecording(file, changed, definitions, vocabulary, layout, if (isWanted) read else null, station).also { it.prepare() }
+        return OpenRecording(file, changed, definitions, vocabulary, layout, if (isWanted) read else null, station, field).also {
+            it.prepare()
+        }
     }
 
     /** The same with the log of the Driver Station [station] beside it, or with none. Takes its time. */
@@ -171,7 +187,7 @@ internal class OpenRecording(
     ) {
         this
     } else {
-        OpenRecording(file, own, definitions, vocabulary, layout, rows, station).also { it.prepare() }
+        OpenRecording(file, own, definitions, vocabulary, layout, rows, station, field).also { it.prepare() }
     }
 
     /** Finds out now what the first frame needs, so that the window's thread does not have to. */
@@ -207,7 +223,15 @@ internal class OpenRecording(
             if (!recording.isReadable) throw IOException("${file.fileName}: ${recording.problems.last().message}")
             val vocabulary = FolderRules.of(file, library).rules.signals
             val layout = FolderLayout.of(file, library) { vocabulary.matchOf(recording).type }
-            val opened = OpenRecording(file, LogView.of(recording.overItsTime()), definitions(), vocabulary, layout)
+            val opened =
+                OpenRecording(
+                    file,
+                    LogView.of(recording.overItsTime()),
+                    definitions(),
+                    vocabulary,
+                    layout,
+                    field = FieldFile.of(file, library),
+                )
             return opened.overTime(overTime()).also { it.prepare() }
         }
     }

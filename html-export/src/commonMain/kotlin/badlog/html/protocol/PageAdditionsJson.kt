@@ -27,6 +27,7 @@ public fun PageAdditions.toJson(): String = inScript(
         "layout" to layout?.let(::quotedJson),
         "notes" to notes.takeIf { it.isNotEmpty() }?.toJson(),
         "notesProblem" to notesProblem?.let(::quotedJson),
+        "field" to field?.let(::quotedJson),
     ),
 )
 
@@ -43,6 +44,7 @@ public fun PageAdditions.Companion.fromJson(text: String): PageAdditions? = unle
         layout = json.find("layout")?.string,
         notes = json.find("notes")?.let { notesIn(it.json) }.orEmpty(),
         notesProblem = json.find("notesProblem")?.string,
+        field = json.find("field")?.string,
     )
 }
 

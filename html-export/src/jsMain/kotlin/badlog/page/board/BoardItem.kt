@@ -48,8 +48,11 @@ internal class BoardItem(spec: BoardGraph, private val scene: Scene, private val
 
     /** Whether it can show [other] without being made anew. */
     fun fits(other: BoardGraph): Boolean = lines === scene.board.lines &&
-        other.copy(yRange = null, rightYRange = null, sharesY = false, hidden = emptySet()) ==
-        spec.copy(yRange = null, rightYRange = null, sharesY = false, hidden = emptySet())
+        seenOtherwise(other) == seenOtherwise(spec)
+
+    /** The same but for what can change while it is drawn. */
+    private fun seenOtherwise(graph: BoardGraph) =
+        graph.copy(xRange = null, yRange = null, rightYRange = null, sharesY = false, hidden = emptySet())
 
     /** Shows of it what [query] finds. */
     fun filter(query: Query) {

@@ -4,6 +4,7 @@ import badlog.page.dom.MenuEntry
 import badlog.page.view.PageBoard
 import badlog.plot.board.BoardGraph
 import badlog.plot.board.GraphHeight
+import badlog.plot.path.FieldOrigin
 import badlog.plot.path.xyLabelOf
 import badlog.rules.path.Pose
 
@@ -29,6 +30,11 @@ internal fun boardMenu(board: PageBoard, graph: BoardGraph, item: BoardItem, top
             }
             if (graph.lines.size > 1) {
                 add(MenuEntry(xyLabelOf(graph.lines, poses), graph.isXy) { board.change { withXy(id, !graph.isXy) } })
+            }
+        }
+        if (graph.isXy && poses.any { it.x in graph.lines }) {
+            for (origin in FieldOrigin.entries) {
+                add(MenuEntry(origin.label, graph.origin == origin) { board.change { withOrigin(id, origin) } })
             }
         }
         if (numbers != null && !graph.isXy) {

@@ -52,7 +52,13 @@ internal class GraphCard(
     private var found: List<Boolean>? = null
     private val statistics = StatisticsTable(graph, scene)
     private val legend = Legend(graph, statistics::hintOf) { toggle(lines.slice(it..it)) }
-    private val xy = if (look.isXy) XyDrawing(scene, { this.look }, ::toggle) else null
+    private val xy = if (look.isXy) {
+        XyDrawing(scene, {
+            this.look
+        }, ::toggle) { plane -> change(this.look.copy(xRange = plane?.x, yRange = plane?.y)) }
+    } else {
+        null
+    }
     private lateinit var host: HTMLElement
     private lateinit var statisticsButton: HTMLElement
     private var plot: Plot? = null

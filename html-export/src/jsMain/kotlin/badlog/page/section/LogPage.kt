@@ -31,6 +31,7 @@ import badlog.plot.board.evidenceBoard
 import badlog.plot.board.fittedTo
 import badlog.plot.formula.nameIn
 import badlog.plot.outline.outlineOf
+import badlog.plot.path.fieldOfJson
 import badlog.plot.search.Query
 import badlog.plot.text.countText
 import badlog.plot.timeline.FindingPlace
@@ -61,6 +62,7 @@ internal class LogPage(
     private val scene = Scene(view, about.name, theme.palette, board).apply {
         findings = timelineOf(embeddedFindings)
         notes = this@LogPage.additions.notes
+        this@LogPage.additions.field?.let { field = fieldOfJson(it) }
     }
     private val graphs = VisibleGraphs(scene)
     private val outline = outlineOf(view, signals, formulas.names)

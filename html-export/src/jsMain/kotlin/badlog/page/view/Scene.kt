@@ -9,6 +9,7 @@ import badlog.analysis.enabledSpans
 import badlog.html.note.Note
 import badlog.plot.address.FindingName
 import badlog.plot.outline.traits
+import badlog.plot.path.Field
 import badlog.plot.range.Viewport
 import badlog.plot.search.Query
 import badlog.plot.search.Trait
@@ -55,6 +56,9 @@ internal class Scene(val view: LogView, val fileName: String, val palette: Palet
             // Perhaps another one at the same place.
             cursor.announce()
         }
+
+    /** The field that paths are drawn on. */
+    var field: Field = Field.PLAIN
 
     val range: VisibleRange = VisibleRange(Viewport.of(xAxis.range))
     val cursor: Cursor = Cursor(xAxis.clocks)

@@ -7,12 +7,12 @@ import badlog.plot.axis.Ticks
 import badlog.plot.color.Shade
 import badlog.plot.curve.Strokes
 import badlog.plot.path.Departure
-import badlog.plot.path.Field
 import badlog.plot.path.Plane
 import badlog.plot.path.XyPlot
 import org.w3c.dom.CanvasRenderingContext2D
 import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLElement
+import org.w3c.dom.HTMLImageElement
 import kotlin.math.PI
 
 /**
@@ -91,10 +91,18 @@ internal class XyCanvas(private val context: CanvasRenderingContext2D, wide: Dou
         if (radius == null) context.fill() else context.stroke()
     }
 
-    /** Draws the lines behind the traces, and the numbers of both axes. */
-    fun drawGround(seen: Plane, plot: XyPlot, palette: Palette) {
+    /** Draws what is behind the traces, the [picture] of a field or a grid, and the numbers of both axes. */
+    fun drawGround(seen: Plane, plot: XyPlot, picture: HTMLImageElement?, palette: Palette) {
         val x = seen.xScale(width)
         val y = seen.yScale(height)
+        val field = plot.field
+        if (plot.isField && picture?.complete == true && picture.naturalWidth > 0) {
+            field.image?.plane(field, picture.naturalWidth, picture.naturalHeight)?.let { shown ->
+                val box = seen.boxOf(shown, width, height)
+                context.globalAlpha = PICTURE
+                clipped { context.drawImage(picture, box[0], box[1], box[2], box[3]) }
+            }
+        }
         fun line(fromX: Double, fromY: Double, toX: Double, toY: Double) =
             chain(doubleArrayOf(fromX, fromY, toX, toY), seen, isClosed = false)
         val across = Ticks.ofX(seen.x, width / ratio)
@@ -117,15 +125,15 @@ internal class XyCanvas(private val context: CanvasRenderingContext2D, wide: Dou
         // A long title goes on over the frame.
         context.fillText(plot.yTitle, maxOf(-GAP * ratio, context.measureText(plot.yTitle).width - LEFT * ratio), LETTERS * ratio)
         if (!plot.isField) return
-        chain(doubleArrayOf(0.0, 0.0, Field.LENGTH, 0.0, Field.LENGTH, Field.WIDTH, 0.0, Field.WIDTH), seen, isClosed = true)
+        chain(doubleArrayOf(0.0, 0.0, field.length, 0.0, field.length, field.width, 0.0, field.width), seen, isClosed = true)
         color(palette[Shade.MUTED], QUIET)
-        line(Field.LENGTH / 2, 0.0, Field.LENGTH / 2, Field.WIDTH)
+        line(field.length / 2, 0.0, field.length / 2, field.width)
         color(BLUE)
         context.lineWidth = WALL * ratio
-        line(0.0, 0.0, 0.0, Field.WIDTH)
+        line(0.0, 0.0, 0.0, field.width)
         color(RED)
         context.lineWidth = WALL * ratio
-        line(Field.LENGTH, 0.0, Field.LENGTH, Field.WIDTH)
+        line(field.length, 0.0, field.length, field.width)
     }
 
     /** Draws what [plot] comes to: where the robot left its plan, or the straight line through the samples with what it says. */
@@ -208,6 +216,7 @@ internal class XyCanvas(private val context: CanvasRenderingContext2D, wide: Dou
         private const val WALL = 3
         private const val FILL = 0.25
         private const val QUIET = 0.4
+        private const val PICTURE = 0.6
         private const val VEIL = 0.85
         private const val BLUE = "#2f6fde"
         private const val RED = "#d93a3a"

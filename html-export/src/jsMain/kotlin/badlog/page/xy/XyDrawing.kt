@@ -21,27 +21,47 @@ import badlog.rules.path.PoseRole
 import kotlinx.browser.window
 import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLElement
+import org.w3c.dom.HTMLImageElement
 
 /**
  * A graph of the board whose lines are drawn over each other, or as paths on a field.
  *
  * @param look how it is looked at now.
  * @param onToggle is called with the lines that a person wants to hide, or to see again.
+ * @param onPlane is called with the part of the plane that a person has selected, once gestures have come to rest; null for all of it.
  */
-internal class XyDrawing(private val scene: Scene, private val look: () -> BoardGraph, private val onToggle: (List<String>) -> Unit) {
+internal class XyDrawing(
+    private val scene: Scene,
+    private val look: () -> BoardGraph,
+    private val onToggle: (List<String>) -> Unit,
+    private val onPlane: (Plane?) -> Unit,
+) {
     /** What its traces are, each with where it is at the cursor. */
     val legend: HTMLElement = element("div", "legend")
 
     private val plot: XyPlot? by lazy {
-        xyPlotOf(look().lines, scene.poses, swerveModulesOf(scene.view.recording.topics)) { scene.board.lines[it] }
+        val flip = look().origin.flipIn(scene.view, scene.field)
+        xyPlotOf(look().lines, scene.poses, swerveModulesOf(scene.view.recording.topics), flip, scene.field) { scene.board.lines[it] }
     }
     private val departure by lazy { plot?.departure(scene.view) }
     private val values = ArrayList<HTMLElement>()
+    private val ground by lazy {
+        scene.field.image?.let { image ->
+            window.document.createElement("img").unsafeCast<HTMLImageElement>().apply {
+                onload = { draw() }
+                src = image.source
+            }
+        }
+    }
     private var picture: XyCanvas? = null
     private var overlay: XyCanvas? = null
 
     /** What is seen of the plane; null for all of it. */
     private var plane: Plane? = null
+
+    /** What the board has of it. */
+    private var kept: Plane? = null
+    private var timer = 0
 
     /** The picture; null while it is not drawn. */
     val canvas: HTMLCanvasElement? get() = picture?.canvas
@@ -86,6 +106,9 @@ internal class XyDrawing(private val scene: Scene, private val look: () -> Board
     /** Draws what is visible now. */
     fun draw() {
         val canvas = picture ?: return
+        val wanted = look().plane?.takeIf { it.isDrawable }
+        if (wanted != kept) plane = wanted
+        kept = wanted
         canvas.clear()
         drawOn(canvas, plot ?: return)
         updateCursor()
@@ -93,7 +116,7 @@ internal class XyDrawing(private val scene: Scene, private val look: () -> Board
 
     private fun drawOn(canvas: XyCanvas, plot: XyPlot) {
         val seen = seen(canvas)
-        canvas.drawGround(seen, plot, scene.palette)
+        canvas.drawGround(seen, plot, ground, scene.palette)
         val visible = scene.range.now
         val all = Span(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY)
         for (trace in shown(plot)) {
@@ -162,6 +185,8 @@ internal class XyDrawing(private val scene: Scene, private val look: () -> Board
         if (wanted?.isDrawable == false) return
         plane = wanted
         draw()
+        window.clearTimeout(timer)
+        timer = window.setTimeout({ onPlane(plane) }, REST_MILLISECONDS)
     }
 
     /** Fills [legend]; the trace that matters most comes first. */
@@ -192,6 +217,7 @@ internal class XyDrawing(private val scene: Scene, private val look: () -> Board
     private companion object {
         const val FAINT = 0.25
         const val SECOND = 5.0
+        const val REST_MILLISECONDS = 300
         const val TARGET = 0.8
     }
 }

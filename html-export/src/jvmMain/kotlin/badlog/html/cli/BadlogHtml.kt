@@ -4,6 +4,7 @@ import badlog.html.ExportException
 import badlog.html.ExportReport
 import badlog.html.HtmlExporter
 import badlog.html.checkReadable
+import badlog.html.fieldFor
 import badlog.html.layoutFor
 import badlog.html.protocol.PageAdditions
 import badlog.recording.Severity
@@ -83,9 +84,17 @@ internal class BadlogHtml(
         }
         val layout = layoutFor(job.input, rules.rules.signals)
         layout.problem?.let { if (layoutProblems.add(it)) err.println(printable(it)) }
+        val field = fieldFor(job.input)
+        field.problem?.let { if (layoutProblems.add(it)) err.println(printable(it)) }
         // A page without rules still has to know when the robot was enabled.
-        if (!arguments.hasRules) return PageAdditions(rules = RuleSet.NONE.with(rules.rules.signals), layout = layout.text)
-        return PageAdditions(rules = rules.rules, rulesProblem = rules.problem, layout = layout.text)
+        if (!arguments.hasRules) {
+            return PageAdditions(
+                rules = RuleSet.NONE.with(rules.rules.signals),
+                layout = layout.text,
+                field = field.json,
+            )
+        }
+        return PageAdditions(rules = rules.rules, rulesProblem = rules.problem, layout = layout.text, field = field.json)
     }
 
     private fun make(job: ExportJob, additions: () -> PageAdditions, export: Export, bar: ProgressBar) {

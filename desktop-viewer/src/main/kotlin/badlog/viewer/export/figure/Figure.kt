@@ -3,6 +3,7 @@ package badlog.viewer.export.figure
 import badlog.analysis.Span
 import badlog.plot.curve.Strokes
 import badlog.plot.figure.FigureNotes
+import badlog.plot.path.Field
 
 /**
  * A picture of graphs below one another over the same x, with all that is to be read in it. Holds as many points as its
@@ -55,9 +56,11 @@ internal class FigureFrame(
  *
  * @property x the part of it that it shows.
  * @property xTitle what stands below it.
- * @property isField whether it is a field, whose meters are as long along x as along y.
+ * @property field the field that it is, whose meters are as long along x as along y; null for another plane.
  */
-internal class FigurePlane(val x: Span, val xTitle: String, val isField: Boolean)
+internal class FigurePlane(val x: Span, val xTitle: String, val field: Field?) {
+    val isField: Boolean get() = this.field != null
+}
 
 /**
  * A line of a [FigureFrame].

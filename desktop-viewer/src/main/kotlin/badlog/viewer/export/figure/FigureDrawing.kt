@@ -1,7 +1,6 @@
 package badlog.viewer.export.figure
 
 import badlog.plot.color.modeOpacity
-import badlog.plot.path.Field
 import badlog.viewer.theme.Palette
 import org.jetbrains.letsPlot.coord.coordCartesian
 import org.jetbrains.letsPlot.coord.coordFixed
@@ -21,6 +20,7 @@ import org.jetbrains.letsPlot.scale.guideLegend
 import org.jetbrains.letsPlot.scale.scaleColorManual
 import org.jetbrains.letsPlot.scale.scaleFillIdentity
 import org.jetbrains.letsPlot.scale.scaleFillManual
+import org.jetbrains.letsPlot.scale.scaleLinetypeManual
 import org.jetbrains.letsPlot.scale.scaleXContinuous
 import org.jetbrains.letsPlot.scale.scaleYContinuous
 import org.jetbrains.letsPlot.Figure as LetsPlotFigure
@@ -57,8 +57,8 @@ private fun plotOf(figure: Figure, frame: FigureFrame, size: FrameSize): Plot {
 
 /** An empty frame with the outline of the field, where it is one. */
 private fun ground(plane: FigurePlane): Plot {
-    if (!plane.isField) return letsPlot()
-    val outline = mapOf("x" to listOf(0.0, 0.0, Field.LENGTH, Field.LENGTH, 0.0), "y" to listOf(0.0, Field.WIDTH, Field.WIDTH, 0.0, 0.0))
+    val field = plane.field ?: return letsPlot()
+    val outline = mapOf("x" to listOf(0.0, 0.0, field.length, field.length, 0.0), "y" to listOf(0.0, field.width, field.width, 0.0, 0.0))
     return letsPlot() +
         geomPath(outline, color = hexOf(Palette.LIGHT.muted), size = STROKE, sampling = samplingNone, showLegend = false, tooltips = null) {
             x = "x"
@@ -120,6 +120,7 @@ private fun drawLines(behind: Plot, frame: FigureFrame, size: FrameSize): Plot {
     val labels = frame.lines.map { unbroken(it.label) }
     val points = LinePoints(frame)
     val legend = if (size.legendRows > 0) guideLegend(nrow = size.legendRows, byRow = true) else "none"
+    val hasDashes = frame.lines.any { it.isDashed }
     var plot = behind +
         scaleColorManual(colors, breaks = keys, labels = labels, limits = keys, name = "", guide = legend)
     if (frame.isFilled) {
@@ -134,8 +135,18 @@ private fun drawLines(behind: Plot, frame: FigureFrame, size: FrameSize): Plot {
         }
         plot += scaleFillManual(colors, breaks = keys, limits = keys, guide = "none")
     }
-    plot += joined(points.strokes, "solid")
-    if (points.dashed.getValue("x").isNotEmpty()) plot += joined(points.dashed, "dashed")
+    plot += geomPath(points.strokes, size = STROKE, sampling = samplingNone, tooltips = null) {
+        x = "x"
+        y = "y"
+        group = "piece"
+        color = "line"
+        if (hasDashes) linetype = "line"
+    }
+    if (hasDashes) {
+        // A legend is shared with the colors' where all but the looks is the same.
+        val types = frame.lines.map { if (it.isDashed) DASHED else SOLID }
+        plot += scaleLinetypeManual(types, breaks = keys, labels = labels, limits = keys, name = "", guide = legend)
+    }
     if (points.dots.getValue("x").isNotEmpty()) {
         plot += geomPoint(points.dots, size = DOT, sampling = samplingNone, showLegend = false, tooltips = null) {
             x = "x"
@@ -145,14 +156,6 @@ private fun drawLines(behind: Plot, frame: FigureFrame, size: FrameSize): Plot {
     }
     return plot
 }
-
-private fun joined(columns: Map<String, List<Any>>, type: String) =
-    geomPath(columns, size = STROKE, linetype = type, sampling = samplingNone, tooltips = null) {
-        x = "x"
-        y = "y"
-        group = "piece"
-        color = "line"
-    }
 
 private fun drawLanes(behind: Plot, figure: Figure, frame: FigureFrame, size: FrameSize): Plot {
     val blocks = frame.lanes.flatMapIndexed { i, lane -> lane.blocks.map { frame.lanes.size - i - 1.0 to it } }
@@ -193,6 +196,8 @@ private fun unbroken(label: String) = label.replace(' ', NO_BREAK)
 
 private val NO_MARGIN = listOf(0, 0)
 private const val NO_BREAK = '\u00a0'
+private const val SOLID = 1
+private const val DASHED = 2
 private const val STROKE = 0.8
 private const val DOT = 1.6
 private const val FILL = 0.15
@@ -215,15 +220,12 @@ private const val MIN_LETTERS = 5
  * The points of [frame]'s lines as columns: `x`, `y`, the number of their `line` as a text, and of their `piece`.
  *
  * @property strokes what is joined.
- * @property dashed what is joined by dashes.
  * @property dots what deserves a dot.
  */
 internal class LinePoints(frame: FigureFrame) {
     private val joined = Columns()
-    private val broken = Columns()
     private val alone = Columns()
     val strokes: Map<String, List<Any>> get() = joined.all
-    val dashed: Map<String, List<Any>> get() = broken.all
     val dots: Map<String, List<Any>> get() = alone.all
 
     init {
@@ -234,8 +236,7 @@ internal class LinePoints(frame: FigureFrame) {
                 piece++
                 val from = strokes.startOf(stroke)
                 val until = strokes.endOf(stroke)
-                val columns = if (line.isDashed) broken else joined
-                if (until - from > 2) columns.add(strokes.points, from, until, i, piece)
+                if (until - from > 2) joined.add(strokes.points, from, until, i, piece)
             }
             alone.add(strokes.dots, 0, strokes.dotsSize, i, piece)
         }

@@ -7,14 +7,14 @@ import badlog.plot.curve.Strokes
 import badlog.rules.path.PoseRole
 import badlog.viewer.compare.DrawnRecording
 import badlog.viewer.graph.xy.drawnXys
-import badlog.viewer.graph.xy.wholeOf
+import badlog.viewer.graph.xy.seenOf
 import badlog.viewer.theme.Palette
 
 /** The frame of [graph], whose lines are drawn over each other: what the [recordings] have in [visible]; null for nothing. */
 internal fun xyFrame(graph: BoardGraph, recordings: List<DrawnRecording>, visible: Span, width: Int): FigureFrame? {
-    val xys = drawnXys(graph.lines, recordings)
+    val xys = drawnXys(graph, recordings)
     val height = width / 2
-    val plane = wholeOf(xys, width.toFloat(), height.toFloat()) ?: return null
+    val plane = seenOf(graph.plane, xys, width.toFloat(), height.toFloat()) ?: return null
     val toX = Scale(0.0, width.toDouble(), plane.x.width, plane.x.from)
     val toY = Scale(0.0, height.toDouble(), -plane.y.width, plane.y.to)
     val lines = xys.flatMap { xy ->
@@ -36,7 +36,7 @@ internal fun xyFrame(graph: BoardGraph, recordings: List<DrawnRecording>, visibl
         hasLegend = true,
         lines = lines,
         lanes = emptyList(),
-        plane = FigurePlane(plane.x, plainLine(plot.xTitle, LABEL_LETTERS), plot.isField),
+        plane = FigurePlane(plane.x, plainLine(plot.xTitle, LABEL_LETTERS), plot.field.takeIf { plot.isField }),
     )
 }
 

@@ -10,6 +10,7 @@ import badlog.html.layoutFor
 import badlog.html.protocol.PageAdditions
 import badlog.plot.board.Board
 import badlog.plot.board.BoardLayout
+import badlog.plot.path.FieldFile
 import badlog.rules.FolderRules
 import badlog.rules.namesWith
 import badlog.text.freeName
@@ -90,7 +91,7 @@ internal class Additions(
     fun of(log: Path): PageAdditions {
         val rules = FolderRules.of(log, library)
         val layout = board?.let { BoardLayout(it).toJson() } ?: layoutFor(log, rules.rules.signals, library).text
-        return PageAdditions(workingIn(log), rules.rules, rules.problem, layout = layout)
+        return PageAdditions(workingIn(log), rules.rules, rules.problem, layout = layout, field = FieldFile.of(log, library).json)
     }
 
     /** The formulas that make a topic in [log]; none where it cannot be read, which whoever makes the page reports. */

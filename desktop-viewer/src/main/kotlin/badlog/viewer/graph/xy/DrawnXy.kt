@@ -27,9 +27,9 @@ internal class DrawnXy(val drawn: DrawnRecording, val plot: XyPlot, private val 
     fun shown(spec: BoardGraph): List<XyTrace> = plot.traces.filter { trace -> trace.lines.none { it in spec.hidden } }
 }
 
-/** What each of [recordings] shows of [lines], where it has any. */
-internal fun drawnXys(lines: List<String>, recordings: List<DrawnRecording>): List<DrawnXy> = recordings.mapIndexedNotNull { i, drawn ->
-    drawn.recording.xyPlot(lines)?.let { DrawnXy(drawn, it, i, recordings.size) }
+/** What each of [recordings] shows in [graph], where it has any of its lines. */
+internal fun drawnXys(graph: BoardGraph, recordings: List<DrawnRecording>): List<DrawnXy> = recordings.mapIndexedNotNull { i, drawn ->
+    drawn.recording.xyPlot(graph.lines, graph.origin)?.let { DrawnXy(drawn, it, i, recordings.size) }
 }
 
 /** All there is to see of [xys], on [width] by [height] pixels; null for nothing. */
@@ -38,5 +38,13 @@ internal fun wholeOf(xys: List<DrawnXy>, width: Float, height: Float): Plane? {
     val whole = Plane(spanOf(xys.map { it.plot.full.x }), spanOf(xys.map { it.plot.full.y }))
     return if (first.plot.isField) whole.fitted(width.toDouble(), height.toDouble()) else whole
 }
+
+/** [selected], as wide and high as a frame of [width] by [height] pixels, or all there is to see of [xys]; null for nothing. */
+internal fun seenOf(selected: Plane?, xys: List<DrawnXy>, width: Float, height: Float): Plane? {
+    if (selected?.isDrawable != true) return wholeOf(xys, width, height)
+    return if (isField(xys)) selected.fitted(width.toDouble(), height.toDouble()) else selected.takeIf { xys.isNotEmpty() }
+}
+
+internal fun isField(xys: List<DrawnXy>): Boolean = xys.firstOrNull()?.plot?.isField == true
 
 private fun spanOf(spans: List<Span>) = Span(spans.minOf { it.from }, spans.maxOf { it.to })

@@ -4,12 +4,14 @@ import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.graphics.ImageBitmap
 import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.PathEffect
 import androidx.compose.ui.graphics.PointMode
 import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
+import androidx.compose.ui.graphics.drawscope.withTransform
 import androidx.compose.ui.text.TextMeasurer
 import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.drawText
@@ -18,7 +20,6 @@ import badlog.analysis.Span
 import badlog.plot.axis.Ticks
 import badlog.plot.board.BoardGraph
 import badlog.plot.curve.Strokes
-import badlog.plot.path.Field
 import badlog.plot.path.Plane
 import badlog.plot.path.XyPlot
 import badlog.plot.path.XyTrace
@@ -54,10 +55,19 @@ internal fun DrawScope.drawXyAxes(plane: Plane, box: Rect, plot: XyPlot, letters
     drawText(yTitle, topLeft = Offset(maxOf(0f, box.left - gap - yTitle.size.width), 0f))
 }
 
-/** The lines behind the traces: a grid, or the field. */
-internal fun DrawScope.drawXyGround(plane: Plane, plot: XyPlot, palette: Palette) {
+/** What is behind the traces: a grid, or the field with its [picture]. */
+internal fun DrawScope.drawXyGround(plane: Plane, plot: XyPlot, picture: ImageBitmap?, palette: Palette) {
     val x = plane.xScale(size.width.toDouble())
     val y = plane.yScale(size.height.toDouble())
+    val field = plot.field
+    val shown = picture?.takeIf { plot.isField }?.let { field.image?.plane(field, it.width, it.height) }
+    if (picture != null && shown != null) {
+        val (left, top, width, height) = plane.boxOf(shown, size.width.toDouble(), size.height.toDouble()).map { it.toFloat() }
+        withTransform({
+            translate(left, top)
+            scale(width / picture.width, height / picture.height, Offset.Zero)
+        }) { drawImage(picture, alpha = PICTURE) }
+    }
     val grid = palette.text.copy(alpha = GRID)
     for (value in Ticks.ofX(plane.x, size.width.toDp().value.toDouble()).values) {
         drawLine(grid, Offset(x.placeOf(value).toFloat(), 0f), Offset(x.placeOf(value).toFloat(), size.height))
@@ -67,12 +77,12 @@ internal fun DrawScope.drawXyGround(plane: Plane, plot: XyPlot, palette: Palette
     }
     if (!plot.isField) return
     fun at(fieldX: Double, fieldY: Double) = Offset(x.placeOf(fieldX).toFloat(), y.placeOf(fieldY).toFloat())
-    val corner = at(0.0, Field.WIDTH)
-    val other = at(Field.LENGTH, 0.0)
+    val corner = at(0.0, field.width)
+    val other = at(field.length, 0.0)
     drawRect(palette.muted, corner, Size(other.x - corner.x, other.y - corner.y), style = Stroke(1.5f * density))
-    drawLine(palette.muted.copy(alpha = QUIET), at(Field.LENGTH / 2, 0.0), at(Field.LENGTH / 2, Field.WIDTH), 1f * density)
-    drawLine(BLUE, at(0.0, 0.0), at(0.0, Field.WIDTH), WALL * density)
-    drawLine(RED, at(Field.LENGTH, 0.0), at(Field.LENGTH, Field.WIDTH), WALL * density)
+    drawLine(palette.muted.copy(alpha = QUIET), at(field.length / 2, 0.0), at(field.length / 2, field.width), 1f * density)
+    drawLine(BLUE, at(0.0, 0.0), at(0.0, field.width), WALL * density)
+    drawLine(RED, at(field.length, 0.0), at(field.length, field.width), WALL * density)
 }
 
 /** All traces of [xy]: faint what is not [visible], and above it what is. */
@@ -183,6 +193,7 @@ private val BLUE = Color(0xFF2F6FDE)
 private val RED = Color(0xFFD93A3A)
 private const val GAP = 6
 private const val GRID = 0.08f
+private const val PICTURE = 0.6f
 private const val QUIET = 0.5f
 private const val WALL = 3
 private const val FAINT = 0.25f

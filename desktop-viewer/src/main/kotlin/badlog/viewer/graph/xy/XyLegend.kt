@@ -34,7 +34,7 @@ import badlog.viewer.theme.LocalPalette
 @Composable
 internal fun XyLegend(scene: GraphScene, spec: BoardGraph) {
     val recordings = scene.recordings
-    val xys = remember(spec.lines, recordings) { drawnXys(spec.lines, recordings) }
+    val xys = remember(spec.lines, spec.origin, recordings) { drawnXys(spec, recordings) }
     if (xys.isEmpty()) Text("not in this log", color = LocalPalette.current.muted, fontSize = 12.sp)
     for (xy in xys) for (trace in xy.plot.traces.asReversed().take(MAX_ENTRIES)) XyEntry(scene, spec, xy, trace, recordings.size > 1)
 }

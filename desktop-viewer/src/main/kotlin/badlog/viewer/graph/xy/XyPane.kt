@@ -6,10 +6,9 @@ import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.padding
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.DisposableEffect
-import androidx.compose.runtime.getValue
-import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.remember
-import androidx.compose.runtime.setValue
+import androidx.compose.runtime.snapshotFlow
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.clipToBounds
 import androidx.compose.ui.draw.drawBehind
@@ -23,23 +22,28 @@ import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.dp
 import badlog.plot.board.BoardGraph
 import badlog.viewer.graph.scene.GraphScene
+import badlog.viewer.menu.ClosesByEscape
 import badlog.viewer.theme.LocalPalette
+import kotlinx.coroutines.delay
+import kotlinx.coroutines.flow.collectLatest
+import kotlinx.coroutines.flow.drop
+import kotlin.time.Duration.Companion.milliseconds
 
 /** The plot of [spec], whose lines are drawn over each other or as paths on a field, with its axes. */
 @Composable
 internal fun XyPane(scene: GraphScene, spec: BoardGraph, modifier: Modifier) {
     val palette = LocalPalette.current
     val recordings = scene.recordings
-    val xys = remember(spec.lines, recordings) { drawnXys(spec.lines, recordings) }
+    val xys = remember(spec.lines, spec.origin, recordings) { drawnXys(spec, recordings) }
     val letters = rememberTextMeasurer(cacheSize = TEXTS)
-    var covered by remember(spec.id) { mutableStateOf<Rect?>(null) }
+    val drag = remember(spec.id) { XyDrag() }
+    ClosesByEscape(drag.giveUp != null) { drag.giveUp?.invoke() }
     DisposableEffect(spec.id) {
         scene.plots.show(spec.id, true, needsPicture = false)
         onDispose { scene.plots.show(spec.id, false) }
     }
-    fun planeOn(width: Float, height: Float) =
-        scene.planes[spec.id]?.let { if (isField(xys)) it.fitted(width.toDouble(), height.toDouble()) else it }
-            ?: wholeOf(xys, width, height)
+    fun planeOn(width: Float, height: Float) = seenOf(scene.planes[spec.id], xys, width, height)
+    KeptPlane(scene, spec)
     Box(modifier) {
         val frame = Modifier.fillMaxSize().padding(start = GraphScene.LEFT_GUTTER, end = scene.rightGutter, bottom = BELOW)
         Spacer(
@@ -57,12 +61,12 @@ internal fun XyPane(scene: GraphScene, spec: BoardGraph, modifier: Modifier) {
             frame
                 .pointerHoverIcon(PointerIcon.Crosshair)
                 .semantics { contentDescription = "Plot ${spec.title}" }
-                .xyPointer(scene, spec.id, xys, ::planeOn) { covered = it },
+                .xyPointer(scene, spec.id, xys, ::planeOn, drag),
         ) {
             Spacer(
                 Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind {
                     val plane = planeOn(size.width, size.height) ?: return@drawBehind
-                    drawXyGround(plane, xys[0].plot, palette)
+                    drawXyGround(plane, xys[0].plot, xys[0].drawn.recording.fieldPicture, palette)
                     for (xy in xys) drawXyTraces(xy, spec, plane, scene.view.viewport.visible, palette)
                     for (xy in xys) drawXyNotes(xy, plane, scene.view.viewport.visible, letters, palette)
                 },
@@ -70,7 +74,7 @@ internal fun XyPane(scene: GraphScene, spec: BoardGraph, modifier: Modifier) {
             Spacer(
                 Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind {
                     val plane = planeOn(size.width, size.height) ?: return@drawBehind
-                    covered?.let { drawRect(palette.accent.copy(alpha = COVERED), it.topLeft, it.size) }
+                    drag.covered?.let { drawRect(palette.accent.copy(alpha = COVERED), it.topLeft, it.size) }
                     val cursor = scene.view.cursor ?: return@drawBehind
                     for (xy in xys) {
                         drawXyCursor(xy, spec, plane, cursor, palette)
@@ -82,8 +86,30 @@ internal fun XyPane(scene: GraphScene, spec: BoardGraph, modifier: Modifier) {
     }
 }
 
-internal fun isField(xys: List<DrawnXy>) = xys.firstOrNull()?.plot?.isField == true
-
 private val BELOW = 20.dp
 private const val TEXTS = 64
 private const val COVERED = 0.16f
+
+/** Keeps on the board which part of the plane of [spec] is seen, once gestures have come to rest, and shows what the board has. */
+@Composable
+private fun KeptPlane(scene: GraphScene, spec: BoardGraph) {
+    LaunchedEffect(scene, spec.id, spec.plane) {
+        spec.plane.let {
+            if (it ==
+                null
+            ) {
+                scene.planes.remove(spec.id)
+            } else {
+                scene.planes[spec.id] = it
+            }
+        }
+    }
+    LaunchedEffect(scene, spec.id) {
+        snapshotFlow { scene.planes[spec.id] }.drop(1).collectLatest { plane ->
+            delay(REST)
+            scene.board.change { withPlane(spec.id, plane?.x, plane?.y) }
+        }
+    }
+}
+
+private val REST = 300.milliseconds

@@ -1,5 +1,8 @@
 package badlog.viewer.graph.xy
 
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
@@ -19,21 +22,30 @@ import badlog.plot.gesture.Wheel
 import badlog.plot.path.Plane
 import badlog.viewer.graph.scene.GraphScene
 
+/** A drag over a path that is under way. */
+internal class XyDrag {
+    /** What it covers, in pixels; null for nothing. */
+    var covered: Rect? by mutableStateOf(null)
+
+    /** Gives it up, as Escape does; null while there is none. */
+    var giveUp: (() -> Unit)? by mutableStateOf(null)
+}
+
 /**
  * Lets the pointer put the cursor where the path passes it, zoom and pan over graph [id], as over other graphs.
  *
  * @param planeOn what is seen on so many pixels.
- * @param onCover hears what a drag covers, in pixels; null for nothing any more.
+ * @param drag is told of what is under way.
  */
 internal fun Modifier.xyPointer(
     scene: GraphScene,
     id: Int,
     xys: List<DrawnXy>,
     planeOn: (width: Float, height: Float) -> Plane?,
-    onCover: (Rect?) -> Unit,
+    drag: XyDrag,
 ): Modifier = pointerInput(scene, id, xys) {
     awaitPointerEventScope {
-        val pointer = XyPointer(this, scene, id, xys, planeOn, onCover)
+        val pointer = XyPointer(this, scene, id, xys, planeOn, drag)
         while (true) pointer.hear(awaitPointerEvent())
     }
 }
@@ -44,11 +56,12 @@ private class XyPointer(
     private val id: Int,
     private val xys: List<DrawnXy>,
     private val planeOn: (width: Float, height: Float) -> Plane?,
-    private val onCover: (Rect?) -> Unit,
+    private val drag: XyDrag,
 ) {
     private val clicks = DoubleClick()
     private var pressedAt: Offset? = null
     private var before: Plane? = null
+    private var kept: Plane? = null
     private var isPan = false
     private var isDragging = false
 
@@ -57,6 +70,8 @@ private class XyPointer(
     private val plane get() = planeOn(width, height)
 
     fun hear(event: PointerEvent) {
+        val fingers = event.changes.filter { it.pressed && it.type == PointerType.Touch }
+        if (fingers.size > 1) return pinch(fingers[0], fingers[1])
         val change = event.changes.first()
         when (event.type) {
             PointerEventType.Press -> press(event, change)
@@ -72,7 +87,9 @@ private class XyPointer(
         if (change.isConsumed) return
         pressedAt = change.position
         before = plane
+        kept = scene.planes[id]
         isDragging = false
+        drag.giveUp = ::giveUp
         isPan = event.keyboardModifiers.isShiftPressed || event.buttons.isTertiaryPressed || change.type == PointerType.Touch
         change.consume()
     }
@@ -95,21 +112,18 @@ private class XyPointer(
                 ),
             )
         } else {
-            onCover(
-                Rect(
-                    minOf(start.x, change.position.x),
-                    minOf(start.y, change.position.y),
-                    maxOf(start.x, change.position.x),
-                    maxOf(start.y, change.position.y),
-                ),
+            drag.covered = Rect(
+                minOf(start.x, change.position.x),
+                minOf(start.y, change.position.y),
+                maxOf(start.x, change.position.x),
+                maxOf(start.y, change.position.y),
             )
         }
     }
 
     private fun release(event: PointerEvent, change: PointerInputChange) {
         val start = pressedAt ?: return
-        pressedAt = null
-        onCover(null)
+        stop()
         change.consume()
         val place = change.position
         if (!isDragging) {
@@ -117,6 +131,31 @@ private class XyPointer(
         } else if (!isPan) {
             before?.part(share(start.x, width), share(start.y, height), share(place.x, width), share(place.y, height))?.let(::show)
         }
+    }
+
+    private fun stop() {
+        pressedAt = null
+        drag.covered = null
+        drag.giveUp = null
+    }
+
+    private fun giveUp() {
+        if (isDragging && isPan) kept.let { if (it == null) scene.planes.remove(id) else scene.planes[id] = it }
+        stop()
+    }
+
+    /** What was between two fingers stays between them. */
+    private fun pinch(one: PointerInputChange, other: PointerInputChange) {
+        stop()
+        one.consume()
+        other.consume()
+        val plane = plane ?: return
+        val factor = (one.previousPosition - other.previousPosition).getDistance() / (one.position - other.position).getDistance()
+        if (!factor.isFinite() || factor <= 0) return
+        val from = (one.previousPosition + other.previousPosition) / 2f
+        val moved = (one.position + other.position) / 2f - from
+        val scaled = plane.scaled(factor.toDouble(), plane.xAt(share(from.x, width)), plane.yAt(share(from.y, height)))
+        show(scaled.shifted(-share(moved.x, width) * scaled.x.width, share(moved.y, height) * scaled.y.width))
     }
 
     private fun click(event: PointerEvent, change: PointerInputChange) {

@@ -68,6 +68,7 @@ class FigureSpec : FunSpec({
         // What was planned is dashed, as on the screen.
         frame.lines.map { it.isDashed } shouldBe listOf(false, true, false)
         elements(svgOf(figure, options), "path").count { it.hasAttribute("stroke-dasharray") } shouldBeGreaterThan 0
+        elements(svgOf(figure, options), "line").count { it.hasAttribute("stroke-dasharray") } shouldBe 1
         // The points are meters again.
         frame.lines[2].strokes.points.take(2).zip(listOf(1.6, 4.0)).all { (drawn, x) -> abs(drawn - x) < 0.02 } shouldBe true
         textsIn(svgOf(figure, options)) shouldContainAll listOf("x (m)", "y (m)", "Path", "Drive/Pose", "Time (s)")

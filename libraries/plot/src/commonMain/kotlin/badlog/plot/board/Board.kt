@@ -1,6 +1,8 @@
 package badlog.plot.board
 
 import badlog.analysis.Span
+import badlog.plot.path.FieldOrigin
+import badlog.plot.path.Plane
 
 /**
  * The graphs that a person put together, from top to bottom. Never changes; each transition gives a new one.
@@ -123,6 +125,8 @@ public data class Board(public val graphs: List<BoardGraph> = emptyList()) {
                         rightYRange = null,
                         hidden = emptySet(),
                         isXy = false,
+                        xRange = null,
+                        origin = FieldOrigin.BLUE,
                     )
                 }
             },
@@ -130,7 +134,13 @@ public data class Board(public val graphs: List<BoardGraph> = emptyList()) {
     }
 
     /** Draws the lines of graph [id] over its first one, or as the paths of poses that they are; over the x axis again when it does not. */
-    public fun withXy(id: Int, isXy: Boolean): Board = change(id) { it.copy(isXy = isXy) }
+    public fun withXy(id: Int, isXy: Boolean): Board = change(id) { it.copy(isXy = isXy, xRange = null, yRange = null) }
+
+    /** Shows only [x] and [y] of the graph [id] of y over x; all of it for null. */
+    public fun withPlane(id: Int, x: Span?, y: Span?): Board = change(id) { it.copy(xRange = x, yRange = y) }
+
+    /** Takes the poses of graph [id] as measured from [origin]. */
+    public fun withOrigin(id: Int, origin: FieldOrigin): Board = change(id) { it.copy(origin = origin) }
 
     /** Shows only [range] of y in graph [id], and [right] of the axis at its right; all of it for null. What is fixed is not shared. */
     public fun withYRange(id: Int, range: Span?, right: Span? = null): Board =
@@ -179,6 +189,8 @@ public data class Board(public val graphs: List<BoardGraph> = emptyList()) {
  * @property sharesY whether all graphs that share it show the same part of y of a unit; what is fixed by a range is not shared.
  * @property hidden those of [lines] that are not drawn now.
  * @property isXy whether the lines are not drawn over the common x: those of poses are paths on a field, others are drawn over the first one.
+ * @property xRange the part of x that a person selected of such a graph, with that of y in [yRange]; null for all of it.
+ * @property origin from where the poses of such a graph are measured.
  */
 public data class BoardGraph(
     public val id: Int,
@@ -192,7 +204,12 @@ public data class BoardGraph(
     public val sharesY: Boolean = false,
     public val hidden: Set<String> = emptySet(),
     public val isXy: Boolean = false,
+    public val xRange: Span? = null,
+    public val origin: FieldOrigin = FieldOrigin.BLUE,
 ) {
+    /** The part of the plane that a person selected of a graph of y over x; null for all of it. */
+    public val plane: Plane? get() = if (isXy && xRange != null && yRange != null) Plane(xRange, yRange) else null
+
     internal fun drawsAs(other: BoardGraph) = lines == other.lines && isXy == other.isXy
 
     public companion object {

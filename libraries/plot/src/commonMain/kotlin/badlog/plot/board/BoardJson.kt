@@ -4,11 +4,12 @@ import badlog.analysis.Span
 import badlog.json.JsonReader
 import badlog.json.JsonValue
 import badlog.json.quotedJson
+import badlog.plot.path.FieldOrigin
 
 /**
  * A board as an object of JSON with the key `graphs`, which layout files have too. Each graph has a `title`, the names of its
  * `lines`, and where that was chosen `filled`, `zero`, `y` and `right` with `from` and `to`, `shared`, `height`, and the names of `hidden`
- * lines; `xy` where the lines are not drawn over the common x. An older badlog passes over what it does not know.
+ * lines; `xy` where the lines are not drawn over the common x, with the visible range `x` and the `origin` of poses, `red` or `auto`. An older badlog passes over what it does not know.
  */
 public fun Board.toJson(): String = graphs.joinToString(",", "{\"graphs\":[", "]}") { graph ->
     buildString {
@@ -21,6 +22,8 @@ public fun Board.toJson(): String = graphs.joinToString(",", "{\"graphs\":[", "]
         if (graph.sharesY) append(",\"shared\":true")
         graph.height?.let { append(",\"height\":").append(it) }
         if (graph.isXy) append(",\"xy\":true")
+        appendSpan("x", graph.xRange)
+        if (graph.origin != FieldOrigin.BLUE) append(",\"origin\":").append(quotedJson(graph.origin.key))
         val hidden = graph.lines.filter { it in graph.hidden }
         if (hidden.isNotEmpty()) hidden.joinTo(this, ",", ",\"hidden\":[", "]", transform = ::quotedJson)
         append('}')
@@ -76,6 +79,8 @@ private fun graphOf(id: Int, graph: JsonValue): BoardGraph {
         height = graph["height"]?.let { graph.number("height", id).coerceIn(HEIGHTS).toInt() },
         hidden = graph["hidden"]?.items.orEmpty().mapNotNullTo(HashSet()) { item -> item.text?.takeIf { it in names } },
         isXy = graph.isSet("xy", id),
+        xRange = graph.span("x", id),
+        origin = FieldOrigin.of(graph["origin"]?.text) ?: FieldOrigin.BLUE,
     )
 }
 

@@ -1,13 +1,15 @@
 package badlog.plot.board
 
 import badlog.analysis.Span
+import badlog.plot.path.FieldOrigin
 import badlog.plot.text.addressText
 import badlog.plot.text.nameOfAddress
 
 /**
  * A board as the shortest text that any address takes: letters, digits and `-_./:;,=+~` alone. Graphs are parted by `;`, the lines of
  * one by `,`; then come, each behind a `,` and a letter with `=`, the title where it is not the first line's name, and what was
- * chosen besides: `Arm/Angle,Arm/Goal,t=Arm,f=,y=0:90,x=1;Mode`, in which line 1, counted from 0, is hidden. Names are written by
+ * chosen besides: `Arm/Angle,Arm/Goal,t=Arm,f=,y=0:90,x=1;Mode`, in which line 1, counted from 0, is hidden; `p=` makes a plot of y over x,
+ * of which `w=` is the visible x, and `o=red` or `o=auto` the origin of poses. Names are written by
  * [addressText]; a line without a name is `~` alone.
  */
 public fun Board.toText(): String = graphs.joinToString(";") { graph ->
@@ -26,6 +28,8 @@ public fun Board.toText(): String = graphs.joinToString(";") { graph ->
         if (graph.sharesY) append(",s=")
         graph.height?.let { append(",h=").append(it) }
         if (graph.isXy) append(",p=")
+        graph.xRange?.takeIf(::isWritable)?.let { append(",w=").append(spanText(it)) }
+        if (graph.origin != FieldOrigin.BLUE) append(",o=").append(graph.origin.key)
         val hidden = graph.lines.indices.filter { graph.lines[it] in graph.hidden }
         if (hidden.isNotEmpty()) hidden.joinTo(this, ":", ",x=")
     }
@@ -59,6 +63,8 @@ private fun graphOf(id: Int, text: String): BoardGraph {
                 's' -> graph = graph.copy(sharesY = true)
                 'x' -> hidden = value.split(':').mapNotNullTo(HashSet()) { it.toIntOrNull() }
                 'p' -> graph = graph.copy(isXy = true)
+                'w' -> graph = graph.copy(xRange = spanOf(value))
+                'o' -> graph = graph.copy(origin = originOf(value))
                 'h' -> graph = graph.copy(height = heightOf(value))
                 else -> throw BoardException("Graph $id has “${part[0]}”, which this badlog does not know; update it to open this.")
             }
@@ -88,8 +94,10 @@ internal fun spanOfText(text: String): Span? {
     return Span(from, to).takeIf(::isWritable)
 }
 
-private fun spanOf(text: String): Span =
-    spanOfText(text) ?: throw BoardException("“$text” is not a range of y; copy the whole address again.")
+private fun spanOf(text: String): Span = spanOfText(text) ?: throw BoardException("“$text” is not a range; copy the whole address again.")
+
+private fun originOf(text: String): FieldOrigin =
+    FieldOrigin.of(text) ?: throw BoardException("“$text” is not an origin of poses; copy the whole address again.")
 
 private fun heightOf(text: String): Int =
     text.toIntOrNull()?.coerceIn(BoardGraph.HEIGHTS) ?: throw BoardException("“$text” is not a height; copy the whole address again.")

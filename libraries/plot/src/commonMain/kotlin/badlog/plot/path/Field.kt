@@ -3,22 +3,53 @@ package badlog.plot.path
 import badlog.analysis.Span
 import badlog.rules.path.Trail
 
-/** The field that paths are on: its outline and its middle line, in meters from the corner at the right of the blue alliance's wall. */
-public object Field {
-    /** How long it is, from the blue alliance's wall to the red one's; that of 2026, as WPILib's layout of its tags has it. */
-    public const val LENGTH: Double = 16.541
-
-    /** How wide it is. */
-    public const val WIDTH: Double = 8.069
-
+/**
+ * The field that paths are on: its outline and its middle line, in meters from the corner at the right of the blue alliance's wall.
+ *
+ * @property length how long it is, from the blue alliance's wall to the red one's.
+ * @property width how wide it is.
+ * @property image its picture; null for none.
+ */
+public class Field(public val length: Double = LENGTH, public val width: Double = WIDTH, public val image: FieldImage? = null) {
     /** All of it, and what lies around it where [trails] leave it. */
     internal fun around(trails: List<Trail>): Plane {
         fun spanOf(length: Double, spans: List<Span?>) = Span(
             minOf(0.0, spans.minOfOrNull { it?.from ?: 0.0 } ?: 0.0).coerceAtLeast(-length) - MARGIN,
             maxOf(length, spans.maxOfOrNull { it?.to ?: 0.0 } ?: 0.0).coerceAtMost(2 * length) + MARGIN,
         )
-        return Plane(spanOf(LENGTH, trails.map { it.xSpan }), spanOf(WIDTH, trails.map { it.ySpan }))
+        return Plane(spanOf(length, trails.map { it.xSpan }), spanOf(width, trails.map { it.ySpan }))
     }
 
-    private const val MARGIN = 0.3
+    public companion object {
+        /** That of 2026, as WPILib's layout of its tags has it. */
+        public const val LENGTH: Double = 16.541
+
+        /** The width of that. */
+        public const val WIDTH: Double = 8.069
+
+        /** Without a picture. */
+        public val PLAIN: Field = Field()
+        private const val MARGIN = 0.3
+    }
+}
+
+/**
+ * The picture of a field, seen from above with the blue alliance at the left.
+ *
+ * @property source the name of its file, or all of it as a data URL.
+ * @param left where the field's corners are in it, in pixels from the left and from the top.
+ */
+public class FieldImage internal constructor(
+    public val source: String,
+    internal val left: Double,
+    internal val top: Double,
+    internal val right: Double,
+    internal val bottom: Double,
+) {
+    /** What the whole picture shows, [width] by [height] pixels large, of which the corners are those of [field]. */
+    public fun plane(field: Field, width: Int, height: Int): Plane {
+        val across = field.length / (right - left)
+        val up = field.width / (bottom - top)
+        return Plane(Span(-left * across, (width - left) * across), Span((bottom - height) * up, bottom * up))
+    }
 }

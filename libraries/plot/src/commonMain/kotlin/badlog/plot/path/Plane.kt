@@ -32,6 +32,14 @@ public data class Plane(public val x: Span, public val y: Span) {
     /** The y at this [share] of the height, from the top. */
     public fun yAt(share: Double): Double = y.to - share * y.width
 
+    /** Where [other] lies on [width] by [height] pixels that show this: from the left, from the top, how wide and how high. */
+    public fun boxOf(other: Plane, width: Double, height: Double): DoubleArray = doubleArrayOf(
+        (other.x.from - x.from) / x.width * width,
+        (y.to - other.y.to) / y.width * height,
+        other.x.width / x.width * width,
+        other.y.width / y.width * height,
+    )
+
     /** Whether numbers are fine enough to draw it. */
     public val isDrawable: Boolean get() = isDrawable(x) && isDrawable(y)
 

@@ -47,7 +47,10 @@ private fun modulesInArrays(topics: List<Topic>): List<SwerveModules> {
  *
  * @property places an arrow from the wheel on, as long as the way of a quarter of a second: x and y in turn.
  */
-public class ModuleArrow internal constructor(public val places: DoubleArray, public val isTarget: Boolean)
+public class ModuleArrow internal constructor(public val places: DoubleArray, public val isTarget: Boolean) {
+    internal fun flipped(flip: FieldFlip): ModuleArrow =
+        ModuleArrow(DoubleArray(places.size) { if (it % 2 == 0) flip.x(places[it]) else flip.y(places[it]) }, isTarget)
+}
 
 /** The lines of [SwerveModules]. */
 internal class ModuleLines private constructor(

@@ -21,6 +21,7 @@ import kotlin.math.abs
  * @property isField whether x and y are places on a field.
  * @property xTitle what stands below it: name and unit.
  * @property yTitle what stands beside it.
+ * @property field the field, where [isField].
  */
 public class XyPlot internal constructor(
     public val traces: List<XyTrace>,
@@ -30,11 +31,13 @@ public class XyPlot internal constructor(
     private val xUnit: String = "",
     private val yUnit: String = "",
     private val modules: List<ModuleLines> = emptyList(),
+    private val flip: FieldFlip? = null,
+    public val field: Field = Field.PLAIN,
 ) {
     /** All there is to see. */
     public val full: Plane by lazy {
         if (isField) {
-            Field.around(traces.map { it.trail })
+            field.around(traces.map { it.trail })
         } else {
             Plane(wholeOf(traces.mapNotNull { it.trail.xSpan }), wholeOf(traces.mapNotNull { it.trail.ySpan }))
         }
@@ -70,7 +73,13 @@ public class XyPlot internal constructor(
         val index = robot.indexAt(time)
         if (index < 0) return emptyList()
         val heading = robot.headingAt(time).let { if (it.isNaN()) 0.0 else it }
-        return modules.flatMap { it.arrowsAt(time, robot.trail.x[index], robot.trail.y[index], heading) }.sortedByDescending { it.isTarget }
+        val x = robot.trail.x[index]
+        val y = robot.trail.y[index]
+        // In a mirror, left is right: the arrows of the robot as it was logged go through the mirror, too.
+        val arrows = modules.flatMap {
+            if (flip == null) it.arrowsAt(time, x, y, heading) else it.arrowsAt(time, flip.x(x), flip.y(y), flip.heading(heading))
+        }
+        return arrows.map { if (flip == null) it else it.flipped(flip) }.sortedByDescending { it.isTarget }
     }
 
     /** What the samples of [visible] come to: the straight line through those of the first trace; null where this is a field, or for none. */
@@ -126,17 +135,21 @@ public class XyPlot internal constructor(
  * others over the first of them. Null where there is nothing to draw.
  *
  * @param modules the modules of the robot whose path it is.
+ * @param flip lays poses onto [field]; null where they are as they were logged.
  * @param line finds a line by its name.
  */
 public fun xyPlotOf(
     lines: List<String>,
     poses: List<Pose>,
     modules: List<SwerveModules> = emptyList(),
+    flip: FieldFlip? = null,
+    field: Field = Field.PLAIN,
     line: (String) -> GraphSeries?,
 ): XyPlot? {
     val shown = poses.filter { it.x in lines && it.y in lines }
     if (shown.isEmpty()) return plainPlot(lines.mapNotNull { name -> line(name)?.takeIf { it.states == null } })
     val names = shortNames(shown.map { it.list ?: it.name })
+    fun trail(x: GraphSeries, y: GraphSeries, pose: Pose) = trailOf(x.data, y.data, pose.meters).let { flip?.trail(it) ?: it }
     val traces = shown.mapIndexedNotNull { i, pose ->
         val x = line(pose.x) ?: return@mapIndexedNotNull null
         val y = line(pose.y) ?: return@mapIndexedNotNull null
@@ -145,15 +158,16 @@ public fun xyPlotOf(
             names[i],
             i,
             pose.role,
-            trailOf(x.data, y.data, pose.meters),
+            trail(x, y, pose),
             listOf(pose.x, pose.y),
-            Heading.of(pose, line),
-            followers.mapNotNull { next -> line(next.x)?.let { a -> line(next.y)?.let { b -> trailOf(a.data, b.data, next.meters) } } },
+            Heading.of(pose, flip, line),
+            followers.mapNotNull { next -> line(next.x)?.let { a -> line(next.y)?.let { b -> trail(a, b, next) } } },
             pose,
         )
     }
     val wheels = modules.mapNotNull { ModuleLines.of(it, line) }
-    return XyPlot(traces.sortedByDescending { it.role }, isField = true, "x (m)", "y (m)", "m", "m", wheels).takeIf { traces.isNotEmpty() }
+    val ordered = traces.sortedByDescending { it.role }
+    return XyPlot(ordered, isField = true, "x (m)", "y (m)", "m", "m", wheels, flip, field).takeIf { traces.isNotEmpty() }
 }
 
 /** What a menu calls drawing [lines] so. */

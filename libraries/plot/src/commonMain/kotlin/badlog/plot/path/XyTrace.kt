@@ -102,8 +102,14 @@ public class XyTrace internal constructor(
 }
 
 /** The heading of a pose over time. */
-internal class Heading private constructor(private val parts: List<GraphSeries>, private val radians: Double) {
-    fun at(time: Double): Double {
+internal class Heading private constructor(
+    private val parts: List<GraphSeries>,
+    private val radians: Double,
+    private val flip: FieldFlip?,
+) {
+    fun at(time: Double): Double = logged(time).let { flip?.heading(it) ?: it }
+
+    private fun logged(time: Double): Double {
         val values = parts.map { line -> line.indexAt(time).let { if (it < 0) return Double.NaN else line.data.y[it] } }
         if (values.size == 1) return values[0] * radians
         val (w, x, y, z) = values
@@ -111,9 +117,9 @@ internal class Heading private constructor(private val parts: List<GraphSeries>,
     }
 
     companion object {
-        fun of(pose: Pose, line: (String) -> GraphSeries?): Heading? {
+        fun of(pose: Pose, flip: FieldFlip?, line: (String) -> GraphSeries?): Heading? {
             val parts = pose.heading.mapNotNull(line)
-            return if (parts.isNotEmpty() && parts.size == pose.heading.size) Heading(parts, pose.radians) else null
+            return if (parts.isNotEmpty() && parts.size == pose.heading.size) Heading(parts, pose.radians, flip) else null
         }
     }
 }

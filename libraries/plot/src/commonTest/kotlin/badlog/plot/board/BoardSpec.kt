@@ -1,6 +1,7 @@
 package badlog.plot.board
 
 import badlog.analysis.Span
+import badlog.plot.path.FieldOrigin
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeUnique
@@ -15,6 +16,7 @@ import io.kotest.property.arbitrary.boolean
 import io.kotest.property.arbitrary.choice
 import io.kotest.property.arbitrary.constant
 import io.kotest.property.arbitrary.element
+import io.kotest.property.arbitrary.enum
 import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.numericDouble
@@ -44,6 +46,8 @@ class BoardSpec : FunSpec({
             sharesY = Arb.boolean().bind(),
             hidden = lines.filterTo(HashSet()) { Arb.boolean().bind() },
             isXy = Arb.boolean().bind(),
+            xRange = range.orNull().bind(),
+            origin = Arb.enum<FieldOrigin>().bind(),
         )
     }
     val board = arbitrary { Board(Arb.list(graph, 0..6).bind().mapIndexed { i, it -> it.copy(id = i + 1) }) }
@@ -106,6 +110,11 @@ class BoardSpec : FunSpec({
         for ((text, sentence) in wrong) shouldThrow<BoardException> { boardOfJson(text) }.message shouldBe sentence
         shouldThrow<BoardException> { boardOfText("A,q=1") }.message shouldBe
             "Graph 1 has “q”, which this badlog does not know; update it to open this."
+    }
+
+    test("an origin that is not known is said") {
+        shouldThrow<BoardException> { boardOfText("A,B,p=,o=green") }.message shouldBe
+            "“green” is not an origin of poses; copy the whole address again."
     }
 
     test("an address is short") {
@@ -183,6 +192,7 @@ class BoardSpec : FunSpec({
         over.has(BoardGraph(0, "A", listOf("A", "B"))) shouldBe false
         over.has(over.graphs[0]) shouldBe true
         over.toText() shouldBe "A,B,p="
+        over.withPlane(1, Span(0.5, 2.5), Span(1.5, 3.5)).withOrigin(1, FieldOrigin.AUTO).toText() shouldBe "A,B,y=1.5:3.5,p=,w=0.5:2.5,o=auto"
         over.separated(1).graphs.map { it.isXy } shouldBe listOf(false, false)
         over.withXy(1, false).showsSame(Board().withGraph(listOf("A", "B"))) shouldBe true
     }
