@@ -77,6 +77,16 @@ internal class EveryBrowserSpec : FunSpec({
             await("[...document.querySelectorAll('.graph')].some(graph => graph.dataset.name == 'Half')")
         }
 
+        browserTest("a page is drawn anew for paper, and as before afterwards") {
+            openPage(steps)
+            evaluate("dispatchEvent(new Event('beforeprint'))")
+            // The browser remembers formulas of other tests, which are graphs as well.
+            evaluate("document.querySelectorAll('.graph > svg.paper').length") shouldBe evaluate("document.querySelectorAll('.graph').length")
+            evaluate("[...document.querySelectorAll('svg.paper text')].map(text => text.textContent).join()") shouldContain "Step 2 (V)"
+            evaluate("dispatchEvent(new Event('afterprint'))")
+            evaluate("document.querySelectorAll('svg.paper').length") shouldBe "0"
+        }
+
         browserTest("the file comes back byte for byte") {
             openPage(steps)
             val file = browser.downloads.resolve("test.bag")
