@@ -104,7 +104,7 @@ public class HtmlExporter(private val attachments: List<Path> = emptyList(), pri
         Files.createDirectories(page.parent)
         return AtomicFile(page).use { file ->
             val writer = PageWriter(file.out, parts)
-            writer.begin(head.title ?: logParts.drop(1).firstNotNullOfOrNull(::titleIn) ?: name)
+            writer.begin(head.title ?: logParts.drop(1).firstNotNullOfOrNull(::titleIn) ?: name, additions.video != null)
             writer.program(additions)
             val embedded = ExportThreads().use { threads ->
                 // Only so long a file is worth the work of several workers, and of the page while it is still being loaded.

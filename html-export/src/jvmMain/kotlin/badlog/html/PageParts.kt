@@ -32,11 +32,14 @@ public class PageParts private constructor(
     /** The program and its style as they stand in a page. */
     internal val packedProgram: ByteArray = gzip?.let(::base122) ?: packed(style + SEPARATOR + program)
 
-    /** The Content-Security-Policy of a page with these parts: nothing from the network, no other script or style. */
-    internal val policy: String
-        get() = "default-src 'none'; script-src '${hash(UNPACKING)}' '${hash(program)}'; worker-src blob:; " +
+    /**
+     * The Content-Security-Policy of a page with these parts: nothing from the network, no other script or style. A video is one that the
+     * reader opens, or where the page [hasVideo] also one from where the page itself is.
+     */
+    internal fun policy(hasVideo: Boolean): String =
+        "default-src 'none'; script-src '${hash(UNPACKING)}' '${hash(program)}'; worker-src blob:; " +
             "style-src '${hash(waitingStyle)}' '${hash(style)}'; " +
-            "img-src data: blob:; base-uri 'none'; form-action 'none'"
+            "img-src data: blob:; media-src blob:${if (hasVideo) " 'self'" else ""}; base-uri 'none'; form-action 'none'"
 
     public companion object {
         /** The page that is built into this version of badlog. */

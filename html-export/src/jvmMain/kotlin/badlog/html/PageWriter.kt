@@ -8,15 +8,15 @@ import java.io.OutputStream
 
 /** Writes a page from its beginning to its end; the functions are to be called in their order here. */
 internal class PageWriter(private val out: OutputStream, private val parts: PageParts) {
-    /** Everything before the recording. */
-    fun begin(title: String) {
+    /** Everything before the recording. Whether it [hasVideo] beside it is a part of its policy. */
+    fun begin(title: String, hasVideo: Boolean = false) {
         text(
             """
             $PAGE_START>
             <html lang="en">
             <head>
             <meta charset="utf-8">
-            <meta http-equiv="Content-Security-Policy" content="${parts.policy}">
+            <meta http-equiv="Content-Security-Policy" content="${parts.policy(hasVideo)}">
             <meta name="viewport" content="width=device-width, initial-scale=1">
             <meta name="generator" content="badlog ${escapeHtml(BADLOG_VERSION)}">
             <title>

@@ -1,5 +1,6 @@
 package badlog.browser
 
+import badlog.page.CountedVideo
 import badlog.page.FramePicture
 import badlog.page.TestPages
 import badlog.page.stepBag
@@ -21,6 +22,7 @@ import java.time.Duration
 import java.util.Base64
 import kotlin.io.path.exists
 import kotlin.io.path.readBytes
+import kotlin.math.floor
 import kotlin.math.roundToInt
 
 /** What pages need of a browser, tried in each of them. */
@@ -87,6 +89,45 @@ internal class EveryBrowserSpec : FunSpec({
             evaluate("document.querySelectorAll('svg.paper').length") shouldBe "0"
         }
 
+        test("${browser.name}: a video that the reader opens follows the cursor, frame by frame").config(enabledOrReasonIf = { drawn(browser) }) {
+            browser.tab.run {
+                openPage(steps, "#v=1")
+                evaluate(CountedVideo.pick)
+                awaitVideo()
+                for (moment in listOf("4.02", "9.55", "1.32")) {
+                    evaluate("location.hash = '#t=$moment'")
+                    val frame = floor((moment.toDouble() - 1) * CountedVideo.FRAMES_PER_SECOND).toInt()
+                    await("${CountedVideo.SHOWN} == $frame")
+                }
+                type(".")
+                withClue(evaluate("JSON.stringify([document.querySelector('#video video').currentTime, ${CountedVideo.SHOWN}])")) { await("${CountedVideo.SHOWN} == 10") }
+                await("Math.abs(parseFloat(document.querySelector('.cursor-readout').textContent) - 1.333) < 0.02")
+            }
+        }
+
+        test("${browser.name}: a video beside the page plays from disk and over HTTP, where the policy of the page says so")
+            .config(enabledOrReasonIf = { drawn(browser) }) {
+                browser.tab.run {
+                    val page = TestPages.withVideo(stepBag(graphs = 1), "match 1.webm", CountedVideo.bytes)
+                    openPage(page)
+                    awaitVideo()
+                    FileServer(page.parent).use { server ->
+                        open(server.addressOf(page.fileName.toString()))
+                        awaitVideo()
+                        evaluate("document.querySelector('#video video').currentTime = 15.01")
+                        await("document.querySelector('#video video').seeking == false && ${CountedVideo.SHOWN} == 450")
+                    }
+                    // On a server of its own, since Firefox has the video of the other one already.
+                    FileServer(page.parent).use { server ->
+                        val strict = Files.readString(page, Charsets.ISO_8859_1).replace("media-src blob: 'self'", "media-src blob:")
+                        Files.writeString(page.resolveSibling("strict.html"), strict, Charsets.ISO_8859_1)
+                        open(server.addressOf("strict.html"))
+                        await("document.querySelector('#video [role=status]')?.textContent.startsWith('This browser cannot play match 1.webm')")
+                        evaluate("document.querySelector('#video video').readyState") shouldBe "0"
+                    }
+                }
+            }
+
         browserTest("the file comes back byte for byte") {
             openPage(steps)
             val file = browser.downloads.resolve("test.bag")
@@ -101,6 +142,11 @@ internal class EveryBrowserSpec : FunSpec({
         }
     }
 })
+
+/** Whether [browser] is here, and the one that draws the video. */
+private fun drawn(browser: Browser) = browser.enabled.takeUnless { it.isEnabled } ?: Browser.CHROMIUM.enabled
+
+private fun BrowserTab.awaitVideo() = await("document.querySelector('#video video').readyState >= 2")
 
 private fun BrowserTab.openPage(page: Path, fragment: String = "") {
     open("${page.toUri()}$fragment")

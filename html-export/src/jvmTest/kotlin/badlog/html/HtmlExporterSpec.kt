@@ -48,7 +48,7 @@ class HtmlExporterSpec : FunSpec({
             page.program shouldBe "draw()"
             page.style shouldBe "main{}"
             page.waitingStyle shouldBe "p{}"
-            page.policy shouldBe parts.policy
+            page.policy shouldBe parts.policy(false)
             report.recording.rowCount shouldBe 2
             report.recording.isSalvaged shouldBe false
             report.originalBytes shouldBe BAG.length

@@ -16,9 +16,15 @@ class PagePartsSpec : FunSpec({
 
     test("the policy has the hashes of the program and of both styles, as a browser reads their lines") {
         val parts = PageParts("let a\r\nlet ü\r", "b{}\r\n", "p{}\n")
-        parts.policy shouldContain "script-src ${hash(UNPACKING)} ${hash("let a\nlet ü\n")};"
-        parts.policy shouldContain "style-src ${hash("p{}\n")} ${hash("b{}\n")};"
-        parts.policy.substringBefore(';') shouldBe "default-src 'none'"
+        parts.policy(false) shouldContain "script-src ${hash(UNPACKING)} ${hash("let a\nlet ü\n")};"
+        parts.policy(false) shouldContain "style-src ${hash("p{}\n")} ${hash("b{}\n")};"
+        parts.policy(false).substringBefore(';') shouldBe "default-src 'none'"
+    }
+
+    test("only the page that has a video beside it may play one that the reader has not opened") {
+        val parts = PageParts("", "")
+        parts.policy(false) shouldContain "; media-src blob:;"
+        parts.policy(true) shouldContain "; media-src blob: 'self';"
     }
 
     test("a style that would end its element is refused, a program and its style stand in the page packed") {

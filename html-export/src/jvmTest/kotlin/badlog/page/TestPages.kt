@@ -26,6 +26,14 @@ internal object TestPages {
         return ofFile(Files.write(file, bytes), additions)
     }
 
+    /** The page of a bag with these [bytes], beside which lies the [video] of this [name]. */
+    fun withVideo(bytes: ByteArray, name: String, video: ByteArray): Path {
+        val beside = Files.createDirectory(folder.resolve("${count++}"))
+        Files.write(beside.resolve(name), video)
+        val log = Files.write(beside.resolve("test.bag"), bytes)
+        return beside.resolve("page.html").also { exporter.export(log, it, PageAdditions(video = name)) }
+    }
+
     /** The page of the log whose [first] file has a [second] one beside it. */
     fun ofPair(first: Pair<String, ByteArray>, second: Pair<String, ByteArray>): Path {
         val beside = Files.createDirectory(folder.resolve("${count++}"))

@@ -25,10 +25,12 @@ internal class ExportCommand :
         .help("Include this file in each page; may be given again.")
     private val field by option("--field", metavar = "FILE").path()
         .help("WPILib's field file; without it, field.json by the log.")
+    private val video by option("--video", metavar = "FILE").path()
+        .help("Show this video, which lies beside the page of one log.")
     private val search by SearchOptions()
     private val hooks by HookOptions()
     private val virtual by VirtualTopicOption()
 
     override fun makeTask(): Task =
-        ExportTask(paths, output.plan(paths), attachments, search.search(hooks, virtual.definitions), isJson, field)
+        ExportTask(paths, output.plan(paths), attachments, video, search.search(hooks, virtual.definitions), isJson, field)
 }

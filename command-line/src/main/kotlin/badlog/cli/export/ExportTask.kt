@@ -6,6 +6,7 @@ import badlog.cli.command.LogLoop
 import badlog.cli.command.Outcome
 import badlog.cli.command.Task
 import badlog.cli.console.Console
+import badlog.cli.input.Failure
 import badlog.cli.input.LogInput
 import badlog.cli.input.NotALog
 import badlog.cli.output.OutputPlan
@@ -37,11 +38,13 @@ import badlog.rules.skippedFor
 import badlog.terminal.Progress
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonPrimitive
+import java.nio.file.Files
 import java.nio.file.Path
 
 /**
  * Makes a page of each log, one after the other: each takes all cores by itself.
  *
+ * @param video a video of the match that the only log is of; null for none.
  * @param search what the pages look for, and what is looked for in the logs for them.
  * @param field the field of all pages; null for those beside the logs.
  */
@@ -49,19 +52,24 @@ internal class ExportTask(
     private val paths: List<Path>,
     private val plan: OutputPlan,
     private val attachments: List<Path>,
+    private val video: Path?,
     private val search: Search,
     private val isJson: Boolean,
     private val field: Path? = null,
 ) : Task {
     override fun run(console: Console): ExitCode {
         try {
-            attachments.forEach(::requireRegularFile)
+            (attachments + listOfNotNull(video)).forEach(::requireRegularFile)
         } catch (e: UnreadableFileException) {
             console.warn(e.message)
             return ExitCode.NOTHING
         }
         field?.let { fieldFor(it, it).problem }?.let {
             console.warn(it)
+            return ExitCode.USAGE
+        }
+        if (video != null && (paths.size > 1 || Files.isDirectory(paths[0]))) {
+            console.warn("--video is of one match; name the one log that it shows.")
             return ExitCode.USAGE
         }
         val named = try {
@@ -96,6 +104,19 @@ internal class ExportTask(
         FolderRules.of(log).also { rules -> rules.problem?.let(console::warn) }
     }
 
+    /** The name of [video] as seen from the folder of [page]. */
+    private fun videoBeside(page: Path): String? {
+        val file = video?.toAbsolutePath()?.normalize() ?: return null
+        val folder = page.toAbsolutePath().normalize().parent
+        if (!file.startsWith(
+                folder,
+            )
+        ) {
+            throw Failure("$video does not lie in the folder of $page; move it there, or name another page with --out.")
+        }
+        return folder.relativize(file).joinToString("/")
+    }
+
     private fun export(
         exporter: HtmlExporter,
         input: LogInput,
@@ -108,7 +129,8 @@ internal class ExportTask(
         val name = "${input.file.fileName}.html"
         val target = plan.place(input, name, name)
         val additions = own.run {
-            PageAdditions(virtualTopics, rules, rulesProblem, hooks = hookParts(found.hooks), layout = layout, field = field)
+            val hookParts = hookParts(found.hooks)
+            PageAdditions(virtualTopics, rules, rulesProblem, hooks = hookParts, layout = layout, field = field, video = videoBeside(target))
         }
         val report = try {
             exporter.export(input.file, target, additions, progress)

@@ -54,6 +54,35 @@ class ExportSpec : FunSpec({
         }
     }
 
+    test("a page names the video that lies beside it or below, and may play that alone") {
+        inFolder { folder ->
+            val log = folder.with("a.bag", BAG)
+            val video = folder.with("video/match 1.mp4", "a video")
+            badlog("export", log, "--video", video).code shouldBe ExitCode.WHOLE
+            additionsIn(folder / "a.bag.html") shouldContain "\"video\":\"video/match 1.mp4\""
+            (folder / "a.bag.html").readText() shouldContain "media-src blob: 'self';"
+            badlog("export", log, "--force").code shouldBe ExitCode.WHOLE
+            (folder / "a.bag.html").readText() shouldContain "media-src blob:;"
+        }
+    }
+
+    test("a video that is missing, lies elsewhere or is of several logs is refused, and why is said") {
+        inFolder { folder ->
+            val log = folder.with("logs/a.bag", BAG)
+            val video = folder.with("match.mp4", "a video")
+            badlog("export", log, "--video", folder / "nix.mp4").code shouldBe ExitCode.NOTHING
+            badlog("export", log, "--video", video).run {
+                code shouldBe ExitCode.NOTHING
+                err shouldContain "does not lie in the folder of"
+            }
+            badlog("export", folder / "logs", "--video", video).run {
+                code shouldBe ExitCode.USAGE
+                err shouldContain "name the one log that it shows"
+            }
+            badlog("export", log, "--video", video, "--out", folder / "a.html").code shouldBe ExitCode.WHOLE
+        }
+    }
+
     test("a page holds the topics to calculate, and those that the log cannot be given are reported") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)

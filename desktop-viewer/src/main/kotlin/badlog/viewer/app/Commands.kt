@@ -35,7 +35,7 @@ internal fun actionCommands(
     formulas: FormulaStore,
     findings: LogFindings,
     panels: WindowPanels,
-): List<Command> = Action.entries.map { action ->
+): List<Command> = (Action.entries - PAGE_ACTIONS).map { action ->
     Command(action) {
         when (action) {
             Action.CURSOR_VALUES -> panels.change { toggled(InspectorTab.CURSOR) }
@@ -54,6 +54,9 @@ private fun stepFinding(steps: Int, findings: LogFindings, panels: WindowPanels)
     // In front of the graphs of a narrow window nothing is opened.
     panels.change { if (inspector == null) copy(inspector = InspectorTab.FINDINGS) else this }
 }
+
+/** What the window has no video for. */
+private val PAGE_ACTIONS = setOf(Action.PREVIOUS_FRAME, Action.NEXT_FRAME)
 
 private val BOARD_ACTIONS = setOf(Action.PIN, Action.MOVE_UP, Action.MOVE_DOWN, Action.NEXT_HEIGHT, Action.UNDO, Action.REDO)
 

@@ -22,6 +22,7 @@ import badlog.rules.RuleSet
  * @property notes what people wrote about moments of the recording.
  * @property notesProblem why there are none of them, though a file has some, as a sentence; null when all is well.
  * @property field the field on which paths are drawn, its picture in it, as `FieldFile` has it; null for a plain one.
+ * @property video the name of a video of the match that lies beside the page, or in a folder there: `match.mp4`, `video/match.mp4`; null for none.
  */
 public class PageAdditions(
     public val virtualTopics: List<String> = emptyList(),
@@ -34,15 +35,16 @@ public class PageAdditions(
     public val notes: List<Note> = emptyList(),
     public val notesProblem: String? = null,
     public val field: String? = null,
+    public val video: String? = null,
 ) {
     /** The same with [notes], and why there are none, if that is so. */
     internal fun withNotes(notes: List<Note>, problem: String?): PageAdditions =
-        PageAdditions(virtualTopics, rules, rulesProblem, findings, hooks, differences, layout, notes, problem, field)
+        PageAdditions(virtualTopics, rules, rulesProblem, findings, hooks, differences, layout, notes, problem, field, video)
 
     /** Whether there is nothing, so that a page is as small as one without. */
     public val isEmpty: Boolean
         get() = virtualTopics.isEmpty() && rules.rules.isEmpty() && rules.signals.isEmpty && rulesProblem == null && findings.isEmpty() &&
-            hooks.isEmpty() && layout == null && this.field == null && notes.isEmpty() && notesProblem == null
+            hooks.isEmpty() && layout == null && this.field == null && notes.isEmpty() && notesProblem == null && video == null
 
     /** Reads what [toJson] wrote. */
     public companion object

@@ -28,6 +28,7 @@ public fun PageAdditions.toJson(): String = inScript(
         "notes" to notes.takeIf { it.isNotEmpty() }?.toJson(),
         "notesProblem" to notesProblem?.let(::quotedJson),
         "field" to field?.let(::quotedJson),
+        "video" to video?.let(::quotedJson),
     ),
 )
 
@@ -45,6 +46,7 @@ public fun PageAdditions.Companion.fromJson(text: String): PageAdditions? = unle
         notes = json.find("notes")?.let { notesIn(it.json) }.orEmpty(),
         notesProblem = json.find("notesProblem")?.string,
         field = json.find("field")?.string,
+        video = json.find("video")?.string,
     )
 }
 

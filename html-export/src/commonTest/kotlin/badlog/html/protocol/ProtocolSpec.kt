@@ -93,7 +93,7 @@ class ProtocolSpec : FunSpec({
 
     test("whatever the exporter puts into a page comes back as it was, and can neither end nor open an element") {
         checkAll(200, Arb.list(TEXTS, 0..3), RULES, Arb.list(FINDINGS, 0..3), Arb.list(HOOKS, 0..2)) { topics, rules, findings, hooks ->
-            val additions = PageAdditions(topics, rules, topics.firstOrNull(), findings, hooks)
+            val additions = PageAdditions(topics, rules, topics.firstOrNull(), findings, hooks, video = topics.lastOrNull())
             val text = additions.toJson()
             text shouldNotContain "<"
             text.none { it.isSurrogate() } shouldBe true
@@ -101,6 +101,7 @@ class ProtocolSpec : FunSpec({
             read.virtualTopics shouldBe topics
             read.rules.toJson() shouldBe rules.toJson()
             read.rulesProblem shouldBe additions.rulesProblem
+            read.video shouldBe additions.video
             read.findings.map(::partsOf) shouldBe findings.map(::partsOf)
             read.hooks.map(::partsOf) shouldBe hooks.map(::partsOf)
         }

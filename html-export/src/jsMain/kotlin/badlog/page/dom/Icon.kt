@@ -29,6 +29,7 @@ internal enum class Icon(private val path: String) {
     ),
     MORE("M3.5 8v.1M8 8v.1M12.5 8v.1"),
     UNDO("M5.5 3.5 2.5 6.5l3 3M2.5 6.5h7a3.5 3.5 0 0 1 0 7H6"),
+    VIDEO("M1.5 4h9v8h-9zM10.5 7l4-2.5v7l-4-2.5"),
     FOLDER("M2 12.5v-9h4l1.5 2H14v7z"),
     ;
 

@@ -2,6 +2,7 @@ package badlog.page.section
 
 import badlog.page.board.BoardKeys
 import badlog.page.formula.FormulaDialog
+import badlog.page.video.VideoPanel
 import badlog.page.view.Scene
 import badlog.plot.cursor.Cursors
 import badlog.plot.gesture.Action
@@ -19,6 +20,7 @@ internal class Keyboard(
     private val values: CursorPanel,
     private val formulas: FormulaDialog,
     private val help: HelpOverlay,
+    private val video: VideoPanel,
 ) {
     init {
         document.addEventListener("keydown", { press(it.unsafeCast<KeyboardEvent>()) })
@@ -57,6 +59,8 @@ internal class Keyboard(
         Action.NEW_FORMULA -> formulas.open()
         Action.NEXT_FINDING -> findings.step(1)
         Action.PREVIOUS_FINDING -> findings.step(-1)
+        Action.PREVIOUS_FRAME -> video.step(-1)
+        Action.NEXT_FRAME -> video.step(1)
         Action.PIN, Action.MOVE_UP, Action.MOVE_DOWN, Action.NEXT_HEIGHT, Action.UNDO, Action.REDO -> board.perform(action)
     }
 

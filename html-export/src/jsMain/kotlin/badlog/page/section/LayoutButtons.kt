@@ -23,12 +23,14 @@ import kotlin.js.Promise
  * @param name what the log is called.
  * @param layoutNow what is to be saved.
  * @param onOpen is called with what was opened.
+ * @param openOther opens a file that was dropped and is not a layout; false where it is nothing that it knows.
  */
 internal class LayoutButtons(
     private val name: String,
     private val notice: Notice,
     private val layoutNow: () -> BoardLayout,
     private val onOpen: (BoardLayout) -> Unit,
+    private val openOther: (File) -> Boolean,
 ) {
     private val input = element("input").unsafeCast<HTMLInputElement>().apply {
         type = "file"
@@ -53,7 +55,7 @@ internal class LayoutButtons(
         document.addEventListener("drop", { event ->
             if (!hasFile(event)) return@addEventListener
             event.preventDefault()
-            event.asDynamic().dataTransfer.files[0].unsafeCast<File?>()?.let(::read)
+            event.asDynamic().dataTransfer.files[0].unsafeCast<File?>()?.let { if (!openOther(it)) read(it) }
         })
     }
 

@@ -19,6 +19,7 @@ import badlog.page.formula.FormulaDialog
 import badlog.page.formula.Formulas
 import badlog.page.graph.VisibleGraphs
 import badlog.page.rules.RuleSearch
+import badlog.page.video.VideoPanel
 import badlog.page.view.Hits
 import badlog.page.view.PageBoard
 import badlog.page.view.Scene
@@ -83,14 +84,15 @@ internal class LogPage(
     }
     private val values: CursorPanel = CursorPanel(scene, ::linesShown, ::allLines)
     private val ways = listOf(search.element, navigation.choice, eventsLink.element, formulaButton, values.button)
-    private val link = PageLink(scene, formulas, { addFormulas(it, isRemembered = false) }, ::goWith)
+    private val video = VideoPanel(scene, about.fileKey, this.additions.video)
+    private val link = PageLink(scene, formulas, video, { addFormulas(it, isRemembered = false) }, ::goWith)
     private val zoomBar = ZoomBar(scene, ways, link.element)
     private val help = HelpOverlay()
     private val findings = FindingList(scene, ::showEvidence, ::pinEvidence)
     private val notes = NoteList(scene)
     private val evidence = EvidenceSection(scene, graphs, signals, findings::stepWithin)
     private val topicDialog = TopicDialog(scene)
-    private val layouts = LayoutButtons(about.name, scene.notice, ::layoutNow, ::open)
+    private val layouts = LayoutButtons(about.name, scene.notice, ::layoutNow, ::open, video::open)
     private val boardSection = BoardSection(scene, graphs, topicDialog, layouts.element)
     private val printing = Printing(scene, { boardSection.cards + evidence.cards }, { folders.cards }, findings::print)
     private val export = ExportMenu(scene, printing) { boardSection.cards }
@@ -101,6 +103,7 @@ internal class LogPage(
     private val tools = listOf(
         export.element,
         downloads.element,
+        video.button,
         element("div", "page-settings") {
             appendChild(theme.element)
             addIconButton("", Icon.HELP, "Keys and gestures (?)") { help.toggle() }.id = "help-button"
@@ -126,6 +129,7 @@ internal class LogPage(
                 appendChild(infoSection(view, formulas.logged.recording, about))
             }
         }
+        appendChild(video.element)
         appendChild(values.element)
         appendChild(help.element)
         appendChild(formulaDialog.element)
@@ -138,7 +142,7 @@ internal class LogPage(
         board.begin { layout.board ?: boardAbove(view, signals) }
         board.onChange(values::refresh)
         BoardDrag(board, graphs, boardSection)
-        Keyboard(scene, search, findings, evidence, BoardKeys(board, graphs, boardSection), values, formulaDialog, help)
+        Keyboard(scene, search, findings, evidence, BoardKeys(board, graphs, boardSection), values, formulaDialog, help, video)
     }
 
     /** Draws the graphs, and goes to the time that the address names; to be called when [element] is on the page. */

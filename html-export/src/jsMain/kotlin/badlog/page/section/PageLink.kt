@@ -4,6 +4,7 @@ import badlog.page.dom.Icon
 import badlog.page.dom.addIconButton
 import badlog.page.dom.element
 import badlog.page.formula.Formulas
+import badlog.page.video.VideoPanel
 import badlog.page.view.Scene
 import badlog.plot.address.PageAddress
 import badlog.plot.address.pageAddressOf
@@ -24,6 +25,7 @@ import kotlin.js.Promise
 internal class PageLink(
     private val scene: Scene,
     private val formulas: Formulas,
+    private val video: VideoPanel,
     private val onFormulas: (List<String>) -> List<String>,
     private val onJump: (PageAddress) -> Unit,
 ) {
@@ -65,6 +67,7 @@ internal class PageLink(
         val board = address.board?.fittedTo { scene.board.lines[it] != null }
         board?.let { scene.board.visit(it.board) }
         go(address)
+        address.video?.let { video.alignment = it }
         scene.notice.say(*(problems + listOfNotNull(board?.sentence)).toTypedArray())
     }
 
@@ -81,6 +84,7 @@ internal class PageLink(
             visible = scene.range.now.takeIf { scene.range.isZoomed },
             board = scene.board.now.takeIf { it.graphs.isNotEmpty() }?.renumbered(),
             formulas = formulas.own,
+            video = video.alignment,
         )
         val end = address.toText()
         val link = window.location.href.substringBefore('#') + end

@@ -9,6 +9,7 @@ import badlog.plot.board.spanText
 import badlog.plot.board.toText
 import badlog.plot.text.addressText
 import badlog.plot.text.nameOfAddress
+import badlog.plot.video.VideoAlignment
 
 /**
  * What the end of a page's address asks for: `#t=93.7&finding=Brownout;Voltage&x=90:100&board=Voltage;Mode&f=Power+~003d+Voltage*Current`.
@@ -19,6 +20,7 @@ import badlog.plot.text.nameOfAddress
  * @property board the graphs to show together, by the names of their lines; null for those that there are.
  * @property formulas the definitions of topics that are calculated from others, in addition to those of the page.
  * @property problems what of it is damaged, and is passed over: a sentence each.
+ * @property video where the video lies beside the log that the reader opens or that the page has: `v=-3.5` where it begins 3.5 s before x is 0.
  */
 public class PageAddress(
     public val moment: Double? = null,
@@ -27,18 +29,20 @@ public class PageAddress(
     public val formulas: List<String> = emptyList(),
     public val problems: List<String> = emptyList(),
     public val finding: FindingName? = null,
+    public val video: VideoAlignment? = null,
 ) {
     /** Whether it asks for nothing. */
-    public val isEmpty: Boolean get() = moment == null && visible == null && board == null && formulas.isEmpty()
+    public val isEmpty: Boolean get() = moment == null && visible == null && board == null && formulas.isEmpty() && video == null
 
     /** The end of the address, from the `#` on; empty where it asks for nothing. */
     public fun toText(): String {
         val parts = listOfNotNull(
-            moment?.takeIf { it.isFinite() }?.let { "t=$it".replace("+", "").removeSuffix(".0") },
+            moment?.takeIf { it.isFinite() }?.let { "t=" + numberText(it) },
             finding?.takeIf { moment?.isFinite() == true }?.let { "finding=" + it.toText() },
             visible?.takeIf { it.from < it.to && it.from.isFinite() && it.to.isFinite() }?.let { "x=" + spanText(it) },
             board?.let { "board=" + it.toText() },
             formulas.takeIf { it.isNotEmpty() }?.joinToString(";", "f=", transform = ::addressText),
+            video?.let { "v=" + numberText(it.startSeconds) },
         )
         return if (parts.isEmpty()) "" else parts.joinToString("&", "#")
     }
@@ -67,8 +71,11 @@ public fun pageAddressOf(text: String): PageAddress {
         formulas = read("f", "formula", ::formulasOrNull).orEmpty(),
         problems = problems,
         finding = read("finding", "finding", ::findingNameOf),
+        video = read("v", "video’s place") { text -> text.toDoubleOrNull()?.takeIf(Double::isFinite)?.let(::VideoAlignment) },
     )
 }
+
+private fun numberText(number: Double) = "$number".replace("+", "").removeSuffix(".0")
 
 private fun boardOrNull(text: String): Board? = try {
     boardOfText(text)

@@ -76,6 +76,12 @@ public enum class Action(public val group: String, public val meaning: String, p
 
     /** The cursor goes to the finding before. */
     PREVIOUS_FINDING("Findings", "Previous finding", KeyStroke("N", shift = true)),
+
+    /** The video shows the frame before, and the cursor goes there. */
+    PREVIOUS_FRAME("Video", "Previous frame of the video", KeyStroke(",")),
+
+    /** The video shows the next frame, and the cursor goes there. */
+    NEXT_FRAME("Video", "Next frame of the video", KeyStroke(".")),
     ;
 
     /** The first of [keys], for the tip of a button: `Shift+N`. */

@@ -2,6 +2,7 @@ package badlog.plot.address
 
 import badlog.analysis.Span
 import badlog.plot.board.Board
+import badlog.plot.video.VideoAlignment
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
@@ -31,6 +32,7 @@ class PageAddressSpec : FunSpec({
             board = board.orNull().bind(),
             formulas = Arb.list(name, 0..3).bind().filter { it.isNotEmpty() }.distinct(),
             finding = arbitrary { FindingName(name.bind(), name.orNull().bind()) }.orNull().bind(),
+            video = number.orNull().bind()?.let(::VideoAlignment),
         )
     }
 
@@ -45,6 +47,7 @@ class PageAddressSpec : FunSpec({
                 read.board shouldBe written.board
                 read.formulas shouldBe written.formulas
                 read.finding?.run { rule to topic } shouldBe written.finding?.takeIf { written.moment != null }?.run { rule to topic }
+                read.video?.startSeconds shouldBe written.video?.startSeconds?.plus(0.0)
                 read.problems shouldBe emptyList()
             }
         }
@@ -63,12 +66,13 @@ class PageAddressSpec : FunSpec({
             "#t=93.5&x=90.5:100.5&board=Battery+Voltage;Mode&f=Power+~003d+Voltage"
         PageAddress(93.0, finding = FindingName("Loop stood still", "Loop time")).toText() shouldBe "#t=93&finding=Loop+stood+still;Loop+time"
         PageAddress(93.0, finding = FindingName("Restart", null)).toText() shouldBe "#t=93&finding=Restart"
+        PageAddress(video = VideoAlignment(-3.5)).toText() shouldBe "#v=-3.5"
         PageAddress().toText() shouldBe ""
     }
 
     test("what is damaged is said in a sentence each, and the rest is used") {
-        pageAddressOf("#t=x&x=5:4&board=~12&f=~zzzz&finding=a;b;c").problems shouldContainExactly
-            listOf("time", "range", "board", "formula", "finding").map { "This link’s $it is damaged; copy the link again." }
+        pageAddressOf("#t=x&x=5:4&board=~12&f=~zzzz&finding=a;b;c&v=1e999").problems shouldContainExactly
+            listOf("time", "range", "board", "formula", "finding", "video’s place").map { "This link’s $it is damaged; copy the link again." }
         pageAddressOf("#t=5&x=").run {
             moment shouldBe 5.0
             problems.size shouldBe 1
@@ -82,7 +86,7 @@ class PageAddressSpec : FunSpec({
     }
 
     test("whatever an address ends with, it is read, and what is said of it are sentences") {
-        val pieces = Arb.element("#", "t=", "x=", "board=", "f=", "finding=", "&", ":", ";", "~", "%", "1e999", "NaN", "-5", "%7E", "y=1", ",")
+        val pieces = Arb.element("#", "t=", "x=", "board=", "f=", "finding=", "v=", "&", ":", ";", "~", "%", "1e999", "NaN", "-5", "%7E", "y=1", ",")
         val text = Arb.choice(Arb.string(0..40), Arb.list(pieces, 0..20).let { lists -> arbitrary { lists.bind().joinToString("") } })
         checkAll(text, address, Arb.int(0..80)) { some, written, at ->
             for (tried in listOf(some, written.toText().take(at), written.toText().take(at) + some)) {

@@ -1,0 +1,191 @@
+package badlog.page.video
+
+import badlog.analysis.Units
+import badlog.page.dom.Icon
+import badlog.page.dom.LocalStorage
+import badlog.page.dom.add
+import badlog.page.dom.addButton
+import badlog.page.dom.addIconButton
+import badlog.page.dom.element
+import badlog.page.dom.isHidden
+import badlog.page.dom.showText
+import badlog.page.view.Scene
+import badlog.plot.video.VIDEO_SPEEDS
+import badlog.plot.video.VideoAlignment
+import badlog.plot.video.VideoNote
+import badlog.plot.video.enabledStart
+import badlog.plot.video.videoNoteOf
+import org.w3c.dom.HTMLElement
+import org.w3c.dom.HTMLInputElement
+import org.w3c.dom.HTMLSelectElement
+import org.w3c.dom.HTMLVideoElement
+import org.w3c.dom.url.URL
+import org.w3c.files.File
+
+/**
+ * A video of the match beside its data. What the reader opens stays on the reader's machine.
+ *
+ * @param fileKey tells this log from others, for what the browser remembers.
+ * @param beside the name of a video that lies beside the page, as a part of an address; null for none.
+ */
+internal class VideoPanel(private val scene: Scene, fileKey: String, beside: String?) {
+    private val key = "video:$fileKey"
+    private val video = element("video").unsafeCast<HTMLVideoElement>().apply {
+        controls = true
+        setAttribute("playsinline", "")
+        // One place for the speed.
+        setAttribute("controlslist", "noplaybackrate")
+    }
+    private val secondsOfX = Units.secondsIn(scene.xAxis.unit)
+    private val sync = VideoSync(video, scene, secondsOfX ?: 1.0)
+    private var name = ""
+
+    /** Where a link has the video, until one is opened. */
+    private var linked: VideoAlignment? = null
+    private lateinit var heading: HTMLElement
+    private lateinit var hint: HTMLElement
+    private lateinit var link: HTMLElement
+
+    private val input = element("input").unsafeCast<HTMLInputElement>().apply {
+        type = "file"
+        id = "video-file"
+        accept = "video/*,.mkv"
+        isHidden = true
+        setAttribute("aria-label", "Video file")
+        addEventListener("change", {
+            files?.item(0)?.let(::open)
+            value = ""
+        })
+    }
+
+    val element: HTMLElement = element("aside", "video card") {
+        id = "video"
+        setAttribute("aria-label", "Video")
+        add("header", "graph-head") {
+            heading = add("h2", "findings-title", "Video")
+            add("div", "graph-tools") {
+                addIconButton("", Icon.FOLDER, "Open a video, or drop it on the page") { input.click() }
+                addIconButton("", Icon.CLOSE, "Close the video") { close() }.id = "close-video"
+            }
+        }
+        appendChild(input)
+        appendChild(video)
+        add("div", "video-tools") {
+            addIconButton("", Icon.BACK, "Previous frame (,)") { step(-1) }.id = "previous-frame"
+            addIconButton("redo", Icon.BACK, "Next frame (.)") { step(1) }.id = "next-frame"
+            add("select") {
+                id = "video-speed"
+                setAttribute("aria-label", "Speed")
+                for (speed in VIDEO_SPEEDS) add("option", "", "$speed×").setAttribute("value", "$speed")
+                val select = unsafeCast<HTMLSelectElement>()
+                select.value = "1"
+                addEventListener("change", { video.playbackRate = select.value.toDouble() })
+            }
+            addButton("", "Enabled here", "The robot is enabled in this frame: align the video with the log") { alignEnabled() }.apply {
+                id = "video-enabled"
+                isHidden = scene.enabled.isEmpty()
+            }
+            link =
+                addIconButton("", Icon.LINK, "Video and cursor move together; off: each by itself, on: this frame is at the cursor") {
+                    toggleLink()
+                }
+            link.id = "video-link"
+        }
+        hint = add("p", "cursor-panel-hint") { setAttribute("role", "status") }
+        isHidden = true
+    }
+
+    /** Opens it; hidden where x is not a time. */
+    val button: HTMLElement = element("div", "downloads") {
+        addButton("", "", "Show a video beside the graphs") {
+            if (name.isEmpty()) input.click() else element.isHidden = !element.isHidden
+        }.apply {
+            id = "video-button"
+            appendChild(Icon.VIDEO.draw())
+            add("span", "", "Video")
+        }
+        isHidden = secondsOfX == null
+    }
+
+    /** Where the video lies beside the log; null without one, or where nobody has said. */
+    var alignment: VideoAlignment?
+        get() = sync.alignment ?: linked
+        set(value) {
+            linked = value
+            if (name.isEmpty() || value == null) return
+            use(value)
+            sync.follow()
+        }
+
+    init {
+        video.addEventListener("error", { if (name.isNotEmpty()) fail() })
+        // Of some files a browser plays the sound alone.
+        video.addEventListener("loadedmetadata", { if (video.videoWidth == 0) fail() })
+        if (beside != null &&
+            secondsOfX != null
+        ) {
+            show(beside.substringAfterLast('/'), beside.split('/').joinToString("/", transform = ::encodeURIComponent))
+        }
+    }
+
+    /** Shows [file] where it is a video; false for another. */
+    fun open(file: File): Boolean {
+        val isVideo = file.type.startsWith("video/") || file.name.endsWith(".mkv")
+        if (secondsOfX == null || !isVideo) return false
+        show(file.name, URL.createObjectURL(file))
+        return true
+    }
+
+    /** Shows the frame [count] after this one, or before it when negative. */
+    fun step(count: Int) {
+        if (!element.isHidden) sync.step(count)
+    }
+
+    private fun show(name: String, address: String) {
+        this.name = name
+        URL.revokeObjectURL(video.src)
+        heading.showText(name)
+        heading.title = name
+        element.isHidden = false
+        use(linked ?: LocalStorage[key]?.let(::videoNoteOf)?.takeIf { it.name == name }?.alignment)
+        video.src = address
+    }
+
+    private fun close() {
+        video.pause()
+        element.isHidden = true
+    }
+
+    private fun fail() = hint.showText(
+        "This browser cannot play $name" + (if (video.src.startsWith("blob:")) "" else ", or it does not lie beside this page") +
+            ". Convert it to MP4 with H.264, or try another browser.",
+    )
+
+    private fun alignEnabled() = alignAt(enabledStart(scene.enabled.map { it.span }, scene.range.now) ?: Double.NaN)
+
+    private fun toggleLink() {
+        if (sync.alignment == null) return alignAt(scene.cursor.x)
+        use(null)
+        remember()
+    }
+
+    private fun alignAt(x: Double) {
+        if (x.isNaN()) return scene.notice.say("Click a graph first, where this frame belongs.")
+        sync.align(x)
+        use(sync.alignment)
+        remember()
+    }
+
+    private fun use(alignment: VideoAlignment?) {
+        linked = null
+        sync.alignment = alignment
+        link.setAttribute("aria-pressed", (alignment != null).toString())
+        hint.showText(if (alignment == null) "Find the frame in which the robot is enabled, and say so." else "")
+    }
+
+    private fun remember() {
+        LocalStorage[key] = VideoNote(name, sync.alignment).toText()
+    }
+}
+
+private external fun encodeURIComponent(text: String): String
