@@ -50,7 +50,6 @@ internal class HelpOverlay {
                 "Tap pins the cursor, a long one sets the second; a sideways drag zooms or pans, a double tap shows everything.",
             ),
             HelpLine("Board", "Drag a title", "Puts the graph there on the board; on another graph, draws both in one."),
-            HelpLine("Video", "Drop a video", "Shows it beside the graphs; it stays on this computer."),
             HelpLine("Page", "/", "Search"),
             HelpLine("Page", "Esc", "Clear the search, hide the cursors, cancel a drag"),
             HelpLine("Page", "?", "This help"),

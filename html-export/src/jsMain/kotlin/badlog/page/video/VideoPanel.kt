@@ -64,8 +64,8 @@ internal class VideoPanel(private val scene: Scene, fileKey: String, beside: Str
         add("header", "graph-head") {
             heading = add("h2", "findings-title", "Video")
             add("div", "graph-tools") {
-                addIconButton("", Icon.FOLDER, "Open a video, or drop it on the page") { input.click() }
-                addIconButton("", Icon.CLOSE, "Close the video") { close() }.id = "close-video"
+                addIconButton("", Icon.FOLDER, "Open a video") { input.click() }
+                addIconButton("", Icon.CLOSE, "Close") { close() }.id = "close-video"
             }
         }
         appendChild(input)
@@ -81,12 +81,12 @@ internal class VideoPanel(private val scene: Scene, fileKey: String, beside: Str
                 select.value = "1"
                 addEventListener("change", { video.playbackRate = select.value.toDouble() })
             }
-            addButton("", "Enabled here", "The robot is enabled in this frame: align the video with the log") { alignEnabled() }.apply {
+            addButton("", "Enabled here", "The robot is enabled in this frame") { alignEnabled() }.apply {
                 id = "video-enabled"
                 isHidden = scene.enabled.isEmpty()
             }
             link =
-                addIconButton("", Icon.LINK, "Video and cursor move together; off: each by itself, on: this frame is at the cursor") {
+                addIconButton("", Icon.LINK, "Link video and cursor") {
                     toggleLink()
                 }
             link.id = "video-link"
@@ -97,7 +97,7 @@ internal class VideoPanel(private val scene: Scene, fileKey: String, beside: Str
 
     /** Opens it; hidden where x is not a time. */
     val button: HTMLElement = element("div", "downloads") {
-        addButton("", "", "Show a video beside the graphs") {
+        addButton("", "") {
             if (name.isEmpty()) input.click() else element.isHidden = !element.isHidden
         }.apply {
             id = "video-button"
@@ -145,7 +145,6 @@ internal class VideoPanel(private val scene: Scene, fileKey: String, beside: Str
         this.name = name
         URL.revokeObjectURL(video.src)
         heading.showText(name)
-        heading.title = name
         element.isHidden = false
         use(linked ?: LocalStorage[key]?.let(::videoNoteOf)?.takeIf { it.name == name }?.alignment)
         video.src = address
@@ -158,7 +157,7 @@ internal class VideoPanel(private val scene: Scene, fileKey: String, beside: Str
 
     private fun fail() = hint.showText(
         "This browser cannot play $name" + (if (video.src.startsWith("blob:")) "" else ", or it does not lie beside this page") +
-            ". Convert it to MP4 with H.264, or try another browser.",
+            ". Convert it to H.264.",
     )
 
     private fun alignEnabled() = alignAt(enabledStart(scene.enabled.map { it.span }, scene.range.now) ?: Double.NaN)
@@ -170,7 +169,7 @@ internal class VideoPanel(private val scene: Scene, fileKey: String, beside: Str
     }
 
     private fun alignAt(x: Double) {
-        if (x.isNaN()) return scene.notice.say("Click a graph first, where this frame belongs.")
+        if (x.isNaN()) return scene.notice.say("Click a graph first.")
         sync.align(x)
         use(sync.alignment)
         remember()
@@ -180,7 +179,7 @@ internal class VideoPanel(private val scene: Scene, fileKey: String, beside: Str
         linked = null
         sync.alignment = alignment
         link.setAttribute("aria-pressed", (alignment != null).toString())
-        hint.showText(if (alignment == null) "Find the frame in which the robot is enabled, and say so." else "")
+        hint.showText(if (alignment == null) "Find the frame where the robot is enabled." else "")
     }
 
     private fun remember() {
