@@ -33,8 +33,6 @@ internal class VideoPanel(private val scene: Scene, fileKey: String, beside: Str
     private val video = element("video").unsafeCast<HTMLVideoElement>().apply {
         controls = true
         setAttribute("playsinline", "")
-        // One place for the speed.
-        setAttribute("controlslist", "noplaybackrate")
     }
     private val secondsOfX = Units.secondsIn(scene.xAxis.unit)
     private val sync = VideoSync(video, scene, secondsOfX ?: 1.0)
@@ -51,7 +49,6 @@ internal class VideoPanel(private val scene: Scene, fileKey: String, beside: Str
         id = "video-file"
         accept = "video/*,.mkv"
         isHidden = true
-        setAttribute("aria-label", "Video file")
         addEventListener("change", {
             files?.item(0)?.let(::open)
             value = ""
@@ -157,7 +154,7 @@ internal class VideoPanel(private val scene: Scene, fileKey: String, beside: Str
 
     private fun fail() = hint.showText(
         "This browser cannot play $name" + (if (video.src.startsWith("blob:")) "" else ", or it does not lie beside this page") +
-            ". Convert it to H.264.",
+            ".",
     )
 
     private fun alignEnabled() = alignAt(enabledStart(scene.enabled.map { it.span }, scene.range.now) ?: Double.NaN)
