@@ -17,11 +17,13 @@ import badlog.cli.replay.ReplayCommand
 import badlog.cli.report.ReportCommand
 import badlog.cli.table.TableCommand
 import badlog.html.BADLOG_VERSION
+import com.github.ajalt.clikt.completion.CompletionGenerator
 import com.github.ajalt.clikt.core.CliktError
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.CoreCliktCommand
 import com.github.ajalt.clikt.core.NoSuchSubcommand
 import com.github.ajalt.clikt.core.PrintHelpMessage
+import com.github.ajalt.clikt.core.PrintMessage
 import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.core.context
 import com.github.ajalt.clikt.core.obj
@@ -31,6 +33,7 @@ import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.help
 import com.github.ajalt.clikt.parameters.arguments.optional
 import com.github.ajalt.clikt.parameters.options.versionOption
+import com.github.ajalt.clikt.parameters.types.choice
 
 /**
  * `badlog` and its sub-commands. A new one is added here and nowhere else.
@@ -60,7 +63,7 @@ internal class BadlogCommand(val arguments: List<String>, robots: Robots) : Core
 
     init {
         subcommands(logCommands)
-        subcommands(HelpCommand())
+        subcommands(HelpCommand(), CompletionCommand())
         versionOption(BADLOG_VERSION, names = setOf("-V", "--version"), message = { "$NAME $it" })
         context {
             readArgumentFile = null
@@ -103,5 +106,22 @@ internal class HelpCommand : CoreCliktCommand("help") {
         val names = root.registeredSubcommandNames()
         if (wanted !in names) throw NoSuchSubcommand(wanted, currentContext.suggestTypoCorrection(wanted, names))
         root.parse(listOf(wanted, "--help"))
+    }
+}
+
+/** `badlog completion bash`: prints what a shell needs to complete the commands of [BadlogCommand]. */
+internal class CompletionCommand : CoreCliktCommand("completion") {
+    private val shell by argument("SHELL").choice("bash", "zsh", "fish").help("bash, zsh or fish.")
+
+    override fun help(context: Context): String = "Prints a script with which a shell completes commands."
+
+    override fun helpEpilog(context: Context): String = paragraph(
+        "In ~/.bashrc or ~/.zshrc: source <(badlog completion bash), or zsh. For fish: badlog completion fish > " +
+            "~/.config/fish/completions/badlog.fish",
+    )
+
+    override fun run() {
+        val root = checkNotNull(currentContext.parent).command
+        throw PrintMessage(CompletionGenerator.generateCompletionForCommand(root, shell))
     }
 }

@@ -76,4 +76,13 @@ class BadlogSpec : FunSpec({
     test("a file whose name begins with @ or - is a file") {
         inFolder { folder -> badlog("info", "--", folder.with("@a.bag", BAG)).code shouldBe ExitCode.WHOLE }
     }
+
+    test("a shell completes sub-commands and their options by a script that badlog prints") {
+        for (shell in listOf("bash", "zsh", "fish")) {
+            val script = badlog("completion", shell)
+            script.code shouldBe ExitCode.WHOLE
+            for (word in listOf("convert", "changes-only")) script.out shouldContain word
+        }
+        badlog("completion", "cmd").code shouldBe ExitCode.USAGE
+    }
 })

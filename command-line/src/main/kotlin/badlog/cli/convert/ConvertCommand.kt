@@ -5,6 +5,7 @@ import badlog.cli.command.Task
 import badlog.cli.command.VirtualTopicOption
 import badlog.cli.output.LogFormat
 import badlog.cli.output.OutputOptions
+import badlog.cli.topic.OnlyOption
 import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.flag
@@ -36,6 +37,7 @@ internal class ConvertCommand :
     private val isChangesOnly by option("--changes-only")
         .flag().help("Leave repeated samples out of a WPILOG.")
     private val virtual by VirtualTopicOption()
+    private val only by OnlyOption()
 
     override fun makeTask(): Task {
         val format = to ?: output.outPath?.let(LogFormat::ofName)
@@ -47,6 +49,6 @@ internal class ConvertCommand :
         if (!format.hasRows && xTopic != null) throw UsageError("--x belongs to --to bag and --to csv; a WPILOG's x is time")
         if (format.hasRows && isChangesOnly) throw UsageError("--changes-only belongs to --to wpilog; each row has all topics")
         val rows = Rows(period, rowsAt)
-        return ConvertTask(paths, format, output.plan(paths), isGzip, xTopic, virtual.definitions, rows, isChangesOnly, isJson)
+        return ConvertTask(paths, format, output.plan(paths), isGzip, xTopic, virtual.definitions, only.choice, rows, isChangesOnly, isJson)
     }
 }

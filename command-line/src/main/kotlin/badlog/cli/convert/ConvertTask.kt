@@ -28,6 +28,7 @@ import badlog.cli.text.jsonOf
 import badlog.cli.text.lossLines
 import badlog.cli.text.undefinedLines
 import badlog.cli.text.wrapped
+import badlog.cli.topic.TopicChoice
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
 import badlog.report.UndefinedJson
@@ -35,8 +36,8 @@ import badlog.report.withX
 import badlog.rules.withVirtualTopics
 import badlog.terminal.Progress
 import badlog.wpilog.Omission
+import badlog.wpilog.record.RecordEntry
 import badlog.wpilog.record.RecordLane
-import badlog.wpilog.record.RecordLog
 import badlog.wpilog.record.RecordMerge
 import badlog.wpilog.record.RecordPiece
 import kotlinx.serialization.Serializable
@@ -48,6 +49,7 @@ import java.nio.file.Path
  * @param isGzip whether results are compressed though their logs were not.
  * @param xTopic the topic to make the x axis, or null.
  * @param virtualTopics definitions of topics to add.
+ * @param only which topics to write.
  * @param rows at which times a log without rows gets them, where the format needs them.
  * @param isChangesOnly whether samples are left out that are the same as those before them.
  */
@@ -58,6 +60,7 @@ internal class ConvertTask(
     private val isGzip: Boolean,
     private val xTopic: String?,
     private val virtualTopics: List<String>,
+    private val only: TopicChoice,
     private val rows: Rows,
     private val isChangesOnly: Boolean,
     private val isJson: Boolean,
@@ -72,13 +75,15 @@ internal class ConvertTask(
             throw Failure("${input.file}: nothing can be converted. ${read.problems.firstOrNull()?.message.orEmpty()}".trim())
         }
         val with = LogView.of(read).withVirtualTopics(virtualTopics, signalsBeside(input.file))
-        val all = with.view.recording
+        val all = only.of(with.view, input.file, needed = listOfNotNull(xTopic, rows.topic))
         val fit = if (format.hasRows) withRows(all, input.file) else WithRows(all, Omissions())
         val recording = fit.recording
         val name = FileName.of(input.file)
         val converted = name.with(format.ending, isGzip || name.isGzip)
         val target = plan.place(input, converted, converted)
-        val leftOut = fit.leftOut + write(input.file, recording, read.topics.size, target, progress)
+        val formulas = with.view.recording.topics.drop(read.topics.size).mapTo(HashSet()) { it.name }
+        val calculated = recording.copy(values = emptyList(), topics = recording.topics.filter { it.name in formulas })
+        val leftOut = fit.leftOut + write(input.file, recording, calculated, target, progress)
         val count = if (format.hasRows) {
             counted(recording.rowCount.toLong(), "row")
         } else {
@@ -98,32 +103,36 @@ internal class ConvertTask(
         return Outcome(recording.isSalvaged, text.joinToString("\n"), jsonOf(json))
     }
 
-    private fun write(file: Path, recording: Recording, loggedTopics: Int, target: Path, progress: Progress): Omissions {
+    private fun write(file: Path, recording: Recording, calculated: Recording, target: Path, progress: Progress): Omissions {
         if (recording.format != RecordingFormat.WPILOG || format.hasRows) {
             return writeLog(recording, format, target, changesOnly = isChangesOnly, progress = progress)
         }
         val lostBytes = Damage(recording).bytesAtEnd
-        val isWhole = !isChangesOnly && virtualTopics.isEmpty()
+        val isWhole = !isChangesOnly && virtualTopics.isEmpty() && only.isAll
         if (isWhole && lostBytes != null) {
             copyBeginning(file, lostBytes, target, progress)
             return Omissions()
         }
         val records = recordsOf(file)
-        if (virtualTopics.isEmpty()) {
+        if (virtualTopics.isEmpty() && only.isAll) {
             if (isChangesOnly) return omissionOf(copyRecords(records, target, progress) { changes(recording::isEvent) })
             copyRecords(records, target, progress) { all() }
             return Omissions()
         }
         val kept = if (isChangesOnly) changesOf(records, recording::isEvent) else records
         val repeats = records.entries.sumOf { it.size } - kept.entries.sumOf { it.size }
-        val calculated = recording.copy(values = emptyList(), topics = recording.topics.drop(loggedTopics))
-        return omissionOf(repeats) + writeWith(calculated, kept, target, progress)
+        val wanted = kept.entries.filter { it.isWanted(recording) }
+        return omissionOf(repeats) + writeWith(calculated, wanted, target, progress)
     }
 
+    /** Whether this entry is one of the topics of [recording], or what they need. The names of a struct's fields begin with that of its entry. */
+    private fun RecordEntry.isWanted(recording: Recording) = only.isAll || isValue || SCHEMAS in "/$name" ||
+        recording.topics.any { it.name == name || it.name.startsWith("$name/") || it.name.startsWith("$name (") }
+
     /** Writes [records] and beside them [calculated], the topics that are not logged. */
-    private fun writeWith(calculated: Recording, records: RecordLog, target: Path, progress: Progress): Omissions {
+    private fun writeWith(calculated: Recording, records: List<RecordEntry>, target: Path, progress: Progress): Omissions {
         val (more, leftOut) = recordsOf(calculated, isChangesOnly)
-        val lanes = (records.entries + more.entries).map { RecordLane(it.name, listOf(RecordPiece(it))) }
+        val lanes = (records + more.entries).map { RecordLane(it.name, listOf(RecordPiece(it))) }
         newLog(target) { stream -> RecordMerge(lanes).write(progress::advanced) { bytes, size -> stream.write(bytes, 0, size) } }
         return leftOut
     }
@@ -152,6 +161,9 @@ internal class ConvertTask(
 
     private companion object {
         const val INDENT = 4
+
+        /** What the entries of descriptions are called that others need. */
+        const val SCHEMAS = "/.schema/"
         const val REPEATS = "Samples that are the same as those before them have no record."
     }
 }

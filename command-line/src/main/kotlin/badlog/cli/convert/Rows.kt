@@ -16,9 +16,9 @@ import java.nio.file.Path
  * At which times a log without rows gets them.
  *
  * @param period how far apart, in seconds; null for [DEFAULT_PERIOD].
- * @param topic the topic at whose times they are instead, or null.
+ * @property topic the topic at whose times they are instead, or null.
  */
-internal class Rows(private val period: Double?, private val topic: String?) {
+internal class Rows(private val period: Double?, val topic: String?) {
     /**
      * The times for [recording], which was read from [file].
      *

@@ -11,6 +11,8 @@ import badlog.cli.console.Console
 import badlog.cli.input.readLog
 import badlog.cli.search.signalsBeside
 import badlog.cli.text.jsonOf
+import badlog.cli.topic.OnlyOption
+import badlog.cli.topic.TopicChoice
 import badlog.file.LogFile
 import badlog.report.NamedTopics
 import badlog.report.UndefinedTopic
@@ -40,16 +42,17 @@ internal class InfoCommand :
     private val showsProblems by option("--problems").flag().help("Show the problems, of several logs too.")
     private val xTopic by option("--x", metavar = "TOPIC").help("Use this topic as x axis; CSV does not name one.")
     private val virtual by VirtualTopicOption()
+    private val only by OnlyOption()
 
     override fun makeTask(): Task {
         val parts = buildSet {
-            if (showsTopics || showsAttributes) add(InfoPart.TOPICS)
+            if (showsTopics || showsAttributes || !only.choice.isAll) add(InfoPart.TOPICS)
             if (showsAttributes) add(InfoPart.ATTRIBUTES)
             if (showsSignals) add(InfoPart.SIGNALS)
             if (showsValues) add(InfoPart.VALUES)
             if (showsProblems) add(InfoPart.PROBLEMS)
         }
-        return InfoTask(paths, parts, xTopic, virtual.definitions, isJson)
+        return InfoTask(paths, parts, xTopic, virtual.definitions, only.choice, isJson)
     }
 }
 
@@ -80,12 +83,14 @@ internal enum class InfoPart {
  * @param parts what to show; empty for all of one log, and for one line of each of several.
  * @param xTopic the topic to take as x axis, or null.
  * @param virtualTopics definitions of topics to add.
+ * @param only which topics to show.
  */
 internal class InfoTask(
     private val paths: List<Path>,
     private val parts: Set<InfoPart>,
     private val xTopic: String?,
     private val virtualTopics: List<String>,
+    private val only: TopicChoice,
     private val isJson: Boolean,
 ) : Task {
     override fun run(console: Console): ExitCode {
@@ -100,7 +105,7 @@ internal class InfoTask(
             val recording = readLog(input.file, progress, xTopic, numbers)
             val with = LogView.of(recording).withSignals(vocabulary).withVirtualTopics(virtualTopics, vocabulary)
             val signals = signalTopicsOf(with.view, vocabulary).all
-            val summary = LogSummary(input.file, LogFile.of(input.file).size, with.view, numbers)
+            val summary = LogSummary(input.file, LogFile.of(input.file).size, with.view, numbers, only)
             val text = when {
                 isJson -> ""
                 isOverview -> (if (isFirst) overview.titles() + "\n" else "") + overview.line(summary)

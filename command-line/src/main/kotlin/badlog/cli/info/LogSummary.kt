@@ -3,6 +3,7 @@ package badlog.cli.info
 import badlog.analysis.LogView
 import badlog.analysis.Units
 import badlog.analysis.XAxis
+import badlog.cli.topic.TopicChoice
 import badlog.recording.Topic
 import badlog.recording.TopicKind
 import java.nio.file.Path
@@ -12,8 +13,9 @@ import java.nio.file.Path
  *
  * @property bytes the size of its file.
  * @param numbers what is known of numbers that [view] does not hold.
+ * @param only which topics to say something about.
  */
-internal class LogSummary(val file: Path, val bytes: Long, val view: LogView, numbers: StreamedNumbers) {
+internal class LogSummary(val file: Path, val bytes: Long, val view: LogView, numbers: StreamedNumbers, only: TopicChoice) {
     /** The smallest and the largest x, or null without any. */
     val range: ClosedFloatingPointRange<Double>? = view.xAxis.range
 
@@ -23,8 +25,9 @@ internal class LogSummary(val file: Path, val bytes: Long, val view: LogView, nu
     /** How long it is in seconds, or null when x is not a time. */
     val seconds: Double? get() = range?.let { range -> secondsPerX?.times(range.endInclusive - range.start) }
 
-    /** Each topic, in the order of the file. */
-    val topics: List<TopicSummary> = view.recording.topics.map { TopicSummary.of(it, numbers.of(it), view.xAxis, secondsPerX) }
+    /** Each of the topics, in the order of the file. */
+    val topics: List<TopicSummary> =
+        view.recording.topics.filter { it.name in only }.map { TopicSummary.of(it, numbers.of(it), view.xAxis, secondsPerX) }
 }
 
 /**

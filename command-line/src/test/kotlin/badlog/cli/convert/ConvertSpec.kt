@@ -17,6 +17,7 @@ import io.kotest.matchers.string.shouldContain
 import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonPrimitive
 import kotlin.io.path.div
+import kotlin.io.path.exists
 import kotlin.io.path.readBytes
 import kotlin.io.path.readText
 
@@ -96,6 +97,22 @@ class ConvertSpec : FunSpec({
             val log = folder.with("a.bag", BAG.replace("0.02,2.5", ",2.5"))
             badlog("convert", log, "--to", "csv", "--topic", "Twice = Speed * 2").out shouldContain "1 calculated topic"
             (folder / "a.csv").readText().lines()[0] shouldBe "Time,Speed,Enabled,Log"
+        }
+    }
+
+    test("--only writes the topics whose names fit, and the x axis") {
+        inFolder { folder ->
+            badlog("convert", folder.with("a.bag", BAG), "--to", "csv", "--only", "sp*").code shouldBe ExitCode.WHOLE
+            (folder / "a.csv").readText().lines().take(2) shouldBe listOf("Time,Speed", "0,1.5")
+        }
+    }
+
+    test("a log without any topic that --only names is reported, and nothing is written") {
+        inFolder { folder ->
+            val ended = badlog("convert", folder.with("a.bag", BAG), "--to", "csv", "--only", "Arm/*")
+            ended.code shouldBe ExitCode.NOTHING
+            ended.err shouldContain "no topic that fits “Arm/*”"
+            (folder / "a.csv").exists() shouldBe false
         }
     }
 })

@@ -139,6 +139,17 @@ class ConvertWpilogSpec : FunSpec({
         }
     }
 
+    test("--only copies the records of the topics whose names fit, and what describes them") {
+        inFolder { folder ->
+            val log = folder.sampleLog("practice.bag")
+            badlog("convert", log, "--only", "arm/*", "-o", folder / "arm.wpilog").code shouldBe ExitCode.WHOLE
+            val wanted = readRecording(log, LOG_FORMATS).topics.filter { it.name.startsWith("Arm/") }
+            val copied = readRecording(folder / "arm.wpilog", LOG_FORMATS).topics
+            copied.map { it.name } shouldBe wanted.map { it.name }
+            copied.map { it.samples.toList() } shouldBe wanted.map { it.samples.toList() }
+        }
+    }
+
     test("a WPILOG becomes rows of a period, 0.02 s without one, or of a topic's times") {
         inFolder { folder ->
             val log = folder.sampleLog("practice.bag")

@@ -12,6 +12,7 @@ import badlog.cli.command.ExitCode
 import badlog.cli.console.Console
 import badlog.cli.inFolder
 import badlog.cli.text.jsonOf
+import badlog.cli.topic.TopicChoice
 import badlog.cli.with
 import badlog.file.readRecording
 import badlog.formats.LOG_FORMATS
@@ -99,7 +100,7 @@ class InfoSpec : FunSpec({
             fun json(needed: NumberSinks): JsonObject {
                 val numbers = StreamedNumbers(needed)
                 val view = LogView.of(readRecording(file, LOG_FORMATS, sinks = numbers))
-                return jsonOf(InfoJson(LogSummary(file, 0, view, numbers), emptyList(), emptyList()))
+                return jsonOf(InfoJson(LogSummary(file, 0, view, numbers, TopicChoice(emptyList())), emptyList(), emptyList()))
             }
             json(NamedTopics(emptyList())) shouldBe json(NumberSinks.RECORDING)
         }
@@ -154,5 +155,15 @@ class InfoSpec : FunSpec({
             topic(json, "Twice").getValue("count").jsonPrimitive.int shouldBe 4
             json.getValue("undefined").jsonArray.size shouldBe 1
         }
+    }
+
+    test("--only shows the topics whose names fit, of several logs too") {
+        val shown = badlog("info", SAMPLES / "qualification-42.bag", "--only", "pdp/total*", "--only", "*battery voltage")
+        shown.out shouldContain "PDP/Total Current"
+        shown.out shouldContain "System/Battery Voltage"
+        shown.out shouldNotContain "Drivetrain/"
+        val both = badlog("info", SAMPLES / "qualification-42.bag", SAMPLES / "practice.bag", "--only", "arm/angle")
+        both.out.lines().count { "Arm/Angle" in it } shouldBe 2
+        badlog("info", SAMPLES / "qualification-42.bag", "--only", "arm/angle", "--json").json.single().getValue("topics").jsonArray.size shouldBe 1
     }
 })

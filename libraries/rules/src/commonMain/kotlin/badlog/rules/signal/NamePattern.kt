@@ -3,14 +3,17 @@ package badlog.rules.signal
 /**
  * A topic's name, or a pattern for names: `*` stands for anything, regardless of case, and where the pattern has a space, `_`, `-`
  * or nothing may stand too: `*battery voltage` fits `System/BatteryVoltage`.
+ *
+ * @property text the pattern as it was written.
  */
-internal class NamePattern(val text: String) {
+public class NamePattern(public val text: String) {
     private val parts = text.split('*').map(::folded)
 
-    fun matches(name: String): Boolean = matchesFolded(folded(name))
+    /** Whether it fits [name], from its first letter to its last. */
+    public fun matches(name: String): Boolean = matchesFolded(folded(name))
 
     /** Whether it fits the name of which [folded] made [subject]. */
-    fun matchesFolded(subject: String): Boolean {
+    internal fun matchesFolded(subject: String): Boolean {
         if (parts.size == 1) return subject == parts[0]
         if (!subject.startsWith(parts.first())) return false
         var at = parts.first().length
@@ -26,7 +29,7 @@ internal class NamePattern(val text: String) {
      * The part of [name], which it fits, up to where its last `*` ends: `Left` of `Left Velocity` for `*velocity`. Topics of one
      * device have it in common.
      */
-    fun deviceIn(name: String): String {
+    internal fun deviceIn(name: String): String {
         var end = name.length
         var left = if (parts.size == 1) 0 else parts.last().length
         while (end > 0 && left > 0) if (isFolded(name[--end])) left--
@@ -37,7 +40,7 @@ internal class NamePattern(val text: String) {
 
     override fun hashCode(): Int = text.hashCode()
 
-    companion object {
+    internal companion object {
         /** [text] as patterns compare it. */
         fun folded(text: String): String = text.lowercase().filter(::isFolded)
 
