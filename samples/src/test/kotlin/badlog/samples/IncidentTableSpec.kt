@@ -22,7 +22,7 @@ private val CAUSES = mapOf(
     Fault.TIRED_BATTERY to "The battery was tired",
     Fault.SEIZED_MOTOR to "A motor was blocked",
     Fault.SEIZED_DRIVE to "A gearbox of the drivetrain was stuck",
-    Fault.UNPLUGGED_MOTOR to "One of two motors that turn together gave nothing",
+    Fault.UNPLUGGED_MOTOR to "One of two linked motors did nothing",
     Fault.PULLED_ENCODER to "An encoder no longer said how far its motor turned",
     Fault.CAN_CUT to "The CAN bus was interrupted",
     Fault.RADIO_REBOOT to "The robot lost its radio or driver station",

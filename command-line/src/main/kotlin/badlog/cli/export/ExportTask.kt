@@ -130,7 +130,15 @@ internal class ExportTask(
         val target = plan.place(input, name, name)
         val additions = own.run {
             val hookParts = hookParts(found.hooks)
-            PageAdditions(virtualTopics, rules, rulesProblem, hooks = hookParts, layout = layout, field = field, video = videoBeside(target))
+            PageAdditions(
+                virtualTopics,
+                rules,
+                rulesProblem,
+                hooks = hookParts,
+                layout = layout,
+                field = field,
+                video = videoBeside(target),
+            )
         }
         val report = try {
             exporter.export(input.file, target, additions, progress)

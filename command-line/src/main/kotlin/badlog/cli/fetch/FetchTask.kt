@@ -107,7 +107,7 @@ internal class FetchTask(
                 sizeText(log.bytes),
                 "the first ${sizeText(log.resumedAt)} were here".takeIf { log.resumedAt > 0 },
                 if (!log.isLog) {
-                    "not readable as a log"
+                    "cannot be read; badlog info says why"
                 } else if (log.isSalvaged) {
                     "damaged; badlog info says what is lost"
                 } else {

@@ -61,7 +61,7 @@ class FetchSpec : FunSpec({
                 val ended = badlogBeside(robots, "fetch", "1014", "--out", folder, "--accept-new-host-key")
                 ended.code shouldBe ExitCode.SALVAGED
                 ended.out shouldContain "damaged; badlog info says what is lost"
-                ended.out shouldContain "not readable as a log"
+                ended.out shouldContain "cannot be read; badlog info says why"
             }
         }
     }

@@ -100,7 +100,7 @@ private val FAULTS: Map<String, TestMatch.() -> Unit> = mapOf(
         flag("/DriverStation/Enabled") { it in 10.0..38.0 }
         flag("DS:joystick0/buttons[0]") { it < 12 }
     },
-    "Stick off centre while disabled" to {
+    "Stick off center while disabled" to {
         flag("/DriverStation/Enabled") { it in 10.0..38.0 }
         number("DS:joystick0/axes[0]") { 0.3 + 0.01 * TestMatch.wave(it) }
     },
