@@ -101,7 +101,9 @@ internal class EveryBrowserSpec : FunSpec({
                 }
                 type(".")
                 withClue(evaluate("JSON.stringify([document.querySelector('#video video').currentTime, ${CountedVideo.SHOWN}])")) { await("${CountedVideo.SHOWN} == 10") }
-                await("Math.abs(parseFloat(document.querySelector('.cursor-readout').textContent) - 1.333) < 0.02")
+                // WebKitGTK does not report the frame after each jump: the cursor may stay at the jump's target.
+                val reach = if (browser == Browser.WEBKIT) 0.05 else 0.02
+                await("Math.abs(parseFloat(document.querySelector('.cursor-readout').textContent) - 1.333) < $reach")
             }
         }
 

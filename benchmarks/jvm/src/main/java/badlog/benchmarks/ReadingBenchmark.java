@@ -66,7 +66,7 @@ public final class ReadingBenchmark {
 
     private static double read(Path bag, int cores) {
         long begin = System.nanoTime();
-        ReadRecordingKt.readRecording(bag, LogFormatsKt.getLOG_FORMATS(), true, false, NumberSinks.Companion.getRECORDING(), cores,
+        ReadRecordingKt.readRecording(bag, LogFormatsKt.getLOG_FORMATS(), true, false, NumberSinks.Companion.getRECORDING(), cores, bag.getFileName().toString(),
             (done, total) -> Unit.INSTANCE);
         return (System.nanoTime() - begin) / 1e9;
     }
