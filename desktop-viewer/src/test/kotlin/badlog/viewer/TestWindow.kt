@@ -7,7 +7,7 @@ import badlog.viewer.topic.TopicPane
 
 /** The panel at the right of [viewer]. */
 @Composable
-internal fun TestInspector(viewer: Viewer) = with(viewer) { InspectorPane(current, compared, board, view, events, findings, notes, panels) }
+internal fun TestInspector(viewer: Viewer) = with(viewer) { InspectorPane(current, compared, board, view, events, findings, notes, video, panels) }
 
 /** The topics of [viewer]. */
 @Composable

@@ -25,6 +25,7 @@ import badlog.viewer.panels.WindowPanels
 import badlog.viewer.playback.Player
 import badlog.viewer.recording.CurrentRecording
 import badlog.viewer.topic.TopicListing
+import badlog.viewer.video.LogVideo
 import badlog.viewer.view.AxisView
 
 /** What the keyboard does as on an exported page. */
@@ -35,13 +36,16 @@ internal fun actionCommands(
     formulas: FormulaStore,
     findings: LogFindings,
     panels: WindowPanels,
-): List<Command> = (Action.entries - PAGE_ACTIONS).map { action ->
+    video: LogVideo,
+): List<Command> = Action.entries.map { action ->
     Command(action) {
         when (action) {
             Action.CURSOR_VALUES -> panels.change { toggled(InspectorTab.CURSOR) }
             Action.NEW_FORMULA -> formulas.write()
             Action.NEXT_FINDING -> stepFinding(1, findings, panels)
             Action.PREVIOUS_FINDING -> stepFinding(-1, findings, panels)
+            Action.PREVIOUS_FRAME -> video.step(-1)
+            Action.NEXT_FRAME -> video.step(1)
             in BOARD_ACTIONS -> arrange(action, board)
             else -> move(action, current, view)
         }
@@ -54,9 +58,6 @@ private fun stepFinding(steps: Int, findings: LogFindings, panels: WindowPanels)
     // In front of the graphs of a narrow window nothing is opened.
     panels.change { if (inspector == null) copy(inspector = InspectorTab.FINDINGS) else this }
 }
-
-/** What the window has no video for. */
-private val PAGE_ACTIONS = setOf(Action.PREVIOUS_FRAME, Action.NEXT_FRAME)
 
 private val BOARD_ACTIONS = setOf(Action.PIN, Action.MOVE_UP, Action.MOVE_DOWN, Action.NEXT_HEIGHT, Action.UNDO, Action.REDO)
 
@@ -127,7 +128,7 @@ internal fun noteCommands(notes: LogNotes, panels: WindowPanels, view: AxisView)
 )
 
 private val QUESTION_MARK = KeyPress(Key.Slash, "?", shift = true)
-private val DIGITS = listOf(Key.One, Key.Two, Key.Three, Key.Four, Key.Five, Key.Six, Key.Seven)
+private val DIGITS = listOf(Key.One, Key.Two, Key.Three, Key.Four, Key.Five, Key.Six, Key.Seven, Key.Eight)
 
 /** What the keyboard does with the folder of logs. */
 internal fun libraryCommands(library: Library, panels: WindowPanels, opener: LogOpener): List<Command> = listOf(
@@ -164,10 +165,10 @@ internal fun playbackCommands(player: Player): List<Command> = listOf(
     Command("Playback", "Loop the selection, or the visible range", listOf(KeyPress(Key.L, "L"))) {
         player.toggleLoop()
     },
-    Command("Playback", "Slower", listOf(KeyPress(Key.Comma, "<", shift = true), KeyPress(Key.Comma, ","))) {
+    Command("Playback", "Slower", listOf(KeyPress(Key.Comma, "<", shift = true))) {
         player.change { faster(-1) }
     },
-    Command("Playback", "Faster", listOf(KeyPress(Key.Period, ">", shift = true), KeyPress(Key.Period, "."))) {
+    Command("Playback", "Faster", listOf(KeyPress(Key.Period, ">", shift = true))) {
         player.change { faster(1) }
     },
 )

@@ -52,6 +52,9 @@ import badlog.viewer.task.LongTasks
 import badlog.viewer.task.Notices
 import badlog.viewer.topic.TopicListing
 import badlog.viewer.topic.foldersOf
+import badlog.viewer.video.LogVideo
+import badlog.viewer.video.isVideo
+import badlog.viewer.video.unpackFfmpegInto
 import badlog.viewer.view.AxisView
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.launch
@@ -92,6 +95,7 @@ internal class Viewer(
     val player = Player(current, view)
     val findings = LogFindings(current, view, board, folder = { library.state.folder }, ::awaitDrawn)
     val notes = LogNotes(current, notices)
+    val video = LogVideo(scope, current, view, player, settings, files, notices)
     val layouts = LayoutStore(folders, library, current, board, view, compared, axis, formulas, panels, notices)
     val layoutFiles = LayoutFiles(layouts, library, current, files, tasks, notices)
     val pages = PageSaver(scope, current, compared, board, formulas, library, files, tasks, notices)
@@ -136,12 +140,16 @@ internal class Viewer(
             library,
             panels,
             opener,
-        ) + topicCommands(topics, panels) + actionCommands(current, view, board, formulas, findings, panels) +
+        ) + topicCommands(topics, panels) + actionCommands(current, view, board, formulas, findings, panels, video) +
             graphCommands(
                 view,
                 graphs::scroll,
             ) + playbackCommands(player) + exportCommands(pages, figures, board) + layoutCommands(layoutFiles) +
             windowCommands(panels, formulas, view) + noteCommands(notes, panels, view)
+
+    init {
+        unpackFfmpegInto(folders.cache.resolve("ffmpeg"))
+    }
 
     /** Starts what goes on by itself as long as the window is there. */
     fun start() {
@@ -150,6 +158,7 @@ internal class Viewer(
         scope.launch { stations.run() }
         scope.launch { findings.run() }
         scope.launch { notes.run() }
+        scope.launch { video.run() }
         scope.launch { settings.autosave() }
         scope.launch { newest.run() }
     }
@@ -179,15 +188,23 @@ internal class Viewer(
         askForTopics(topics, panels)
     }
 
-    /** Opens what was dropped onto the window: a layout, or else folders and logs. */
+    /** Opens what was dropped onto the window: a layout, a video, or else folders and logs. */
     fun openDropped(paths: List<Path>) {
-        val (layouts, others) = paths.partition { it.fileName.toString().endsWith(Layout.ENDING, ignoreCase = true) }
+        val (videos, rest) = paths.partition(::isVideo)
+        if (videos.isNotEmpty()) openVideo(videos.first())
+        if (rest.isEmpty()) return
+        val (layouts, others) = rest.partition { it.fileName.toString().endsWith(Layout.ENDING, ignoreCase = true) }
         when {
             layouts.isEmpty() -> opener.openNamed(others)
             current.recording != null -> layoutFiles.open(layouts.first())
             others.isEmpty() -> sayNoLog(notices)
             else -> opener.openNamed(others)
         }
+    }
+
+    private fun openVideo(file: Path) {
+        video.open(file)
+        if (video.state.file != null) panels.change { inspecting(InspectorTab.VIDEO).copy(main = MainView.GRAPHS) }
     }
 
     private fun showGrown(read: OpenRecording) = Snapshot.withMutableSnapshot {

@@ -80,7 +80,7 @@ private fun panesOf(viewer: Viewer) = with(viewer) {
         logs = { LibraryPane(library, robot, settings, shownLogs(), logActions, it) },
         topics = { TopicPane(current, compared, board, view, events, formulas, topics, panels, it) { findings.state.topics } },
         main = { MainPane(viewer, it) },
-        details = { InspectorPane(current, compared, board, view, events, findings, notes, panels, it) },
+        details = { InspectorPane(current, compared, board, view, events, findings, notes, video, panels, it) },
     )
 }
 

@@ -42,11 +42,13 @@ import badlog.viewer.recording.OpenRecording
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
+import badlog.viewer.video.LogVideo
+import badlog.viewer.video.VideoPanel
 import badlog.viewer.view.AxisView
 import kotlinx.coroutines.launch
 import java.awt.datatransfer.StringSelection
 
-/** The panel at the right: events, metadata, problems, statistics, findings, values at the cursor. */
+/** The panel at the right: events, metadata, problems, statistics, findings, notes, values at the cursor, video. */
 @Composable
 internal fun InspectorPane(
     current: CurrentRecording,
@@ -56,6 +58,7 @@ internal fun InspectorPane(
     events: FilteredEvents,
     findings: LogFindings,
     notes: LogNotes,
+    video: LogVideo,
     panels: WindowPanels,
     modifier: Modifier = Modifier,
 ) {
@@ -89,6 +92,7 @@ internal fun InspectorPane(
                 InspectorTab.CURSOR -> CursorPanel(board, findings, view, open, Modifier.fillMaxSize())
                 InspectorTab.FINDINGS -> FindingsPanel(compared, findings, view, board, open, showGraphs, Modifier.fillMaxSize())
                 InspectorTab.NOTES -> NotesPanel(notes, view, open, showGraphs, Modifier.fillMaxSize())
+                InspectorTab.VIDEO -> VideoPanel(video, open, Modifier.fillMaxSize())
             }
         }
     }
@@ -130,7 +134,7 @@ private fun countOf(tab: InspectorTab, findings: LogFindings, notes: LogNotes, o
     InspectorTab.EVENTS -> open.eventLogs.sumOf { it.topic.texts.size }
     InspectorTab.VALUES -> open.view.recording.values.size
     InspectorTab.PROBLEMS -> problemsIn(open.view)
-    InspectorTab.STATISTICS, InspectorTab.CURSOR -> null
+    InspectorTab.STATISTICS, InspectorTab.CURSOR, InspectorTab.VIDEO -> null
     InspectorTab.FINDINGS -> findings.state.list?.all?.size
     InspectorTab.NOTES -> notes.state.notes.size
 }

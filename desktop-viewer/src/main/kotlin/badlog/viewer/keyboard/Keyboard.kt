@@ -156,6 +156,8 @@ private val KEYS = mapOf(
     "↑" to listOf(Key.DirectionUp),
     "↓" to listOf(Key.DirectionDown),
     "V" to listOf(Key.V),
+    "," to listOf(Key.Comma),
+    "." to listOf(Key.Period),
 )
 
 /** A key with the modifiers that must be held; [ctrl] is the command key on a Mac. */

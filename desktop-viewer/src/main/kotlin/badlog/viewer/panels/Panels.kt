@@ -51,6 +51,7 @@ internal enum class InspectorTab(val title: String, val icon: ImageVector) {
     FINDINGS("Findings", Icons.Diamond),
     NOTES("Notes", Icons.Note),
     CURSOR("Values", Icons.Table),
+    VIDEO("Video", Icons.Video),
 }
 
 /** What statistics are of. */

@@ -10,7 +10,7 @@ import kotlinx.serialization.Serializable
  * @property details of the panel at the right.
  */
 @Serializable
-internal data class PaneWidths(val logs: Float = 280f, val topics: Float = 240f, val details: Float = 320f) {
+internal data class PaneWidths(val logs: Float = 280f, val topics: Float = 240f, val details: Float = 348f) {
     /**
      * The same in a window [room] wide: no part narrower than it can be, and as long as they can, all leave the graphs enough room. A part that is
      * not there has no width.

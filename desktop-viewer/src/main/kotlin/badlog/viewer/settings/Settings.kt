@@ -15,6 +15,7 @@ import kotlinx.serialization.Serializable
  * @property panes how wide the parts beside the graphs are.
  * @property robot the robot that logs were fetched from last, as it was typed.
  * @property stations of which logs the Driver Station's log of the same match is shown, and of which it is not, by their paths; the latest last.
+ * @property videos the video of a log, by the log's path, as `VideoNote` writes it; the latest last.
  */
 @Serializable
 internal data class Settings(
@@ -27,17 +28,22 @@ internal data class Settings(
     val panes: PaneWidths = PaneWidths(),
     val robot: String = "",
     val stations: Map<String, Boolean> = emptyMap(),
+    val videos: Map<String, String> = emptyMap(),
 ) {
     /** Remembers that [folder] was opened. */
     fun opened(folder: String): Settings = copy(recentFolders = (listOf(folder) + (recentFolders - folder)).take(MAX_RECENT))
 
     /** Remembers whether the Driver Station's log [isShown] with [log]. */
     fun withStation(log: String, isShown: Boolean): Settings = copy(stations = stations.latest(mapOf(log to isShown)))
+
+    /** Remembers the [note] of the video of [log]; null for none. */
+    fun withVideo(log: String, note: String?): Settings =
+        copy(videos = if (note == null) videos - log else videos.latest(mapOf(log to note)))
 }
 
-/** This with [changes], of which the latest [MAX_STATIONS] stay. */
-private fun Map<String, Boolean>.latest(changes: Map<String, Boolean>): Map<String, Boolean> =
-    (filterKeys { it !in changes } + changes).toList().takeLast(MAX_STATIONS).toMap()
+/** This with [changes], of which the latest [MAX_LOGS] stay. */
+private fun <T> Map<String, T>.latest(changes: Map<String, T>): Map<String, T> =
+    (filterKeys { it !in changes } + changes).toList().takeLast(MAX_LOGS).toMap()
 
 /** What two windows have made of the settings: what [mine] has not changed since [before] is as in [theirs]. */
 internal fun merged(mine: Settings, before: Settings, theirs: Settings): Settings {
@@ -53,13 +59,15 @@ internal fun merged(mine: Settings, before: Settings, theirs: Settings): Setting
         panes = of(Settings::panes),
         robot = of(Settings::robot),
         stations = theirs.stations.latest(mine.stations.filter { (log, isShown) -> before.stations[log] != isShown }),
+        videos = (theirs.videos - (before.videos.keys - mine.videos.keys))
+            .latest(mine.videos.filter { (log, note) -> before.videos[log] != note }),
     )
 }
 
 private const val MAX_RECENT = 10
 
 /** More logs than a team opens in a season. */
-private const val MAX_STATIONS = 500
+private const val MAX_LOGS = 500
 
 /** Where a window is on the screen, in dp, and whether it fills it. */
 @Serializable
