@@ -25,7 +25,7 @@ class VideoWindowSpec : FunSpec({
             window.awaitState("the frame of the cursor") { viewer ->
                 viewer.video.state.frame?.let { CountedVideo.numberIn(it.image) } == 224
             }
-            window.picture("video")
+            window.picture("video", guide = "viewer-video")
         }
     }
 })
