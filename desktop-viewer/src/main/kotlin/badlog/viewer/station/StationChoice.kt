@@ -44,7 +44,7 @@ internal class StationChoice(
     /** The Driver Station's log that belongs to the current recording; null where none is known. */
     val found: FoundStation<LogFile>? get() = state.found.takeIf { state.robot == current.recording?.file }
 
-    /** The one that a person was not asked about yet; else null. */
+    /** The log to offer: found, and neither shown nor left out by a person yet; null without one. */
     val offered: FoundStation<LogFile>? get() = found?.takeIf { state.robot.toString() !in settings.state.stations }
 
     /** Whether it is shown. */

@@ -7,7 +7,7 @@ import java.util.concurrent.atomic.AtomicReference
 
 /** What reads the frames of one video. What it is asked for comes later; of several requests that wait, the latest wins. */
 internal interface FrameSource : AutoCloseable {
-    /** Wants the frame of the moment [seconds]; [leads] is told back with it. */
+    /** Wants the frame of the moment [seconds]; [leads] is passed on with it. */
     fun seek(seconds: Double, leads: Boolean)
 
     /** Wants the frame [count] after the one that is shown, or before it when negative. */

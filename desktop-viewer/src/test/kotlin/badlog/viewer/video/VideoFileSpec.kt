@@ -97,7 +97,7 @@ class VideoFileSpec : FunSpec({
         avcodec_find_decoder(AV_CODEC_ID_HEVC).name().string shouldBe "hevc"
     }
 
-    test("what is not a video, or is not there, is told in one sentence that names the file") {
+    test("one sentence names a file that is not a video, or that is missing") {
         val noise = Files.write(folder.resolve("noise.mp4"), Random(1).nextBytes(100_000))
         val empty = Files.write(folder.resolve("empty.mov"), ByteArray(0))
         for (file in listOf(noise, empty)) {

@@ -35,7 +35,7 @@ internal class XyDrag {
  * Lets the pointer put the cursor where the path passes it, zoom and pan over graph [id], as over other graphs.
  *
  * @param planeOn what is seen on so many pixels.
- * @param drag is told of what is under way.
+ * @param drag gets the drag that has begun, to show it.
  */
 internal fun Modifier.xyPointer(
     scene: GraphScene,
