@@ -2,6 +2,7 @@ package badlog.lib
 
 import badlog.bag.BagTopic
 import java.io.File
+import java.util.Objects
 import java.util.function.BooleanSupplier
 import java.util.function.DoubleSupplier
 import java.util.function.Function
@@ -109,35 +110,35 @@ public class BadLog private constructor(private val session: LogSession) : AutoC
         @JvmStatic
         public fun createTopic(name: String, unit: String?, supplier: Supplier<out Double?>, vararg attrs: String?) {
             val session = settingUp(name)
-            session.add(BoxedNumberTopic(described(name, unit, attrs), session.faults, supplier, session.text))
+            session.add(BoxedNumberTopic(described(name, unit, attrs), session.faults, given(supplier, "supplier"), session.text))
         }
 
         /** Creates a topic of texts, as [createTopic] does. */
         @JvmStatic
         public fun createTopicStr(name: String, unit: String?, supplier: Supplier<out String?>, vararg attrs: String?) {
             val session = settingUp(name)
-            session.add(TextTopic(described(name, unit, attrs), session.faults, supplier))
+            session.add(TextTopic(described(name, unit, attrs), session.faults, given(supplier, "supplier")))
         }
 
         /** Creates a topic of numbers that costs no garbage, as [createTopic] does. */
         @JvmStatic
         public fun createTopicDouble(name: String, unit: String?, supplier: DoubleSupplier, vararg attrs: String?) {
             val session = settingUp(name)
-            session.add(NumberTopic(described(name, unit, attrs), session.faults, supplier, session.text))
+            session.add(NumberTopic(described(name, unit, attrs), session.faults, given(supplier, "supplier"), session.text))
         }
 
         /** Creates a topic that is true or false, as [createTopic] does. */
         @JvmStatic
         public fun createTopicBoolean(name: String, unit: String?, supplier: BooleanSupplier, vararg attrs: String?) {
             val session = settingUp(name)
-            session.add(BooleanTopic(described(name, unit, attrs), session.faults, supplier))
+            session.add(BooleanTopic(described(name, unit, attrs), session.faults, given(supplier, "supplier")))
         }
 
         /** Creates a topic of whole numbers, written with all their digits, as [createTopic] does. */
         @JvmStatic
         public fun createTopicLong(name: String, unit: String?, supplier: LongSupplier, vararg attrs: String?) {
             val session = settingUp(name)
-            session.add(LongTopic(described(name, unit, attrs), session.faults, supplier))
+            session.add(LongTopic(described(name, unit, attrs), session.faults, given(supplier, "supplier")))
         }
 
         /**
@@ -154,7 +155,7 @@ public class BadLog private constructor(private val session: LogSession) : AutoC
         public fun createPublisher(name: String, unit: String?, mode: DataInferMode, vararg attrs: String?): Publisher {
             val session = settingUp(name)
             val notes = EventTexts(session.faults.counters.eventsDropped)
-            val topic = SubscribedTopic(described(name, unit, attrs), mode, session.text, notes)
+            val topic = SubscribedTopic(described(name, unit, attrs), given(mode, "mode"), session.text, notes)
             return Publisher(session.add(topic), session.faults)
         }
 
@@ -194,10 +195,16 @@ public class BadLog private constructor(private val session: LogSession) : AutoC
             return BadLog(session).also { current = it }
         }
 
+        /** Java may hand over null, which is better said while the robot is set up than in its loop. */
+        private fun <T : Any> given(argument: T, what: String): T =
+            Objects.requireNonNull(argument, "The $what of a topic is null; give it one.")
+
         private fun described(name: String, unit: String?, attrs: Array<out String?>) =
             BagTopic(name, unit ?: UNITLESS, attrs.filterNotNull())
 
-        private fun settingUp(name: String): LogSession = current?.session
-            ?: throw InvalidModeException("\"$name\" was created too early: call BadLog.init(path) first.")
+        private fun settingUp(name: String): LogSession {
+            given(name, "name")
+            return current?.session ?: throw InvalidModeException("\"$name\" was created too early: call BadLog.init(path) first.")
+        }
     }
 }

@@ -128,7 +128,8 @@ internal class LogSession(private val flushesEachRow: Boolean) {
         if (sink.isRefusing(began)) return sink.missRow()
         try {
             isInRow = true
-            for (topic in topics) topic.write(sink.row)
+            val row = sink.row
+            for (topic in topics) topic.write(row)
             isInRow = false
             sink.endRow(began)
         } catch (failure: Throwable) {

@@ -16,6 +16,12 @@ public final class NullArguments {
             () -> BadLog.createTopic("A", "ul", null),
             () -> BadLog.createTopicStr("B", "ul", null),
             () -> BadLog.createTopicDouble("C", "ul", null),
+            () -> BadLog.createTopicBoolean("F", "ul", null),
+            () -> BadLog.createTopicLong("G", "ul", null),
+            () -> BadLog.createTopicSubscriber("H", "ul", null),
+            () -> BadLog.createTopic(null, "ul", () -> 1.0),
+            () -> BadLog.createValue(null, "a"),
+            () -> BadLog.createEvents(null),
             () -> BadLog.createTopic("D", "ul", () -> 1.0, noArray),
             () -> BadLog.createTopicSubscriber("E", "ul", DataInferMode.LAST, noArray));
         int refused = 0;

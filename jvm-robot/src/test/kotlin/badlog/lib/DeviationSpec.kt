@@ -93,7 +93,7 @@ class DeviationSpec : FunSpec({
 
     test("a supplier or an array of attributes that is null is refused when its topic is created; the original threw in the loop") {
         inFolder { folder ->
-            logged(folder, { NullArguments.createAll() shouldBe 5 }) { it.row() }
+            logged(folder, { NullArguments.createAll() shouldBe 11 }) { it.row() }
         }
     }
 
