@@ -158,6 +158,21 @@ internal class ExportSpec : PageSpec({
         }
     }
 
+    browserTest("a large table is made while the page goes on; it says how far it is, and is cancelled by closing that") {
+        val topics = listOf(TIME) + List(40) { BagTopic("Topic $it", "V") }
+        val bag = bagOf(topics, 60_000) { row, column -> if (column == 0) row / 50.0 else row % 997 * column / 7.0 }
+        onPage(TestPages.of(bag, "large.bag")) {
+            fun said() = texts(".notice p").single()
+            selectIn("#export", "Visible range as a table (CSV)")
+            await("a first part") { "Making the table: " in said() && !said().endsWith(" 0 %") }
+            click(".notice button")
+            said() shouldBe ""
+            // What was cancelled comes no more: the next file with this name is a whole one.
+            exported("Visible range as a table (CSV)", "large range.csv").decodeToString().trimEnd().lines().size shouldBe 60_001
+            said() shouldBe ""
+        }
+    }
+
     browserTest("an empty range gives no file, but a sentence") {
         val bag = bagOf(listOf(TIME, BagTopic("A", "V")), 3) { row, column -> if (column == 0) row * row else row }
         onPage(TestPages.of(bag)) {

@@ -6,7 +6,6 @@ import badlog.cli.command.LogLoop
 import badlog.cli.command.Outcome
 import badlog.cli.command.Task
 import badlog.cli.console.Console
-import badlog.cli.input.Failure
 import badlog.cli.input.LogInput
 import badlog.cli.input.NotALog
 import badlog.cli.output.OutputPlan
@@ -27,6 +26,7 @@ import badlog.html.HtmlExporter
 import badlog.html.fieldFor
 import badlog.html.layoutFor
 import badlog.html.protocol.PageAdditions
+import badlog.html.videoFor
 import badlog.report.HookFailureJson
 import badlog.report.SkippedJson
 import badlog.report.UndefinedJson
@@ -85,9 +85,8 @@ internal class ExportTask(
             val rules = if (named == null) rulesBeside(input.file, console) else null
             val all = rules?.rules ?: checkNotNull(named).rules.with(signalsBeside(input.file))
             val layout = layoutFor(input.file, all.signals)
-            layout.problem?.let { if (layoutProblems.add(it)) console.warn(it) }
             val ground = fieldFor(input.file, field)
-            ground.problem?.let { if (layoutProblems.add(it)) console.warn(it) }
+            for (problem in listOfNotNull(layout.problem, ground.problem)) if (problemsBeside.add(problem)) console.warn(problem)
             val additions = PageAdditions(search.virtualTopics, all, rules?.problem, layout = layout.text, field = ground.json)
             // Only what looks for something here reads a log before it is in a page.
             if (hooks.isEmpty()) return@run export(exporter, input, additions, rules, PageFindings.NONE, refused, progress)
@@ -97,24 +96,11 @@ internal class ExportTask(
         return if (search.neverAsked(refused).any { it.isMistake }) ExitCode.USAGE else code
     }
 
-    private val layoutProblems = HashSet<String>()
+    private val problemsBeside = HashSet<String>()
     private val rulesOfFolder = HashMap<Path, FolderRules>()
 
     private fun rulesBeside(log: Path, console: Console): FolderRules = rulesOfFolder.getOrPut(log.toAbsolutePath().normalize().parent) {
         FolderRules.of(log).also { rules -> rules.problem?.let(console::warn) }
-    }
-
-    /** The name of [video] as seen from the folder of [page]. */
-    private fun videoBeside(page: Path): String? {
-        val file = video?.toAbsolutePath()?.normalize() ?: return null
-        val folder = page.toAbsolutePath().normalize().parent
-        if (!file.startsWith(
-                folder,
-            )
-        ) {
-            throw Failure("$video does not lie in the folder of $page; move it there, or name another page with --out.")
-        }
-        return folder.relativize(file).joinToString("/")
     }
 
     private fun export(
@@ -137,7 +123,7 @@ internal class ExportTask(
                 hooks = hookParts,
                 layout = layout,
                 field = field,
-                video = videoBeside(target),
+                video = this@ExportTask.video?.let { videoFor(target, it) },
             )
         }
         val report = try {
@@ -173,7 +159,7 @@ internal class ExportTask(
         )
         val isIncomplete =
             found.failures.isNotEmpty() || found.unreadable != null || folder?.problem != null || reported.isNotEmpty() ||
-                layoutProblems.isNotEmpty()
+                problemsBeside.isNotEmpty()
         return Outcome(report.recording.isSalvaged || isIncomplete, text.joinToString("\n"), json)
     }
 

@@ -43,7 +43,7 @@ internal class ReportPages(private val folder: ReportFolder) {
 
     /** Writes the index of [result], where at least one log could be read. */
     fun finish(result: ReportResult, outcomes: Outcomes) {
-        folder.layoutProblems.forEach(outcomes::leaveOut)
+        folder.problemsBeside.forEach(outcomes::leaveOut)
         if (result.logs.all { it.unreadable != null }) return
         try {
             index = folder.writeIndex(result)

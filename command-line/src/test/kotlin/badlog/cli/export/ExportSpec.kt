@@ -73,7 +73,7 @@ class ExportSpec : FunSpec({
             badlog("export", log, "--video", folder / "nix.mp4").code shouldBe ExitCode.NOTHING
             badlog("export", log, "--video", video).run {
                 code shouldBe ExitCode.NOTHING
-                err shouldContain "does not lie in the folder of"
+                err shouldContain "is not in the folder of"
             }
             badlog("export", folder / "logs", "--video", video).run {
                 code shouldBe ExitCode.USAGE
@@ -160,11 +160,17 @@ class ExportSpec : FunSpec({
                 err shouldContain "other.json is not used: Its picture “gone.png” cannot be read; put it beside the file."
             }
             badlog("export", log, "--force", "--field", field).code shouldBe ExitCode.WHOLE
+            badlog("report", log, "--out", folder / "report", "--no-cache").code shouldBe ExitCode.WHOLE
+            additionsIn(folder / "report/a.html") shouldContain "data:image/png;base64,"
             folder.with("field.json", "{}")
             val damaged = badlog("export", log, "--force")
             damaged.code shouldBe ExitCode.SALVAGED
             damaged.err shouldContain "field.json is not used: "
             additionsIn(folder / "a.bag.html") shouldNotContain "data:image"
+            val report = badlog("report", log, "--out", folder / "report", "--no-cache")
+            report.code shouldBe ExitCode.SALVAGED
+            report.err shouldContain "field.json is not used: "
+            additionsIn(folder / "report/a.html") shouldNotContain "data:image"
         }
     }
 

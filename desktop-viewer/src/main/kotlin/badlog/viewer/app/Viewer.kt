@@ -15,6 +15,7 @@ import badlog.viewer.compare.ComparedRecordings
 import badlog.viewer.export.cut.CutSaver
 import badlog.viewer.export.figure.FigureSaver
 import badlog.viewer.export.pages.PageSaver
+import badlog.viewer.field.FieldChoice
 import badlog.viewer.files.FileChoice
 import badlog.viewer.files.SystemFileChoice
 import badlog.viewer.files.sayNoLog
@@ -40,6 +41,7 @@ import badlog.viewer.recording.CurrentRecording
 import badlog.viewer.recording.FilteredEvents
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.recording.RecordingLoader
+import badlog.viewer.recording.RecordingReader
 import badlog.viewer.recording.RecordingWatcher
 import badlog.viewer.robot.RobotLink
 import badlog.viewer.settings.Settings
@@ -83,11 +85,16 @@ internal class Viewer(
     val current = CurrentRecording()
     val view = AxisView()
     val board = GraphBoard()
-    private val overTime = { axis.state == true }
-    val compared: ComparedRecordings =
-        ComparedRecordings(current, tasks, { library.state.folder }, definitions = { formulas.definitions }, overTime)
+    private val reader: RecordingReader = RecordingReader(
+        library = { library.state.folder },
+        definitions = { formulas.definitions },
+        overTime = { axis.state == true },
+        field = { log -> fields.of(log) },
+    )
+    val compared: ComparedRecordings = ComparedRecordings(current, tasks, reader)
     val axis: AxisChoice = AxisChoice(current, compared, board, view)
     val stations = StationChoice(current, compared, board, view, settings, folder = { library.state.folder })
+    val fields: FieldChoice = FieldChoice(current, compared, settings, files, notices, folder = { library.state.folder })
     val formulas: FormulaStore = FormulaStore(current, compared, board, notices)
     val events = FilteredEvents(current)
     val topics = TopicListing()
@@ -98,21 +105,32 @@ internal class Viewer(
     val video = LogVideo(scope, current, view, player, settings, files, notices)
     val layouts = LayoutStore(folders, library, current, board, view, compared, axis, formulas, panels, notices)
     val layoutFiles = LayoutFiles(layouts, library, current, files, tasks, notices)
-    val pages = PageSaver(scope, current, compared, board, formulas, library, files, tasks, notices)
+    val pages = PageSaver(scope, current, compared, board, formulas, fields, library, files, tasks, notices)
     val figures = FigureSaver(scope, current, compared, view, events, findings, notes, board, files, tasks, notices)
     val cuts = CutSaver(current, view, files, tasks, notices)
     val tables = TableSaver(files, tasks, notices)
-    val graphs =
-        GraphScene(current, board, view, compared, events, findings, notes, player, settings, figures::copy, ::askForTopics, axis, stations)
+    val graphs = GraphScene(
+        current,
+        board,
+        view,
+        compared,
+        events,
+        findings,
+        notes,
+        player,
+        settings,
+        figures::copy,
+        ::askForTopics,
+        axis,
+        stations,
+        fields,
+    )
     private val watcher = RecordingWatcher(
         notices,
-        read = { shown, isGrowing ->
-            OpenRecording.read(shown.file, library.state.folder, { formulas.definitions }, overTime, isGrowing)
-        },
+        read = { shown, isGrowing -> reader.read(shown.file, isGrowing) },
         update = ::showGrown,
     )
-    val loader =
-        RecordingLoader(scope, tasks, watcher, { library.state.folder }, definitions = { formulas.definitions }, overTime, ::show)
+    val loader = RecordingLoader(scope, tasks, watcher, reader, ::show)
     val opener = LogOpener(library, loader, files, notices)
     val robot = RobotLink(
         scope,
@@ -168,7 +186,7 @@ internal class Viewer(
         // Formulas and the axis may have come while the file was read, or formulas lie beside it. They are calculated on the window's thread
         // then, which is rare and better than graphs that change as soon as they are seen.
         val definitions = layouts.formulasFor(opened)
-        val over = stations.with(opened.overTime(overTime()))
+        val over = stations.with(opened.overTime(axis.state == true))
         val recording = if (over.definitions == definitions) over else over.withFormulas(definitions)
         current.replace(recording)
         formulas.replaceAll(definitions)

@@ -5,6 +5,7 @@ import androidx.compose.runtime.getValue
 import badlog.viewer.part.Part
 import badlog.viewer.recording.CurrentRecording
 import badlog.viewer.recording.OpenRecording
+import badlog.viewer.recording.RecordingReader
 import badlog.viewer.task.LongTasks
 import kotlinx.coroutines.Job
 import java.nio.file.Path
@@ -12,16 +13,12 @@ import java.nio.file.Path
 /**
  * The recordings that are laid over the current one: reads them, and lets go of those that no longer are.
  *
- * @param library gives the folder of logs.
- * @param definitions gives the formulas to calculate in each.
- * @param overTime says whether each is drawn over its time, see [OpenRecording.overTime].
+ * @param reader reads each.
  */
 internal class ComparedRecordings(
     private val current: CurrentRecording,
     private val tasks: LongTasks,
-    private val library: () -> Path?,
-    private val definitions: () -> List<String>,
-    private val overTime: () -> Boolean,
+    private val reader: RecordingReader,
 ) : Part<Comparison>(Comparison()) {
     private val jobs = HashMap<Path, Job>()
 
@@ -69,7 +66,7 @@ internal class ComparedRecordings(
     }
 
     private fun load(file: Path) {
-        val read = { progress: (Float) -> Unit -> OpenRecording.read(file, library(), definitions, overTime, progress = progress) }
+        val read = { progress: (Float) -> Unit -> reader.read(file, progress = progress) }
         val job = tasks.run("Reading ${file.fileName} to compare", read) { change { withLoaded(it) } }
         jobs[file] = job
         job.invokeOnCompletion {

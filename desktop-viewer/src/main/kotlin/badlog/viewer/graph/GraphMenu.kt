@@ -54,12 +54,17 @@ internal fun graphActions(scene: GraphScene, spec: BoardGraph): List<List<GraphA
                 .takeIf { spec.lines.size > 1 },
             GraphAction("A graph for each line") { board.change { separated(spec.id) } }.takeIf { spec.lines.size > 1 },
         ),
-        FieldOrigin.entries.map { origin ->
-            GraphAction(origin.label, spec.origin == origin) { board.change { withOrigin(spec.id, origin) } }
-        }.takeIf { spec.isXy && drawnXys(spec, scene.recordings).any { it.plot.isField } }.orEmpty(),
+        if (spec.isXy && drawnXys(spec, scene.recordings).any { it.plot.isField }) fieldActions(scene, spec) else emptyList(),
         additionsOf(scene, spec),
     ).filter { it.isNotEmpty() }
 }
+
+private fun fieldActions(scene: GraphScene, spec: BoardGraph) = FieldOrigin.entries.map { origin ->
+    GraphAction(origin.label, spec.origin == origin) { scene.board.change { withOrigin(spec.id, origin) } }
+} + listOfNotNull(
+    GraphAction("Select a field file…", scene.fields.isSelected, scene.fields::askForField),
+    GraphAction("Deselect the field file", run = scene.fields::deselect).takeIf { scene.fields.isSelected },
+)
 
 private fun additionsOf(scene: GraphScene, spec: BoardGraph) = scene.board.state.graphs.filter { it.id != spec.id }.map { other ->
     GraphAction("Add to ${quoted(other)}") { scene.board.change { joined(other.id, spec.id) } }

@@ -56,7 +56,7 @@ import java.nio.file.Path
  * @property definitions those of the formulas that are calculated in it.
  * @property vocabulary what its topics are called.
  * @property layout the layout that lies beside it.
- * @property field the field that lies beside it.
+ * @property field the field on which its paths are drawn.
  * @param rows the same over its rows, where it is drawn over its time because a person wants that.
  * @property station the Driver Station's log of the same match that is shown with it; null for none.
  */
@@ -190,6 +190,10 @@ internal class OpenRecording(
         OpenRecording(file, own, definitions, vocabulary, layout, rows, station, field).also { it.prepare() }
     }
 
+    /** The same with its paths on [field]. Takes its time. */
+    fun withField(field: FieldFile): OpenRecording =
+        OpenRecording(file, own, definitions, vocabulary, layout, rows, station, field).also { it.prepare() }
+
     /** Finds out now what the first frame needs, so that the window's thread does not have to. */
     private fun prepare() {
         enabled
@@ -206,6 +210,7 @@ internal class OpenRecording(
          * @param definitions gives, once it is read, the formulas to calculate in it.
          * @param overTime says, once it is read, whether it is drawn over its time where it names no x axis, see [OpenRecording.overTime].
          * @param isGrowing whether what follows the last line end is left out, as a row that is half written.
+         * @param field gives the field on which its paths are drawn.
          * @param progress hears how much is done, from 0 to 1.
          * @throws IOException with a sentence for the person, when it is not a recording.
          */
@@ -215,6 +220,7 @@ internal class OpenRecording(
             definitions: () -> List<String> = { emptyList() },
             overTime: () -> Boolean = { false },
             isGrowing: Boolean = false,
+            field: (Path) -> FieldFile = { FieldFile.of(it, library) },
             progress: (Float) -> Unit = {},
         ): OpenRecording {
             val recording = readRecording(file, LOG_FORMATS, untilLastLineEnd = isGrowing) { done, total ->
@@ -230,7 +236,7 @@ internal class OpenRecording(
                     definitions(),
                     vocabulary,
                     layout,
-                    field = FieldFile.of(file, library),
+                    field = field(file),
                 )
             return opened.overTime(overTime()).also { it.prepare() }
         }

@@ -15,18 +15,14 @@ import java.nio.file.Path
  *
  * @param scope where files are watched; its thread is the window's.
  * @param watcher keeps what was opened as its file is.
- * @param library gives the folder of logs.
- * @param definitions gives the formulas to calculate in a recording.
- * @param overTime says whether they are drawn over their time, see [OpenRecording.overTime].
+ * @param reader reads them.
  * @param show shows what was read.
  */
 internal class RecordingLoader(
     private val scope: CoroutineScope,
     private val tasks: LongTasks,
     private val watcher: RecordingWatcher,
-    private val library: () -> Path?,
-    private val definitions: () -> List<String>,
-    private val overTime: () -> Boolean,
+    private val reader: RecordingReader,
     private val show: (OpenRecording) -> Unit,
 ) {
     private var reading: Job? = null
@@ -40,10 +36,7 @@ internal class RecordingLoader(
     fun open(file: Path) {
         val path = file.toAbsolutePath().normalize()
         reading?.cancel()
-        val folder = library()
-        val work = { progress: (Float) -> Unit ->
-            Stamped.read(path) { OpenRecording.read(path, folder, definitions, overTime, progress = progress) }
-        }
+        val work = { progress: (Float) -> Unit -> Stamped.read(path) { reader.read(path, progress = progress) } }
         val job = tasks.run("Opening ${path.fileName}", work) { read ->
             show(read.recording)
             watching?.cancel()

@@ -16,6 +16,7 @@ import kotlinx.serialization.Serializable
  * @property robot the robot that logs were fetched from last, as it was typed.
  * @property stations of which logs the Driver Station's log of the same match is shown, and of which it is not, by their paths; the latest last.
  * @property videos the video of a log, by the log's path, as `VideoNote` writes it; the latest last.
+ * @property fields the file of the field on which the paths of the logs in a folder are drawn, by the folder's path; the latest last.
  */
 @Serializable
 internal data class Settings(
@@ -29,6 +30,7 @@ internal data class Settings(
     val robot: String = "",
     val stations: Map<String, Boolean> = emptyMap(),
     val videos: Map<String, String> = emptyMap(),
+    val fields: Map<String, String> = emptyMap(),
 ) {
     /** Remembers that [folder] was opened. */
     fun opened(folder: String): Settings = copy(recentFolders = (listOf(folder) + (recentFolders - folder)).take(MAX_RECENT))
@@ -39,6 +41,10 @@ internal data class Settings(
     /** Remembers the [note] of the video of [log]; null for none. */
     fun withVideo(log: String, note: String?): Settings =
         copy(videos = if (note == null) videos - log else videos.latest(mapOf(log to note)))
+
+    /** Remembers the [file] of the field for the logs in [folder]; null for that beside them. */
+    fun withField(folder: String, file: String?): Settings =
+        copy(fields = if (file == null) fields - folder else fields.latest(mapOf(folder to file)))
 }
 
 /** This with [changes], of which the latest [MAX_LOGS] stay. */
@@ -59,10 +65,13 @@ internal fun merged(mine: Settings, before: Settings, theirs: Settings): Setting
         panes = of(Settings::panes),
         robot = of(Settings::robot),
         stations = theirs.stations.latest(mine.stations.filter { (log, isShown) -> before.stations[log] != isShown }),
-        videos = (theirs.videos - (before.videos.keys - mine.videos.keys))
-            .latest(mine.videos.filter { (log, note) -> before.videos[log] != note }),
+        videos = merged(mine.videos, before.videos, theirs.videos),
+        fields = merged(mine.fields, before.fields, theirs.fields),
     )
 }
+
+private fun merged(mine: Map<String, String>, before: Map<String, String>, theirs: Map<String, String>) =
+    (theirs - (before.keys - mine.keys)).latest(mine.filter { (key, value) -> before[key] != value })
 
 private const val MAX_RECENT = 10
 

@@ -2,18 +2,16 @@ package badlog.viewer.station
 
 import badlog.driverstation.DriverStationFormat
 import badlog.file.LogFile
-import badlog.file.UnreadableFileException
-import badlog.file.readRecording
+import badlog.file.readStationLog
+import badlog.file.startOfStationLog
 import badlog.file.stationLogsIn
 import badlog.formats.LOG_FORMATS
-import badlog.recording.RecordingFormat
 import badlog.rules.FolderRules
 import badlog.rules.station.ClockedLog
 import badlog.rules.station.FoundStation
 import badlog.rules.station.StationSearch
 import badlog.viewer.recording.OpenRecording
 import java.io.IOException
-import java.nio.file.Files
 import java.nio.file.Path
 
 /**
@@ -33,20 +31,12 @@ private fun logsIn(folder: Path): List<LogFile> = try {
     emptyList()
 }
 
-private fun clockedLog(log: LogFile, library: Path?): ClockedLog? = try {
+private fun clockedLog(log: LogFile, library: Path?): ClockedLog? {
     checkInterrupt()
-    val recording = readRecording(log.path, LOG_FORMATS, cores = 1)
-    val isStation = recording.format == RecordingFormat.DRIVER_STATION && recording.sampleCount > 0
-    if (isStation) ClockedLog(log.name, recording, FolderRules.of(log.path, library).rules.signals) else null
-} catch (_: UnreadableFileException) {
-    null
+    return readStationLog(log, LOG_FORMATS)?.let { ClockedLog(log.name, it, FolderRules.of(log.path, library).rules.signals) }
 }
 
-private fun startOf(log: LogFile): Double? = try {
-    DriverStationFormat.startOf(Files.newInputStream(log.path).use { it.readNBytes(DriverStationFormat.HEAD_SIZE) })
-} catch (_: IOException) {
-    null
-}
+private fun startOf(log: LogFile): Double? = startOfStationLog(log, DriverStationFormat.HEAD_SIZE, DriverStationFormat::startOf)
 
 private fun checkInterrupt() {
     if (Thread.interrupted()) throw InterruptedException()

@@ -10,6 +10,7 @@ import badlog.page.embedded.About
 import badlog.page.embedded.CsvPart
 import badlog.page.embedded.EmbeddedFile
 import badlog.page.export.fileOf
+import badlog.page.view.Notice
 import badlog.plot.table.CsvTable
 import badlog.recording.Recording
 import kotlinx.browser.document
@@ -26,6 +27,9 @@ import kotlin.js.Promise
  */
 internal class Downloads(private val about: About, recording: Element, private val read: Recording) {
     private val file = EmbeddedFile(recording)
+
+    /** Says how far what takes longer is. */
+    val notice: Notice = Notice()
 
     val element: HTMLElement = element("div", "downloads") {
         val text = if (about.second == null) "Download" else ending(about.name)
@@ -56,8 +60,8 @@ internal class Downloads(private val about: About, recording: Element, private v
         if (about.isCompressed) Promise.resolve(file.compressed()) else file.inflated(about.inflatedBytes)
 
     /** Of a whole file of rows its own text; of others what was read, so that what is damaged is left out or mended. */
-    private fun csv(): Promise<Blob> = if (read.isSalvaged || !read.format.hasRows) {
-        Promise.resolve(fileOf(CsvTable.ofAll(LogView.of(read))))
+    private fun csv(): Promise<Blob?> = if (read.isSalvaged || !read.format.hasRows) {
+        fileOf(CsvTable.ofAll(LogView.of(read)), notice)
     } else {
         ownCsv()
     }
@@ -70,7 +74,7 @@ internal class Downloads(private val about: About, recording: Element, private v
         text: String,
         hint: String,
         name: String,
-        content: () -> Promise<Blob>,
+        content: () -> Promise<Blob?>,
     ): HTMLElement {
         val button = addButton("", "", hint) {}
         button.id = id
@@ -80,7 +84,7 @@ internal class Downloads(private val about: About, recording: Element, private v
             button.setAttribute("aria-busy", "true")
             // Begun in a promise, so that what fails at once is reported as well.
             Promise.resolve(Unit).then { content() }
-                .then { saveFile(it, name) }
+                .then { if (it != null) saveFile(it, name) }
                 .catch { button.textContent = "Could not be saved: ${it.message}" }
                 .then { button.removeAttribute("aria-busy") }
         })

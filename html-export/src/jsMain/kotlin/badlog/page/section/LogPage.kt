@@ -60,7 +60,7 @@ internal class LogPage(
     private val signals = this.additions.rules.signals
     private val hookGraphs = this.additions.hooks.flatMap { folderOf(it).graphs }
     private val board = PageBoard(about.fileKey, linesNow())
-    private val scene = Scene(view, about.name, theme.palette, board).apply {
+    private val scene = Scene(view, about.name, theme.palette, board, downloads.notice).apply {
         findings = timelineOf(embeddedFindings)
         notes = this@LogPage.additions.notes
         this@LogPage.additions.field?.let { field = fieldOfJson(it) }

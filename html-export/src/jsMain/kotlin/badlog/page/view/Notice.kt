@@ -12,10 +12,14 @@ import org.w3c.dom.HTMLElement
 internal class Notice {
     private lateinit var text: HTMLElement
     private var timer = 0
+    private var cancel = {}
 
     val element: HTMLElement = element("div", "notice card") {
         text = add("p") { setAttribute("role", "status") }
-        addIconButton("", Icon.CLOSE, "Close") { hide() }
+        addIconButton("", Icon.CLOSE, "Close") {
+            cancel()
+            hide()
+        }
         classList.add("is-empty")
     }
 
@@ -23,13 +27,20 @@ internal class Notice {
     fun say(vararg sentences: String) {
         val said = sentences.joinToString(" ")
         if (said.isEmpty()) return
-        text.showText(said)
-        element.classList.remove("is-empty")
-        window.clearTimeout(timer)
+        show(said) {}
         timer = window.setTimeout(::hide, FIRST + said.length * PER_LETTER)
     }
 
-    private fun hide() {
+    /** Says [progress] of something until the next sentence; closing it calls [onCancel]. */
+    fun show(progress: String, onCancel: () -> Unit) {
+        cancel = onCancel
+        text.showText(progress)
+        element.classList.remove("is-empty")
+        window.clearTimeout(timer)
+    }
+
+    /** Takes away what was said. */
+    fun hide() {
         element.classList.add("is-empty")
         text.showText("")
     }

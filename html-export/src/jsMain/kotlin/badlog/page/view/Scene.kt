@@ -26,7 +26,7 @@ import badlog.rules.path.posesOf
 import kotlin.math.abs
 
 /** What all parts of the page share: the recording, what was found in it, what of it is seen, the cursor, and the [board]. */
-internal class Scene(val view: LogView, val fileName: String, val palette: Palette, val board: PageBoard) {
+internal class Scene(val view: LogView, val fileName: String, val palette: Palette, val board: PageBoard, val notice: Notice) {
     val xAxis: XAxis = view.xAxis
     val events: EventTimeline = EventTimeline.of(view.folders.flatMap { it.eventLogs })
 
@@ -63,7 +63,6 @@ internal class Scene(val view: LogView, val fileName: String, val palette: Palet
     val range: VisibleRange = VisibleRange(Viewport.of(xAxis.range))
     val cursor: Cursor = Cursor(xAxis.clocks)
     val sharedY: SharedY = SharedY(board, range)
-    val notice: Notice = Notice()
 
     /** The poses that its topics tell. */
     val poses: List<Pose> by lazy { posesOf(view.recording.topics) }

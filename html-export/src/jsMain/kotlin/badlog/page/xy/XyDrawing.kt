@@ -15,6 +15,8 @@ import badlog.plot.curve.Strokes
 import badlog.plot.path.Plane
 import badlog.plot.path.XyPlot
 import badlog.plot.path.XyTrace
+import badlog.plot.path.marksAt
+import badlog.plot.path.shown
 import badlog.plot.path.swerveModulesOf
 import badlog.plot.path.xyPlotOf
 import badlog.rules.path.PoseRole
@@ -148,26 +150,18 @@ internal class XyDrawing(
     /** Draws where everything is at [time]; at the second cursor as rings. */
     private fun drawPlaces(canvas: XyCanvas, plot: XyPlot, time: Double, isSecond: Boolean) {
         val seen = seen(canvas)
-        for (trace in shown(plot)) {
-            canvas.color(scene.palette.line(trace.color))
-            if (trace.followers.isNotEmpty()) {
-                canvas.chain(trace.chainAt(time), seen, isClosed = false)
-                continue
+        for (mark in plot.marksAt(time, look().hidden)) {
+            val color = mark.color?.let(scene.palette::line) ?: scene.palette[if (mark.isTarget) Shade.MUTED else Shade.ACCENT]
+            canvas.color(color, if (mark.isTarget) TARGET else 1.0)
+            if (mark.isDot) {
+                canvas.dot(mark.places[0], mark.places[1], seen, SECOND.takeIf { isSecond })
+            } else {
+                canvas.chain(mark.places, seen, mark.isClosed, mark.isFilled && !isSecond)
             }
-            val index = trace.indexAt(time)
-            if (index < 0) continue
-            if (plot.isField && trace.role != PoseRole.SEEN) {
-                canvas.chain(trace.robotAt(time), seen, isClosed = true, isFilled = trace.role == PoseRole.DRIVEN && !isSecond)
-            }
-            canvas.dot(trace.trail.x[index], trace.trail.y[index], seen, SECOND.takeIf { isSecond })
-        }
-        for (arrow in plot.arrowsAt(time)) {
-            canvas.color(scene.palette[if (arrow.isTarget) Shade.MUTED else Shade.ACCENT], if (arrow.isTarget) TARGET else 1.0)
-            canvas.chain(arrow.places, seen, isClosed = false)
         }
     }
 
-    private fun shown(plot: XyPlot) = look().hidden.let { hidden -> plot.traces.filter { trace -> trace.lines.none { it in hidden } } }
+    private fun shown(plot: XyPlot) = plot.shown(look().hidden)
 
     private fun drawTrace(canvas: XyCanvas, trace: XyTrace, span: Span, seen: Plane, opacity: Double) {
         val strokes = Strokes()

@@ -51,6 +51,10 @@ internal class ArgumentParser {
             .help("Include this file in each page; may be given again.")
         private val isWithoutRules by option("--no-rules").flag()
             .help("The pages run no rules: neither those of badlog-rules.toml beside a log nor the built-in ones.")
+        private val field by option("--field", metavar = "FILE").path()
+            .help("WPILib's field file; without it, field.json by the log.")
+        private val video by option("--video", metavar = "FILE").path()
+            .help("Show this video, which is in the folder of the only page.")
         private val opensPage by option("-o", "--open").flag()
             .help("Open the page in the default browser; of several, the page of the newest log.")
 
@@ -79,7 +83,7 @@ internal class ArgumentParser {
 
         override fun run() = Unit
 
-        fun result() = Arguments(paths, outFolder, attachments, !isWithoutRules, opensPage)
+        fun result() = Arguments(paths, outFolder, attachments, !isWithoutRules, field, video, opensPage)
     }
 
     private companion object {

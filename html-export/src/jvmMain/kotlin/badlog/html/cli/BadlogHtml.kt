@@ -7,6 +7,7 @@ import badlog.html.checkReadable
 import badlog.html.fieldFor
 import badlog.html.layoutFor
 import badlog.html.protocol.PageAdditions
+import badlog.html.videoFor
 import badlog.recording.Severity
 import badlog.rules.FolderRules
 import badlog.rules.RuleSet
@@ -44,7 +45,7 @@ internal class BadlogHtml(
     private var failed = 0
     private var skipped = 0
     private val rulesOfFolder = HashMap<Path, FolderRules>()
-    private val layoutProblems = HashSet<String>()
+    private val problemsBeside = HashSet<String>()
 
     /** Does what [arguments] ask for. To be called once. */
     fun run(arguments: List<String>): ExitCode = when (val parsed = ArgumentParser().parse(arguments)) {
@@ -54,12 +55,20 @@ internal class BadlogHtml(
     }
 
     private fun export(arguments: Arguments): ExitCode {
+        arguments.field?.let { fieldFor(it, it).problem }?.let {
+            err.println(printable(it))
+            return ExitCode.USAGE
+        }
         val jobs = try {
-            arguments.attachments.forEach(::checkReadable)
+            (arguments.attachments + listOfNotNull(arguments.video)).forEach(::checkReadable)
             ExportPlan(arguments).jobs()
         } catch (e: ExportException) {
             err.println(e.message)
             return ExitCode.NOTHING
+        }
+        if (arguments.video != null && jobs.size > 1) {
+            err.println("--video is of one match; name the one log that it shows.")
+            return ExitCode.USAGE
         }
         val export = exporterOf(arguments.attachments)
         jobs.forEachIndexed { index, job ->
@@ -71,7 +80,7 @@ internal class BadlogHtml(
         return when {
             made.isEmpty() -> ExitCode.NOTHING
 
-            failed > 0 || rulesOfFolder.values.any { it.problem != null } || layoutProblems.isNotEmpty() ||
+            failed > 0 || rulesOfFolder.values.any { it.problem != null } || problemsBeside.isNotEmpty() ||
                 made.any { it.recording.isSalvaged } -> ExitCode.SALVAGED
 
             else -> ExitCode.WHOLE
@@ -83,18 +92,16 @@ internal class BadlogHtml(
             FolderRules.of(job.input).also { rules -> rules.problem?.lines()?.forEach { err.println(printable(it)) } }
         }
         val layout = layoutFor(job.input, rules.rules.signals)
-        layout.problem?.let { if (layoutProblems.add(it)) err.println(printable(it)) }
-        val field = fieldFor(job.input)
-        field.problem?.let { if (layoutProblems.add(it)) err.println(printable(it)) }
-        // A page without rules still has to know when the robot was enabled.
-        if (!arguments.hasRules) {
-            return PageAdditions(
-                rules = RuleSet.NONE.with(rules.rules.signals),
-                layout = layout.text,
-                field = field.json,
-            )
-        }
-        return PageAdditions(rules = rules.rules, rulesProblem = rules.problem, layout = layout.text, field = field.json)
+        val field = fieldFor(job.input, arguments.field)
+        for (problem in listOfNotNull(layout.problem, field.problem)) if (problemsBeside.add(problem)) err.println(printable(problem))
+        return PageAdditions(
+            // A page without rules still has to know when the robot was enabled.
+            rules = if (arguments.hasRules) rules.rules else RuleSet.NONE.with(rules.rules.signals),
+            rulesProblem = rules.problem.takeIf { arguments.hasRules },
+            layout = layout.text,
+            field = field.json,
+            video = arguments.video?.let { videoFor(job.page, it) },
+        )
     }
 
     private fun make(job: ExportJob, additions: () -> PageAdditions, export: Export, bar: ProgressBar) {

@@ -7,6 +7,7 @@ import badlog.html.BAG
 import badlog.html.CUT_BAG
 import badlog.html.HtmlExporter
 import badlog.html.ReadPage
+import badlog.html.additionsIn
 import badlog.html.names
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
@@ -15,10 +16,12 @@ import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
+import java.awt.image.BufferedImage
 import java.io.ByteArrayOutputStream
 import java.io.PrintStream
 import java.nio.file.Path
 import java.nio.file.attribute.FileTime
+import javax.imageio.ImageIO
 import kotlin.io.path.createDirectory
 import kotlin.io.path.div
 import kotlin.io.path.name
@@ -105,6 +108,49 @@ class BadlogHtmlSpec : FunSpec({
                 "The layout $practice is not used: It is not a layout, or is damaged in line 1, column 1; select a file that badlog has saved.",
             )
             layouts shouldContainExactly listOf(null, null)
+        }
+    }
+
+    test("a page carries the field that was named, or the one beside its log; a mistake in the named one stops before any work") {
+        inFolder { folder ->
+            val log = folder.with("a.bag")
+            val field = """{"field-image":"f.png","field-corners":{"top-left":[0,0],"bottom-right":[4,2]},"field-size":[54,27],"field-unit":"foot"}"""
+            val named = folder.with("other.json", field)
+            run(log, "--field", named).run {
+                code shouldBe ExitCode.USAGE
+                err shouldContain "other.json is not used: Its picture “f.png” cannot be read"
+            }
+            folder.names() shouldContainExactly listOf("a.bag", "other.json")
+            ImageIO.write(BufferedImage(4, 2, BufferedImage.TYPE_INT_RGB), "png", (folder / "f.png").toFile())
+            run(log, "--field", named).code shouldBe ExitCode.WHOLE
+            additionsIn(folder / "a.bag.html") shouldContain "data:image/png;base64,"
+            run(log).code shouldBe ExitCode.WHOLE
+            additionsIn(folder / "a.bag.html") shouldNotContain "data:image"
+            folder.with("field.json", field)
+            run(log).code shouldBe ExitCode.WHOLE
+            additionsIn(folder / "a.bag.html") shouldContain "data:image/png;base64,"
+        }
+    }
+
+    test("a page names the video in its folder or below, and may play that alone; any other is refused, and why is said") {
+        inFolder { folder ->
+            val log = folder.with("a.bag")
+            val video = (folder / "video").createDirectory().with("match 1.mp4", "a video")
+            run(log, "--video", video).code shouldBe ExitCode.WHOLE
+            additionsIn(folder / "a.bag.html") shouldContain "\"video\":\"video/match 1.mp4\""
+            (folder / "a.bag.html").readText() shouldContain "media-src blob: 'self';"
+            run(log, "--video", folder / "nix.mp4").run {
+                code shouldBe ExitCode.NOTHING
+                err shouldContain "There is no file"
+            }
+            run(log, "--video", video, "--out", folder / "pages").run {
+                code shouldBe ExitCode.NOTHING
+                err shouldContain "$video is not in the folder of ${folder / "pages" / "a.bag.html"}; move it there"
+            }
+            run(log, folder.with("b.bag"), "--video", video).run {
+                code shouldBe ExitCode.USAGE
+                err shouldContain "name the one log that it shows"
+            }
         }
     }
 
@@ -273,7 +319,7 @@ class BadlogHtmlSpec : FunSpec({
         val help = run("--help")
         help.code shouldBe ExitCode.WHOLE
         val text = help.lines.joinToString("\n")
-        for (part in listOf("-t, --trim", "-c, --csv", "-g, --gzip", "-a, --attach", "-o, --open", "--out", "3 some")) {
+        for (part in listOf("-t, --trim", "-c, --csv", "-g, --gzip", "-a, --attach", "-o, --open", "--out", "--field", "--video", "3 some")) {
             text shouldContain part
         }
         run("--version").lines shouldContainExactly listOf("badlog-html $BADLOG_VERSION")

@@ -1,5 +1,9 @@
 package badlog.file
 
+import badlog.recording.LogFormat
+import badlog.recording.Recording
+import badlog.recording.RecordingFormat
+import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -18,6 +22,25 @@ public fun partsOfLog(file: Path): List<Path> =
  */
 public fun stationLogsIn(folder: Path, checkpoint: () -> Unit = {}): List<LogFile> =
     FolderScan.of(folder, checkpoint).files.filter { LogName.of(it.name).ending.lowercase() in STATION_ENDINGS }
+
+/** What [log], one of [stationLogsIn], holds, read by [formats]; null where it is not a log of the Driver Station, has no samples, or cannot be read. */
+public fun readStationLog(log: LogFile, formats: List<LogFormat>): Recording? = try {
+    readRecording(log.path, formats, cores = 1).takeIf { it.format == RecordingFormat.DRIVER_STATION && it.sampleCount > 0 }
+} catch (_: UnreadableFileException) {
+    // Whatever it is, it is not the one that is looked for.
+    null
+}
+
+/**
+ * When [log], one of [stationLogsIn], began; null where that is not known before it is read.
+ *
+ * @param headSize how many bytes of it say that, and [startIn] how, in s since 1970.
+ */
+public fun startOfStationLog(log: LogFile, headSize: Int, startIn: (ByteArray) -> Double?): Double? = try {
+    startIn(Files.newInputStream(log.path).use { it.readNBytes(headSize) })
+} catch (_: IOException) {
+    null
+}
 
 private val STATION_ENDINGS = setOf(LogName.DSLOG, LogName.DSEVENTS)
 

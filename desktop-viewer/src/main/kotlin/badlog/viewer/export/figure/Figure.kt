@@ -3,7 +3,6 @@ package badlog.viewer.export.figure
 import badlog.analysis.Span
 import badlog.plot.curve.Strokes
 import badlog.plot.figure.FigureNotes
-import badlog.plot.path.Field
 
 /**
  * A picture of graphs below one another over the same x, with all that is to be read in it. Holds as many points as its
@@ -49,17 +48,6 @@ internal class FigureFrame(
 ) {
     /** What its legend says: each line's label, and its color. */
     val legend: List<Pair<String, String>> get() = lines.map { it.label to it.color }
-}
-
-/**
- * The x axis of a frame that has one of its own.
- *
- * @property x the part of it that it shows.
- * @property xTitle what stands below it.
- * @property field the field that it is, whose meters are as long along x as along y; null for another plane.
- */
-internal class FigurePlane(val x: Span, val xTitle: String, val field: Field?) {
-    val isField: Boolean get() = this.field != null
 }
 
 /**

@@ -118,7 +118,7 @@ internal class FigureBuilder(
         laneColumns: Int,
         shared: Map<String, SeenOfUnit>,
     ): List<FigureFrame> {
-        if (graph.graph.isXy) return listOfNotNull(xyFrame(graph.graph, recordings, x, width))
+        if (graph.graph.isXy) return listOfNotNull(xyFrame(graph.graph, recordings, x, width, cursors))
         val numbers = linesOfUnits(numbersOf(graph.sources), columns)
         val wholes = numbers.map { lines ->
             val seen = shared[lines.axis.unit].takeIf { graph.graph.sharesY } ?: lines.seen

@@ -36,7 +36,7 @@ internal fun drawingOf(figure: Figure, options: FigureOptions): LetsPlotFigure {
 private fun plotOf(figure: Figure, frame: FigureFrame, size: FrameSize): Plot {
     val behind = frame.plane?.let(::ground) ?: behind(figure.marks, frame)
     val lines = if (frame.lanes.isEmpty()) drawLines(behind, frame, size) else drawLanes(behind, figure, frame, size)
-    val content = if (frame.plane == null) above(lines, figure.marks, frame) else lines
+    val content = frame.plane?.let(lines::withShapesOf) ?: above(lines, figure.marks, frame)
     val x = frame.plane?.x ?: figure.x
     val limits = x.from to x.to
     val yLimits = frame.y.from to frame.y.to
@@ -53,17 +53,6 @@ private fun plotOf(figure: Figure, frame: FigureFrame, size: FrameSize): Plot {
             y = frame.yTitle,
         )
     return base + figureTheme(size, hasLanes = frame.lanes.isNotEmpty())
-}
-
-/** An empty frame with the outline of the field, where it is one. */
-private fun ground(plane: FigurePlane): Plot {
-    val field = plane.field ?: return letsPlot()
-    val outline = mapOf("x" to listOf(0.0, 0.0, field.length, field.length, 0.0), "y" to listOf(0.0, field.width, field.width, 0.0, 0.0))
-    return letsPlot() +
-        geomPath(outline, color = hexOf(Palette.LIGHT.muted), size = STROKE, sampling = samplingNone, showLegend = false, tooltips = null) {
-            x = "x"
-            y = "y"
-        }
 }
 
 /** An empty frame with what lies behind its lines: when the robot was enabled, and where something happened. */

@@ -2,16 +2,27 @@ package badlog.viewer.export.figure
 
 import badlog.analysis.Span
 import badlog.plot.board.BoardGraph
+import badlog.plot.cursor.Cursors
 import badlog.plot.curve.Scale
 import badlog.plot.curve.Strokes
+import badlog.plot.path.Plane
+import badlog.plot.path.XyTrace
+import badlog.plot.path.marksAt
+import badlog.plot.text.placeText
+import badlog.plot.text.withUnit
 import badlog.rules.path.PoseRole
 import badlog.viewer.compare.DrawnRecording
+import badlog.viewer.graph.xy.DrawnXy
+import badlog.viewer.graph.xy.colorOf
 import badlog.viewer.graph.xy.drawnXys
 import badlog.viewer.graph.xy.seenOf
 import badlog.viewer.theme.Palette
 
-/** The frame of [graph], whose lines are drawn over each other: what the [recordings] have in [visible]; null for nothing. */
-internal fun xyFrame(graph: BoardGraph, recordings: List<DrawnRecording>, visible: Span, width: Int): FigureFrame? {
+/**
+ * The frame of [graph], whose lines are drawn over each other: what the [recordings] have in [visible], and where everything is at the
+ * [cursors]; null for nothing.
+ */
+internal fun xyFrame(graph: BoardGraph, recordings: List<DrawnRecording>, visible: Span, width: Int, cursors: Cursors): FigureFrame? {
     val xys = drawnXys(graph, recordings)
     val height = width / 2
     val plane = seenOf(graph.plane, xys, width.toFloat(), height.toFloat()) ?: return null
@@ -22,9 +33,8 @@ internal fun xyFrame(graph: BoardGraph, recordings: List<DrawnRecording>, visibl
             val strokes = Strokes()
             trace.draw(xy.own(visible), plane, width, height, strokes)
             strokes.place(toX, toY)
-            val label = if (recordings.size > 1) "${trace.name}, ${xy.drawn.name}" else trace.name
             val color = hexOf(Palette.LIGHT.line(xy.colorOf(trace)))
-            FigureLine(plainLine(label, LABEL_LETTERS), color, strokes, isDashed = trace.role == PoseRole.PLANNED)
+            FigureLine(labelOf(xy, trace, cursors, recordings.size > 1), color, strokes, isDashed = trace.role == PoseRole.PLANNED)
         }
     }
     val plot = xys[0].plot
@@ -36,8 +46,80 @@ internal fun xyFrame(graph: BoardGraph, recordings: List<DrawnRecording>, visibl
         hasLegend = true,
         lines = lines,
         lanes = emptyList(),
-        plane = FigurePlane(plane.x, plainLine(plot.xTitle, LABEL_LETTERS), plot.field.takeIf { plot.isField }),
+        plane = FigurePlane(
+            plane.x,
+            plainLine(plot.xTitle, LABEL_LETTERS),
+            plot.field.takeIf { plot.isField },
+            pictureOf(xys[0]),
+            xys.flatMap { notesOf(it, plane, visible) + marksOf(it, graph, cursors) },
+            xys.mapNotNull { labelOf(it, plane, visible) },
+        ),
     )
 }
 
+/** What a legend calls [trace], with where it is at the cursor. */
+private fun labelOf(xy: DrawnXy, trace: XyTrace, cursors: Cursors, isCompared: Boolean): String {
+    val name = if (isCompared) "${trace.name}, ${xy.drawn.name}" else trace.name
+    val place = cursors.x?.let { trace.textAt(it - xy.drawn.offset, xy.plot.isField) }.orEmpty()
+    return if (place.isEmpty()) plainLine(name, LABEL_LETTERS) else "${plainLine(name, LABEL_LETTERS - place.length - 1)} $place"
+}
+
+/** The picture of the field of [xy]; null for none. */
+private fun pictureOf(xy: DrawnXy): FigurePicture? {
+    val field = xy.plot.field.takeIf { xy.plot.isField } ?: return null
+    val image = field.image ?: return null
+    val drawn = xy.drawn.recording.fieldPicture ?: return null
+    return FigurePicture(image.source, image.plane(field, drawn.width, drawn.height))
+}
+
+/** Where everything is at the second cursor, as rings and outlines, and then at the first. */
+private fun marksOf(xy: DrawnXy, graph: BoardGraph, cursors: Cursors): List<FigureShape> =
+    listOfNotNull(cursors.second?.let { it to true }, cursors.x?.let { it to false }).flatMap { (x, isSecond) ->
+        xy.plot.marksAt(x - xy.drawn.offset, graph.hidden).map { mark ->
+            val color = hexOf(xy.colorOf(mark, Palette.LIGHT))
+            FigureShape(mark.places, color, mark.isClosed, mark.isFilled && !isSecond, isRing = mark.isDot && isSecond)
+        }
+    }
+
+/** Where the robot left its plan, as a ring; or the straight line through the samples. */
+private fun notesOf(xy: DrawnXy, plane: Plane, visible: Span): List<FigureShape> {
+    val left = placeOfDeparture(xy)?.let { FigureShape(it, hexOf(Palette.LIGHT.warning), isRing = true) }
+    val fit = xy.plot.lineFit(xy.own(visible))?.let { fit ->
+        val ends = listOf(plane.x.from, plane.x.to).flatMap { listOf(it, fit.offset + fit.slope * it) }
+        FigureShape(ends.toDoubleArray(), hexOf(Palette.LIGHT.muted))
+    }
+    return listOfNotNull(fit, left)
+}
+
+/** What [notesOf] says in words. */
+private fun labelOf(xy: DrawnXy, plane: Plane, visible: Span): FigureLabel? {
+    val (x, y) = placeOfDeparture(xy)?.toList() ?: return xy.plot.lineFit(xy.own(visible))?.let { fit ->
+        FigureLabel(xy.plot.textOf(fit), plane.x.to, plane.y.to, isLeft = true, isAbove = false, hexOf(Palette.LIGHT.text))
+    }
+    val departure = xy.departure ?: return null
+    val axis = xy.drawn.recording.view.xAxis
+    val moment = withUnit(placeText(departure.time, axis, xy.drawn.recording.span.width), axis.unit)
+    val isLeft = x > plane.xAt(HALF)
+    val isAbove = y < plane.yAt(HALF)
+    val gap = plane.x.width * GAP
+    return FigureLabel(
+        departure.text(moment),
+        if (isLeft) x - gap else x + gap,
+        if (isAbove) y + gap else y - gap,
+        isLeft,
+        isAbove,
+        hexOf(Palette.LIGHT.warning),
+    )
+}
+
+/** Where the robot of [xy] left its plan, x and y; null for nowhere. */
+private fun placeOfDeparture(xy: DrawnXy): DoubleArray? {
+    val index = xy.departure?.index ?: return null
+    return xy.plot.driven?.trail?.let { doubleArrayOf(it.x[index], it.y[index]) }
+}
+
 private const val LABEL_LETTERS = 30
+private const val HALF = 0.5
+
+/** So far beside the ring its text stands, as a share of the width. */
+private const val GAP = 0.012

@@ -77,6 +77,7 @@ internal fun makePages(jobs: List<PageJob>, additions: Additions, progress: (Flo
  * @param known recordings that are read already.
  * @param definitions the formulas.
  * @param library the folder of logs, whose rules count.
+ * @param field gives the field of each log.
  * @param board the graphs with which they begin; null for those of the folder, or of the log.
  */
 internal class Additions(
@@ -84,6 +85,7 @@ internal class Additions(
     private val definitions: List<String>,
     private val library: Path?,
     private val board: Board? = null,
+    private val field: (Path) -> FieldFile = { FieldFile.of(it, library) },
 ) {
     private val known = known.associateBy { it.file }
 
@@ -91,7 +93,7 @@ internal class Additions(
     fun of(log: Path): PageAdditions {
         val rules = FolderRules.of(log, library)
         val layout = board?.let { BoardLayout(it).toJson() } ?: layoutFor(log, rules.rules.signals, library).text
-        return PageAdditions(workingIn(log), rules.rules, rules.problem, layout = layout, field = FieldFile.of(log, library).json)
+        return PageAdditions(workingIn(log), rules.rules, rules.problem, layout = layout, field = field(log).json)
     }
 
     /** The formulas that make a topic in [log]; none where it cannot be read, which whoever makes the page reports. */

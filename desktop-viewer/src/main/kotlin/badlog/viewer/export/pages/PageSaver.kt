@@ -5,6 +5,7 @@ import badlog.file.reading
 import badlog.plot.board.Board
 import badlog.viewer.board.GraphBoard
 import badlog.viewer.compare.ComparedRecordings
+import badlog.viewer.field.FieldChoice
 import badlog.viewer.files.FileChoice
 import badlog.viewer.files.askToWrite
 import badlog.viewer.files.sayNoLog
@@ -25,6 +26,7 @@ internal class PageSaver(
     private val compared: ComparedRecordings,
     private val board: GraphBoard,
     private val formulas: FormulaStore,
+    private val fields: FieldChoice,
     private val library: Library,
     private val files: FileChoice,
     private val tasks: LongTasks,
@@ -55,7 +57,7 @@ internal class PageSaver(
 
     private fun save(title: String, board: Board = Board(), jobs: () -> List<PageJob>) {
         val known = compared.drawn.map { it.recording }
-        val additions = Additions(known, formulas.definitions, library.state.folder, board.takeIf { it.graphs.isNotEmpty() })
+        val additions = Additions(known, formulas.definitions, library.state.folder, board.takeIf { it.graphs.isNotEmpty() }, fields::of)
         tasks.run(title, { progress -> makePages(jobs(), additions, progress) }, ::report)
     }
 

@@ -17,6 +17,7 @@ import badlog.viewer.axis.AxisChoice
 import badlog.viewer.board.GraphBoard
 import badlog.viewer.compare.ComparedRecordings
 import badlog.viewer.compare.DrawnRecording
+import badlog.viewer.field.FieldChoice
 import badlog.viewer.findings.LogFindings
 import badlog.viewer.graph.plot.PlotPicture
 import badlog.viewer.graph.plot.PlotState
@@ -51,6 +52,7 @@ internal class GraphScene(
     val addTopics: (Int) -> Unit,
     val axis: AxisChoice,
     val stations: StationChoice,
+    val fields: FieldChoice,
 ) {
     /** The pictures of the graphs. */
     val plots = Plots()

@@ -6,6 +6,7 @@ import badlog.plot.path.Departure
 import badlog.plot.path.Plane
 import badlog.plot.path.XyPlot
 import badlog.plot.path.XyTrace
+import badlog.plot.path.shown
 import badlog.viewer.compare.DrawnRecording
 
 /**
@@ -18,13 +19,16 @@ internal class DrawnXy(val drawn: DrawnRecording, val plot: XyPlot, private val 
     val departure: Departure? by lazy { plot.departure(drawn.recording.view) }
 
     /** Which of the palette's colors [trace] has: as in other graphs, of several recordings the first ones tell them apart. */
-    fun colorOf(trace: XyTrace): Int = trace.color * count + index
+    fun colorOf(trace: XyTrace): Int = colorOf(trace.color)
+
+    /** The same of a mark that has the [color] of a trace. */
+    fun colorOf(color: Int): Int = color * count + index
 
     /** What of its own x is seen where the window shows [visible]. */
     fun own(visible: Span): Span = Span(visible.from - drawn.offset, visible.to - drawn.offset)
 
     /** What of it is not hidden in [spec]. */
-    fun shown(spec: BoardGraph): List<XyTrace> = plot.traces.filter { trace -> trace.lines.none { it in spec.hidden } }
+    fun shown(spec: BoardGraph): List<XyTrace> = plot.shown(spec.hidden)
 }
 
 /** What each of [recordings] shows in [graph], where it has any of its lines. */

@@ -21,8 +21,10 @@ import badlog.plot.axis.Ticks
 import badlog.plot.board.BoardGraph
 import badlog.plot.curve.Strokes
 import badlog.plot.path.Plane
+import badlog.plot.path.XyMark
 import badlog.plot.path.XyPlot
 import badlog.plot.path.XyTrace
+import badlog.plot.path.marksAt
 import badlog.plot.text.placeText
 import badlog.plot.text.withUnit
 import badlog.rules.path.PoseRole
@@ -81,8 +83,8 @@ internal fun DrawScope.drawXyGround(plane: Plane, plot: XyPlot, picture: ImageBi
     val other = at(field.length, 0.0)
     drawRect(palette.muted, corner, Size(other.x - corner.x, other.y - corner.y), style = Stroke(1.5f * density))
     drawLine(palette.muted.copy(alpha = QUIET), at(field.length / 2, 0.0), at(field.length / 2, field.width), 1f * density)
-    drawLine(BLUE, at(0.0, 0.0), at(0.0, field.width), WALL * density)
-    drawLine(RED, at(field.length, 0.0), at(field.length, field.width), WALL * density)
+    drawLine(BLUE_WALL, at(0.0, 0.0), at(0.0, field.width), WALL * density)
+    drawLine(RED_WALL, at(field.length, 0.0), at(field.length, field.width), WALL * density)
 }
 
 /** All traces of [xy]: faint what is not [visible], and above it what is. */
@@ -145,37 +147,38 @@ internal fun DrawScope.drawXyNotes(xy: DrawnXy, plane: Plane, visible: Span, let
     }
 }
 
-/** Where everything is at [cursor]: robots with their bows, planned ones as outlines alone, what else there is as a dot. */
-internal fun DrawScope.drawXyCursor(xy: DrawnXy, spec: BoardGraph, plane: Plane, cursor: Double, palette: Palette) {
-    val time = cursor - xy.drawn.offset
-    val x = plane.xScale(size.width.toDouble())
-    val y = plane.yScale(size.height.toDouble())
-    for (trace in xy.shown(spec)) {
-        val color = palette.line(xy.colorOf(trace))
-        if (trace.followers.isNotEmpty()) {
-            drawPath(pathOf(trace.chainAt(time), plane), color, style = Stroke(LINE * density))
+/** Where everything is at [cursor]: robots with their bows, planned ones as outlines alone, what else there is as a dot; at the second one as rings. */
+internal fun DrawScope.drawXyCursor(
+    xy: DrawnXy,
+    spec: BoardGraph,
+    plane: Plane,
+    cursor: Double,
+    palette: Palette,
+    isSecond: Boolean = false,
+) {
+    for (mark in xy.plot.marksAt(cursor - xy.drawn.offset, spec.hidden)) {
+        val color = xy.colorOf(mark, palette)
+        if (mark.isDot) {
+            val x = plane.xScale(size.width.toDouble()).placeOf(mark.places[0]).toFloat()
+            val y = plane.yScale(size.height.toDouble()).placeOf(mark.places[1]).toFloat()
+            if (isSecond) {
+                drawCircle(color, (DOT + 1) * density, Offset(x, y), style = Stroke(LINE * density))
+            } else {
+                drawCircle(palette.surface, DOT * density, Offset(x, y))
+                drawCircle(color, (DOT - 1) * density, Offset(x, y))
+            }
             continue
         }
-        val index = trace.indexAt(time)
-        if (index < 0) continue
-        if (xy.plot.isField && trace.role != PoseRole.SEEN) {
-            val robot = pathOf(trace.robotAt(time), plane).apply { close() }
-            if (trace.role == PoseRole.DRIVEN) drawPath(robot, color.copy(alpha = FILL))
-            drawPath(robot, color, style = Stroke(LINE * density))
-        }
-        val place = Offset(x.placeOf(trace.trail.x[index]).toFloat(), y.placeOf(trace.trail.y[index]).toFloat())
-        drawCircle(palette.surface, DOT * density, place)
-        drawCircle(color, (DOT - 1) * density, place)
+        val path = pathOf(mark.places, plane)
+        if (mark.isClosed) path.close()
+        if (mark.isFilled && !isSecond) drawPath(path, color.copy(alpha = FILL))
+        drawPath(path, color, style = Stroke((if (mark.isTarget) TARGET_ARROW else LINE) * density))
     }
 }
 
-/** What the modules of a swerve drive were told, and did, at [cursor]. */
-internal fun DrawScope.drawXyArrows(xy: DrawnXy, plane: Plane, cursor: Double, palette: Palette) {
-    for (arrow in xy.plot.arrowsAt(cursor - xy.drawn.offset)) {
-        val width = if (arrow.isTarget) TARGET_ARROW else LINE
-        drawPath(pathOf(arrow.places, plane), if (arrow.isTarget) palette.muted else palette.accent, style = Stroke(width * density))
-    }
-}
+/** The color of [mark]. */
+internal fun DrawnXy.colorOf(mark: XyMark, palette: Palette): Color =
+    mark.color?.let { palette.line(colorOf(it)) } ?: if (mark.isTarget) palette.muted else palette.accent
 
 private fun DrawScope.pathOf(places: DoubleArray, plane: Plane): Path {
     val x = plane.xScale(size.width.toDouble())
@@ -189,8 +192,11 @@ private fun DrawScope.pathOf(places: DoubleArray, plane: Plane): Path {
     return path
 }
 
-private val BLUE = Color(0xFF2F6FDE)
-private val RED = Color(0xFFD93A3A)
+/** The wall of the blue alliance. */
+internal val BLUE_WALL = Color(0xFF2F6FDE)
+
+/** That of the red one. */
+internal val RED_WALL = Color(0xFFD93A3A)
 private const val GAP = 6
 private const val GRID = 0.08f
 private const val PICTURE = 0.6f

@@ -75,11 +75,10 @@ internal fun XyPane(scene: GraphScene, spec: BoardGraph, modifier: Modifier) {
                 Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind {
                     val plane = planeOn(size.width, size.height) ?: return@drawBehind
                     drag.covered?.let { drawRect(palette.accent.copy(alpha = COVERED), it.topLeft, it.size) }
-                    val cursor = scene.view.cursor ?: return@drawBehind
-                    for (xy in xys) {
-                        drawXyCursor(xy, spec, plane, cursor, palette)
-                        drawXyArrows(xy, plane, cursor, palette)
+                    scene.view.secondCursor?.let { second ->
+                        for (xy in xys) drawXyCursor(xy, spec, plane, second, palette, isSecond = true)
                     }
+                    scene.view.cursor?.let { cursor -> for (xy in xys) drawXyCursor(xy, spec, plane, cursor, palette) }
                 },
             )
         }

@@ -22,6 +22,7 @@ import badlog.viewer.graph.sample
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.theme.Palette
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainAll
@@ -33,12 +34,15 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.shouldNotBe
 import org.w3c.dom.Document
 import org.w3c.dom.Element
+import java.awt.Color
+import java.awt.image.BufferedImage
 import java.nio.file.Files
 import java.nio.file.Path
 import javax.imageio.ImageIO
 import javax.xml.parsers.DocumentBuilderFactory
 import kotlin.math.abs
 import kotlin.math.sin
+import io.kotest.matchers.string.shouldContain as shouldContainText
 
 class FigureSpec : FunSpec({
     val options = FigureOptions()
@@ -74,6 +78,47 @@ class FigureSpec : FunSpec({
         textsIn(svgOf(figure, options)) shouldContainAll listOf("x (m)", "y (m)", "Path", "Drive/Pose", "Time (s)")
         build(path.standardGraphs.graphs.take(1), Span(0.0, 12.0), path, path).frames.single().lines.size shouldBe 6
         writeFigure(figure, FigureOptions(format = FigureFormat.PNG), Files.createDirectories(Path.of("build", "pictures")).resolve("figure-path.png"))
+    }
+
+    test("a path has the picture of its field below it, and the robot, its plan and its modules at the cursors, also in SVG") {
+        val folder = tempdir().toPath()
+        val image = BufferedImage(200, 100, BufferedImage.TYPE_INT_RGB)
+        for (x in 0 until 200) for (y in 0 until 100) image.setRGB(x, y, 0x00FF00)
+        ImageIO.write(image, "png", folder.resolve("green.png").toFile())
+        folder.resolve("field.json").toFile().writeText(
+            """{"field-image":"green.png","field-corners":{"top-left":[0,0],"bottom-right":[200,100]},"field-size":[54,27],"field-unit":"foot"}""",
+        )
+        val path = OpenRecording.read(Files.copy(sample("wrong-turn.bag").file, folder.resolve("a.bag")))
+        fun figure(cursors: Cursors) = FigureBuilder(listOf(DrawnRecording(path)), path.span, options.width, cursors = cursors).build(path.standardGraphs.graphs.take(1))
+        val plain = figure(Cursors()).frames.single()
+        val shapes = plain.plane!!.shapes.size
+        val figure = figure(Cursors(pinned = 9.4, second = 3.0))
+        val plane = figure.frames.single().plane!!
+        val driven = path.xyPlot(path.standardGraphs.graphs[0].lines)!!.driven!!
+        val index = driven.trail.indexAt(9.4)
+        val dot = plane.shapes.filter { it.isDot && !it.isRing }.map { it.columns }
+        dot.last() shouldBe mapOf("x" to listOf(driven.trail.x[index]), "y" to listOf(driven.trail.y[index]))
+        // The robot at the first cursor alone is filled.
+        plane.shapes.count { it.isFilled } shouldBe 1
+        plane.shapes.size shouldBeGreaterThan shapes + 4
+        figure.frames.single().lines.last().label shouldBe "Drive/Pose ${driven.textAt(9.4, isField = true)}"
+        plane.labels.single().text shouldContainText "Left the plan at"
+        val svg = svgOf(figure, options)
+        val drawn = elements(svg, "image").single()
+        drawn.attributes.let { all -> List(all.length) { all.item(it).nodeValue } }.count { it.startsWith("data:image/png;base64,iVBOR") } shouldBe 1
+        textsIn(svg).any { "Left the plan at" in it } shouldBe true
+        val picture = imageOf(svg, options.width, 1)
+        val greens = (0 until picture.width).sumOf { x -> (0 until picture.height).count { y -> Color(picture.getRGB(x, y)).run { green > 200 && red < 160 && blue < 160 } } }
+        greens shouldBeGreaterThan 100_000
+        writeFigure(figure, FigureOptions(format = FigureFormat.PNG), Files.createDirectories(Path.of("build", "pictures")).resolve("figure-field.png"))
+    }
+
+    test("an XY plot of volts over amperes has the line of best fit and the resistance it says") {
+        val match = sample("qualification-42.bag")
+        val graph = BoardGraph(1, "Battery", listOf("PDP/Total Current", "System/Battery Voltage"), isXy = true)
+        val plane = FigureBuilder(listOf(DrawnRecording(match)), match.span, options.width).build(listOf(graph)).frames.single().plane!!
+        plane.labels.single().text shouldContainText "mΩ"
+        plane.shapes.single().columns.getValue("x") shouldBe listOf(plane.x.from, plane.x.to)
     }
 
     test("each unit of a graph has a frame of its own, and so have its states") {

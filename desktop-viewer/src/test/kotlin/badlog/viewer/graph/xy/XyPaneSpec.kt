@@ -74,6 +74,17 @@ class XyPaneSpec : FunSpec({
         }
     }
 
+    test("the second cursor is a ring on the path, where the robot was then") {
+        path { viewer ->
+            viewer.view.goTo(9.4)
+            waitForIdle()
+            val one = savePicture("path-second").count(Palette.LIGHT.line(0))
+            viewer.view.changeCursors { shiftClicked(3.0, 0.0) }
+            waitForIdle()
+            savePicture("path-second").count(Palette.LIGHT.line(0)) shouldBeGreaterThan one + 20
+        }
+    }
+
     test("the pointer over the path moves the cursor to when the robot was there, a click pins it") {
         path { viewer ->
             val trail = recording.xyPlot(viewer.board.state.graphs[0].lines)!!.driven!!.trail

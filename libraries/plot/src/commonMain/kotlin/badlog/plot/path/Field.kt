@@ -20,6 +20,10 @@ public class Field(public val length: Double = LENGTH, public val width: Double 
         return Plane(spanOf(length, trails.map { it.xSpan }), spanOf(width, trails.map { it.ySpan }))
     }
 
+    /** The same with [source] for the picture that it has. */
+    internal fun withPicture(source: String): Field =
+        Field(length, width, checkNotNull(image).run { FieldImage(source, left, top, right, bottom) })
+
     public companion object {
         /** That of 2026, as WPILib's layout of its tags has it. */
         public const val LENGTH: Double = 16.541

@@ -36,8 +36,8 @@ public fun fieldOfJson(text: String): Field {
     return Field(length, width, FieldImage(image, left, top, right, bottom))
 }
 
-/** [field], which has a picture, as [fieldOfJson] reads it, with [source] for that. */
-internal fun fieldJson(field: Field, source: String): String = checkNotNull(field.image).run {
+/** [field], which has a picture, as [fieldOfJson] reads it. */
+internal fun fieldJson(field: Field): String = checkNotNull(field.image).run {
     "{\"field-image\":${quotedJson(source)},\"field-corners\":{\"top-left\":[$left,$top],\"bottom-right\":[$right,$bottom]}," +
         "\"field-size\":[${field.length},${field.width}],\"field-unit\":\"meter\"}"
 }

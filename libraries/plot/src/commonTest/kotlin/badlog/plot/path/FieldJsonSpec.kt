@@ -23,7 +23,7 @@ class FieldJsonSpec : FunSpec({
 
     test("a field with its picture in it is read again as it was") {
         val field = fieldOfJson(text)
-        val again = fieldOfJson(fieldJson(field, "data:image/png;base64,AAAA"))
+        val again = fieldOfJson(fieldJson(field.withPicture("data:image/png;base64,AAAA")))
         again.length shouldBe (field.length plusOrMinus 1e-9)
         again.image!!.run { listOf(left, top, right, bottom) } shouldBe field.image!!.run { listOf(left, top, right, bottom) }
         again.image.source shouldBe "data:image/png;base64,AAAA"

@@ -99,6 +99,20 @@ class XyPlotSpec : FunSpec({
         swerveModulesOf(driven).single().angles[0] shouldBe "Drive/FL/TurnPosition"
     }
 
+    test("a moment is the robot with its middle, its plan as an outline, what was seen as a dot; nothing of what is hidden, or at no time") {
+        val names = listOf("Pose", "Target Pose", "Vision/Pose")
+        val view = timed(names.flatMap { path(it, Triple(0.0, 1.0, 2.0)) })
+        val plot = view.plot(*names.flatMap { listOf("$it/translation/x", "$it/translation/y") }.toTypedArray())!!
+        val marks = plot.marksAt(0.5, emptySet())
+        marks.map { it.color } shouldBe listOf(2, 1, 1, 0, 0)
+        marks.map { it.isDot } shouldBe listOf(true, false, true, false, true)
+        marks.map { it.isFilled } shouldBe listOf(false, false, false, true, false)
+        marks[0].places.toList() shouldBe listOf(1.0, 2.0)
+        marks[3].isClosed shouldBe true
+        plot.marksAt(0.5, setOf("Target Pose/translation/x")).map { it.color } shouldBe listOf(2, 0, 0)
+        plot.marksAt(Double.NaN, emptySet()) shouldBe emptyList()
+    }
+
     test("other lines are drawn over the first one; volts over amperes say the resistance") {
         val rows = List(50) { "$it,${it * 4},${12 - it * 4 * 0.016}" }
         val view = bagView(listOf("Time|xaxis", "Current", "Voltage"), rows)

@@ -13,7 +13,7 @@ import java.util.Base64
  *
  * @property file the file; null for none.
  * @property json the field with its picture in it, which pages carry; null for none, or where a file has a mistake.
- * @property field the same, read.
+ * @property field the same, read: its picture is all in it.
  * @property picture the bytes of the picture, PNG or JPEG; null as [json].
  * @property problem why a file is not used, as a sentence; null when all is well.
  */
@@ -64,8 +64,8 @@ public class FieldFile private constructor(
             val type =
                 TYPES.entries.find { (_, begin) -> bytes.size > begin.size && begin.indices.all { bytes[it] == begin[it].toByte() } }?.key
                     ?: return refused("Its picture “$name” is neither PNG nor JPEG; save it as one of them.")
-            val source = "data:$type;base64," + Base64.getEncoder().encodeToString(bytes)
-            return FieldFile(file, fieldJson(field, source), field, bytes, null)
+            val whole = field.withPicture("data:$type;base64," + Base64.getEncoder().encodeToString(bytes))
+            return FieldFile(file, fieldJson(whole), whole, bytes, null)
         }
 
         private val TYPES = mapOf("image/png" to listOf(0x89, 0x50, 0x4E, 0x47), "image/jpeg" to listOf(0xFF, 0xD8, 0xFF))

@@ -27,6 +27,7 @@ class FieldFileSpec : FunSpec({
         found.field.length shouldBe 16.0
         found.picture shouldBe File(folder, "f.png").readBytes()
         fieldOfJson(found.json!!).image!!.source shouldStartWith "data:image/png;base64,iVBOR"
+        found.field.image!!.source shouldBe fieldOfJson(found.json).image!!.source
         FieldFile.read(File(folder, "field.json").toPath()).json shouldBe found.json
         FieldFile.of(File(File(folder, "deep"), "a.bag").toPath(), top = folder.toPath()).json shouldBe found.json
     }

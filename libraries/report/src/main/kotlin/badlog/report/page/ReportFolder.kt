@@ -6,6 +6,7 @@ import badlog.file.UnwritableFileException
 import badlog.file.writeAtomically
 import badlog.html.ExportException
 import badlog.html.HtmlExporter
+import badlog.html.fieldFor
 import badlog.html.layoutFor
 import badlog.html.protocol.PageAdditions
 import badlog.report.LogReport
@@ -42,8 +43,8 @@ public class ReportFolder(
     private val index = folder.resolve(INDEX)
     private val problems = LinkedHashSet<String>()
 
-    /** What is wrong with the layouts that lie beside the logs whose pages were made, a sentence each. */
-    public val layoutProblems: Set<String> get() = problems
+    /** What is wrong with the layouts and fields beside the logs whose pages were made, a sentence each. */
+    public val problemsBeside: Set<String> get() = problems
 
     /**
      * Makes sure that the index can stand there, so that nobody waits for a refusal.
@@ -68,7 +69,8 @@ public class ReportFolder(
         // A page knows its own log alone.
         val compared = log.differences
         val layout = layoutFor(log.file.path, rules.signals)
-        layout.problem?.let(problems::add)
+        val field = fieldFor(log.file.path)
+        problems += listOfNotNull(layout.problem, field.problem)
         val additions = PageAdditions(
             virtualTopics = defined,
             rules = rules,
@@ -76,6 +78,7 @@ public class ReportFolder(
             hooks = hookParts(hooks),
             differences = compared.differences,
             layout = layout.text,
+            field = field.json,
         )
         exporter.export(log.file.path, page, additions)
         pages[log] = name
