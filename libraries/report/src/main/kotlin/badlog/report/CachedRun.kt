@@ -1,5 +1,6 @@
 package badlog.report
 
+import badlog.file.FolderRun
 import badlog.file.LogFile
 import badlog.report.hook.withShutdownHook
 

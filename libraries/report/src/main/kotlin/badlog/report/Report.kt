@@ -1,6 +1,7 @@
 package badlog.report
 
 import badlog.analysis.LogView
+import badlog.file.FolderRun
 import badlog.file.LogFile
 import badlog.report.hook.HookOutcome
 import badlog.report.hook.HookRunner

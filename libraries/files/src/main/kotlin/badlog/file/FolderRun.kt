@@ -1,6 +1,5 @@
-package badlog.report
+package badlog.file
 
-import badlog.file.LogFile
 import java.util.concurrent.ExecutionException
 import java.util.concurrent.Executors
 import java.util.concurrent.Future
@@ -12,18 +11,20 @@ import kotlin.math.ceil
  *
  * Few files are under way at a time, so the memory does not grow with their number. A file that is large for the heap is worked on
  * alone.
+ *
+ * @param threads how many are worked on at once.
  */
-internal class FolderRun(private val threads: Int = Runtime.getRuntime().availableProcessors()) {
+public class FolderRun(private val threads: Int = Runtime.getRuntime().availableProcessors()) {
     private val room = Semaphore(ROOM, true)
 
     /**
      * Does [work] on each of [files] with so many cores, and gives what comes of it to [each] on this thread. What [work] or [each]
      * throws stops all and is passed on.
      */
-    fun <R> forEach(files: List<LogFile>, work: (file: LogFile, cores: Int) -> R, each: (LogFile, R) -> Unit) {
+    public fun <R> forEach(files: List<LogFile>, work: (file: LogFile, cores: Int) -> R, each: (LogFile, R) -> Unit) {
         // Those that no other file takes.
         val cores = threads / files.size.coerceIn(1, threads)
-        val pool = Executors.newFixedThreadPool(threads) { Thread(it, "badlog-report").apply { isDaemon = true } }
+        val pool = Executors.newFixedThreadPool(threads) { Thread(it, "badlog-logs").apply { isDaemon = true } }
         try {
             val underWay = ArrayDeque<Pair<LogFile, Future<R>>>()
             for (file in files) {

@@ -1,0 +1,79 @@
+package badlog.season.engine
+
+import org.duckdb.DuckDBConnection
+import org.duckdb.DuckDBDriver
+import org.duckdb.DuckDBFunctions
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.Properties
+
+/**
+ * A DuckDB in this process that has only what it is lent, and files. What does not fit into its memory goes to a folder for temporary
+ * files, which [close] removes.
+ *
+ * @param memoryMegabytes how much memory it may take; null for most of the machine's.
+ * @param threads how many threads a single query uses, that of its caller among them.
+ * @param streams whether rows of results are given while they are found, rather than all of them afterwards.
+ */
+internal class Engine(memoryMegabytes: Int?, threads: Int, streams: Boolean = false) : AutoCloseable {
+    private val scratch: Path = Files.createTempDirectory("badlog-duckdb")
+    private val tables = LentTables()
+    private val root: DuckDBConnection = connected(if (streams) mapOf(DuckDBDriver.JDBC_STREAM_RESULTS to "true") else emptyMap())
+
+    init {
+        root.run(
+            "SET threads = $threads",
+            "SET temp_directory = ${literal("$scratch")}",
+            // Nothing is ever fetched.
+            "SET autoinstall_known_extensions = false",
+            "SET autoload_known_extensions = false",
+            "SET TimeZone = 'UTC'",
+        )
+        if (memoryMegabytes != null) root.run("SET memory_limit = '${memoryMegabytes}MB'")
+        DuckDBFunctions.tableFunction().withName(LentTables.FUNCTION).withParameter(Long::class.javaPrimitiveType)
+            .withFunction(tables).register(root)
+    }
+
+    /** Another connection, to be closed. */
+    fun connection(): DuckDBConnection = root.duplicate().unwrap(DuckDBConnection::class.java)
+
+    /** Does [work] with a connection for this thread alone. */
+    fun <R> connected(work: (DuckDBConnection) -> R): R = connection().use(work)
+
+    /** Lets [use] read [table], by the SQL that it gets. */
+    fun <R> lend(table: Table, use: (select: String) -> R): R = tables.lend(table, use)
+
+    /** Lets queries read what is in [folders] and the files [files], and nothing else of the disk or a network, for good. */
+    fun lockTo(folders: List<Path>, files: List<Path>) = root.run(
+        "SET allowed_directories = [${folders.joinToString { literal("$it/") }}]",
+        "SET allowed_paths = [${files.joinToString { literal("$it") }}]",
+        "SET enable_external_access = false",
+        "SET lock_configuration = true",
+    )
+
+    override fun close() {
+        root.close()
+        scratch.toFile().deleteRecursively()
+    }
+}
+
+private fun connected(options: Map<String, String>): DuckDBConnection =
+    DuckDBDriver().connect("jdbc:duckdb:", Properties().apply { putAll(options) }).unwrap(DuckDBConnection::class.java)
+
+/** Executes [statements], one after the other; returns how many rows the last one changed or wrote. */
+internal fun DuckDBConnection.run(vararg statements: String): Long = createStatement().use { statement ->
+    for (sql in statements) statement.execute(sql)
+    statement.largeUpdateCount
+}
+
+/** [text] as a literal of SQL. */
+internal fun literal(text: String): String = "'${text.replace("'", "''").replace(NUL, "")}'"
+
+/** [text], or NULL, as a literal of SQL. */
+internal fun literalOrNull(text: String?): String = text?.let(::literal) ?: "NULL::VARCHAR"
+
+/** [name] as a name in SQL. */
+internal fun quoted(name: String): String = "\"${name.replace("\"", "\"\"").replace(NUL, "")}\""
+
+/** It would end a text for DuckDB. */
+private const val NUL = "\u0000"

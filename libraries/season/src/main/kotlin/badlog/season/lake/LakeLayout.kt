@@ -1,0 +1,73 @@
+package badlog.season.lake
+
+import java.nio.file.Path
+import java.util.zip.CRC32
+
+/** Where what is in a lake; `docs/season.md` specifies it. */
+internal object LakeLayout {
+    /** To be raised when a reader of the former layout would misunderstand the new one. */
+    const val VERSION = 1
+
+    /** The file that says that a folder is a lake, and of which version. */
+    const val MARK = "lake.json"
+
+    /** What nobody may have open twice. */
+    const val LOCK = ".lock"
+
+    /** The folder of the files with a row for each row of a log. */
+    const val SAMPLES = "samples"
+
+    /** The folder of the files with the samples of topics that have times of their own. */
+    const val SERIES = "series"
+
+    /** How the names of unfinished files begin, which no reader looks at. */
+    const val DRAFT = ".badlog-"
+    const val ENDING = ".parquet"
+
+    /** Where the table [name] of [partition] is in the lake [folder]. */
+    fun tableFile(folder: Path, name: String, partition: Partition): Path =
+        folder.resolve(name).resolve(partition.path).resolve(name + ENDING)
+
+    /** Where in a lake the file of [kind] is of the log [log], written with slashes. */
+    fun logFile(kind: String, partition: Partition, log: String): String {
+        val name = encoded(log)
+        val short = if (name.length <=
+            MAX_NAME
+        ) {
+            name
+        } else {
+            name.take(MAX_NAME) + "-" + CRC32().apply { update(log.encodeToByteArray()) }.value
+        }
+        return "$kind/${partition.path}/$short$ENDING"
+    }
+
+    /** [text] as a name of a file: what is not a plain letter, a digit, a point, a sign or an underscore is percent-encoded. */
+    fun encoded(text: String): String = buildString {
+        for ((i, byte) in text.encodeToByteArray().withIndex()) {
+            val char = (byte.toInt() and BYTE).toChar()
+            // Readers pass over names that begin so.
+            val isPlain = char in 'a'..'z' || char in 'A'..'Z' || char in '0'..'9' || char == '-' || (char in "._" && i > 0)
+            if (isPlain) append(char) else append('%').append((byte.toInt() and BYTE).toString(HEX).uppercase().padStart(2, '0'))
+        }
+    }
+
+    private const val MAX_NAME = 160
+    private const val BYTE = 0xFF
+    private const val HEX = 16
+}
+
+/**
+ * A part of a lake that engines need not read when they are asked about another one.
+ *
+ * @property season the year; null where nothing tells it.
+ * @property event null where nothing tells it.
+ */
+internal data class Partition(val season: Int?, val event: String?) {
+    /** Its folder, as Hive names it. */
+    val path: String get() = "season=${season ?: UNKNOWN}/event=${event?.let(LakeLayout::encoded) ?: UNKNOWN}"
+
+    private companion object {
+        /** By which all engines mean null. */
+        const val UNKNOWN = "__HIVE_DEFAULT_PARTITION__"
+    }
+}

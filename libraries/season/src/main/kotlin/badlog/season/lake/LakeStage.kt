@@ -1,0 +1,143 @@
+package badlog.season.lake
+
+import badlog.season.engine.Engine
+import badlog.season.engine.FieldType
+import badlog.season.engine.RecordColumn
+import badlog.season.engine.Table
+import badlog.season.engine.literal
+import badlog.season.engine.run
+import org.duckdb.DuckDBConnection
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.StandardCopyOption.ATOMIC_MOVE
+import java.nio.file.StandardCopyOption.REPLACE_EXISTING
+import java.util.UUID
+import java.util.concurrent.locks.ReentrantReadWriteLock
+import kotlin.concurrent.read
+import kotlin.concurrent.write
+
+/**
+ * Gathers the records of logs until [flush] writes them into the tables of the lake [folder], each file whole or not at all. Safe for
+ * several threads.
+ */
+internal class LakeStage(private val folder: Path, private val engine: Engine) {
+    private val lock = ReentrantReadWriteLock()
+    private val touched = LinkedHashSet<Partition>()
+    private val obsolete = ArrayList<String>()
+    private var waiting = Waiting()
+
+    /** What comes into DuckDB together, with season and event before each record. */
+    private class Waiting {
+        val logs = ArrayList<String>()
+        val records = LakeTable.entries.associateWith { ArrayList<List<Any?>>() }
+    }
+
+    /** How many logs are gathered, with those to be removed. */
+    @Volatile
+    var size: Int = 0
+        private set
+
+    init {
+        engine.connected { connection ->
+            for (table in LakeTable.entries) {
+                connection.run("CREATE TABLE ${table.table} (season INTEGER, event VARCHAR, ${table.declared})")
+            }
+            connection.run("CREATE TABLE $GONE (log VARCHAR)")
+        }
+    }
+
+    /** Adds the log [log] with its [records] in [partition], where the lake had [former] of it. */
+    fun add(log: String, partition: Partition, records: Map<LakeTable, List<List<Any?>>>, files: List<String>, former: RegisteredLog?) =
+        lock.read {
+            note(log, records.mapValues { (_, rows) -> rows.map { listOf(partition.season, partition.event) + it } })
+                ?.let(::insert)
+            touch(listOfNotNull(partition, former?.partition), former?.files.orEmpty() - files.toSet())
+        }
+
+    /** Removes [former]. */
+    fun remove(former: RegisteredLog) = lock.read {
+        note(former.log, emptyMap())?.let(::insert)
+        touch(listOf(former.partition), former.files)
+    }
+
+    /** What is to be inserted, where that is enough to be worth a statement for each table; else null. */
+    @Synchronized
+    private fun note(log: String, records: Map<LakeTable, List<List<Any?>>>): Waiting? {
+        waiting.logs += log
+        for ((table, rows) in records) waiting.records.getValue(table).addAll(rows)
+        size++
+        if (waiting.logs.size < INSERTED_AT_ONCE) return null
+        return waiting.also { waiting = Waiting() }
+    }
+
+    @Synchronized
+    private fun touch(partitions: List<Partition>, files: List<String>) {
+        touched += partitions
+        obsolete += files
+    }
+
+    private fun insert(some: Waiting) = engine.connected { connection ->
+        for ((table, rows) in some.records) {
+            if (rows.isNotEmpty()) engine.lend(table.staged(rows)) { select -> connection.run("INSERT INTO ${table.table} $select") }
+        }
+        val gone = Table(listOf(RecordColumn("log", FieldType.TEXT) { some.logs[it] }), some.logs.size)
+        engine.lend(gone) { select -> connection.run("INSERT INTO $GONE $select") }
+    }
+
+    /** Writes what was gathered. The table of matches comes last: what it does not name is not there for the next run. */
+    fun flush() = lock.write {
+        if (size == 0) return@write
+        insert(waiting)
+        waiting = Waiting()
+        engine.connected { connection ->
+            for (table in LakeTable.entries) {
+                for (partition in touched) rewrite(connection, table, partition)
+                connection.run("TRUNCATE ${table.table}")
+            }
+            connection.run("TRUNCATE $GONE")
+        }
+        for (file in obsolete) Files.deleteIfExists(folder.resolve(file))
+        touched.clear()
+        obsolete.clear()
+        size = 0
+    }
+
+    private fun rewrite(connection: DuckDBConnection, table: LakeTable, partition: Partition) {
+        val target = LakeLayout.tableFile(folder, table.table, partition)
+        val isHere = "season IS NOT DISTINCT FROM ${partition.season ?: "NULL"} AND " +
+            "event IS NOT DISTINCT FROM ${partition.event?.let(::literal) ?: "NULL"}"
+        val new = "SELECT * EXCLUDE (season, event) FROM ${table.table} WHERE $isHere"
+        val all = if (!Files.exists(target)) {
+            new
+        } else {
+            "$new UNION ALL BY NAME SELECT * FROM read_parquet(${literal("$target")}, hive_partitioning = false) " +
+                "WHERE log NOT IN (SELECT log FROM $GONE)"
+        }
+        val rows = writeParquet(connection, "SELECT * FROM ($all) ORDER BY ${table.order}", target)
+        if (rows == 0L) Files.deleteIfExists(target)
+    }
+
+    private companion object {
+        const val GONE = "gone"
+        const val INSERTED_AT_ONCE = 32
+    }
+}
+
+/**
+ * Writes what [select] selects to [target], which is there whole or as it was before.
+ *
+ * @param metadata what the file says of itself, by a name.
+ * @return how many rows there are.
+ */
+internal fun writeParquet(connection: DuckDBConnection, select: String, target: Path, metadata: Pair<String, String>? = null): Long {
+    Files.createDirectories(target.parent)
+    val draft = target.resolveSibling("${LakeLayout.DRAFT}${UUID.randomUUID()}.part")
+    try {
+        val told = metadata?.let { (name, text) -> ", KV_METADATA {${literal(name)}: ${literal(text)}}" }.orEmpty()
+        val rows = connection.run("COPY ($select) TO ${literal("$draft")} (FORMAT parquet, COMPRESSION zstd, COMPRESSION_LEVEL 2$told)")
+        Files.move(draft, target, ATOMIC_MOVE, REPLACE_EXISTING)
+        return rows
+    } finally {
+        Files.deleteIfExists(draft)
+    }
+}

@@ -1,0 +1,74 @@
+package badlog.season.lake
+
+import badlog.season.engine.FieldType
+import badlog.season.engine.FieldType.COUNT
+import badlog.season.engine.FieldType.FLAG
+import badlog.season.engine.FieldType.MOMENT
+import badlog.season.engine.FieldType.NUMBER
+import badlog.season.engine.FieldType.PROBLEMS
+import badlog.season.engine.FieldType.SPANS
+import badlog.season.engine.FieldType.TEXT
+import badlog.season.engine.FieldType.TEXTS
+import badlog.season.engine.FieldType.TEXT_OF_NAME
+import badlog.season.engine.FieldType.WHOLE
+import badlog.season.engine.RecordColumn
+import badlog.season.engine.Table
+import badlog.season.engine.quoted
+
+/**
+ * A table of a lake that has records of many logs; `docs/season.md` says what they mean. A lake's program reads [MATCHES] to know what is
+ * there, so it is the last to be written.
+ *
+ * @property fields the columns, and what they hold.
+ * @property order by which columns its rows are sorted.
+ */
+internal enum class LakeTable(val order: String, vararg val fields: Pair<String, FieldType>) {
+    /** What a log has logged. */
+    TOPICS(
+        "log, topic",
+        "log" to TEXT, "topic" to TEXT, "stored" to TEXT, "column_name" to TEXT, "unit" to TEXT, "attributes" to TEXTS, "kind" to TEXT,
+        "type" to TEXT, "samples" to COUNT, "gaps" to COUNT, "rate" to NUMBER, "first_t" to NUMBER, "last_t" to NUMBER,
+    ),
+
+    /** What the numbers of a topic come to. */
+    STATISTICS(
+        "log, topic",
+        "log" to TEXT, "topic" to TEXT, "unit" to TEXT, "count" to COUNT, "gaps" to COUNT, "min" to NUMBER, "max" to NUMBER,
+        "mean" to NUMBER,
+        "standard_deviation" to NUMBER, "p5" to NUMBER, "median" to NUMBER, "p95" to NUMBER, "first" to NUMBER, "last" to NUMBER,
+    ),
+
+    /** Texts with a time. */
+    EVENTS("log, t, topic", "log" to TEXT, "topic" to TEXT, "t" to NUMBER, "timestamp" to MOMENT, "text" to TEXT),
+
+    /** What the rules found. */
+    FINDINGS(
+        "log, t, rule",
+        "log" to TEXT, "rule" to TEXT, "severity" to TEXT, "topic" to TEXT, "t" to NUMBER, "timestamp" to MOMENT, "text" to TEXT,
+        "next" to TEXT, "evidence" to TEXTS, "spans" to SPANS, "span_count" to WHOLE,
+    ),
+
+    /** The logs themselves. */
+    MATCHES(
+        "log",
+        "log" to TEXT, "title" to TEXT, "type" to TEXT, "number" to WHOLE, "alliance" to TEXT, "start" to MOMENT, "duration" to NUMBER,
+        "x_name" to TEXT, "x_unit" to TEXT, "format" to TEXT, "rows" to COUNT, "samples" to COUNT, "topics" to COUNT, "events" to COUNT,
+        "findings" to COUNT, "salvaged" to FLAG, "problems" to PROBLEMS, "header" to TEXT_OF_NAME, "path" to TEXT, "size" to COUNT,
+        "modified" to MOMENT, "files" to TEXTS, "made_by" to TEXT,
+    ),
+    ;
+
+    /** What it is called, in SQL and on the disk. */
+    val table: String get() = name.lowercase()
+
+    /** Its columns as SQL declares them. */
+    val declared: String get() = fields.joinToString { (name, type) -> "${quoted(name)} ${type.type}" }
+
+    /** [records], each with season, event, and a value for each field in their order, as a table. */
+    fun staged(records: List<List<Any?>>): Table =
+        Table((PARTITION + fields).mapIndexed { i, (name, type) -> RecordColumn(name, type) { records[it][i] } }, records.size)
+
+    private companion object {
+        val PARTITION = arrayOf("season" to WHOLE, "event" to TEXT)
+    }
+}

@@ -1,0 +1,59 @@
+package badlog.season.lake
+
+import badlog.analysis.meant
+import badlog.file.dateInName
+import badlog.file.dateInText
+import badlog.file.matchInName
+import badlog.recording.Recording
+import badlog.rules.signal.SignalVocabulary
+import badlog.rules.signal.matchOf
+import badlog.rules.station.ClockedLog
+import badlog.rules.station.START_VALUE
+import badlog.rules.station.loggedStart
+import java.time.Instant
+import java.time.ZoneOffset
+
+/**
+ * Which match a log is of, and when it was, by its values, its topics or its file's name.
+ *
+ * @property partition the season and the event.
+ * @property type such as `Qualification`; null where nothing tells it.
+ * @property number of the match, without what follows its first digits; null where nothing tells it.
+ * @property title what a person calls it.
+ * @property zero when its x was 0, in s since 1970; null where no clock with UTC tells it.
+ * @property start when its first sample was, likewise.
+ */
+internal class LogIdentity private constructor(
+    val partition: Partition,
+    val type: String?,
+    val number: Int?,
+    val title: String?,
+    val alliance: String?,
+    val zero: Double?,
+    val start: Double?,
+) {
+    companion object {
+        /** That of [recording], which was read from a file called [name], where [signals] are the names of what tells it. */
+        fun of(name: String, recording: Recording, signals: SignalVocabulary): LogIdentity {
+            val logged = signals.matchOf(recording)
+            val named = matchInName(name)
+            val clock = ClockedLog(name, recording, signals)
+            val zero = if (clock.hasClock) clock.start else null
+            val start = zero?.let { if (clock.first.isNaN()) it else it + clock.first } ?: loggedStart(recording)
+            val number = logged.number ?: named.number
+            val date = start?.let { Instant.ofEpochMilli((it * 1000).toLong()).atZone(ZoneOffset.UTC).toLocalDateTime() }
+                ?: recording.values.find { it.name == START_VALUE }?.let { dateInText(it.text) } ?: dateInName(name)?.time
+            return LogIdentity(
+                Partition(date?.year, logged.event ?: named.event),
+                logged.type ?: named.type,
+                number?.let { NUMBER.find(it) }?.value?.toInt(),
+                logged.title,
+                recording.values.meant("alliance"),
+                zero,
+                start,
+            )
+        }
+
+        private val NUMBER = Regex("\\d{1,9}")
+    }
+}

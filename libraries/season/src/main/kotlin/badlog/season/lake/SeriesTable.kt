@@ -1,0 +1,64 @@
+package badlog.season.lake
+
+import badlog.analysis.LogView
+import badlog.recording.Topic
+import badlog.season.engine.FieldType
+import badlog.season.engine.MomentColumn
+import badlog.season.engine.NumberColumn
+import badlog.season.engine.RecordColumn
+import badlog.season.engine.Table
+
+/** The samples of the topics of [view] that have times of their own, one after the other: a row for each sample. Null without any. */
+internal fun seriesTable(view: LogView, log: String, identity: LogIdentity): Table? {
+    val topics = view.recording.topics.filter { it.times != null && it.times!!.isNotEmpty() }.sortedBy { it.name }
+    val size = topics.sumOf { it.times!!.size.toLong() }
+    if (size == 0L || size > Int.MAX_VALUE) return null
+    val samples = OwnTimes(topics, size.toInt())
+    val columns = listOfNotNull(
+        RecordColumn("topic", FieldType.TEXT) { samples.at(it).topic.name },
+        NumberColumn(FixedColumns.T, samples.times),
+        identity.zero?.let { MomentColumn(FixedColumns.TIMESTAMP, it, samples.times) },
+        RecordColumn("value", FieldType.NUMBER) { samples.at(it).value },
+        RecordColumn("text", FieldType.TEXT) { samples.at(it).text },
+    )
+    return Table(columns, size.toInt(), constantsOf(log, identity))
+}
+
+/** The samples of [topics], one topic after the other, of which there are [size]. */
+private class OwnTimes(private val topics: List<Topic>, size: Int) {
+    val times = DoubleArray(size)
+    private val starts = IntArray(topics.size + 1)
+    private val texts = topics.map(::TextsInRows)
+    private var place = 0
+
+    /** What stands in one row. */
+    var topic: Topic = topics.first()
+        private set
+    private var sample = 0
+
+    init {
+        topics.forEachIndexed { i, topic ->
+            val own = topic.times!!
+            own.copyInto(times, starts[i])
+            starts[i + 1] = starts[i] + own.size
+        }
+    }
+
+    /** This, as it stands in [row]; rows are mostly asked for in ascending order. */
+    fun at(row: Int): OwnTimes {
+        if (row < starts[place]) place = 0
+        while (row >= starts[place + 1]) place++
+        topic = topics[place]
+        sample = row - starts[place]
+        return this
+    }
+
+    val value: Double get() = if (isOfTexts(topic)) Double.NaN else topic.samples.getOrElse(sample) { Double.NaN }
+
+    /** Texts, also those among numbers. */
+    val text: String?
+        get() = when {
+            isOfTexts(topic) || value.isNaN() -> texts[place].of(sample)
+            else -> null
+        }
+}

@@ -1,0 +1,27 @@
+package badlog.season.lake
+
+import badlog.recording.Topic
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
+
+/**
+ * What a file of samples says of [topics] in its metadata, as JSON: of each by the name of its column, or where it has none that of the
+ * topic, its unit and its attributes.
+ */
+internal fun topicsJson(topics: List<Topic>, columnOf: Map<Topic, String>, identity: LogIdentity): String = JsonObject(
+    mapOf(
+        "version" to JsonPrimitive(LakeLayout.VERSION),
+        "title" to JsonPrimitive(identity.title),
+        "columns" to JsonObject(
+            topics.associate { topic ->
+                val told = mapOf(
+                    "topic" to JsonPrimitive(topic.name),
+                    "unit" to JsonPrimitive(unitOf(topic)),
+                    "attributes" to JsonArray(topic.attributes.map(::JsonPrimitive)),
+                )
+                (columnOf[topic] ?: topic.name) to JsonObject(told)
+            },
+        ),
+    ),
+).toString()

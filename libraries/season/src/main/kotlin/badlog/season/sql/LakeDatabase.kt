@@ -1,0 +1,159 @@
+package badlog.season.sql
+
+import badlog.season.engine.Engine
+import badlog.season.engine.literal
+import badlog.season.engine.run
+import badlog.season.lake.Lake
+import badlog.season.lake.LakeException
+import badlog.season.lake.LakeMark
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.jsonArray
+import kotlinx.serialization.json.jsonObject
+import kotlinx.serialization.json.jsonPrimitive
+import org.duckdb.DuckDBConnection
+import java.nio.file.Path
+import java.sql.ResultSet
+import java.sql.SQLException
+
+/** A query cannot be answered. The message is for the person who wrote it: what is wrong, and where. */
+public class SqlException(override val message: String, cause: Throwable? = null) : Exception(message, cause)
+
+/**
+ * A column of an answer.
+ *
+ * @property type its type, as SQL calls it.
+ */
+public class SqlColumn internal constructor(public val name: String, public val type: String) {
+    /** Whether it has numbers, which stand at the right. */
+    public val isNumeric: Boolean get() = NUMERIC.any { type.startsWith(it) }
+
+    private companion object {
+        val NUMERIC = listOf("DOUBLE", "FLOAT", "DECIMAL", "BIGINT", "INTEGER", "SMALLINT", "TINYINT", "HUGEINT", "UBIGINT", "UINTEGER")
+    }
+}
+
+/**
+ * SQL over a lake, by DuckDB in this process. A query can read the lake and change nothing, see nothing else of the disk, and reach no
+ * network. Not safe for several threads, except for [cancel].
+ */
+public class LakeDatabase private constructor(
+    private val folder: Path,
+    private val output: Path?,
+    private val engine: Engine,
+    private val connection: DuckDBConnection,
+) : AutoCloseable {
+    private val views = LakeViews(folder, connection)
+
+    @Volatile
+    private var running: java.sql.Statement? = null
+
+    /**
+     * Answers [sql], a single query.
+     *
+     * @param columns gets the columns before the rows.
+     * @param row gets each row: numbers, texts, true and false, null, lists and objects; times as texts in UTC. False ends the answer.
+     * @throws SqlException when it is not a query, or cannot be answered.
+     */
+    public fun query(sql: String, columns: (List<SqlColumn>) -> Unit, row: (List<JsonElement>) -> Boolean): Unit = asking(sql) {
+        connection.createStatement().use { statement ->
+            running = statement
+            try {
+                statement.executeQuery(sql).use { rows -> give(rows, columns, row) }
+            } finally {
+                running = null
+            }
+        }
+    }
+
+    /**
+     * Writes the answer to [sql], a single query, to the Parquet file that was named when this was opened.
+     *
+     * @return how many rows it has.
+     * @throws SqlException when it is not a query, cannot be answered, or the file cannot be written.
+     */
+    public fun writeParquet(sql: String): Long = asking(sql) {
+        val target = checkNotNull(output) { "No file was named." }
+        connection.run("CREATE OR REPLACE TEMP VIEW badlog_answer AS $sql")
+        connection.run("COPY (SELECT * FROM badlog_answer) TO ${literal("$target")} (FORMAT parquet, COMPRESSION zstd)")
+    }
+
+    /** What queries may name: of each table its name, what a row of it is, and its columns. */
+    public fun tables(): List<SqlTable> = LakeView.entries.map { view ->
+        views.make(view)
+        var found = emptyList<SqlColumn>()
+        query("SELECT * FROM ${view.sqlName} LIMIT 0", { found = it }) { true }
+        SqlTable(view.sqlName, view.meaning, found)
+    }
+
+    /** Ends the query that runs at the moment on another thread, which then throws. */
+    public fun cancel() {
+        running?.cancel()
+    }
+
+    private fun give(rows: ResultSet, columns: (List<SqlColumn>) -> Unit, row: (List<JsonElement>) -> Boolean) {
+        val told = rows.metaData
+        columns((1..told.columnCount).map { SqlColumn(told.getColumnLabel(it), told.getColumnTypeName(it)) })
+        while (rows.next()) if (!row((1..told.columnCount).map { jsonOf(rows.getObject(it)) })) return
+    }
+
+    private fun <R> asking(sql: String, work: () -> R): R = try {
+        requireQuery(sql)
+        views.makeFor(sql)
+        work()
+    } catch (e: SQLException) {
+        throw SqlException(e.message.orEmpty().trim(), e)
+    }
+
+    /** Only queries can be written as JSON by DuckDB, so whatever else a text holds is refused before any of it is executed. */
+    private fun requireQuery(sql: String) {
+        val told = connection.createStatement().use { statement ->
+            statement.executeQuery("SELECT json_serialize_sql(${literal(sql)})").use { rows ->
+                rows.next()
+                Json.parseToJsonElement(rows.getString(1)).jsonObject
+            }
+        }
+        if (told["error"]?.jsonPrimitive?.content == "true") {
+            val message = told["error_message"]?.jsonPrimitive?.content.orEmpty()
+            throw SqlException(if ("SELECT" in message) ONLY_QUERIES else "The query is wrong: $message")
+        }
+        if (told["statements"]?.jsonArray?.size != 1) throw SqlException(ONLY_QUERIES)
+    }
+
+    override fun close() {
+        connection.close()
+        engine.close()
+    }
+
+    public companion object {
+        /**
+         * Opens [lake].
+         *
+         * @param output a file that [writeParquet] may write; null for none.
+         * @throws LakeException when it is no lake.
+         */
+        public fun open(lake: Lake, output: Path? = null): LakeDatabase {
+            LakeMark.of(lake.folder) ?: throw LakeException("${lake.folder} is not a lake; make one by badlog lake.")
+            // By another way to it, a query would find a closed door.
+            val folder = lake.folder.toRealPath()
+            val target = output?.toAbsolutePath()?.normalize()
+            val engine = Engine(memoryMegabytes = null, threads = Runtime.getRuntime().availableProcessors(), streams = true)
+            try {
+                engine.lockTo(listOf(folder), listOfNotNull(target))
+                return LakeDatabase(folder, target, engine, engine.connection())
+            } catch (e: SQLException) {
+                engine.close()
+                throw LakeException("The lake $folder cannot be read (${e.message}); make it again.", e)
+            }
+        }
+
+        private const val ONLY_QUERIES = "Only a single query is possible here, such as SELECT … FROM matches; nothing can be changed."
+    }
+}
+
+/**
+ * A table that queries may name.
+ *
+ * @property meaning what a row of it is.
+ */
+public class SqlTable internal constructor(public val name: String, public val meaning: String, public val columns: List<SqlColumn>)

@@ -1,0 +1,100 @@
+package badlog.season.sql
+
+import badlog.season.engine.literal
+import badlog.season.engine.quoted
+import badlog.season.engine.run
+import badlog.season.lake.LakeTable
+import badlog.season.lake.scanOf
+import badlog.season.lake.tableFiles
+import badlog.text.freeName
+import org.duckdb.DuckDBConnection
+import java.nio.file.Path
+
+/**
+ * What queries of the lake [folder] may name. A view is made when a query first mentions it: those of thousands of files take time.
+ */
+internal class LakeViews(private val folder: Path, private val connection: DuckDBConnection) {
+    private val made = HashSet<LakeView>()
+
+    /** Makes what [sql] mentions. */
+    fun makeFor(sql: String) {
+        val isAboutAll = ABOUT_ALL.containsMatchIn(sql)
+        for (view in LakeView.entries) if (isAboutAll || sql.contains(view.sqlName, ignoreCase = true)) make(view)
+    }
+
+    /** Makes [view], if it is not there yet. */
+    fun make(view: LakeView) {
+        if (!made.add(view)) return
+        val select = when (view) {
+            LakeView.SAMPLES -> samples("samples")
+            LakeView.SERIES -> samples("series")
+            LakeView.MATCH_STATISTICS -> matchStatistics()
+            else -> table(LakeTable.valueOf(view.name))
+        }
+        connection.run("CREATE VIEW ${view.sqlName} AS $select")
+    }
+
+    private fun table(table: LakeTable): String {
+        val files = tableFiles(folder, table)
+        if (files.isEmpty()) return "SELECT * FROM (SELECT ${nulls(table)}) WHERE false"
+        return "SELECT * FROM ${scanOf(files)}"
+    }
+
+    private fun nulls(table: LakeTable) = table.fields.joinToString { (name, type) -> "NULL::${type.type} AS ${quoted(name)}" } +
+        ", NULL::INTEGER AS season, NULL::VARCHAR AS event"
+
+    /** Those of [kind] that the table of matches names: what an interrupted run has left is not among them. */
+    private fun samples(kind: String): String {
+        make(LakeView.MATCHES)
+        val files = texts("SELECT unnest(files) AS file FROM matches ORDER BY file").filter { it.startsWith("$kind/") }.map(folder::resolve)
+        if (files.isEmpty()) return NO_SAMPLES
+        return "SELECT * FROM ${scanOf(files, isUnion = true)}"
+    }
+
+    /** A column for each topic, which has its statistics in one. */
+    private fun matchStatistics(): String {
+        make(LakeView.MATCHES)
+        make(LakeView.STATISTICS)
+        val taken = LakeTable.MATCHES.fields.mapTo(hashSetOf("season", "event")) { it.first }
+        val topics = texts("SELECT DISTINCT topic FROM statistics ORDER BY topic")
+        if (topics.isEmpty()) return "SELECT * FROM matches"
+        val columns = topics.joinToString { topic ->
+            "any_value($FIGURES) FILTER (WHERE topic = ${literal(topic)}) AS ${quoted(freeName(topic) { taken.add(it.lowercase()) })}"
+        }
+        return "SELECT * FROM matches LEFT JOIN (SELECT log, $columns FROM statistics GROUP BY log) USING (log)"
+    }
+
+    private fun texts(sql: String): List<String> = connection.createStatement().use { statement ->
+        statement.executeQuery(sql).use { rows -> buildList { while (rows.next()) add(rows.getString(1)) } }
+    }
+
+    private companion object {
+        val ABOUT_ALL = Regex("\\b(show|information_schema|duckdb_\\w+)\\b", RegexOption.IGNORE_CASE)
+        const val FIGURES =
+            "{'unit': unit, 'count': count, 'min': min, 'max': max, 'mean': mean, 'median': median, 'p5': p5, 'p95': p95, " +
+                "'first': first, 'last': last}"
+        const val NO_SAMPLES =
+            "SELECT * FROM (SELECT NULL::VARCHAR AS log, NULL::DOUBLE AS t, NULL::INTEGER AS season, NULL::VARCHAR AS event) " +
+                "WHERE false"
+    }
+}
+
+/**
+ * What a query may name.
+ *
+ * @property meaning what a row of it is, as a sentence without its end.
+ */
+internal enum class LakeView(val meaning: String) {
+    MATCHES("a row per log: which match, when, its header values, its problems"),
+    TOPICS("a row per log and topic: unit, attributes, kind, rate, range"),
+    STATISTICS("a row per log and topic that has numbers: count, min, max, mean and percentiles by time"),
+    MATCH_STATISTICS("a row per log, as matches, with a column per topic that has its statistics: \"System/Battery Voltage\".min"),
+    SAMPLES("a row per row of each log whose topics share rows, such as bags, with a column per topic"),
+    SERIES("a row per sample of the topics that have times of their own, such as those of WPILOGs: topic, t, value, text"),
+    EVENTS("a row per text with a time"),
+    FINDINGS("a row per finding of the rules"),
+    ;
+
+    /** What SQL calls it. */
+    val sqlName: String get() = name.lowercase()
+}
