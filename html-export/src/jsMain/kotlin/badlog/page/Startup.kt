@@ -108,9 +108,16 @@ internal class Startup {
         page = shown
         show(shown.element)
         shown.start()
-        setPageState("ready")
         window.performance.asDynamic().mark("badlog-first-graphs")
-        shown.search(formulas.given)
+        // After the browser's next picture.
+        window.requestAnimationFrame {
+            window.setTimeout({
+                guarded {
+                    shown.complete(formulas.given)
+                    setPageState("ready")
+                }
+            }, 0)
+        }
     }
 
     private fun show(element: HTMLElement) {

@@ -38,6 +38,22 @@ internal class PageLinkSpec : PageSpec({
         settle()
     }
 
+    browserTest("the first graphs that a link draws are those it asks for") {
+        onPage(page) {
+            val whatIsDrawn = """
+                const mark = performance.mark
+                performance.mark = name => {
+                    window.first = [...document.querySelectorAll('.graph')].filter(e => e.querySelector('canvas')).map(e => e.dataset.name)
+                    return mark.call(performance, name)
+                }
+            """
+            driver.executeCdpCommand("Page.addScriptToEvaluateOnNewDocument", mapOf("source" to whatIsDrawn))
+            script("location.hash = '#board=Current'")
+            reload()
+            script("return window.first[0]") shouldBe "Current"
+        }
+    }
+
     browserTest("a copied link carries moment, range, board and formulas, and shows them where it is opened") {
         var link = ""
         onPage(page) {

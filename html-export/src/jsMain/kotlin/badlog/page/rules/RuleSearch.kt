@@ -11,14 +11,9 @@ import kotlinx.browser.window
 
 /** Looks for what [rules] find in [view], which was read from a file called [file]: in a worker where there may be one. */
 internal class RuleSearch(private val view: LogView, private val rules: RuleSet, private val file: String) {
-    /** Starts after the next frame is on the screen; then one of [onFindings] and [onFailure] is called. */
-    fun start(onFindings: (LogFindings) -> Unit, onFailure: (String) -> Unit) {
-        window.requestAnimationFrame {
-            window.setTimeout({
-                RulesWorker.ask(view, rules, file, onFindings, onFailure, onForbidden = { runHere(onFindings, onFailure) })
-            }, 0)
-        }
-    }
+    /** Starts; then one of [onFindings] and [onFailure] is called. */
+    fun start(onFindings: (LogFindings) -> Unit, onFailure: (String) -> Unit) =
+        RulesWorker.ask(view, rules, file, onFindings, onFailure, onForbidden = { runHere(onFindings, onFailure) })
 
     /** One rule after the other on the page itself; a timer between two lets it draw and answer. */
     private fun runHere(onFindings: (LogFindings) -> Unit, onFailure: (String) -> Unit) {

@@ -50,6 +50,15 @@ internal class FolderList(
         appendChild(folded.element)
     }
 
+    /** Lays out the folders with the first [graphs] graphs, not those below: all that it lays out keeps the browser from showing the first. */
+    fun layOut(graphs: Int) {
+        var above = 0
+        for (section in sections) {
+            section.element.style.display = if (above < graphs) "" else "none"
+            above += section.count
+        }
+    }
+
     /** Opens all folders. */
     fun openAll() = setAll(false)
 

@@ -15,6 +15,11 @@ internal class HelpOverlay {
     val element: HTMLElement = element("dialog", "help") {
         id = "help"
         setAttribute("aria-label", "Keys and gestures")
+        // A click on the dialog itself is one beside its content.
+        addEventListener("click", { if (it.target == this) close() })
+    }
+
+    private fun HTMLElement.addContent() {
         add("div", "help-head") {
             add("h2", "", "Keys and gestures")
             addIconButton("", Icon.CLOSE, "Close") { close() }
@@ -24,8 +29,6 @@ internal class HelpOverlay {
             add("h3", "", group)
             add("dl", "help-keys") { for (line in ofGroup) addLine(line) }
         }
-        // A click on the dialog itself is one beside its content.
-        addEventListener("click", { if (it.target == this) close() })
     }
 
     private fun HTMLElement.addLine(line: HelpLine) {
@@ -35,6 +38,7 @@ internal class HelpOverlay {
 
     /** Shows it, or takes it away. */
     fun toggle() {
+        if (element.firstChild == null) element.addContent()
         if (element.hasAttribute("open")) close() else element.asDynamic().showModal()
     }
 

@@ -139,21 +139,27 @@ internal class LogPage(
 
     init {
         nothingFound.isHidden = true
-        board.begin { layout.board ?: boardAbove(view, signals) }
         board.onChange(values::refresh)
         BoardDrag(board, graphs, boardSection)
         Keyboard(scene, search, findings, evidence, BoardKeys(board, graphs, boardSection), values, formulaDialog, help, video)
     }
 
-    /** Draws the graphs, and goes to the time that the address names; to be called when [element] is on the page. */
+    /** Goes to what the address names, and draws what is on the screen then; to be called when [element] is on the page. */
     fun start() {
-        graphs.start(boardSection.cards + folders.cards)
-        link.start()
+        link.start { asked ->
+            board.begin(asked) { layout.board ?: boardAbove(view, signals) }
+            folders.layOut(window.innerHeight / LOWEST - boardSection.cards.size)
+        }
+        graphs.start(boardSection.cards + evidence.cards + folders.cards)
         values.refresh()
     }
 
-    /** Runs the rules that the page carries over [logged], the recording with the exporter's formulas; to be called once all is drawn. */
-    fun search(logged: LogView) {
+    /**
+     * Lays out all of the page, and runs the rules that it carries over [logged], the recording with the exporter's formulas; to be called when
+     * the first graphs are seen.
+     */
+    fun complete(logged: LogView) {
+        folders.layOut(Int.MAX_VALUE)
         if (additions.rules.rules.isEmpty()) return setRulesState("done")
         findings.wait()
         RuleSearch(logged, additions.rules, about.name).start(
@@ -306,5 +312,8 @@ internal class LogPage(
     private companion object {
         /** So many pixels of a graph are enough to see its cursor. */
         const val MIN_VISIBLE = 120
+
+        /** Hardly a graph is less high, in pixels. */
+        const val LOWEST = 100
     }
 }

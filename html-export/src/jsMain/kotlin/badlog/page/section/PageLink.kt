@@ -8,6 +8,7 @@ import badlog.page.video.VideoPanel
 import badlog.page.view.Scene
 import badlog.plot.address.PageAddress
 import badlog.plot.address.pageAddressOf
+import badlog.plot.board.Board
 import badlog.plot.board.fittedTo
 import kotlinx.browser.document
 import kotlinx.browser.window
@@ -36,10 +37,10 @@ internal class PageLink(
         addIconButton("", Icon.LINK, "Copy a link to this time, range and board") { copy() }.id = "copy-link"
     }
 
-    /** Begins to follow the address. */
-    fun start() {
-        follow()
-        window.addEventListener("hashchange", { follow() })
+    /** Begins to follow the address; [begin] is called with the board that it asks for. */
+    fun start(begin: (Board?) -> Unit) {
+        follow(begin)
+        window.addEventListener("hashchange", { follow { asked -> asked?.let(scene.board::visit) } })
         scene.board.onKeep = ::leave
     }
 
@@ -60,12 +61,12 @@ internal class PageLink(
         if ((address.board == null || address.finding != null) && isThere) go(address)
     }
 
-    private fun follow() {
+    private fun follow(onBoard: (Board?) -> Unit) {
         val address = pageAddressOf(window.location.hash)
         followed = address
         val problems = address.problems + onFormulas(address.formulas)
         val board = address.board?.fittedTo { scene.board.lines[it] != null }
-        board?.let { scene.board.visit(it.board) }
+        onBoard(board?.board)
         go(address)
         address.video?.let { video.alignment = it }
         scene.notice.say(*(problems + listOfNotNull(board?.sentence)).toTypedArray())

@@ -44,12 +44,12 @@ internal class PageBoard(fileKey: String, lines: BoardLines) {
         listeners += listener
     }
 
-    /** Begins with what the browser remembers, else with [board]. */
-    fun begin(board: () -> Board) {
+    /** Begins with [visited], which somebody has sent; without it, and when that is undone, with what the browser remembers, else [board]. */
+    fun begin(visited: Board?, board: () -> Board) {
         val own = remembered()
         val first = BoardHistory(own ?: board())
         if (own == null) begun = first
-        show(first)
+        show(if (visited == null) first else first.changed(visited))
     }
 
     /** Begins with [board] instead, unless the reader has another one already. */
