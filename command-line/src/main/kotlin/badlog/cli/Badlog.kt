@@ -4,6 +4,7 @@ import badlog.cli.command.ExitCode
 import badlog.cli.console.Console
 import badlog.cli.console.StandardStreams
 import badlog.cli.fetch.Robots
+import badlog.cli.part.PartLoader
 import com.github.ajalt.clikt.core.CliktError
 import com.github.ajalt.clikt.core.parse
 import java.io.IOException
@@ -14,11 +15,13 @@ import java.io.InputStream
  *
  * @param input what `-` stands for among the logs.
  * @param robots where robots answer.
+ * @param parts where commands are found that are loaded when they are called.
  */
 internal class Badlog(
     private val console: Console,
     private val input: InputStream = System.`in`,
     private val robots: Robots = Robots.ofSystem(),
+    private val parts: PartLoader = PartLoader.ofProgram(),
 ) {
     /** Does what [arguments] ask for. */
     fun run(arguments: List<String>): ExitCode = try {
@@ -32,7 +35,7 @@ internal class Badlog(
     }
 
     private fun run(arguments: List<String>, console: Console): ExitCode {
-        val command = BadlogCommand(arguments, robots)
+        val command = BadlogCommand(arguments, robots, parts, input)
         val task = try {
             command.parse(arguments)
             command.task ?: return ExitCode.USAGE

@@ -11,7 +11,9 @@ import badlog.cli.fetch.FetchCommand
 import badlog.cli.fetch.Robots
 import badlog.cli.find.FindCommand
 import badlog.cli.info.InfoCommand
+import badlog.cli.mcp.McpCommand
 import badlog.cli.merge.MergeCommand
+import badlog.cli.part.PartLoader
 import badlog.cli.recover.RecoverCommand
 import badlog.cli.replay.ReplayCommand
 import badlog.cli.report.ReportCommand
@@ -34,14 +36,17 @@ import com.github.ajalt.clikt.parameters.arguments.help
 import com.github.ajalt.clikt.parameters.arguments.optional
 import com.github.ajalt.clikt.parameters.options.versionOption
 import com.github.ajalt.clikt.parameters.types.choice
+import java.io.InputStream
 
 /**
  * `badlog` and its sub-commands. A new one is added here and nowhere else.
  *
  * @property arguments what was typed.
  * @param robots where robots answer.
+ * @param parts where commands are found that are loaded when they are called.
+ * @param input the standard input, for commands that talk with another program.
  */
-internal class BadlogCommand(val arguments: List<String>, robots: Robots) : CoreCliktCommand(NAME) {
+internal class BadlogCommand(val arguments: List<String>, robots: Robots, parts: PartLoader, input: InputStream) : CoreCliktCommand(NAME) {
     private val logCommands = listOf(
         InfoCommand(),
         RecoverCommand(),
@@ -54,6 +59,7 @@ internal class BadlogCommand(val arguments: List<String>, robots: Robots) : Core
         ReportCommand(),
         ReplayCommand(),
         FetchCommand(robots),
+        McpCommand(parts, input),
     )
 
     /** What was asked for, or null when nothing was. */

@@ -18,16 +18,28 @@ internal class CommandLine(val arguments: List<String>)
  *
  * @param summary what it does, in one short sentence, which stands in the list of all.
  * @param details what else there is to know; may be empty.
+ * @param hasJson whether its results can be JSON.
  */
-internal abstract class SubCommand(name: String, private val summary: String, private val details: String) : CoreCliktCommand(name) {
+internal abstract class SubCommand(
+    name: String,
+    private val summary: String,
+    private val details: String,
+    private val hasJson: Boolean = true,
+) : CoreCliktCommand(name) {
+    private val json = option("--json").flag().help("Print one JSON object per line, for programs.")
+
     /** Whether programs read the results. */
-    protected val isJson: Boolean by option("--json").flag().help("Print one JSON object per line, for programs.")
+    protected val isJson: Boolean get() = hasJson && json.value
 
     private val commandLine by requireObject<CommandLine>()
 
     /** What was asked for; null until its arguments were parsed. */
     var task: Task? = null
         private set
+
+    init {
+        if (hasJson) registerOption(json)
+    }
 
     /** All arguments that are not options. */
     protected abstract val words: List<String>

@@ -13,7 +13,7 @@ internal fun interface Task {
  *
  * @property code what the process returns.
  */
-internal enum class ExitCode(val code: Int) {
+public enum class ExitCode(public val code: Int) {
     /** All was done, and every log is whole. */
     WHOLE(0),
 

@@ -5,6 +5,7 @@ import badlog.cli.text.grouped
 import badlog.terminal.ProgressBar
 import badlog.terminal.StatusLine
 import badlog.terminal.printable
+import java.io.OutputStream
 import java.io.PrintStream
 import java.nio.charset.Charset
 import java.nio.file.Files
@@ -60,6 +61,9 @@ internal class Console(
         val charset = if (isOutTaken) errCharset else outCharset
         return Console(out, err, isTerminal, charset, errCharset, width).also { it.names = names }
     }
+
+    /** Where results go as bytes, for a protocol that is spoken there: nothing else may be said meanwhile. */
+    val bytes: OutputStream get() = out
 
     /** Writes the bytes of [file] as a result. */
     fun give(file: Path) {

@@ -1,0 +1,51 @@
+package badlog.cli.mcp
+
+import badlog.cli.command.ExitCode
+import badlog.cli.command.SubCommand
+import badlog.cli.command.Task
+import badlog.cli.command.cacheFolder
+import badlog.cli.console.Console
+import badlog.cli.part.McpService
+import badlog.cli.part.PartLoader
+import com.github.ajalt.clikt.parameters.arguments.argument
+import com.github.ajalt.clikt.parameters.arguments.help
+import com.github.ajalt.clikt.parameters.types.path
+import java.io.InputStream
+import java.nio.file.Files
+import java.nio.file.Path
+
+/** `badlog mcp`. */
+internal class McpCommand(private val parts: PartLoader, private val input: InputStream) :
+    SubCommand(
+        "mcp",
+        "Lets an AI assistant ask about logs.",
+        "Speaks the Model Context Protocol over standard input and output, so an assistant starts it, not a person. It only " +
+            "reads, and only logs below the folder. docs/assistant.md shows how assistants are configured.",
+        hasJson = false,
+    ) {
+    private val folder by argument("FOLDER").path().help("The folder of logs that may be asked about.")
+
+    override val words: List<String> get() = listOf(folder.toString())
+
+    override fun makeTask(): Task = McpTask(folder, parts, input)
+}
+
+/** Answers the questions that come from [input] about the logs below [folder]. */
+internal class McpTask(private val folder: Path, private val parts: PartLoader, private val input: InputStream) : Task {
+    override fun run(console: Console): ExitCode {
+        if (!Files.isDirectory(folder)) {
+            console.warn("$folder is not a folder; name the folder of logs that an assistant may ask about.")
+            return ExitCode.NOTHING
+        }
+        val before = System.out
+        // A library that prints something would break the protocol.
+        System.setOut(System.err)
+        try {
+            return parts.call("mcp", McpService::class.java, console) {
+                it.serve(folder, cacheFolder(), input, console.bytes, console::warn)
+            }
+        } finally {
+            System.setOut(before)
+        }
+    }
+}

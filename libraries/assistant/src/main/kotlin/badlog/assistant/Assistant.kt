@@ -1,0 +1,48 @@
+package badlog.assistant
+
+import badlog.assistant.tool.DescribeLog
+import badlog.assistant.tool.FindInLogs
+import badlog.assistant.tool.FindingsOfLogs
+import badlog.assistant.tool.GraphOfTopics
+import badlog.assistant.tool.ListLogs
+import badlog.assistant.tool.SamplesOfTopics
+import badlog.assistant.tool.StatisticsOfTopics
+import badlog.assistant.tool.TableOfLogs
+import badlog.cli.command.ExitCode
+import badlog.cli.part.McpService
+import badlog.file.UnreadableFileException
+import kotlinx.coroutines.runBlocking
+import java.io.InputStream
+import java.io.OutputStream
+import java.nio.file.Path
+
+/** The service behind `badlog mcp`. */
+internal class Assistant : McpService {
+    override fun serve(folder: Path, cache: Path, input: InputStream, output: OutputStream, warn: (String) -> Unit): ExitCode {
+        val logs = try {
+            LogFolder(folder)
+        } catch (e: UnreadableFileException) {
+            warn(e.message)
+            return ExitCode.NOTHING
+        }
+        // Graphs are drawn without a screen.
+        System.setProperty("java.awt.headless", "true")
+        runBlocking { AssistantServer(toolsOf(logs, cache), logs.root.toString()).serve(input, output) }
+        return ExitCode.WHOLE
+    }
+}
+
+/** All that may be asked about [logs]. `sql` has its place here as soon as there is a library that answers it. */
+internal fun toolsOf(logs: LogFolder, cache: Path?): List<AssistantTool> {
+    val open = OpenLogs(logs)
+    return listOf(
+        ListLogs(logs, cache),
+        DescribeLog(open),
+        FindingsOfLogs(logs, cache),
+        FindInLogs(logs, cache),
+        TableOfLogs(logs, cache),
+        StatisticsOfTopics(open),
+        SamplesOfTopics(open),
+        GraphOfTopics(open),
+    )
+}

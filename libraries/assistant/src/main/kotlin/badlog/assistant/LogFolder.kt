@@ -1,0 +1,80 @@
+package badlog.assistant
+
+import badlog.file.FolderScan
+import badlog.file.LogFile
+import badlog.file.NaturalOrder
+import badlog.file.partsOfLog
+import badlog.file.reading
+import badlog.rules.BUILT_IN
+import badlog.rules.FolderRules
+import badlog.rules.RuleSet
+import badlog.rules.RulesFile
+import badlog.rules.SignalsFile
+import badlog.rules.signal.SignalVocabulary
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+
+/**
+ * The logs that may be asked about: those below one folder. They are known by their names in it, and a name is only ever compared with
+ * those of the logs that are there, so that no name leads out of the folder; nor does a link.
+ *
+ * @throws badlog.file.UnreadableFileException when the folder cannot be looked into.
+ */
+internal class LogFolder(folder: Path) {
+    /** Where it really is. */
+    val root: Path = reading(folder) { folder.toRealPath() }
+
+    private var known = emptyMap<String, LogFile>()
+
+    /** The logs that are there now, by their names, in the order of these. */
+    fun logs(): Map<String, LogFile> {
+        val parents = HashMap<Path, Boolean>()
+        known = reading(root) { FolderScan.of(root) }.files
+            .filter { file -> parents.getOrPut(file.path.parent) { isInside(file.path.parent) } && partsOfLog(file.path).all(::isOwn) }
+            .associateBy { nameOf(it.path) }
+            .toSortedMap(NaturalOrder)
+        return known
+    }
+
+    /**
+     * The log called [name], as it is now: by its name in the folder, or by that of its file alone where no other has it.
+     *
+     * @throws ToolException when there is none.
+     */
+    fun log(name: String): Pair<String, LogFile> {
+        val found = find(name) ?: run {
+            logs()
+            find(name)
+        } ?: throw ToolException("There is no log “${name.take(MAX_SHOWN)}”; list_logs lists the names of all logs.")
+        val path = known.getValue(found).path
+        if (!partsOfLog(path).all(::isInside)) throw ToolException("The log “$found” is no longer there; list_logs lists all logs.")
+        return found to reading(path) { LogFile.of(path) }
+    }
+
+    /** The rules that lie in the folder, else the built-in ones. The hooks that they name are never run. */
+    fun rules(): FolderRules? = root.resolve(RulesFile.NAME).takeIf { file ->
+        // A link to a file elsewhere would be read as rules, and quoted as a mistake in them.
+        listOf(file, root.resolve(SignalsFile.NAME)).all { !Files.exists(it) || isInside(it) }
+    }?.let { FolderRules.of(it) }
+
+    /** What topics are called in the logs of the folder. */
+    fun signals(): SignalVocabulary = (rules()?.rules ?: RuleSet.BUILT_IN).signals
+
+    private fun find(name: String): String? = name.takeIf { it in known } ?: known.keys.singleOrNull { it.substringAfterLast('/') == name }
+
+    private fun nameOf(path: Path) = root.relativize(path).joinToString("/")
+
+    /** A file of a folder that is inside. Only a link leads elsewhere. */
+    private fun isOwn(file: Path) = !Files.isSymbolicLink(file) || isInside(file)
+
+    private fun isInside(path: Path) = try {
+        path.toRealPath().startsWith(root)
+    } catch (_: IOException) {
+        false
+    }
+
+    private companion object {
+        const val MAX_SHOWN = 200
+    }
+}

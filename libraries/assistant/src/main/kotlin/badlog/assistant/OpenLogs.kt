@@ -1,0 +1,123 @@
+package badlog.assistant
+
+import badlog.analysis.GraphSeries
+import badlog.analysis.LogView
+import badlog.analysis.Span
+import badlog.analysis.Units
+import badlog.file.LogFile
+import badlog.file.readRecording
+import badlog.formats.LOG_FORMATS
+import badlog.plot.axis.overItsTime
+import badlog.recording.ProblemKind
+import badlog.recording.Topic
+import badlog.rules.signal.SignalVocabulary
+import badlog.rules.signalTopicsOf
+import badlog.rules.withSignals
+import badlog.rules.withVirtualTopics
+import kotlinx.serialization.json.JsonObjectBuilder
+import kotlinx.serialization.json.put
+import kotlinx.serialization.json.putJsonObject
+
+/** Opens logs of [logs] with all their samples. The last one stays open, since an assistant asks about the same log again and again. */
+internal class OpenLogs(private val logs: LogFolder) {
+    private var last: Pair<LogFile, LogView>? = null
+
+    /** The log that the argument `log` names, with the topics of the argument `formulas`. */
+    fun open(arguments: Arguments): OpenLog {
+        val (name, file) = logs.log(arguments.requiredText("log"))
+        val signals = logs.signals()
+        val view = last?.takeIf { it.first == file }?.second ?: read(name, file).also { last = file to it }
+        val formulas = arguments.texts("formulas")
+        val with = view.withSignals(signals).withVirtualTopics(formulas, signals)
+        with.errors.firstOrNull()?.let { throw ToolException("This formula makes no topic of “$name”: ${it.pointed()}") }
+        return OpenLog(name, with.view, signals)
+    }
+
+    private fun read(name: String, file: LogFile): LogView {
+        // Two at once may not fit into memory.
+        last = null
+        val recording = readRecording(file.path, LOG_FORMATS)
+        recording.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }?.let { throw ToolException("$name: ${it.message}") }
+        return LogView.of(recording.overItsTime())
+    }
+
+    companion object {
+        /** What every tool takes that opens a log. */
+        val LOG: Parameter = Parameter("log", ParameterType.TEXT, "The name of a log, as list_logs has it.", isRequired = true)
+
+        /** What those take that look at topics. */
+        val TOPICS: List<Parameter> = listOf(
+            LOG,
+            Parameter(
+                "topics",
+                ParameterType.TEXTS,
+                "The names of topics, as describe_log has them, or of signals such as “battery voltage”.",
+                isRequired = true,
+            ),
+            Parameter(
+                "formulas",
+                ParameterType.TEXTS,
+                "Topics to calculate first, each such as “Power [W] = Battery Voltage * Total Current”.",
+            ),
+            Parameter("from", ParameterType.NUMBER, "Where the range begins, in the unit of the log's x axis; default: at its start."),
+            Parameter("to", ParameterType.NUMBER, "Where the range ends, in the unit of the log's x axis; default: at its end."),
+        )
+    }
+}
+
+/**
+ * A log that was read.
+ *
+ * @property name what it is called.
+ * @property view what it has.
+ */
+internal class OpenLog(val name: String, val view: LogView, private val signals: SignalVocabulary) {
+    /**
+     * The lines of the topics that [arguments] name, each once, at most [most].
+     *
+     * @throws ToolException when there is no such topic.
+     */
+    fun lines(arguments: Arguments, most: Int): List<GraphSeries> {
+        val names = arguments.texts("topics")
+        if (names.size > most) throw ToolException("“topics” has ${names.size} entries; name at most $most at a time.")
+        if (names.isEmpty()) throw ToolException("“topics” is empty; name at least one topic.")
+        return names.map(::topic).distinct().map(view::seriesOf)
+    }
+
+    /** The range that [arguments] ask for, within the log's; null where the log has no sample. */
+    fun range(arguments: Arguments): Span? {
+        val whole = view.xAxis.range ?: return null
+        val from = arguments.number("from") ?: whole.start
+        val to = arguments.number("to") ?: whole.endInclusive
+        val unit = if (Units.isNone(view.xAxis.unit)) "" else " ${view.xAxis.unit}"
+        if (to < from) throw ToolException("“to” ($to$unit) is before “from” ($from$unit); exchange them.")
+        if (to < whole.start || from > whole.endInclusive) {
+            throw ToolException("The log “$name” reaches from ${whole.start}$unit to ${whole.endInclusive}$unit; select a range in it.")
+        }
+        return Span(maxOf(from, whole.start), minOf(to, whole.endInclusive))
+    }
+
+    /** Puts what x is, and from where to where [range] of it reaches, into [answer]. */
+    fun putX(answer: JsonObjectBuilder, range: Span?) {
+        answer.putJsonObject("x") {
+            put("name", view.xAxis.name)
+            put("unit", unitOf(view.xAxis.unit))
+            if (view.xAxis.isIndex) put("meaning", "counts rows: the log names no time")
+            put("from", number(range?.from))
+            put("to", number(range?.to))
+        }
+    }
+
+    private fun topic(name: String): Topic {
+        val topics = view.recording.topics
+        return topics.find { it.name == name }
+            ?: topics.singleOrNull { it.name.equals(name, ignoreCase = true) }
+            ?: signalTopicsOf(view, signals).of(name).firstOrNull()?.let { found -> topics.find { it.name == found.topic } }
+            ?: topics.singleOrNull { it.name.endsWith("/$name", ignoreCase = true) }
+            ?: throw ToolException("The log “${this.name}” has no topic “${name.take(MAX_SHOWN)}”; describe_log lists its topics.")
+    }
+
+    private companion object {
+        const val MAX_SHOWN = 200
+    }
+}

@@ -1,0 +1,50 @@
+package badlog.assistant
+
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonObjectBuilder
+import kotlinx.serialization.json.put
+
+/**
+ * A part of a list that is too long for one answer.
+ *
+ * @property entries the entries of that part.
+ * @property total how many there are in all.
+ * @property next where the next part begins; null after the last one.
+ */
+internal class Page(val entries: List<JsonElement>, val total: Int, val next: Int?) {
+    /** Puts the list into an answer under [name], with how many there are, and how to get the others. */
+    fun putInto(answer: JsonObjectBuilder, name: String) {
+        answer.put(name, JsonArray(entries))
+        answer.put("total", total)
+        if (next != null) answer.put("nextOffset", next)
+    }
+
+    companion object {
+        /** The parameters of tools with such a list. */
+        val PARAMETERS: List<Parameter> = listOf(
+            Parameter("offset", ParameterType.WHOLE, "Skip so many entries; default 0. Use “nextOffset” of the answer before."),
+            Parameter("limit", ParameterType.WHOLE, "At most so many entries, 1 to $MAX_ENTRIES; default $DEFAULT_ENTRIES."),
+        )
+
+        private const val MAX_ENTRIES = 200
+        private const val DEFAULT_ENTRIES = 50
+
+        /** So many characters has such a part at most, if it has more than one entry. */
+        private const val MAX_CHARACTERS = 24_000
+
+        /** The part of [items] that [arguments] ask for, as [json] has each of that part. */
+        fun <T> of(items: List<T>, arguments: Arguments, json: (List<T>) -> List<JsonElement>): Page {
+            val offset = arguments.whole("offset", 0, 0..Int.MAX_VALUE)
+            val limit = arguments.whole("limit", DEFAULT_ENTRIES, 1..MAX_ENTRIES)
+            val entries = ArrayList<JsonElement>()
+            var size = 0
+            for (entry in json(items.drop(offset).take(limit))) {
+                size += entry.toString().length
+                if (size > MAX_CHARACTERS && entries.isNotEmpty()) break
+                entries += entry
+            }
+            return Page(entries, items.size, (offset + entries.size).takeIf { it < items.size && entries.isNotEmpty() })
+        }
+    }
+}

@@ -1,0 +1,126 @@
+package badlog.assistant.tool
+
+import badlog.analysis.Span
+import badlog.analysis.statisticsOf
+import badlog.assistant.Answer
+import badlog.assistant.Arguments
+import badlog.assistant.AssistantTool
+import badlog.assistant.OpenLog
+import badlog.assistant.OpenLogs
+import badlog.assistant.Page
+import badlog.assistant.Parameter
+import badlog.assistant.ParameterType
+import badlog.assistant.number
+import badlog.assistant.unitOf
+import badlog.plot.timeline.ModeTimeline
+import badlog.recording.Topic
+import badlog.recording.TopicKind
+import badlog.rules.signal.NamePattern
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonObjectBuilder
+import kotlinx.serialization.json.add
+import kotlinx.serialization.json.addJsonObject
+import kotlinx.serialization.json.buildJsonObject
+import kotlinx.serialization.json.put
+import kotlinx.serialization.json.putJsonArray
+
+/** Tells what is in a log. */
+internal class DescribeLog(private val logs: OpenLogs) :
+    AssistantTool(
+        "describe_log",
+        "Describe a log",
+        "Tells what is in one log: match, x axis with unit and range, values of its header, when the robot was enabled, what is " +
+            "damaged, and its topics, each with unit, kind (numeric, boolean, state, event, empty), number of samples, smallest and " +
+            "largest value, or its states.",
+        listOf(
+            OpenLogs.LOG,
+            Parameter("only", ParameterType.TEXT, "Only topics whose names fit this pattern, such as “PDP/*”; default: all."),
+        ) + Page.PARAMETERS,
+    ) {
+    override fun answer(arguments: Arguments): Answer {
+        val log = logs.open(arguments)
+        val view = log.view
+        val pattern = arguments.text("only")?.let(::NamePattern)
+        val topics = view.recording.topics.filter { pattern == null || pattern.matches(it.name) }
+        val page = Page.of(topics, arguments) { shown -> shown.map { json(log, it) } }
+        val isFirst = arguments.whole("offset", 0, 0..Int.MAX_VALUE) == 0
+        return Answer(
+            buildJsonObject {
+                put("log", log.name)
+                put("format", view.recording.format.name.lowercase())
+                view.title?.let { put("match", it) }
+                log.putX(this, view.xAxis.range?.let { Span(it.start, it.endInclusive) })
+                if (isFirst) putRest(this, log)
+                page.putInto(this, "topics")
+            },
+        )
+    }
+
+    /** What need not stand in the answer again that goes on with the topics. */
+    private fun putRest(answer: JsonObjectBuilder, log: OpenLog) {
+        val recording = log.view.recording
+        answer.putJsonArray("values") {
+            for (value in recording.values.take(MAX_VALUES)) {
+                addJsonObject {
+                    put("name", value.name)
+                    put("text", value.text)
+                }
+            }
+        }
+        if (recording.values.size > MAX_VALUES) answer.put("moreValues", recording.values.size - MAX_VALUES)
+        val modes = ModeTimeline.of(log.view).spans
+        answer.putJsonArray("enabled") {
+            for (mode in modes.take(MAX_SPANS)) {
+                addJsonObject {
+                    put("mode", mode.mode.title)
+                    put("from", number(mode.span.from))
+                    put("to", number(mode.span.to))
+                }
+            }
+        }
+        if (modes.size > MAX_SPANS) answer.put("moreEnabled", modes.size - MAX_SPANS)
+        val problems = log.view.problems.sortedByDescending { it.severity }
+        answer.putJsonArray("problems") {
+            for (problem in problems.take(MAX_PROBLEMS)) {
+                addJsonObject {
+                    put("severity", problem.severity.name.lowercase())
+                    put("message", problem.message)
+                    put("count", problem.count)
+                }
+            }
+        }
+        if (problems.size > MAX_PROBLEMS) answer.put("moreProblems", problems.size - MAX_PROBLEMS)
+    }
+
+    private fun json(log: OpenLog, topic: Topic): JsonObject = buildJsonObject {
+        put("name", topic.name)
+        put("unit", unitOf(topic.unit))
+        put("kind", topic.kind.name.lowercase())
+        when (topic.kind) {
+            TopicKind.NUMERIC, TopicKind.BOOLEAN -> {
+                val statistics = log.view.statisticsOf(log.view.seriesOf(topic))
+                put("samples", statistics.count)
+                if (topic.kind == TopicKind.NUMERIC) {
+                    put("min", number(statistics.min))
+                    put("max", number(statistics.max))
+                }
+            }
+
+            TopicKind.STATE -> {
+                put("samples", topic.texts.size)
+                putJsonArray("states") { topic.texts.dictionary.take(MAX_STATES).forEach { add(it) } }
+            }
+
+            TopicKind.EVENT -> put("samples", topic.texts.size)
+
+            TopicKind.EMPTY -> put("samples", 0)
+        }
+    }
+
+    private companion object {
+        const val MAX_VALUES = 60
+        const val MAX_SPANS = 20
+        const val MAX_PROBLEMS = 20
+        const val MAX_STATES = 8
+    }
+}

@@ -1,0 +1,139 @@
+package badlog.assistant.tool
+
+import badlog.analysis.Downsampling
+import badlog.analysis.GraphSeries
+import badlog.analysis.LogView
+import badlog.analysis.PixelColumns
+import badlog.analysis.Series
+import badlog.analysis.Span
+import badlog.analysis.StateRuns
+import badlog.assistant.Answer
+import badlog.assistant.Arguments
+import badlog.assistant.AssistantTool
+import badlog.assistant.OpenLogs
+import badlog.assistant.Parameter
+import badlog.assistant.ParameterType
+import badlog.assistant.number
+import badlog.assistant.unitOf
+import badlog.recording.TopicKind
+import kotlinx.serialization.json.JsonArrayBuilder
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonObjectBuilder
+import kotlinx.serialization.json.add
+import kotlinx.serialization.json.addJsonArray
+import kotlinx.serialization.json.buildJsonObject
+import kotlinx.serialization.json.put
+import kotlinx.serialization.json.putJsonArray
+
+/** Gives the samples of topics in a range: all of them where they are few, else the smallest and the largest of each part of it. */
+internal class SamplesOfTopics(private val logs: OpenLogs) :
+    AssistantTool(
+        "samples",
+        "Samples of topics",
+        "The samples of topics of one log in a range. Where a numeric topic has more samples there than “points”, the range is cut " +
+            "into that many equal parts, and each part that has samples is given with its smallest and largest value, so that no " +
+            "extreme is lost; the answer says so. Of states it gives from when to when each lasted, of events their texts. At most " +
+            "$MAX_TOPICS topics, and $MAX_POINTS points of all topics together.",
+        OpenLogs.TOPICS + Parameter(
+            "points",
+            ParameterType.WHOLE,
+            "At most so many points of each topic, 1 to $MAX_POINTS; default $DEFAULT_POINTS.",
+        ),
+    ) {
+    override fun answer(arguments: Arguments): Answer {
+        val log = logs.open(arguments)
+        val lines = log.lines(arguments, MAX_TOPICS)
+        val range = log.range(arguments)
+        val points = minOf(arguments.whole("points", DEFAULT_POINTS, 1..MAX_POINTS), MAX_POINTS / lines.size)
+        return Answer(
+            buildJsonObject {
+                put("log", log.name)
+                log.putX(this, range)
+                put("pointsPerTopic", points)
+                putJsonArray("topics") { if (range != null) lines.forEach { add(json(log.view, it, range, points)) } }
+            },
+        )
+    }
+
+    private fun json(view: LogView, line: GraphSeries, range: Span, points: Int): JsonObject = buildJsonObject {
+        put("name", line.topic.name)
+        put("unit", unitOf(line.unit))
+        when {
+            line.topic.kind == TopicKind.EVENT -> putEvents(view, line, range, points)
+            line.states != null -> putStates(view, line, range, points)
+            else -> putNumbers(line.data, range, points)
+        }
+    }
+
+    private fun JsonObjectBuilder.putNumbers(series: Series, range: Span, points: Int) {
+        val inside = (if (series.isOrdered) series.firstAtOrAfter(range.from) until series.firstAfter(range.to) else series.x.indices)
+            .filter { series.x[it] in range }
+        put("samplesInRange", inside.size)
+        if (inside.size <= points) {
+            putColumns("x", "value")
+            putJsonArray("points") { for (i in inside) point(series.x[i], series.y[i]) }
+            return
+        }
+        val parts = PixelColumns(points)
+        Downsampling(series).fill(range.from, range.to, parts)
+        val width = range.width / points
+        put("downsampled", "the smallest and the largest value of each part")
+        put("partWidth", number(width))
+        putColumns("x where the part begins", "min", "max")
+        putJsonArray("points") {
+            for (i in 0 until points) if (parts.samples[i] > 0) point(range.from + i * width, parts.min[i], parts.max[i])
+        }
+    }
+
+    private fun JsonObjectBuilder.putStates(view: LogView, line: GraphSeries, range: Span, points: Int) {
+        val runs = StateRuns(line.data, view.xAxis.range?.endInclusive ?: Double.NaN)
+        val inside = runs.states.indices.filter { runs.from[it] <= range.to && runs.to[it] >= range.from }
+        putColumns("from", "to", "state")
+        putJsonArray("points") {
+            for (i in inside.take(points)) {
+                addJsonArray {
+                    add(number(runs.from[i]))
+                    add(number(runs.to[i]))
+                    add(line.states.orEmpty().getOrElse(runs.states[i]) { "?" })
+                }
+            }
+        }
+        putRest(inside.drop(points).firstOrNull()?.let { runs.from[it] }, inside.size - points)
+    }
+
+    private fun JsonObjectBuilder.putEvents(view: LogView, line: GraphSeries, range: Span, points: Int) {
+        val inside = view.eventsOf(line.topic).events.filter { it.x in range }
+        putColumns("x", "text")
+        putJsonArray("points") {
+            for (event in inside.take(points)) {
+                addJsonArray {
+                    add(number(event.x))
+                    add(event.text.take(MAX_LETTERS))
+                }
+            }
+        }
+        putRest(inside.getOrNull(points)?.x, inside.size - points)
+    }
+
+    private fun JsonObjectBuilder.putColumns(vararg names: String) {
+        putJsonArray("columns") { names.forEach { add(it) } }
+    }
+
+    /** Where to go on with what is left out. */
+    private fun JsonObjectBuilder.putRest(from: Double?, count: Int) {
+        if (from == null) return
+        put("more", count)
+        put("nextFrom", number(from))
+    }
+
+    private fun JsonArrayBuilder.point(vararg numbers: Double) {
+        addJsonArray { numbers.forEach { add(number(it)) } }
+    }
+
+    private companion object {
+        const val MAX_TOPICS = 12
+        const val MAX_POINTS = 1_000
+        const val DEFAULT_POINTS = 100
+        const val MAX_LETTERS = 300
+    }
+}

@@ -1,0 +1,86 @@
+package badlog.assistant.tool
+
+import badlog.analysis.GraphSeries
+import badlog.analysis.LogView
+import badlog.analysis.Span
+import badlog.analysis.StateRuns
+import badlog.analysis.statisticsOf
+import badlog.assistant.Answer
+import badlog.assistant.Arguments
+import badlog.assistant.AssistantTool
+import badlog.assistant.OpenLogs
+import badlog.assistant.number
+import badlog.assistant.unitOf
+import badlog.plot.statistics.StateTime
+import badlog.plot.statistics.Statistic
+import badlog.plot.statistics.timesOf
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.addJsonObject
+import kotlinx.serialization.json.buildJsonObject
+import kotlinx.serialization.json.put
+import kotlinx.serialization.json.putJsonArray
+import kotlinx.serialization.json.putJsonObject
+
+/** Calculates statistics of topics over a range. */
+internal class StatisticsOfTopics(private val logs: OpenLogs) :
+    AssistantTool(
+        "statistics",
+        "Statistics of topics",
+        "Statistics of topics of one log over a range: min, max, mean, median, percentiles, standard deviation, first, last, change, " +
+            "integral, number of samples and of gaps; of states how long and how often each was there. Mean, median, percentiles and " +
+            "standard deviation are by time.",
+        OpenLogs.TOPICS,
+    ) {
+    override fun answer(arguments: Arguments): Answer {
+        val log = logs.open(arguments)
+        val lines = log.lines(arguments, MAX_TOPICS)
+        val range = log.range(arguments)
+        return Answer(
+            buildJsonObject {
+                put("log", log.name)
+                log.putX(this, range)
+                putJsonArray("topics") {
+                    if (range !=
+                        null
+                    ) {
+                        lines.forEach { add(if (it.states == null) numbers(log.view, it, range) else states(log.view, it, range)) }
+                    }
+                }
+            },
+        )
+    }
+
+    private fun numbers(view: LogView, line: GraphSeries, range: Span): JsonObject = buildJsonObject {
+        put("name", line.topic.name)
+        val statistics = view.statisticsOf(line, range.from, range.to)
+        for (statistic in Statistic.entries) {
+            putJsonObject(statistic.title) {
+                // What was calculated has no more digits than mean something.
+                put("value", number(statistic.textOf(statistics, line.isDerived).toDoubleOrNull()))
+                put("unit", unitOf(statistic.unitOf(line.unit, view.xAxis.unit)))
+            }
+        }
+    }
+
+    private fun states(view: LogView, line: GraphSeries, range: Span): JsonObject = buildJsonObject {
+        put("name", line.topic.name)
+        val runs = StateRuns(line.data, view.xAxis.range?.endInclusive ?: Double.NaN)
+        val times = runs.timesOf(line.states.orEmpty(), range.from, range.to)
+        put("timeUnit", unitOf(view.xAxis.unit))
+        putJsonArray("states") {
+            for (time in times.take(StateTime.MOST)) {
+                addJsonObject {
+                    put("state", time.state)
+                    put("time", number(time.time))
+                    put("share", number(time.share))
+                    put("times", time.count)
+                }
+            }
+        }
+        if (times.size > StateTime.MOST) put("moreStates", times.size - StateTime.MOST)
+    }
+
+    private companion object {
+        const val MAX_TOPICS = 12
+    }
+}
