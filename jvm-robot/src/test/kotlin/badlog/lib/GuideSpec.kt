@@ -65,17 +65,4 @@ class GuideSpec : FunSpec({
             logs.deleteRecursively()
         }
     }
-
-    test("the vendordep files are of this version, and each of one season") {
-        val properties = File(root, "gradle.properties").readLines()
-        val version = properties.first { it.startsWith("version=") }.substringAfter('=')
-        val seasons = mapOf("Badlog" to "\"frcYear\": \"2026\"", "Badlog2027" to "\"wpilibYear\": \"2027\"")
-        for ((name, season) in seasons) {
-            val text = File(root, "vendordep/$name.json").readText()
-            text shouldContain "\"fileName\": \"$name.json\""
-            Regex("Year\"").findAll(text).count() shouldBe 1
-            text shouldContain season
-            Regex("\"version\": \"$version\"").findAll(text).count() shouldBe 2
-        }
-    }
 })

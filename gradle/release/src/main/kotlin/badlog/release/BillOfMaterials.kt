@@ -1,0 +1,89 @@
+package badlog.release
+
+import org.cyclonedx.Version
+import org.cyclonedx.generators.BomGeneratorFactory
+import org.cyclonedx.model.Bom
+import org.cyclonedx.model.Component
+import org.cyclonedx.model.Hash
+import org.cyclonedx.model.License
+import org.cyclonedx.model.LicenseChoice
+import org.cyclonedx.model.Metadata
+import org.cyclonedx.model.Property
+import org.cyclonedx.model.license.Expression
+import org.cyclonedx.util.LicenseResolver
+import java.security.MessageDigest
+import java.util.Date
+import java.util.HexFormat
+import java.util.UUID
+
+/**
+ * What the downloads of one release consist of, beside this project's own code.
+ *
+ * @param version that of the release.
+ * @param seconds when it was committed, in seconds since 1970: the only time in the document, so that the same commit makes the same one.
+ * @param java the Java that downloads bring along: who made it, and its version.
+ */
+internal class BillOfMaterials(
+    private val version: String,
+    private val seconds: Long,
+    private val java: Pair<String, String>,
+    private val libraries: List<ShippedLibrary>,
+    private val licenses: Licenses,
+) {
+    /** The document, as CycloneDX 1.6 in JSON. */
+    fun json(): String {
+        val bom = Bom()
+        bom.metadata = Metadata().apply {
+            timestamp = Date(seconds * MILLIS)
+            component = Component().apply {
+                type = Component.Type.APPLICATION
+                name = "badlog"
+                version = this@BillOfMaterials.version
+                bomRef = "badlog@$version"
+                licensedUnder(listOf("MIT"))
+            }
+        }
+        bom.components = listOf(javaComponent()) + libraries.map(::componentOf)
+        val content = bom.components.joinToString("\n") { "${it.bomRef} ${it.hashes.orEmpty().map(Hash::getValue)}" }
+        bom.serialNumber = "urn:uuid:${UUID.nameUUIDFromBytes("badlog $version $seconds\n$content".encodeToByteArray())}"
+        return BomGeneratorFactory.createJson(Version.VERSION_16, bom).toJsonString() + "\n"
+    }
+
+    private fun componentOf(library: ShippedLibrary) = Component().apply {
+        type = Component.Type.LIBRARY
+        group = library.group
+        name = library.name
+        version = library.version
+        val classifier = library.classifier?.let { "?classifier=$it&type=jar" }.orEmpty()
+        purl = "pkg:maven/${library.group}/${library.name}@${library.version}$classifier"
+        bomRef = purl
+        addHash(Hash(Hash.Algorithm.SHA_256, sha256Of(library.file.readBytes())))
+        licensedUnder(this@BillOfMaterials.licenses.of(library))
+        properties = library.programs.map { Property("badlog:program", it) }
+    }
+
+    private fun javaComponent() = Component().apply {
+        type = Component.Type.PLATFORM
+        group = java.first
+        name = "OpenJDK"
+        version = java.second
+        bomRef = "openjdk@$version"
+        licenses = LicenseChoice().apply { expression = Expression("GPL-2.0-only WITH Classpath-exception-2.0") }
+        properties = listOf("badlog", "badlog-viewer").map { Property("badlog:program", it) }
+    }
+
+    private companion object {
+        const val MILLIS = 1_000L
+    }
+}
+
+private fun Component.licensedUnder(names: List<String>) {
+    licenses = LicenseChoice()
+    for (name in names) {
+        val known = LicenseResolver.resolve(name, false)?.licenses?.firstOrNull()
+        licenses.addLicense(known ?: License().also { it.name = name })
+    }
+}
+
+/** The SHA-256 of [bytes], in 64 hexadecimal digits. */
+internal fun sha256Of(bytes: ByteArray): String = HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes))

@@ -1,0 +1,46 @@
+package badlog.release
+
+import org.w3c.dom.Element
+import org.w3c.dom.Node
+import java.io.File
+import javax.xml.XMLConstants
+import javax.xml.parsers.DocumentBuilderFactory
+
+/**
+ * The licenses of libraries: what their POMs say, and for those whose POM leaves it to a parent, which no build has on the disk, [known].
+ *
+ * @param known licenses by group, or by group and name with a colon between.
+ */
+internal class Licenses(private val known: Map<String, List<String>>) {
+    /**
+     * The names of the licenses of [library]; one of several may be chosen.
+     *
+     * @throws IllegalArgumentException when neither the POM nor the list knows one.
+     */
+    fun of(library: ShippedLibrary): List<String> {
+        val own = namesIn(library.description)
+        if (own.isNotEmpty()) return own
+        val place = "${library.group}:${library.name}"
+        return requireNotNull(known[place] ?: known[library.group]) {
+            "The POM of $place names no license; look it up and add it to gradle/release/src/main/resources/badlog/release/licenses.txt."
+        }
+    }
+
+    companion object {
+        /** With the list that this project keeps. */
+        fun ofProject(): Licenses {
+            val stream = checkNotNull(Licenses::class.java.getResourceAsStream("licenses.txt"))
+            val lines = stream.use { it.readBytes().decodeToString().lines() }.filter { it.isNotBlank() && !it.startsWith('#') }
+            return Licenses(lines.associate { line -> line.substringBefore(' ') to line.substringAfter(' ').split(", ") })
+        }
+    }
+}
+
+private fun namesIn(pom: File): List<String> {
+    val factory = DocumentBuilderFactory.newInstance().apply { setFeature(XMLConstants.FEATURE_SECURE_PROCESSING, true) }
+    val licenses = factory.newDocumentBuilder().parse(pom).documentElement.children("licenses").flatMap { it.children("license") }
+    return licenses.flatMap { it.children("name") }.map { it.textContent.trim() }
+}
+
+private fun Element.children(name: String): List<Element> =
+    generateSequence(firstChild, Node::getNextSibling).filterIsInstance<Element>().filter { it.tagName == name }.toList()

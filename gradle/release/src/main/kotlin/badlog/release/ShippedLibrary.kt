@@ -1,0 +1,46 @@
+package badlog.release
+
+import java.io.File
+
+/**
+ * A library of others that downloads bring along.
+ *
+ * @property group as on Maven Central, such as `org.slf4j`.
+ * @property file its jar.
+ * @property description its POM.
+ * @property programs the programs that have it.
+ */
+internal data class ShippedLibrary(
+    val group: String,
+    val name: String,
+    val version: String,
+    val file: File,
+    val description: File,
+    val programs: List<String>,
+) {
+    /** What stands between version and ending of the jar's name, such as `linux-x86_64`; null where there is nothing. */
+    val classifier: String?
+        get() = file.name.takeIf { it.startsWith("$name-$version-") }?.removePrefix("$name-$version-")?.removeSuffix(".jar")
+}
+
+/**
+ * The libraries that [lines] list, by name: on each line the program, `library` or `description`, group, name, version and path, parted by tabs.
+ *
+ * @throws IllegalArgumentException where a library has no description.
+ */
+internal fun shippedLibraries(lines: List<String>): List<ShippedLibrary> {
+    val (libraries, descriptions) = lines.filter { it.isNotBlank() }.map { it.split('\t') }.partition { it[KIND] == "library" }
+    val descriptionOf = descriptions.associate { it.subList(GROUP, PATH) to File(it[PATH]) }
+    return libraries.groupBy { it.subList(GROUP, PATH + 1) }.map { (place, entries) ->
+        val (group, name, version, path) = place
+        val description =
+            requireNotNull(descriptionOf[listOf(group, name, version)]) {
+                "$group:$name:$version has no POM; see gradle/release/build.gradle."
+            }
+        ShippedLibrary(group, name, version, File(path), description, entries.map { it.first() }.distinct().sorted())
+    }.sortedWith(compareBy({ it.group }, { it.name }, { it.version }, { it.file.name }))
+}
+
+private const val KIND = 1
+private const val GROUP = 2
+private const val PATH = 5

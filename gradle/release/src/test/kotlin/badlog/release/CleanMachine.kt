@@ -1,0 +1,73 @@
+package badlog.release
+
+import io.kotest.core.test.Enabled
+import io.kotest.core.test.EnabledOrReasonIf
+import java.io.File
+import java.nio.file.Files
+import java.util.concurrent.TimeUnit
+
+/** How a program ended: its exit code, and all that it printed. */
+internal class Ended(val code: Int, val text: String)
+
+/**
+ * A machine that has only [programs]: no variable in its environment, a PATH that names nothing else, a home folder of its own, and no network.
+ *
+ * @param folder an empty one, in which it lives.
+ */
+internal class CleanMachine(private val folder: File, programs: List<String>) {
+    private val path = File(folder, "path")
+
+    init {
+        path.mkdirs()
+        for (program in programs) Files.createSymbolicLink(File(path, File(program).name).toPath(), found(program).toPath().toRealPath())
+    }
+
+    /** Runs [command] in [workFolder]; [variables] come into its environment. */
+    fun run(command: List<String>, workFolder: File = folder, variables: Map<String, String> = emptyMap()): Ended = run(process(command, workFolder, variables))
+
+    /** [command], to be started. */
+    fun process(command: List<String>, workFolder: File = folder, variables: Map<String, String> = emptyMap()): ProcessBuilder {
+        val builder = ProcessBuilder(WITHOUT_NETWORK + command).directory(workFolder)
+        builder.environment().clear()
+        builder.environment() += mapOf("PATH" to path.path, "HOME" to File(folder, "home").apply { mkdirs() }.path) + variables
+        return builder
+    }
+
+    companion object {
+        // A namespace of its own has no network; its loopback is brought up, for some programs speak to themselves by it.
+        private val WITHOUT_NETWORK = listOf(
+            found("unshare").path, "--user", "--map-root-user", "--net", "--", "/bin/sh", "-c", "/sbin/ip link set lo up; exec \"\$@\"", "sh",
+        )
+
+        /** For a test that needs one. */
+        val IF_POSSIBLE: EnabledOrReasonIf = {
+            when {
+                !PLATFORM.startsWith("linux") -> Enabled.disabled("clean machines are made on Linux only")
+                !found("unshare").canExecute() -> Enabled.disabled("unshare is not installed")
+                run(ProcessBuilder(WITHOUT_NETWORK + "true")).code != 0 -> Enabled.disabled("this system makes no namespace without a network")
+                else -> Enabled.enabled
+            }
+        }
+    }
+}
+
+/** Starts [builder], and waits for its end: five minutes at most. */
+internal fun run(builder: ProcessBuilder): Ended {
+    val output = File.createTempFile("output", ".txt")
+    val process = builder.redirectErrorStream(true).redirectOutput(output).start()
+    val hasEnded = process.waitFor(MINUTES, TimeUnit.MINUTES)
+    if (!hasEnded) process.destroyForcibly().waitFor()
+    val text = output.readText()
+    output.delete()
+    check(hasEnded) { "${builder.command().joinToString(" ")} has not ended after $MINUTES minutes: $text" }
+    return Ended(process.exitValue(), text)
+}
+
+/** The file of [program], which is a path or on the PATH. */
+internal fun found(program: String): File = if ('/' in program) {
+    File(program)
+} else {
+    System.getenv("PATH").split(File.pathSeparator).map { File(it, program) }.firstOrNull { it.canExecute() } ?: File("/nowhere/$program")
+}
+
+private const val MINUTES = 5L

@@ -1,0 +1,66 @@
+package badlog.release
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldStartWith
+import java.io.File
+
+private val TOOLS = listOf("sh", "dirname", "readlink", "cut", "stty")
+private val OWN_JAVA = "badlog-$VERSION-$PLATFORM.tar.gz"
+
+class ProgramProof : FunSpec({
+    val folder = tempFolder()
+    val java = System.getProperty("java.home")
+
+    test("badlog needs Java, and says so where there is none").config(enabledOrReasonIf = CleanMachine.IF_POSSIBLE) {
+        val home = unpacked(download("badlog-$VERSION.zip"), File(folder, "zip"))
+        val ended = CleanMachine(File(folder, "without-java"), TOOLS).run(listOf("$home/bin/badlog", "--version"))
+        ended.code shouldBe 1
+        ended.text shouldContain "badlog needs Java 17 or newer, and java is not there"
+    }
+
+    test("badlog runs by an installed Java").config(enabledOrReasonIf = CleanMachine.IF_POSSIBLE) {
+        val home = unpacked(download("badlog-$VERSION.zip"), File(folder, "installed"))
+        shouldWork(home, CleanMachine(File(folder, "with-java"), TOOLS + "$java/bin/java"))
+    }
+
+    test("badlog runs by its own Java where no other is").config(enabledOrReasonIf = CleanMachine.IF_POSSIBLE) {
+        val home = unpacked(download(OWN_JAVA), File(folder, "own"))
+        shouldWork(home, CleanMachine(File(folder, "bare"), TOOLS))
+    }
+
+    test("its own Java has each module that its libraries use").config(enabledOrReasonIf = IF_LINUX) {
+        val home = unpacked(download(OWN_JAVA), File(folder, "modules"))
+        val has = run(ProcessBuilder("$home/java/bin/java", "--list-modules")).text.lines().map { it.substringBefore('@') }
+        unpacked(download("badlog-season-$VERSION.zip"), home.parentFile)
+        val jars = File(home, "lib").walk().filter { it.extension == "jar" }.toList()
+        val uses = jars.flatMap { jar ->
+            val jdeps = listOf("$java/bin/jdeps", "--multi-release", "17", "--ignore-missing-deps", "--class-path", "$home/lib/*:$home/lib/season/*", "--list-deps", "$jar")
+            run(ProcessBuilder(jdeps)).text.lines().map { it.trim().substringBefore('/') }.filter { MODULE.matches(it) }
+        }.toSet()
+        ("java.base" in uses) shouldBe true
+        (uses - has.toSet()).shouldBeEmpty()
+    }
+
+    test("man reads the page of each command, and completions stand beside them").config(enabledOrReasonIf = IF_LINUX) {
+        val share = File(unpacked(download("badlog-$VERSION.zip"), File(folder, "manual")), "share")
+        File(share, "man/man1/badlog-cut.1").readText() shouldContain "--from".replace("-", "\\-")
+        File(share, "completions").list().orEmpty().sorted() shouldBe listOf("badlog.bash", "badlog.fish", "badlog.zsh")
+    }
+})
+
+/** Finds the low battery of a sample, reports it, and makes a page of it. */
+private fun shouldWork(home: File, machine: CleanMachine) {
+    machine.run(listOf("$home/bin/badlog", "--version")).text shouldBe "badlog $VERSION\n"
+    val sample = File(ROOT, "samples/qualification-42.bag")
+    val found = machine.run(listOf("$home/bin/badlog", "find", "$sample", "min(battery) < 7", "--json"))
+    found.code shouldBe 0
+    found.text shouldContain "6.73"
+    val page = File(home.parentFile, "match.html")
+    machine.run(listOf("$home/bin/badlog", "export", "$sample", "--out", "$page")).code shouldBe 0
+    page.readText() shouldStartWith "<!DOCTYPE html>"
+}
+
+private val MODULE = Regex("(java|jdk)\\.[a-z.]+")

@@ -1,0 +1,42 @@
+package badlog.release
+
+import com.fasterxml.jackson.databind.ObjectMapper
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import java.io.File
+
+class VersionsSpec : FunSpec({
+    test("the ports to other languages have the version of gradle.properties") {
+        File(ROOT, "ports/cpp/CMakeLists.txt").readText() shouldContain "project(badlog VERSION $VERSION "
+        File(ROOT, "ports/python/src/badlog/_version.py").readText() shouldContain "\"$VERSION\""
+    }
+
+    test("a vendordep names this version, one season, and the robot's logger") {
+        val seasons = mapOf("Badlog" to ("frcYear" to "2026"), "Badlog2027" to ("wpilibYear" to "2027"))
+        for ((name, season) in seasons) {
+            val json = ObjectMapper().readTree(File(ROOT, "vendordep/build/json/$name.json"))
+            json["fileName"].asText() shouldBe "$name.json"
+            json["version"].asText() shouldBe VERSION
+            json.fieldNames().asSequence().filter { it.endsWith("Year") }.toList() shouldBe listOf(season.first)
+            json[season.first].asText() shouldBe season.second
+            val library = json["javaDependencies"].single()
+            listOf("groupId", "artifactId", "version").map { library[it].asText() } shouldBe listOf(property("badlog.group"), "badlog-robot", VERSION)
+        }
+    }
+
+    test("while the project has no home, vendordeps name no address") {
+        val home = property("badlog.home")
+        for (name in listOf("Badlog", "Badlog2027", "BadlogCpp", "BadlogCpp2027")) {
+            val json = ObjectMapper().readTree(File(ROOT, "vendordep/build/json/$name.json"))
+            json["mavenUrls"].isEmpty shouldBe home.isEmpty()
+            json["jsonUrl"].asText() shouldBe if (home.isEmpty()) "" else "$home/releases/latest/download/$name.json"
+        }
+    }
+
+    test("no guide points to an address of the project that does not exist") {
+        val guides = File(ROOT, "docs").walk().filter { it.extension == "md" } + File(ROOT, "README.md") + File(ROOT, "ports/python/README.md")
+        guides.filter { Regex("(github\\.com|githubusercontent\\.com)/badlog").containsMatchIn(it.readText()) }.map { it.name }.toList().shouldBeEmpty()
+    }
+})

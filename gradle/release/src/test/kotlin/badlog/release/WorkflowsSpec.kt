@@ -1,0 +1,37 @@
+package badlog.release
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.core.test.Enabled
+import io.kotest.matchers.collections.shouldContainAll
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import java.io.File
+
+private val WORKFLOWS = File(ROOT, ".github/workflows")
+
+class WorkflowsSpec : FunSpec({
+    val actionlint = listOf(File(System.getProperty("badlog.actionlint")), found("actionlint")).firstOrNull { it.canExecute() }
+
+    test("actionlint finds no mistake in the workflows").config(
+        enabledOrReasonIf = { if (actionlint != null) Enabled.enabled else Enabled.disabled("actionlint is not installed; .ci/run installs it by Go") },
+    ) {
+        val files = WORKFLOWS.listFiles().orEmpty().map { it.path }.sorted()
+        files.size shouldBe 2
+        val ended = run(ProcessBuilder(listOf("$actionlint", "-no-color") + files))
+        ended.text shouldBe ""
+        ended.code shouldBe 0
+    }
+
+    test("checks and releases run on Linux, macOS and Windows") {
+        for (name in listOf("check.yml", "release.yml")) {
+            val text = File(WORKFLOWS, name).readText()
+            for (system in listOf("ubuntu", "macos", "windows")) text shouldContain "$system-"
+        }
+    }
+
+    test("docs/releasing.md names every secret and variable that the workflows ask for") {
+        val asked = WORKFLOWS.listFiles().orEmpty().flatMap { Regex("(?:secrets|vars)\\.([A-Z_]+)").findAll(it.readText()) }.map { it.groupValues[1] }
+        val named = Regex("`([A-Z_]+)`").findAll(File(ROOT, "docs/releasing.md").readText()).map { it.groupValues[1] }.toList()
+        named shouldContainAll asked.toSet() - "GITHUB_TOKEN"
+    }
+})
