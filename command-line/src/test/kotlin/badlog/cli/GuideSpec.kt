@@ -46,7 +46,7 @@ class GuideSpec : FunSpec({
         }
     }
 
-    for (name in listOf("command-line.md", "wpilog.md", "cookbook.md")) {
+    for (name in listOf("command-line.md", "wpilog.md", "cookbook.md", "faq.md", "advantagescope.md", "troubleshooting.md")) {
         test("what $name shows is what the program prints") { check(name) }
     }
 

@@ -10,8 +10,8 @@ import java.io.File
 
 private val ROOT = File("..")
 
-class ReadmeSpec : FunSpec({
-    test("the README's example in Kotlin runs and finds what it says") {
+class LibraryGuideSpec : FunSpec({
+    test("the example in docs/library.md runs and finds what it says") {
         val printed = StringBuilder()
 
         // The example speaks of files below the project's root and prints; here both are caught.
@@ -34,9 +34,9 @@ class ReadmeSpec : FunSpec({
         printed.lines().last { it.isNotEmpty() } shouldBe "lowest: 6.73 V"
     }
 
-    test("the README's example in Kotlin is the one that runs here") {
-        val example = ROOT.resolve("README.md").readText().substringAfter("```kotlin\n").substringBefore("```")
-        val here = File("src/test/kotlin/badlog/samples/ReadmeSpec.kt").readLines().map { it.trim() }
+    test("the example in docs/library.md is the one that runs here") {
+        val example = ROOT.resolve("docs/library.md").readText().substringAfter("```kotlin\n").substringBefore("```")
+        val here = File("src/test/kotlin/badlog/samples/LibraryGuideSpec.kt").readLines().map { it.trim() }
         for (line in example.lines().filter { it.isNotBlank() }) here.joinToString("\n") shouldContain line.trim()
     }
 })

@@ -1,0 +1,49 @@
+package badlog.site
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.core.test.Enabled
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.collections.shouldNotContain
+import io.kotest.matchers.shouldBe
+import java.nio.file.Path
+import kotlin.io.path.readLines
+
+/** Words that the dictionary lacks and that are right: names, units, words of robotics. One a line, in the order of the alphabet. */
+private val WORDS = Path.of("words.txt").readLines().filter { it.isNotBlank() && !it.startsWith('#') }
+
+class SpellingSpec : FunSpec({
+    val root = Path.of("../..").toRealPath()
+
+    fun aspell(vararg arguments: String): Process = ProcessBuilder("aspell", "--lang=en_US", "--encoding=utf-8", *arguments).redirectErrorStream(true).start()
+
+    val speller = runCatching { aspell("dump", "dicts").inputStream.reader().readText() }.getOrDefault("").lines().any { it == "en_US" }
+    val enabled = if (speller || System.getenv("BADLOG_SPELLING") == "required") Enabled.enabled else Enabled.disabled("aspell and its English words are missing")
+
+    /** The words of [text] that neither the dictionary has nor the list of words. */
+    fun misspelled(text: String): Set<String> {
+        val program = aspell("--ignore=2", "list")
+        program.outputStream.writer().use { it.write(text.replace('’', '\'')) }
+        return program.inputStream.reader().readLines().map { it.removeSuffix("'s") }.filter { it.isNotEmpty() && it !in WORDS }.toSortedSet()
+    }
+
+    test("the guides have no word that neither the dictionary has nor words.txt").config(enabledOrReasonIf = { enabled }) {
+        val reader = GuideReader(root, SitePlan(root))
+        SitePlan(root).pages.keys.flatMap { path -> misspelled(reader.prose(path)).map { "$path: $it" } }.joinToString("\n") shouldBe ""
+    }
+
+    test("a misspelled word is found, a word of words.txt is not, and code is not read").config(enabledOrReasonIf = { enabled }) {
+        misspelled("The roboRIO browns out when the voltge sags.") shouldContain "voltge"
+        misspelled("The roboRIO browns out.") shouldNotContain "roboRIO"
+    }
+
+    test("the list of words is in order, and has each word once") {
+        WORDS.zip(WORDS.drop(1)).filter { (a, b) -> compareValuesBy(a, b, { it.lowercase() }, { it }) >= 0 }.shouldBeEmpty()
+    }
+
+    test("every word of the list is used somewhere in the guides") {
+        val reader = GuideReader(root, SitePlan(root))
+        val used = SitePlan(root).pages.keys.flatMap { path -> Regex("[\\p{L}']+").findAll(reader.prose(path).replace('’', '\'')).map { it.value.trim('\'').removeSuffix("'s") } }.toSet()
+        WORDS.filter { it !in used }.joinToString("\n") shouldBe ""
+    }
+})
