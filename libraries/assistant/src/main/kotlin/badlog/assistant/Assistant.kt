@@ -1,5 +1,8 @@
 package badlog.assistant
 
+import badlog.assistant.call.AssistantTool
+import badlog.assistant.log.LogFolder
+import badlog.assistant.log.OpenLogs
 import badlog.assistant.tool.DescribeLog
 import badlog.assistant.tool.FindInLogs
 import badlog.assistant.tool.FindingsOfLogs
@@ -27,6 +30,8 @@ internal class Assistant : McpService {
         }
         // Graphs are drawn without a screen.
         System.setProperty("java.awt.headless", "true")
+        // The protocol's library greets, which a person would take for an error.
+        System.setProperty("kotlin-logging.logStartupMessage", "false")
         runBlocking { AssistantServer(toolsOf(logs, cache), logs.root.toString()).serve(input, output) }
         return ExitCode.WHOLE
     }

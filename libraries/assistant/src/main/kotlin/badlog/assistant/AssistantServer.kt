@@ -1,5 +1,9 @@
 package badlog.assistant
 
+import badlog.assistant.call.AnswerText
+import badlog.assistant.call.Arguments
+import badlog.assistant.call.AssistantTool
+import badlog.assistant.call.ToolException
 import badlog.file.UnreadableFileException
 import badlog.html.BADLOG_VERSION
 import io.modelcontextprotocol.kotlin.sdk.server.Server

@@ -2,16 +2,16 @@ package badlog.assistant.tool
 
 import badlog.analysis.Span
 import badlog.analysis.statisticsOf
-import badlog.assistant.Answer
-import badlog.assistant.Arguments
-import badlog.assistant.AssistantTool
-import badlog.assistant.OpenLog
-import badlog.assistant.OpenLogs
-import badlog.assistant.Page
-import badlog.assistant.Parameter
-import badlog.assistant.ParameterType
-import badlog.assistant.number
-import badlog.assistant.unitOf
+import badlog.assistant.call.Answer
+import badlog.assistant.call.Arguments
+import badlog.assistant.call.AssistantTool
+import badlog.assistant.call.Page
+import badlog.assistant.call.Parameter
+import badlog.assistant.call.ParameterType
+import badlog.assistant.call.number
+import badlog.assistant.call.unitOf
+import badlog.assistant.log.OpenLog
+import badlog.assistant.log.OpenLogs
 import badlog.plot.timeline.ModeTimeline
 import badlog.recording.Topic
 import badlog.recording.TopicKind

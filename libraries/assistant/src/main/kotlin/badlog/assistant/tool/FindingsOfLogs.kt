@@ -1,14 +1,14 @@
 package badlog.assistant.tool
 
-import badlog.assistant.Answer
-import badlog.assistant.Arguments
-import badlog.assistant.AssistantTool
-import badlog.assistant.LogFolder
-import badlog.assistant.Page
-import badlog.assistant.Parameter
-import badlog.assistant.ParameterType
-import badlog.assistant.ToolException
-import badlog.assistant.number
+import badlog.assistant.call.Answer
+import badlog.assistant.call.Arguments
+import badlog.assistant.call.AssistantTool
+import badlog.assistant.call.Page
+import badlog.assistant.call.Parameter
+import badlog.assistant.call.ParameterType
+import badlog.assistant.call.ToolException
+import badlog.assistant.call.number
+import badlog.assistant.log.LogFolder
 import badlog.recording.Severity
 import badlog.report.LogReport
 import badlog.report.Report

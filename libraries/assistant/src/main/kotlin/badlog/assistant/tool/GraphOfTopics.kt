@@ -1,14 +1,14 @@
 package badlog.assistant.tool
 
-import badlog.assistant.Answer
-import badlog.assistant.Arguments
-import badlog.assistant.AssistantTool
-import badlog.assistant.OpenLogs
-import badlog.assistant.Parameter
-import badlog.assistant.ParameterType
-import badlog.assistant.ToolException
+import badlog.assistant.call.Answer
+import badlog.assistant.call.Arguments
+import badlog.assistant.call.AssistantTool
+import badlog.assistant.call.Parameter
+import badlog.assistant.call.ParameterType
+import badlog.assistant.call.ToolException
+import badlog.assistant.call.unitOf
+import badlog.assistant.log.OpenLogs
 import badlog.assistant.picture.GraphPicture
-import badlog.assistant.unitOf
 import badlog.recording.TopicKind
 import kotlinx.serialization.json.addJsonObject
 import kotlinx.serialization.json.buildJsonObject

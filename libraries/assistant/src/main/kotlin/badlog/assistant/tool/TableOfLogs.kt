@@ -1,15 +1,15 @@
 package badlog.assistant.tool
 
-import badlog.assistant.Answer
-import badlog.assistant.Arguments
-import badlog.assistant.AssistantTool
-import badlog.assistant.LogFolder
-import badlog.assistant.Page
-import badlog.assistant.Parameter
-import badlog.assistant.ParameterType
-import badlog.assistant.ToolException
-import badlog.assistant.number
-import badlog.assistant.unitOf
+import badlog.assistant.call.Answer
+import badlog.assistant.call.Arguments
+import badlog.assistant.call.AssistantTool
+import badlog.assistant.call.Page
+import badlog.assistant.call.Parameter
+import badlog.assistant.call.ParameterType
+import badlog.assistant.call.ToolException
+import badlog.assistant.call.number
+import badlog.assistant.call.unitOf
+import badlog.assistant.log.LogFolder
 import badlog.plot.text.exactText
 import badlog.plot.text.withUnit
 import badlog.report.table.MatchTable

@@ -1,4 +1,4 @@
-package badlog.assistant
+package badlog.assistant.call
 
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
@@ -6,6 +6,7 @@ import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.put
+import java.io.File
 
 /**
  * What a tool answers.
@@ -53,7 +54,7 @@ internal class AnswerText(private val folder: String) {
         return if (own.length <= MAX_TEXT) own else own.take(MAX_TEXT) + "… (${own.length - MAX_TEXT} more characters)"
     }
 
-    private fun withoutFolder(text: String) = text.replace(folder + java.io.File.separator, "").replace(folder, "the folder")
+    private fun withoutFolder(text: String) = text.replace(folder + File.separator, "").replace(folder, "the folder")
 
     /** JSON in which characters that nobody sees are escaped, such as those that turn the direction of writing. */
     private fun String.visible(): String {

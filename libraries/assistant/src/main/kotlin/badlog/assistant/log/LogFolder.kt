@@ -1,5 +1,6 @@
-package badlog.assistant
+package badlog.assistant.log
 
+import badlog.assistant.call.ToolException
 import badlog.file.FolderScan
 import badlog.file.LogFile
 import badlog.file.NaturalOrder

@@ -1,9 +1,15 @@
-package badlog.assistant
+package badlog.assistant.log
 
 import badlog.analysis.GraphSeries
 import badlog.analysis.LogView
 import badlog.analysis.Span
 import badlog.analysis.Units
+import badlog.assistant.call.Arguments
+import badlog.assistant.call.Parameter
+import badlog.assistant.call.ParameterType
+import badlog.assistant.call.ToolException
+import badlog.assistant.call.number
+import badlog.assistant.call.unitOf
 import badlog.file.LogFile
 import badlog.file.readRecording
 import badlog.formats.LOG_FORMATS

@@ -1,4 +1,4 @@
-package badlog.assistant
+package badlog.assistant.call
 
 import badlog.analysis.Units
 import kotlinx.serialization.json.JsonElement

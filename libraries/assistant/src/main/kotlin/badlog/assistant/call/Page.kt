@@ -1,4 +1,4 @@
-package badlog.assistant
+package badlog.assistant.call
 
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
