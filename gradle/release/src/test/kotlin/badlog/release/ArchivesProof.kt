@@ -40,6 +40,11 @@ class ArchivesProof : FunSpec({
         names.filter { VERSION !in it && it != "SHA256SUMS" }.shouldBeEmpty()
     }
 
+    test("docs/install.md names each download").config(enabledOrReasonIf = IF_LINUX) {
+        val guide = File(ROOT, "docs/install.md").readText()
+        RELEASE.list().orEmpty().filter { it.replace(PLATFORM, "linux-x64") !in guide }.shouldBeEmpty()
+    }
+
     test("no archive says when it was made, so that the same commit makes the same bytes") {
         val commit = Instant.ofEpochSecond(System.getProperty("badlog.commitTime").toLong())
         archives.flatMap { archive ->
