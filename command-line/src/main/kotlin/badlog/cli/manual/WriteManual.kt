@@ -2,11 +2,13 @@ package badlog.cli.manual
 
 import badlog.cli.BadlogCommand
 import badlog.cli.fetch.Robots
+import badlog.cli.part.PartLoader
 import com.github.ajalt.clikt.completion.CompletionGenerator
 import com.github.ajalt.clikt.core.CoreCliktCommand
 import com.github.ajalt.clikt.core.PrintHelpMessage
 import com.github.ajalt.clikt.core.parse
 import java.io.File
+import java.io.InputStream
 
 /** Writes what a download brings beside the program into the folder that the only argument names: man pages, and completions for shells. */
 fun main(arguments: Array<String>) {
@@ -47,4 +49,5 @@ private fun helpOf(names: List<String>, command: BadlogCommand = badlogCommand()
     e
 }
 
-private fun badlogCommand() = BadlogCommand(emptyList(), Robots.ofSystem())
+/** The program's command line; nothing of what it would run is looked for. */
+internal fun badlogCommand(): BadlogCommand = BadlogCommand(emptyList(), Robots.ofSystem(), PartLoader.ofProgram(), InputStream.nullInputStream())

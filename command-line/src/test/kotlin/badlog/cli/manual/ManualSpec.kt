@@ -1,8 +1,6 @@
 package badlog.cli.manual
 
-import badlog.cli.BadlogCommand
 import badlog.cli.badlog
-import badlog.cli.fetch.Robots
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.matchers.collections.shouldBeEmpty
@@ -19,7 +17,7 @@ class ManualSpec : FunSpec({
     val pages = manual()
 
     test("each command has a page, and that of badlog lists them") {
-        for (name in BadlogCommand(emptyList(), Robots.ofSystem()).registeredSubcommandNames()) {
+        for (name in badlogCommand().registeredSubcommandNames()) {
             pages shouldContainKey "man/man1/badlog-$name.1"
             pages.getValue("man/man1/badlog.1") shouldContain "\\fBbadlog $name\\fR"
         }
