@@ -11,12 +11,14 @@ import badlog.cli.fetch.FetchCommand
 import badlog.cli.fetch.Robots
 import badlog.cli.find.FindCommand
 import badlog.cli.info.InfoCommand
+import badlog.cli.lake.LakeCommand
 import badlog.cli.mcp.McpCommand
 import badlog.cli.merge.MergeCommand
 import badlog.cli.part.PartLoader
 import badlog.cli.recover.RecoverCommand
 import badlog.cli.replay.ReplayCommand
 import badlog.cli.report.ReportCommand
+import badlog.cli.sql.SqlCommand
 import badlog.cli.table.TableCommand
 import badlog.html.BADLOG_VERSION
 import com.github.ajalt.clikt.completion.CompletionGenerator
@@ -59,6 +61,8 @@ internal class BadlogCommand(val arguments: List<String>, robots: Robots, parts:
         ReportCommand(),
         ReplayCommand(),
         FetchCommand(robots),
+        LakeCommand(parts),
+        SqlCommand(parts, input),
         McpCommand(parts, input),
     )
 

@@ -8,7 +8,7 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 
 class BadlogSpec : FunSpec({
-    val commands = listOf("info", "recover", "convert", "cut", "merge", "export", "find", "report", "replay", "fetch", "mcp")
+    val commands = listOf("info", "recover", "convert", "cut", "merge", "export", "find", "report", "replay", "fetch", "lake", "sql", "mcp")
 
     test("without arguments, and asked for help, it lists its sub-commands") {
         for (asked in listOf(badlog(), badlog("--help"), badlog("help"))) {
@@ -49,7 +49,7 @@ class BadlogSpec : FunSpec({
             listOf("cut", "a", "--enabled", "--margin", "-1"), listOf("merge", "a", "b"),
             listOf("merge", "a", "b", "-o", "c", "--append", "--join"), listOf("fetch"), listOf("fetch", "0"), listOf("fetch", "a b"),
             listOf("fetch", "1014", "--limit", "fast"), listOf("fetch", "1014", "--delete-older-than", "2 weeks"), listOf("fetch", "1", "2"),
-            listOf("mcp"), listOf("mcp", "a", "b"), listOf("mcp", "a", "--json"),
+            listOf("lake", "a"), listOf("sql"), listOf("sql", "a", "SELECT 1", "--csv", "--json"), listOf("mcp"), listOf("mcp", "a", "b"), listOf("mcp", "a", "--json"),
         )
         for (arguments in wrong) {
             val ended = badlog(*arguments.toTypedArray())

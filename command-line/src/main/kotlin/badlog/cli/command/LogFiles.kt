@@ -7,6 +7,7 @@ import badlog.file.LogFile
 import badlog.file.UnreadableFileException
 import badlog.file.reading
 import java.nio.file.Path
+import kotlin.io.path.invariantSeparatorsPathString
 
 /** The logs below [paths] as they are now, to ask all of them at once, and to report each result afterwards. */
 internal class LogFiles(paths: List<Path>, console: Console) {
@@ -26,6 +27,13 @@ internal class LogFiles(paths: List<Path>, console: Console) {
 
     /** Those that are there, in their order. */
     val files: List<LogFile> get() = fileOf.values.toList()
+
+    /** What [file], one of [files], is called below the folder in which it was found, with slashes. */
+    fun nameOf(file: LogFile): String = names.getValue(file)
+
+    private val names: Map<LogFile, String> by lazy {
+        fileOf.entries.associate { (input, file) -> file to input.relativePath.invariantSeparatorsPathString }
+    }
 
     /** Reports to [outcomes] what cannot be read, and lets [report] report the rest, all in their order. */
     fun report(outcomes: Outcomes, report: (LogInput, LogFile) -> Unit) {

@@ -1,0 +1,57 @@
+package badlog.cli.season
+
+import badlog.cli.part.LakeReport
+import badlog.cli.part.LakeState
+import badlog.cli.part.SeasonException
+import badlog.cli.part.SeasonService
+import badlog.cli.part.SqlColumn
+import badlog.cli.part.SqlSession
+import badlog.cli.part.SqlTable
+import badlog.file.LogFile
+import badlog.rules.RuleSet
+import badlog.season.lake.Lake
+import badlog.season.lake.LakeException
+import badlog.season.lake.LakeLog
+import badlog.season.sql.LakeDatabase
+import badlog.season.sql.SqlException
+import kotlinx.serialization.json.JsonElement
+import java.nio.file.Path
+
+/** The lakes of the library `season`. */
+public class DuckDbSeason : SeasonService {
+    override fun isLake(folder: Path): Boolean = Lake.isLake(folder)
+
+    override fun refresh(
+        lake: Path,
+        logs: List<Pair<LogFile, String>>,
+        roots: List<Path>,
+        rules: RuleSet,
+        progress: (done: Int, total: Int) -> Unit,
+    ): LakeReport = failing {
+        val result = Lake(lake).refresh(logs.map { (file, name) -> LakeLog(file, name) }, roots, rules, progress = progress)
+        LakeReport(result.outcomes.map { LakeState(it.message, it.isNoLog, it.isSalvaged, it.isWritten) }, result.removed)
+    }
+
+    override fun open(lake: Path, output: Path?): SqlSession = failing { DuckDbSession(LakeDatabase.open(Lake(lake), output)) }
+}
+
+private class DuckDbSession(private val database: LakeDatabase) : SqlSession {
+    override fun query(sql: String, columns: (List<SqlColumn>) -> Unit, row: (List<JsonElement>) -> Boolean) =
+        failing { database.query(sql, { columns(it.map(::columnOf)) }, row) }
+
+    override fun write(sql: String): Long = failing { database.writeParquet(sql) }
+
+    override fun tables(): List<SqlTable> = failing { database.tables().map { SqlTable(it.name, it.meaning, it.columns.map(::columnOf)) } }
+
+    override fun close() = database.close()
+}
+
+private fun columnOf(column: badlog.season.sql.SqlColumn) = SqlColumn(column.name, column.type, column.isNumeric)
+
+private fun <R> failing(work: () -> R): R = try {
+    work()
+} catch (e: LakeException) {
+    throw SeasonException(e.message)
+} catch (e: SqlException) {
+    throw SeasonException(e.message)
+}

@@ -1,0 +1,26 @@
+package badlog.cli.lake
+
+import badlog.cli.command.LogCommand
+import badlog.cli.command.Task
+import badlog.cli.part.PartLoader
+import com.github.ajalt.clikt.parameters.options.help
+import com.github.ajalt.clikt.parameters.options.option
+import com.github.ajalt.clikt.parameters.options.required
+import com.github.ajalt.clikt.parameters.types.path
+
+/** `badlog lake`. */
+internal class LakeCommand(private val parts: PartLoader) :
+    LogCommand(
+        "lake",
+        "Makes Parquet files of logs, for DuckDB, Spark, pandas and others.",
+        "The folder --out gets a file per log and tables of all: matches, topics, statistics, events, findings. Run again, it only " +
+            "reads logs that changed, and removes those whose files are gone. docs/season.md describes the files.",
+    ) {
+    private val out by option(
+        "-o",
+        "--out",
+        metavar = "FOLDER",
+    ).path().required().help("Folder for the files: new, empty, or made by lake before.")
+
+    override fun makeTask(): Task = LakeTask(paths, out, parts, isJson)
+}

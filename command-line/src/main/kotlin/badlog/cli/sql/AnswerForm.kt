@@ -1,0 +1,83 @@
+package badlog.cli.sql
+
+import badlog.cli.console.Console
+import badlog.cli.part.SqlColumn
+import badlog.cli.part.SqlSession
+import badlog.cli.text.counted
+import badlog.terminal.TextTable
+import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonNull
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
+
+/** How answers are printed. */
+internal enum class AnswerForm {
+    /** A table; of long answers its beginning. */
+    TEXT {
+        override fun print(session: SqlSession, sql: String, console: Console) {
+            var columns = emptyList<SqlColumn>()
+            val rows = ArrayList<List<String>>()
+            var isCut = false
+            session.query(sql, { columns = it }) { row ->
+                isCut = rows.size == MAX_ROWS
+                if (!isCut) rows += row.map(::textOf)
+                !isCut
+            }
+            val table = TextTable(
+                columns.mapIndexed { i, it ->
+                    TextTable.Column(
+                        it.name,
+                        if (i ==
+                            columns.lastIndex
+                        ) {
+                            Int.MAX_VALUE
+                        } else {
+                            MAX_WIDTH
+                        },
+                        it.isNumber,
+                    )
+                },
+                console.width,
+            )
+            for (line in table.lines(rows).flatten()) console.say(line)
+            if (isCut) console.warn("Only the first ${counted(MAX_ROWS.toLong(), "row")} are shown; --csv prints all.")
+        }
+    },
+
+    /** CSV with titles. */
+    CSV {
+        override fun print(session: SqlSession, sql: String, console: Console) =
+            session.query(sql, { columns -> console.say(columns.joinToString(",") { csvOf(it.name) }) }) { row ->
+                console.say(row.joinToString(",") { csvOf(textOf(it)) })
+                !console.isOutClosed
+            }
+    },
+
+    /** An object for each row. */
+    JSON {
+        override fun print(session: SqlSession, sql: String, console: Console) {
+            var names = emptyList<String>()
+            session.query(sql, { columns -> names = columns.map { it.name } }) { row ->
+                console.say("${JsonObject(names.zip(row).toMap())}")
+                !console.isOutClosed
+            }
+        }
+    }, ;
+
+    /** Prints the answer to [sql]. */
+    abstract fun print(session: SqlSession, sql: String, console: Console)
+
+    internal companion object {
+        private const val MAX_ROWS = 1000
+        private const val MAX_WIDTH = 60
+
+        /** [value] as a person reads it: nothing for null. */
+        fun textOf(value: JsonElement): String = when (value) {
+            is JsonNull -> ""
+            is JsonPrimitive -> value.content.removeSuffix(".0")
+            else -> "$value"
+        }
+
+        private fun csvOf(text: String) = if (text.any { it in ",\"\r\n" }) "\"${text.replace("\"", "\"\"")}\"" else text
+    }
+}

@@ -1,0 +1,103 @@
+package badlog.cli.sql
+
+import badlog.cli.command.ExitCode
+import badlog.cli.command.LogFiles
+import badlog.cli.command.Task
+import badlog.cli.command.cacheFolder
+import badlog.cli.console.Console
+import badlog.cli.lake.refreshed
+import badlog.cli.part.PartLoader
+import badlog.cli.part.SeasonException
+import badlog.cli.part.SeasonService
+import badlog.cli.part.SqlSession
+import badlog.cli.text.counted
+import badlog.cli.text.wrapped
+import java.io.InputStream
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.zip.CRC32
+
+/**
+ * Answers [query] about the logs below [folder], or the queries of [input] where it is null.
+ *
+ * @param parquet the file that gets the answer instead; null for none.
+ * @param explainsTables whether the tables are listed instead.
+ */
+internal class SqlTask(
+    private val folder: Path,
+    private val query: String?,
+    private val form: AnswerForm,
+    private val parquet: Path?,
+    private val explainsTables: Boolean,
+    private val parts: PartLoader,
+    private val input: InputStream,
+) : Task {
+    override fun run(console: Console): ExitCode = parts.call("sql", SeasonService::class.java, console) { service ->
+        try {
+            val (lake, code) = lakeOf(service, console)
+            if (lake == null) code else service.open(lake, parquet).use { answer(it, console) ?: code }
+        } catch (e: SeasonException) {
+            console.warn(e.message)
+            ExitCode.NOTHING
+        }
+    }
+
+    /** The lake of [folder], made or refreshed where it is not one itself; and whether all logs are in it. */
+    private fun lakeOf(service: SeasonService, console: Console): Pair<Path?, ExitCode> {
+        if (service.isLake(folder)) return folder to ExitCode.WHOLE
+        val logs = LogFiles(listOf(folder), console)
+        if (logs.files.isEmpty()) {
+            console.warn(
+                if (Files.exists(
+                        folder,
+                    )
+                ) {
+                    "No logs found. Name a log, or the folder it is in."
+                } else {
+                    "There is no file $folder; check the spelling."
+                },
+            )
+            return null to ExitCode.NOTHING
+        }
+        val lake = cacheFolder().resolveSibling(CACHE).resolve(keyOf(folder))
+        val report = refreshed(service, lake, listOf(folder), logs, console)
+        val missing = report.logs.filter { it.message != null && !it.isNoLog }
+        for (log in missing) console.warn(log.message.orEmpty())
+        return lake to if (missing.isEmpty()) ExitCode.WHOLE else ExitCode.SALVAGED
+    }
+
+    /** What came of it where that is not what came of the lake. */
+    private fun answer(session: SqlSession, console: Console): ExitCode? = when {
+        explainsTables -> null.also { explain(session, console) }
+
+        query == null -> SqlPrompt(session, form, console).run(input).let { null }
+
+        parquet != null -> null.also {
+            val rows = session.write(query)
+            console.say("$parquet: ${counted(rows, "row")}")
+        }
+
+        else -> null.also { form.print(session, query, console) }
+    }
+
+    private fun explain(session: SqlSession, console: Console) {
+        for (table in session.tables()) {
+            console.say("${table.name}: ${table.meaning}")
+            console.say(wrapped("  ", table.columns.joinToString { "${nameOf(it.name)} ${it.type.lowercase()}" }, INDENT))
+        }
+    }
+
+    private fun nameOf(name: String) = if (PLAIN.matches(name)) name else "\"${name.replace("\"", "\"\"")}\""
+
+    private companion object {
+        const val CACHE = "lakes"
+        const val INDENT = 2
+        const val HEX = 16
+        val PLAIN = Regex("[a-z_][a-z0-9_]*")
+
+        fun keyOf(folder: Path): String {
+            val path = folder.toRealPath().toString()
+            return "${folder.toRealPath().fileName ?: "root"}-${CRC32().apply { update(path.encodeToByteArray()) }.value.toString(HEX)}"
+        }
+    }
+}

@@ -1,0 +1,94 @@
+package badlog.cli.sql
+
+import badlog.cli.BAG
+import badlog.cli.Badlog
+import badlog.cli.Ended
+import badlog.cli.badlog
+import badlog.cli.command.ExitCode
+import badlog.cli.console.Console
+import badlog.cli.inFolder
+import badlog.cli.with
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import java.io.ByteArrayOutputStream
+import java.io.PrintStream
+import java.nio.file.Path
+import kotlin.io.path.div
+import kotlin.io.path.exists
+
+class SqlCommandSpec : FunSpec({
+    test("a query about a folder of logs is answered as a table, CSV and JSON") {
+        inFolder { folder ->
+            folder.with("a.bag", BAG)
+            val query = """SELECT number, header['Match Number'] AS match, max("Speed") AS fastest, 'a,b' AS "x""y" FROM samples JOIN matches USING (log, number) GROUP BY ALL"""
+            badlog("sql", folder, query).out shouldBe "number  match  fastest  x\"y\n    42  42         5.5  a,b\n"
+            badlog("sql", folder, query, "--csv").out shouldBe "number,match,fastest,\"x\"\"y\"\n42,42,5.5,\"a,b\"\n"
+            badlog("sql", folder, query, "--json").out shouldBe """{"number":42,"match":"42","fastest":5.5,"x\"y":"a,b"}""" + "\n"
+        }
+    }
+
+    test("later questions only read what changed") {
+        inFolder { folder ->
+            val logs = folder / "logs"
+            logs.with("a.bag", BAG)
+            badlog("sql", logs, "SELECT count(*) AS logs FROM matches", "--csv").out shouldBe "logs\n1\n"
+            logs.with("b.bag", BAG)
+            badlog("sql", logs, "SELECT count(*) AS logs FROM matches", "--csv").out shouldBe "logs\n2\n"
+        }
+    }
+
+    test("a lake is asked as it is, and an answer can be a Parquet file") {
+        inFolder { folder ->
+            val log = folder.with("a.bag", BAG)
+            badlog("lake", log, "--out", folder / "lake").code shouldBe ExitCode.WHOLE
+            badlog("sql", folder / "lake", "SELECT title, rows FROM matches", "--parquet", folder / "answer.parquet").code shouldBe ExitCode.WHOLE
+            (folder / "answer.parquet").exists() shouldBe true
+            val secret = badlog("sql", folder / "lake", "SELECT * FROM read_text('$log')")
+            secret.code shouldBe ExitCode.NOTHING
+            secret.out shouldBe ""
+        }
+    }
+
+    test("the tables are listed with their columns") {
+        inFolder { folder ->
+            folder.with("a.bag", BAG)
+            val ended = badlog("sql", folder, "--explain-tables")
+            ended.code shouldBe ExitCode.WHOLE
+            ended.out shouldContain "matches: a row per log"
+            ended.out shouldContain "\"Speed\" double"
+        }
+    }
+
+    test("without a query it reads queries from the standard input, and a mistake ends only its own") {
+        inFolder { folder ->
+            folder.with("a.bag", BAG)
+            val ended = asked(folder, "SELECT 1 AS one;\nSELECT nothing;\nSELECT\n 2 AS two;\nquit\nSELECT 3;")
+            ended.out shouldBe "one\n  1\ntwo\n  2\n"
+            ended.err shouldContain "nothing"
+        }
+    }
+
+    test("what is wrong is a sentence, and nothing is changed") {
+        inFolder { folder ->
+            folder.with("a.bag", BAG)
+            badlog("sql", folder, "DROP TABLE matches").run {
+                code shouldBe ExitCode.NOTHING
+                err shouldContain "Only a single query"
+            }
+            badlog("sql", folder / "nowhere", "SELECT 1").run {
+                code shouldBe ExitCode.NOTHING
+                err shouldContain "no file"
+            }
+            badlog("sql", folder, "SELECT 1", "--csv", "--json").code shouldBe ExitCode.USAGE
+        }
+    }
+})
+
+private fun asked(folder: Path, queries: String): Ended {
+    val out = ByteArrayOutputStream()
+    val err = ByteArrayOutputStream()
+    val console = Console(PrintStream(out, true, "UTF-8"), PrintStream(err, true, "UTF-8"), false)
+    val code = Badlog(console, queries.byteInputStream()).run(listOf("sql", folder.toString()))
+    return Ended(code, out.toString(Charsets.UTF_8), err.toString(Charsets.UTF_8))
+}
