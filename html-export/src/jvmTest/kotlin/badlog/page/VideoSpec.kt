@@ -177,6 +177,20 @@ internal class VideoSpec : PageSpec({
         }
     }
 
+    browserTest("on a phone held sideways the video is beside the graphs, and so are the values at the cursor") {
+        onPage(page, Screen(844, 390, density = 2.0, isPhone = true, isDark = true)) {
+            openAligned()
+            press("v")
+            settle()
+            val box = "const b = s => document.querySelector(s).getBoundingClientRect(); return "
+            (number(box + "b('#video').left - b('.graph').right") >= 0) shouldBe true
+            (number(box + "b('#video').left - b('#cursor-values').right") >= 0) shouldBe true
+            (number(box + "390 - b('#video').bottom") >= 0) shouldBe true
+            number("return document.documentElement.scrollWidth") shouldBe 844.0
+            keepScreenshot("phone-sideways-video")
+        }
+    }
+
     browserTest("video and values at the cursor share the right side, and nothing lies over the graphs or the bar’s texts") {
         val match = TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN))
         for (isDark in listOf(false, true)) {

@@ -57,7 +57,8 @@ internal class XyCanvas(private val context: CanvasRenderingContext2D, wide: Dou
 
     /** Draws the lines and dots of a trace. */
     fun strokes(strokes: Strokes, isDashed: Boolean) = clipped {
-        context.setLineDash(if (isDashed) arrayOf(6 * ratio, 4 * ratio) else emptyArray())
+        context.setLineDash(if (isDashed && !strokes.isDense) arrayOf(6 * ratio, 4 * ratio) else emptyArray())
+        if (strokes.isDense) context.lineWidth = 1.0
         context.beginPath()
         for (i in 0 until strokes.count) {
             val start = strokes.startOf(i)

@@ -12,6 +12,7 @@ import androidx.compose.runtime.snapshotFlow
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.clipToBounds
 import androidx.compose.ui.draw.drawBehind
+import androidx.compose.ui.draw.drawWithCache
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.graphics.graphicsLayer
 import androidx.compose.ui.input.pointer.PointerIcon
@@ -37,6 +38,7 @@ internal fun XyPane(scene: GraphScene, spec: BoardGraph, modifier: Modifier) {
     val xys = remember(spec.lines, spec.origin, recordings) { drawnXys(spec, recordings) }
     val letters = rememberTextMeasurer(cacheSize = TEXTS)
     val drag = remember(spec.id) { XyDrag() }
+    val kept = remember(spec.id) { KeptPicture() }
     ClosesByEscape(drag.giveUp != null) { drag.giveUp?.invoke() }
     DisposableEffect(spec.id) {
         scene.plots.show(spec.id, true, needsPicture = false)
@@ -64,11 +66,16 @@ internal fun XyPane(scene: GraphScene, spec: BoardGraph, modifier: Modifier) {
                 .xyPointer(scene, spec.id, xys, ::planeOn, drag),
         ) {
             Spacer(
-                Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind {
-                    val plane = planeOn(size.width, size.height) ?: return@drawBehind
-                    drawXyGround(plane, xys[0].plot, xys[0].drawn.recording.fieldPicture, palette)
-                    for (xy in xys) drawXyTraces(xy, spec, plane, scene.view.viewport.visible, palette)
-                    for (xy in xys) drawXyNotes(xy, plane, scene.view.viewport.visible, letters, palette)
+                Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawWithCache {
+                    val plane = planeOn(size.width, size.height)
+                    val picture = plane?.let {
+                        kept.of(this) {
+                            drawXyGround(plane, xys[0].plot, xys[0].drawn.recording.fieldPicture, palette)
+                            for (xy in xys) drawXyTraces(xy, spec, plane, scene.view.viewport.visible, palette)
+                            for (xy in xys) drawXyNotes(xy, plane, scene.view.viewport.visible, letters, palette)
+                        }
+                    }
+                    onDrawBehind { picture?.let { drawImage(it) } }
                 },
             )
             Spacer(

@@ -26,9 +26,9 @@ public class Strokes {
     public var isSparse: Boolean = false
         private set
 
-    /** See [Curve.isDense]. */
+    /** Whether they are so many that thin lines cover the same: see [Curve.isDense]; thicker ones take many times as long. */
     public var isDense: Boolean = false
-        private set
+        internal set
 
     /** See [Curve.min]. */
     public var min: Double = Double.NaN

@@ -66,6 +66,7 @@ public class TrailDrawing {
             lastY = py
         }
         strokes.lift()
+        strokes.isDense = strokes.count > 0 && strokes.endOf(strokes.count - 1) > 2 * DENSE
     }
 
     private fun cellOf(place: Double, count: Int): Int = if (place < 0) {
@@ -123,6 +124,9 @@ public class TrailDrawing {
     private companion object {
         const val WORD = 32
         const val NONE = -1
+
+        /** More points than these are drawn in the thinnest lines. */
+        const val DENSE = 20_000
 
         /** So often each pixel may be crossed by lines, on average. */
         const val STEPS_PER_PIXEL = 4

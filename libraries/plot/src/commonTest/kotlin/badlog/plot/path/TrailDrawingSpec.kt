@@ -60,6 +60,18 @@ class TrailDrawingSpec : FunSpec({
         return least
     }
 
+    test("a path that covers most of a picture is dense, and drawn in thin lines; one of a few strokes is not") {
+        fun isDense(samples: Int): Boolean {
+            val times = DoubleArray(samples) { it.toDouble() }
+            val trail = Trail(times, DoubleArray(samples) { 10 + 9.5 * sin(it * 0.0137) }, DoubleArray(samples) { 6 + 5.5 * cos(it * 0.0191) })
+            val strokes = Strokes()
+            TrailDrawing().draw(trail, 0, samples, plane.xScale(1000.0), plane.yScale(600.0), 1000, 600, true, strokes)
+            return strokes.isDense
+        }
+        isDense(200_000) shouldBe true
+        isDense(2_000) shouldBe false
+    }
+
     test("no pixel that a sample is in is lost, and no more is drawn than there are pixels") {
         checkAll(Arb.list(place, 0..400), Arb.boolean()) { places, isJoined ->
             val strokes = drawn(places, isJoined)
