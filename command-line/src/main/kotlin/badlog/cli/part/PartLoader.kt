@@ -2,6 +2,7 @@ package badlog.cli.part
 
 import badlog.cli.command.ExitCode
 import badlog.cli.console.Console
+import badlog.html.BADLOG_VERSION
 import java.net.URLClassLoader
 import java.nio.file.Files
 import java.nio.file.Path
@@ -27,7 +28,7 @@ internal class PartLoader(private val program: ClassLoader, private val folder: 
         val (loader, found) = find(service) ?: run {
             console.warn(
                 "badlog $command needs badlog's part “${folder.fileName}”, but the folder $folder is missing or incomplete; " +
-                    "copy it from a whole badlog of the same version.",
+                    "unpack badlog-${folder.fileName}-$BADLOG_VERSION.zip where badlog was unpacked.",
             )
             return ExitCode.NOTHING
         }

@@ -93,14 +93,14 @@ internal class OpenLog(val name: String, val view: LogView, private val signals:
     /** The range that [arguments] ask for, within the log's; null where the log has no sample. */
     fun range(arguments: Arguments): Span? {
         val whole = view.xAxis.range ?: return null
-        val from = arguments.number("from") ?: whole.start
-        val to = arguments.number("to") ?: whole.endInclusive
+        val from = arguments.number("from")
+        val to = arguments.number("to")
         val unit = if (Units.isNone(view.xAxis.unit)) "" else " ${view.xAxis.unit}"
-        if (to < from) throw ToolException("“to” ($to$unit) is before “from” ($from$unit); exchange them.")
-        if (to < whole.start || from > whole.endInclusive) {
+        if (from != null && to != null && to < from) throw ToolException("“to” ($to$unit) is before “from” ($from$unit); exchange them.")
+        if ((from != null && from > whole.endInclusive) || (to != null && to < whole.start)) {
             throw ToolException("The log “$name” reaches from ${whole.start}$unit to ${whole.endInclusive}$unit; select a range in it.")
         }
-        return Span(maxOf(from, whole.start), minOf(to, whole.endInclusive))
+        return Span(maxOf(from ?: whole.start, whole.start), minOf(to ?: whole.endInclusive, whole.endInclusive))
     }
 
     /** Puts what x is, and from where to where [range] of it reaches, into [answer]. */

@@ -14,6 +14,7 @@ import badlog.assistant.log.OpenLogs
 import badlog.plot.statistics.StateTime
 import badlog.plot.statistics.Statistic
 import badlog.plot.statistics.timesOf
+import badlog.plot.text.roundedText
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.addJsonObject
 import kotlinx.serialization.json.buildJsonObject
@@ -71,8 +72,8 @@ internal class StatisticsOfTopics(private val logs: OpenLogs) :
             for (time in times.take(StateTime.MOST)) {
                 addJsonObject {
                     put("state", time.state)
-                    put("time", number(time.time))
-                    put("share", number(time.share))
+                    put("time", number(roundedText(time.time).toDoubleOrNull()))
+                    put("share", number(roundedText(time.share).toDoubleOrNull()))
                     put("times", time.count)
                 }
             }
