@@ -26,7 +26,7 @@ class ViewerProof : FunSpec({
     test("the package has the same program, the menu's entry, and opens bags").config(enabledOrReasonIf = ifShown(PACKAGE)) {
         val root = unpacked(download(PACKAGE), File(folder, "package"))
         val launcher = root.walk().first { it.path.endsWith("bin/badlog") }
-        val entry = launcher.parentFile.parentFile.walk().first { it.extension == "desktop" }.readText()
+        val entry = launcher.parentFile.parentFile.walk().first { it.isFile && it.extension == "desktop" }.readText()
         (entry.lines().any { it.startsWith("MimeType=") && "application/x-bag" in it }) shouldBe true
         shouldShow(launcher, File(folder, "package-machine"), "viewer-package.png")
     }
