@@ -218,7 +218,7 @@ internal class LakeRefresh(private val folder: Path, private val engine: Engine,
         val metadata = METADATA to topicsJson(view.recording.topics, samples.nameOf, identity)
         engine.connected { connection ->
             for ((file, table) in tables) {
-                engine.lend(table) { select -> writeParquet(connection, select, folder.resolve(file), metadata) }
+                engine.lend(table) { select -> writeParquet(connection, select, folder.resolve(file), metadata, table.columns.size) }
             }
         }
         val files = tables.map { it.first }

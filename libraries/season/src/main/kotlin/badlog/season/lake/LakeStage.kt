@@ -127,17 +127,34 @@ internal class LakeStage(private val folder: Path, private val engine: Engine) {
  * Writes what [select] selects to [target], which is there whole or as it was before.
  *
  * @param metadata what the file says of itself, by a name.
+ * @param columns how many columns there are: the more, the fewer rows are gathered before they are written.
  * @return how many rows there are.
  */
-internal fun writeParquet(connection: DuckDBConnection, select: String, target: Path, metadata: Pair<String, String>? = null): Long {
+internal fun writeParquet(
+    connection: DuckDBConnection,
+    select: String,
+    target: Path,
+    metadata: Pair<String, String>? = null,
+    columns: Int = 0,
+): Long {
     Files.createDirectories(target.parent)
     val draft = target.resolveSibling("${LakeLayout.DRAFT}${UUID.randomUUID()}.part")
     try {
         val told = metadata?.let { (name, text) -> ", KV_METADATA {${literal(name)}: ${literal(text)}}" }.orEmpty()
-        val rows = connection.run("COPY ($select) TO ${literal("$draft")} (FORMAT parquet, COMPRESSION zstd, COMPRESSION_LEVEL 2$told)")
+        val group = (MAX_GROUP_CELLS / maxOf(columns, 1)).coerceIn(MIN_GROUP, MAX_GROUP)
+        val rows = connection.run(
+            "COPY ($select) TO ${literal("$draft")} (FORMAT parquet, COMPRESSION zstd, COMPRESSION_LEVEL 2, ROW_GROUP_SIZE $group$told)",
+        )
         Files.move(draft, target, ATOMIC_MOVE, REPLACE_EXISTING)
         return rows
     } finally {
         Files.deleteIfExists(draft)
     }
 }
+
+/** So many cells of a file are gathered before they are written, about: 24 MB of numbers. */
+private const val MAX_GROUP_CELLS = 3_000_000
+
+/** What DuckDB works on at once. */
+private const val MIN_GROUP = 2_048
+private const val MAX_GROUP = 122_880
