@@ -105,8 +105,9 @@ RecordedTopic Column::Finish(ProblemList& problems) {
     if (counts.notFinite > 0) {
         problems.Add(
             "NOT_FINITE",
-            std::to_string(counts.notFinite) + " cells of " + Quoted(name) + " are NaN or infinite; they are kept, and drawn as gaps.", {},
-            name, counts.notFinite);
+            Quoted(name) + " is NaN or infinite in " + std::to_string(counts.notFinite) + " of " + std::to_string(counts.Total()) +
+                " cells; these are kept, and drawn as gaps.",
+            {}, name, counts.notFinite);
     }
     if (counts.truthValues > 0) {
         problems.Add(
@@ -117,13 +118,13 @@ RecordedTopic Column::Finish(ProblemList& problems) {
         if (counts.texts > 0 && m_readsDecimalComma) {
             problems.Add(
                 "TEXT_IN_NUMBERS",
-                std::to_string(counts.texts) + " cells of " + Quoted(name) + " are text, not numbers, such as " +
-                    Quoted(m_firstText.value_or("")) + "; they are gaps.",
+                Quoted(name) + " has text, such as " + Quoted(m_firstText.value_or("")) + ", in " + std::to_string(counts.texts) + " of " +
+                    std::to_string(counts.Total()) + " cells; these are gaps.",
                 m_firstTextLine, name, counts.texts);
         }
         if (counts.empty > 0 && !counts.IsSparse()) {
             problems.Add(
-                "EMPTY_CELLS", std::to_string(counts.empty) + " of " + std::to_string(counts.Total()) + " cells of " + Quoted(name) + " are empty.",
+                "EMPTY_CELLS", Quoted(name) + " is empty in " + std::to_string(counts.empty) + " of " + std::to_string(counts.Total()) + " cells.",
                 {}, name, counts.empty);
         }
     }

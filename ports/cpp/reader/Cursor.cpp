@@ -33,7 +33,7 @@ bool Cursor::PassHole(ProblemList& problems) {
         const auto at = std::min(data.find_first_not_of('\0', start), End());
         problems.Add(
             "NUL_HOLE",
-            std::to_string(at - start) + " NUL bytes stand where data should be, as after a loss of power; what was there is lost.", line);
+            "NUL bytes (" + std::to_string(at - start) + ") have replaced data, probably after a power loss; that data is lost.", line);
         AdvanceTo(at);
         holeLine = line;
     }

@@ -12,10 +12,10 @@ namespace {
 constexpr size_t MAX_LINE_BYTES = 1 << 24;  // a file without a newline before is not a bag
 constexpr size_t MAX_COLUMNS = 1 << 16;     // each column costs memory before it has a row
 constexpr std::string_view BYTE_ORDER_MARK = "\xEF\xBB\xBF";
-constexpr const char* UTF_16 = "The file is UTF-16, as Excel's “Unicode text” is; save it again as CSV UTF-8.";
+constexpr const char* UTF_16 = "The file is UTF-16, like Excel's “Unicode text”; save it again as CSV UTF-8.";
 
 std::string Binary() {
-    return std::string{NO_LOG} + ": it holds bytes that no text has.";
+    return std::string{NO_LOG} + ": it has bytes that never occur in text.";
 }
 
 bool StartsWith(std::string_view text, std::string_view start) {
@@ -82,7 +82,7 @@ size_t HeaderReader::TakeTitles(size_t lineEnd, size_t following) {
         // What a hole has left of the line of JSON holds no titles.
         const bool isRest = !m_cursor.IsAfterHole() && IsRestOfJson(line);
         if (isRest) {
-            ReportUnreadable("Line " + std::to_string(m_cursor.line) + " is a piece of the line of JSON before it and was skipped.");
+            ReportUnreadable("Line " + std::to_string(m_cursor.line) + " is part of the JSON line before it; it was skipped.");
         }
         if (isRest || m_cursor.IsAfterHole()) {
             if (!isCut) m_cursor.line++;
@@ -92,8 +92,8 @@ size_t HeaderReader::TakeTitles(size_t lineEnd, size_t following) {
     const auto count = static_cast<size_t>(std::count(line.begin(), line.end(), ',')) + 1;
     if (count > MAX_COLUMNS) {
         return Refuse(
-            "Line " + std::to_string(m_cursor.line) + " has " + std::to_string(count) + " titles; a log has " +
-            std::to_string(MAX_COLUMNS) + " topics at most.");
+            "Line " + std::to_string(m_cursor.line) + " has " + std::to_string(count) + " titles; a log has at most " +
+            std::to_string(MAX_COLUMNS) + " topics.");
     }
     const auto titles = Titles(lineEnd, header ? header->Names() : Names{});
     isDone = true;
@@ -165,8 +165,7 @@ size_t HeaderReader::TakeWithoutHeader(const Names& titles, size_t lineEnd, size
 size_t HeaderReader::TakeUntitled(size_t width) {
     m_problems.Add(
         "TITLES_DAMAGED",
-        "Line " + std::to_string(m_cursor.line) + " holds values where the titles should be; the " + std::to_string(width) +
-            " columns are called by their numbers.",
+        "Line " + std::to_string(m_cursor.line) + " has values in place of titles; the columns are named by number.",
         m_cursor.line);
     columns = HeaderColumns::Match(Header(), Names(width), m_cursor.line, m_problems);
     return m_cursor.start;
@@ -175,7 +174,7 @@ size_t HeaderReader::TakeUntitled(size_t width) {
 size_t HeaderReader::SkipTo(const FirstLines::Line& titles, size_t firstEnd) {
     if (m_cursor.Piece(m_cursor.start, firstEnd).find("\"name\":") != std::string_view::npos) hasLine = true;
     ReportUnreadable(
-        "What stands on line " + std::to_string(m_cursor.line) + " is not the beginning of a bag or a CSV file and was skipped.");
+        "Line " + std::to_string(m_cursor.line) + " is not the start of a bag or CSV file; it was skipped.");
     m_cursor.line += LinesIn(m_cursor.start, titles.start);
     isDone = false;
     return titles.start;
@@ -189,10 +188,10 @@ HeaderColumns HeaderReader::ColumnsOf(const ColumnTitles& known, const Names& ti
         const auto& name = matched.names[i];
         const bool isOther = i < titles.size() && titles[i] != name;
         const auto reason =
-            isOther ? "line " + std::to_string(line) + " has “" + titles[i] + "” there" : std::string{"the line of titles is damaged"};
+            isOther ? "line " + std::to_string(line) + " has “" + titles[i] + "” there" : std::string{"the title line is damaged"};
         m_problems.Add(
             "NAME_IN_DOUBT",
-            "Column " + std::to_string(i + 1) + " is shown as “" + name + "”, but it may be another one: " + reason + ".", line, name);
+            "Column " + std::to_string(i + 1) + " is shown as “" + name + "”, which may be wrong: " + reason + ".", line, name);
     }
     return matched;
 }

@@ -30,7 +30,7 @@ void ReportEmptiness(const HeaderReader& header, const Recording& recording, Pro
     if (!header.hasLine && recording.topics.empty()) {
         problems.Add("EMPTY_FILE", "The file is empty; the robot may have been switched off too early.");
     } else if (recording.rowCount == 0) {
-        problems.Add("NO_ROWS", "There is a header but not one row of samples; the robot may have been switched off too early.");
+        problems.Add("NO_ROWS", "There is a header but no row of samples; the robot may have been switched off too early.");
     }
 }
 
@@ -69,7 +69,7 @@ Recording ReadBag(std::string_view bytes) {
         problems.Add("CARRIAGE_RETURNS", "Lines end in a carriage return, as on Windows; that is fine.");
     }
     if (!header.header && recording.topics.size() == 1 && recording.rowCount > 0 && IsProse(recording.topics[0])) {
-        problems.Add("NOT_A_RECORDING", std::string{NO_LOG} + ": it is a text without columns of numbers.", 1);
+        problems.Add("NOT_A_RECORDING", std::string{NO_LOG} + ": it is text without columns of numbers.", 1);
         recording = {};
     } else if (!ignoresTheRest) {
         ReportEmptiness(header, recording, problems);

@@ -137,7 +137,7 @@ bool RowReader::ReadWithOddQuotes(size_t start, size_t end, bool mayBeOpen) {
     if (fits) {
         m_problems.Add(
             "QUOTES_REPAIRED",
-            "A cell holds quotes that were not escaped; the row was read so that it has its " + std::to_string(m_wanted) + " cells.",
+            "A cell has unescaped quotes; the row was split to match the number of titles.",
             m_cursor.line);
     }
     return fits;
@@ -171,7 +171,7 @@ RowReader::Next RowReader::JoinedLines(size_t start, size_t newline, size_t seco
             m_linesPassed = lines;
             m_problems.Add(
                 "LINES_JOINED",
-                "A newline inside a text had torn the row into " + std::to_string(lines) + " lines; they were joined.", m_cursor.line);
+                "A newline in a text split the row into " + std::to_string(lines) + " lines; they were joined.", m_cursor.line);
             Take(false, after);
             if (end == m_cursor.End() && m_endsInNewline) DropLastCell();
             return after;

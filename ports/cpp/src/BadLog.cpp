@@ -108,7 +108,7 @@ BadLog BadLog::Init(std::string_view path, LogOptions options) noexcept {
     auto session = std::make_shared<LogSession>(options);
     const auto before = Exchange(session);
     if (before && before->State() != LogState::CLOSED) {
-        SayOnStandardError("A log was started while there was one already; that one was closed.");
+        SayOnStandardError("A new log was started while another was open; the other one was closed.");
         before->Close();
     }
     Guarded([&] { session->Open(path); }, SayFailure);

@@ -51,8 +51,8 @@ void Faults::PublishIgnored(std::string_view name) noexcept {
     if (!IsCountedNew(m_ignoredNames, name)) return;
     Guarded(
         [&] {
-            Say("What is published to \"" + std::string{name} +
-                "\" is ignored: CreateTopicSubscriber() made no topic of that name.");
+            Say("Values published to \"" + std::string{name} +
+                "\" are ignored: CreateTopicSubscriber() was not called for it.");
         },
         IgnoreFailure);
 }

@@ -182,8 +182,8 @@ bool LogSession::IsSettingUp(std::string_view name) {
 void LogSession::Ignored(const char* call) {
     const std::string_view why = m_phase == LogState::CLOSED       ? "is ignored, because the log was closed."
                                  : m_phase == LogState::SETTING_UP ? "is ignored until FinishInitialization() is called."
-                                                                   : "is ignored while a row is put together; do not call it in "
-                                                                     "what you give to SetDoubleToStringFunction().";
+                                                                   : "is ignored while a row is being written; do not call it from "
+                                                                     "the function given to SetDoubleToStringFunction().";
     faults.CallIgnored(call, why);
 }
 

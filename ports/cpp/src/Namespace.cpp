@@ -48,7 +48,7 @@ std::string Namespace::HeaderLines() const {
 bool Namespace::Claim(std::string_view name) {
     if (!m_names.emplace(name).second) {
         SayOnStandardError(
-            "There already is a topic or value \"" + std::string{name} + "\" in this log. Give one of the two another name.");
+            "There is already a topic or value \"" + std::string{name} + "\" in this log. Give one of the two another name.");
         return false;
     }
     for (const char byte : name) {

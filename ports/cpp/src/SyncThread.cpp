@@ -71,8 +71,8 @@ void SyncThread::LookForFile() {
     if (isMissing) {
         m_faults.SayOnce(
             "missing", "The log " + m_file.Path() +
-                           " was deleted, or its disk was removed, while it was written. What is logged from now on is lost; "
-                           "start the robot program again to begin a new log.");
+                           " was deleted, or its disk was removed, while it was being written. From now on, data is lost; "
+                           "restart the robot program to start a new log.");
     }
     // Said before it is seen: who sees the log fail can read why.
     m_file.isMissing = isMissing;

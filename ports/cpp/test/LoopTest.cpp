@@ -200,7 +200,7 @@ TEST_CASE("a formatter that logs, updates, flushes or closes in the middle of a 
         CHECK(Rows(bag) == Lines{"1,0", "1,2", "1,4"});
     });
     INFO(said);
-    CHECK(Contains(said, "Log() is ignored while a row is put together"));
+    CHECK(Contains(said, "Log() is ignored while a row is being written"));
 }
 
 TEST_CASE("a supplier may publish, log and update") {
@@ -239,9 +239,9 @@ TEST_CASE("mistakes of the set-up are said, and logging goes on") {
         second.Close();
     });
     CHECK(RowsIn(folder / "first.bag") == Lines{"1.0000"});
-    CHECK(Contains(said, "There already is a topic or value \"A\""));
+    CHECK(Contains(said, "There is already a topic or value \"A\""));
     CHECK(Contains(said, "without a supplier"));
-    CHECK(Contains(said, "that one was closed"));
+    CHECK(Contains(said, "the other one was closed"));
 }
 
 TEST_CASE("without flushing, rows are written together, by Flush, by Close, and after a quarter of a second") {

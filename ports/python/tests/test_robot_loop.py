@@ -82,7 +82,7 @@ def test_calls_that_come_too_early_or_too_late_are_ignored_and_counted(path: Pat
 def test_mistakes_of_the_set_up_raise(path: Path) -> None:
     log = BadLog.init(path)
     BadLog.create_value("A", "1")
-    with pytest.raises(DuplicateNameError, match='already is a topic or value "A"'):
+    with pytest.raises(DuplicateNameError, match='is already a topic or value "A"'):
         BadLog.create_topic("A", "V", lambda: 1.0)
     log.finish_initialization()
     with pytest.raises(InvalidModeError, match='"B" was created too late'):

@@ -70,16 +70,16 @@ class _AttributeReader:
                 self._report(ProblemKind.UNKNOWN_ATTRIBUTE, topic, message)
                 continue
             if colon:
-                message = f"“{attribute}” takes nothing after a colon; “:{argument}” was ignored."
+                message = f"“{attribute}” takes no argument; “:{argument}” was ignored."
                 self._report(ProblemKind.UNFIT_ATTRIBUTE, topic, message)
             if attribute in _DERIVATIONS:
                 derived.append(attribute)
             if attribute == "integrate" and _has_gaps(topic):
-                message = f"“{name}” has gaps; its integral carries on over them without the area they hide."
+                message = f"“{name}” has gaps; its integral adds no area for them."
                 self._report(ProblemKind.INTEGRAL_OVER_GAPS, topic, message)
         if "log" in seen and len(seen) > 1:
             others = ", ".join(text for text in seen if text != "log")
-            message = f"“{name}” is an event log; its other attributes, {others}, do not fit one."
+            message = f"“{name}” is an event log; its other attributes ({others}) have no effect."
             self._report(ProblemKind.UNFIT_ATTRIBUTE, topic, message)
         return any(text.partition(":")[0] == "xaxis" for text in seen)
 
@@ -105,13 +105,13 @@ class _AttributeReader:
         wild = _wild_among(positions)
         name = axis.name
         if wild > 0:
-            message = f"The x axis “{name}” has {wild} of {len(positions)} values far away from all others. Check the robot's clock."
+            message = f"The x axis “{name}” is far off in {wild} of {len(positions)} rows. Check the robot's clock."
             self._report(ProblemKind.X_WILD, axis, message)
         if backwards > 0:
-            message = f"The x axis “{name}” goes backwards, {backwards} times, as when the robot's clock is set."
+            message = f"The x axis “{name}” goes backwards ({backwards}×), as when the robot's clock is set."
             self._report(ProblemKind.X_BACKWARDS, axis, message)
         if repeats > 0:
-            self._report(ProblemKind.X_REPEATS, axis, f"The x axis “{name}” repeats a value, {repeats} times.")
+            self._report(ProblemKind.X_REPEATS, axis, f"The x axis “{name}” repeats a value ({repeats}×).")
         if gaps > 0:
             self._report(ProblemKind.X_GAPS, axis, f"The x axis “{name}” has no value in {gaps} rows.")
 

@@ -55,7 +55,7 @@ class _BagParser:
                 at += step
             while at < cursor.end and cursor.data[at] == 0:
                 at += 1
-            message = f"{at - cursor.start} NUL bytes stand where data should be, as after a loss of power; what was there is lost."
+            message = f"NUL bytes ({at - cursor.start}) have replaced data, probably after a power loss; that data is lost."
             self._problems.add(ProblemKind.NUL_HOLE, message, cursor.line)
             cursor.advance_to(at)
             cursor.hole_line = cursor.line
@@ -88,7 +88,7 @@ class _BagParser:
         if self._cursor.saw_carriage_return and not ignores_the_rest:
             self._problems.add(ProblemKind.CARRIAGE_RETURNS, "Lines end in a carriage return, as on Windows; that is fine.")
         if header.header is None and len(topics) == 1 and row_count > 0 and _is_prose(topics[0]):
-            self._problems.add(ProblemKind.NOT_A_RECORDING, f"{NO_LOG}: it is a text without columns of numbers.", 1)
+            self._problems.add(ProblemKind.NOT_A_RECORDING, f"{NO_LOG}: it is text without columns of numbers.", 1)
             return Recording(RecordingFormat.CSV, None, [], [], 0, self._problems.to_list())
         if not ignores_the_rest:
             self._report_emptiness(topics, row_count)
@@ -106,7 +106,7 @@ class _BagParser:
             message = "The file is empty; the robot may have been switched off too early."
             self._problems.add(ProblemKind.EMPTY_FILE, message)
         elif row_count == 0:
-            message = "There is a header but not one row of samples; the robot may have been switched off too early."
+            message = "There is a header but no row of samples; the robot may have been switched off too early."
             self._problems.add(ProblemKind.NO_ROWS, message)
 
 

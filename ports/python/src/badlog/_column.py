@@ -179,7 +179,7 @@ class Column:
             message = f"Numbers in “{name}” have a decimal comma; it was read as a point."
             problems.add(ProblemKind.DECIMAL_COMMA, message, self._first_decimal_comma_line, name, self._decimal_commas)
         if counts.not_finite > 0:
-            message = f"{counts.not_finite} cells of “{name}” are NaN or infinite; they are kept, and drawn as gaps."
+            message = f"“{name}” is NaN or infinite in {counts.not_finite} of {counts.total} cells; these are kept, and drawn as gaps."
             problems.add(ProblemKind.NOT_FINITE, message, None, name, counts.not_finite)
         if counts.truth_values > 0:
             message = f"“{name}” holds true and false; they were read as 1 and 0."
@@ -187,8 +187,8 @@ class Column:
         if topic.kind not in (TopicKind.NUMERIC, TopicKind.BOOLEAN):
             return
         if counts.texts > 0 and self.reads_decimal_comma:
-            message = f"{counts.texts} cells of “{name}” are text, not numbers, such as “{self.first_text}”; they are gaps."
+            message = f"“{name}” has text, such as “{self.first_text}”, in {counts.texts} of {counts.total} cells; these are gaps."
             problems.add(ProblemKind.TEXT_IN_NUMBERS, message, self._first_text_line, name, counts.texts)
         if counts.empty > 0 and not topic.is_sparse:
-            message = f"{counts.empty} of {counts.total} cells of “{name}” are empty."
+            message = f"“{name}” is empty in {counts.empty} of {counts.total} cells."
             problems.add(ProblemKind.EMPTY_CELLS, message, None, name, counts.empty)

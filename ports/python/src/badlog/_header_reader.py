@@ -15,8 +15,8 @@ from badlog.problem import ProblemKind, ProblemList
 
 NO_LOG = "This file is neither a bag nor a CSV file"
 
-_BINARY = f"{NO_LOG}: it holds bytes that no text has."
-_UTF_16 = "The file is UTF-16, as Excel's “Unicode text” is; save it again as CSV UTF-8."
+_BINARY = f"{NO_LOG}: it has bytes that never occur in text."
+_UTF_16 = "The file is UTF-16, like Excel's “Unicode text”; save it again as CSV UTF-8."
 _WPILOG = "This is a WPILOG file, not a bag. Convert it first: badlog convert FILE --to bag."
 _GZIP = "The file is compressed with gzip twice; inflate it once."
 _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
@@ -105,13 +105,13 @@ class HeaderReader:
             # What a hole has left of the line of JSON holds no titles.
             is_rest = not cursor.is_after_hole and _JSON_MARK.search(cursor.data, cursor.start, line_end) is not None
             if is_rest:
-                self._report_unreadable(f"Line {cursor.line} is a piece of the line of JSON before it and was skipped.")
+                self._report_unreadable(f"Line {cursor.line} is part of the JSON line before it; it was skipped.")
             if is_rest or cursor.is_after_hole:
                 cursor.line += not is_cut
                 return following
         columns = cursor.data.count(b",", cursor.start, line_end) + 1
         if columns > _MAX_COLUMNS:
-            return self._refuse(f"Line {cursor.line} has {columns} titles; a log has {_MAX_COLUMNS} topics at most.")
+            return self._refuse(f"Line {cursor.line} has {columns} titles; a log has at most {_MAX_COLUMNS} topics.")
         names = [topic.name for topic in self.header.topics] if self.header is not None else []
         titles = self._titles(line_end, names)
         self.is_done = True
@@ -190,7 +190,7 @@ class HeaderReader:
     def _take_untitled(self, width: int) -> int:
         """The line of titles is missing: this one is a row."""
         line = self._cursor.line
-        message = f"Line {line} holds values where the titles should be; the {width} columns are called by their numbers."
+        message = f"Line {line} has values in place of titles; the columns are named by number."
         self._problems.add(ProblemKind.TITLES_DAMAGED, message, line)
         self.columns = HeaderColumns.match(self.header, [""] * width, line, self._problems)
         return self._cursor.start
@@ -201,7 +201,7 @@ class HeaderReader:
         text = decode(cursor.data[cursor.start : first_end])[0]
         if self.line is None and '"name":' in text:
             self.line = text
-        self._report_unreadable(f"What stands on line {cursor.line} is not the beginning of a bag or a CSV file and was skipped.")
+        self._report_unreadable(f"Line {cursor.line} is not the start of a bag or CSV file; it was skipped.")
         cursor.line += self._lines_in(cursor.start, titles.start)
         self.is_done = False
         return titles.start
@@ -221,8 +221,8 @@ class HeaderReader:
             if not known.is_doubtful[i]:
                 continue
             is_other = i < len(titles) and titles[i] != name
-            reason = f"line {line} has “{titles[i]}” there" if is_other else "the line of titles is damaged"
-            message = f"Column {i + 1} is shown as “{name}”, but it may be another one: {reason}."
+            reason = f"line {line} has “{titles[i]}” there" if is_other else "the title line is damaged"
+            message = f"Column {i + 1} is shown as “{name}”, which may be wrong: {reason}."
             self._problems.add(ProblemKind.NAME_IN_DOUBT, message, line, name)
         return matched
 

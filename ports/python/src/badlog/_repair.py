@@ -143,7 +143,7 @@ class RowRepair:
             or (may_be_open and splitter.split(data, start, end, Quotes.LENIENT) == wanted)
         )
         if fits:
-            message = f"A cell holds quotes that were not escaped; the row was read so that it has its {wanted} cells."
+            message = "A cell has unescaped quotes; the row was split to match the number of titles."
             self._problems.add(ProblemKind.QUOTES_REPAIRED, message, self._cursor.line)
         return fits
 
@@ -174,7 +174,7 @@ class RowRepair:
                 if not self._is_text_torn_at(newline, second_line):
                     return None
                 self.lines_passed = lines
-                message = f"A newline inside a text had torn the row into {lines} lines; they were joined."
+                message = f"A newline in a text split the row into {lines} lines; they were joined."
                 self._problems.add(ProblemKind.LINES_JOINED, message, cursor.line)
                 self._take(False, after)
                 if end == cursor.end and self._ends_in_newline:

@@ -162,7 +162,7 @@ class LogSession:
         """Publishes to the topic of that name, or says why not. What is published during set-up is kept for the first row."""
         topic = self._subscribers.get(name) if isinstance(name, str) else None
         if topic is None:
-            why = f'What is published to "{name}" is ignored: create_topic_subscriber() made no topic of that name.'
+            why = f'Values published to "{name}" are ignored: create_topic_subscriber() was not called for it.'
             self.faults.publish_ignored(str(name), why)
         else:
             self.publish_to(topic, value)
@@ -205,7 +205,7 @@ class LogSession:
         if self._phase is not LogState.SETTING_UP:
             raise InvalidModeError(f'"{name}" was created too late: create all topics and values before finish_initialization().')
         if name in self._names:
-            raise DuplicateNameError(f'There already is a topic or value "{name}" in this log. Give one of the two another name.')
+            raise DuplicateNameError(f'There is already a topic or value "{name}" in this log. Give one of the two another name.')
         self._names.add(name)
         odd = next((char for char in name if char not in " _/" and not is_letter_or_digit(char)), None)
         if odd is not None:
@@ -217,7 +217,7 @@ class LogSession:
         elif self._phase is LogState.SETTING_UP:
             why = f"{call} is ignored until finish_initialization() is called."
         else:
-            why = f"{call} is ignored while a row is put together; do not call it in what you give to set_double_to_string_function()."
+            why = f"{call} is ignored while a row is being written; do not call it from the function given to set_double_to_string_function()."
         self.faults.call_ignored(call, why)
 
     def _start_syncing(self, file: LogFile, sink: RowSink) -> None:

@@ -69,8 +69,8 @@ class SyncThread(threading.Thread):
         if is_missing:
             self._faults.say_once(
                 "missing",
-                lambda: f"The log {self._file.path} was deleted, or its disk was removed, while it was written. What is logged from now "
-                "on is lost; start the robot program again to begin a new log.",
+                lambda: f"The log {self._file.path} was deleted, or its disk was removed, while it was being written. From now on, "
+                "data is lost; restart the robot program to start a new log.",
             )
         # Said before it is seen: who sees the log fail can read why.
         self._file.is_missing = is_missing

@@ -1,6 +1,7 @@
 package badlog.cli
 
 import badlog.cli.command.ExitCode
+import badlog.cli.computer.Computer
 import badlog.cli.console.Console
 import badlog.cli.console.StandardStreams
 import badlog.cli.fetch.Robots
@@ -16,12 +17,14 @@ import java.io.InputStream
  * @param input what `-` stands for among the logs.
  * @param robots where robots answer.
  * @param parts where commands are found that are loaded when they are called.
+ * @param computer what there is beside the program.
  */
 internal class Badlog(
     private val console: Console,
     private val input: InputStream = System.`in`,
     private val robots: Robots = Robots.ofSystem(),
     private val parts: PartLoader = PartLoader.ofProgram(),
+    private val computer: Computer = Computer(),
 ) {
     /** Does what [arguments] ask for. */
     fun run(arguments: List<String>): ExitCode = try {
@@ -35,7 +38,7 @@ internal class Badlog(
     }
 
     private fun run(arguments: List<String>, console: Console): ExitCode {
-        val command = BadlogCommand(arguments, robots, parts, input)
+        val command = BadlogCommand(arguments, robots, parts, input, computer)
         val task = try {
             command.parse(arguments)
             command.task ?: return ExitCode.USAGE
@@ -45,7 +48,7 @@ internal class Badlog(
         return try {
             task.run(console)
         } catch (_: OutOfMemoryError) {
-            console.warn("This is too large for the available memory; set JAVA_OPTS=-Xmx8g or so and try again.")
+            console.warn("This is too large for the available memory; set JAVA_OPTS=-Xmx8g, for example, and try again.")
             ExitCode.NOTHING
         } catch (e: Exception) {
             console.warn("This is a bug in badlog; report it (${e.toString().lineSequence().first()}).")

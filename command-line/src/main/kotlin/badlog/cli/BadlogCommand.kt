@@ -3,9 +3,12 @@ package badlog.cli
 import badlog.cli.command.CommandLine
 import badlog.cli.command.EXIT_CODES
 import badlog.cli.command.Task
+import badlog.cli.command.examplesText
 import badlog.cli.command.paragraph
+import badlog.cli.computer.Computer
 import badlog.cli.convert.ConvertCommand
 import badlog.cli.cut.CutCommand
+import badlog.cli.doctor.DoctorCommand
 import badlog.cli.export.ExportCommand
 import badlog.cli.fetch.FetchCommand
 import badlog.cli.fetch.Robots
@@ -14,6 +17,7 @@ import badlog.cli.info.InfoCommand
 import badlog.cli.lake.LakeCommand
 import badlog.cli.mcp.McpCommand
 import badlog.cli.merge.MergeCommand
+import badlog.cli.open.OpenCommand
 import badlog.cli.part.PartLoader
 import badlog.cli.recover.RecoverCommand
 import badlog.cli.replay.ReplayCommand
@@ -47,10 +51,18 @@ import java.io.InputStream
  * @param robots where robots answer.
  * @param parts where commands are found that are loaded when they are called.
  * @param input the standard input, for commands that talk with another program.
+ * @param computer what there is beside the program.
  */
-internal class BadlogCommand(val arguments: List<String>, robots: Robots, parts: PartLoader, input: InputStream) : CoreCliktCommand(NAME) {
+internal class BadlogCommand(
+    val arguments: List<String>,
+    robots: Robots = Robots.ofSystem(),
+    parts: PartLoader = PartLoader.ofProgram(),
+    input: InputStream = System.`in`,
+    computer: Computer = Computer(),
+) : CoreCliktCommand(NAME) {
     private val logCommands = listOf(
         InfoCommand(),
+        OpenCommand(computer),
         RecoverCommand(),
         ConvertCommand(),
         CutCommand(),
@@ -64,6 +76,7 @@ internal class BadlogCommand(val arguments: List<String>, robots: Robots, parts:
         LakeCommand(parts),
         SqlCommand(parts, input),
         McpCommand(parts, input),
+        DoctorCommand(computer, robots),
     )
 
     /** What was asked for, or null when nothing was. */
@@ -82,11 +95,13 @@ internal class BadlogCommand(val arguments: List<String>, robots: Robots, parts:
     }
 
     override fun help(context: Context): String = paragraph(
-        "Works on robot logs: bags, WPILOGs and CSV files, gzipped and damaged ones too. The content decides what a file is, " +
-            "never its name. No log is ever changed.",
+        "Works on robot logs: bags, WPILOGs and CSV files, gzipped and damaged ones too. A file's content decides its format, not " +
+            "its name. Logs are never changed.",
     )
 
-    override fun helpEpilog(context: Context): String = paragraph("“$NAME help cut” lists the options of cut. $EXIT_CODES")
+    override fun helpEpilog(context: Context): String =
+        examplesText(NAME, listOf("open logs", "find logs 'min(battery voltage) < 7'", "fetch 1014")) +
+            paragraph("“$NAME help cut” lists the options of cut. $EXIT_CODES")
 
     override fun run() = Unit
 

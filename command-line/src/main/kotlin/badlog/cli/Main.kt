@@ -3,6 +3,7 @@ package badlog.cli
 import badlog.cli.command.ExitCode
 import badlog.cli.console.Console
 import badlog.cli.console.ResultStream
+import badlog.cli.console.TerminalColors
 import badlog.cli.text.LINE_WIDTH
 import java.io.FileDescriptor
 import java.io.FileOutputStream
@@ -16,7 +17,17 @@ fun main(arguments: Array<String>) {
     val isTerminal = System.getProperty("badlog.terminal")?.toBoolean() ?: (System.console() != null)
     val results = ResultStream(FileOutputStream(FileDescriptor.out))
     val charset = charsetOf("stdout")
-    val console = Console(PrintStream(results, false, charset), System.err, isTerminal, charset, charsetOf("stderr"), width())
+    val width = width()
+    val console = Console(
+        PrintStream(results, false, charset),
+        System.err,
+        isTerminal,
+        charset,
+        charsetOf("stderr"),
+        width,
+        TerminalColors.of(isTerminal = width != Console.UNLIMITED),
+        TerminalColors.of(isTerminal),
+    )
     val code = Badlog(console).run(arguments.toList())
     exitProcess(if (console.isOutClosed) afterLoss(console, results).code else code.code)
 }

@@ -1,14 +1,22 @@
 package badlog.cli
 
 import badlog.cli.command.ExitCode
+import badlog.cli.computer.Computer
+import badlog.cli.fetch.Robots
+import badlog.cli.part.PartLoader
 import badlog.html.BADLOG_VERSION
+import badlog.rules.commandWords
+import com.github.ajalt.clikt.core.parse
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldNotBeEmpty
+import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import java.io.InputStream
 
 class BadlogSpec : FunSpec({
-    val commands = listOf("info", "recover", "convert", "cut", "merge", "export", "find", "report", "replay", "fetch", "lake", "sql", "mcp")
+    val commands = listOf("info", "recover", "convert", "cut", "merge", "export", "find", "table", "report", "replay", "fetch", "open", "doctor", "lake", "sql", "mcp")
 
     test("without arguments, and asked for help, it lists its sub-commands") {
         for (asked in listOf(badlog(), badlog("--help"), badlog("help"))) {
@@ -22,8 +30,21 @@ class BadlogSpec : FunSpec({
             val help = badlog("help", command)
             help.code shouldBe ExitCode.WHOLE
             help.out shouldBe badlog(command, "--help").out
+            help.out shouldContain "Examples:\n"
             help.out shouldContain "Exit code: 0"
             help.out.lines().filter { it.length > 80 }.shouldBeEmpty()
+        }
+    }
+
+    test("each example of the help is a command line that badlog understands") {
+        for (command in commands) {
+            val examples = badlog("help", command).out.lines().map { it.trim() }.filter { it.startsWith("badlog $command ") || it == "badlog $command" }
+            examples.shouldNotBeEmpty()
+            for (example in examples) {
+                val arguments = commandWords(example).drop(1)
+                val parsed = BadlogCommand(arguments, Robots.ofSystem(), PartLoader.ofProgram(), InputStream.nullInputStream(), Computer()).also { it.parse(arguments) }
+                parsed.task.shouldNotBeNull()
+            }
         }
     }
 

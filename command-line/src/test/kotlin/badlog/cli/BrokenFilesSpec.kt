@@ -124,7 +124,8 @@ class BrokenFilesSpec : FunSpec({
             ended.code shouldBe ExitCode.SALVAGED
             status(ended) shouldContainExactly listOf("whole", "whole", "salvaged", "skipped", "failed")
             badlog("info", folder).err shouldBe
-                "Skipped ${folder / "sub/photo.gz"}: This file is neither a bag, nor a CSV file, nor a WPILOG: it holds bytes that no text has.\n"
+                "Skipped ${folder / "sub/photo.gz"}: This file is neither a bag, nor a CSV file, nor a WPILOG: it has bytes that never occur in text.\n" +
+                "3 logs: 2 complete, 1 incomplete.\n"
         }
     }
 
@@ -165,7 +166,7 @@ class BrokenFilesSpec : FunSpec({
                 ended.code shouldBe ExitCode.NOTHING
                 ended.err shouldContain "would overwrite a log that is read"
                 val target = folder.with("there", "old")
-                badlog(*onto, target).err shouldContain "exists already; give --force"
+                badlog(*onto, target).err shouldContain "exists already; use --force"
                 target.readBytes().decodeToString() shouldBe "old"
                 badlog(*onto, target, "--force").code shouldBe ExitCode.SALVAGED
                 Files.delete(target)

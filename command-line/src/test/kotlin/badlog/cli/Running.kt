@@ -1,6 +1,7 @@
 package badlog.cli
 
 import badlog.cli.command.ExitCode
+import badlog.cli.computer.Computer
 import badlog.cli.console.Console
 import badlog.cli.fetch.Robots
 import badlog.file.readRecording
@@ -53,11 +54,14 @@ internal class Ended(val code: ExitCode, val out: String, val err: String) {
 internal fun badlog(vararg arguments: Any): Ended = badlogBeside(Robots.ofSystem(), *arguments)
 
 /** The same where [robots] are in the network. */
-internal fun badlogBeside(robots: Robots, vararg arguments: Any): Ended {
+internal fun badlogBeside(robots: Robots, vararg arguments: Any): Ended = badlogOn(Computer(), *arguments, robots = robots)
+
+/** The same on another [computer]. */
+internal fun badlogOn(computer: Computer, vararg arguments: Any, robots: Robots = Robots.ofSystem()): Ended {
     val out = ByteArrayOutputStream()
     val err = ByteArrayOutputStream()
     val console = Console(PrintStream(out, true, "UTF-8"), PrintStream(err, true, "UTF-8"), false)
-    val code = Badlog(console, robots = robots).run(arguments.map { it.toString() })
+    val code = Badlog(console, robots = robots, computer = computer).run(arguments.map { it.toString() })
     err.toString(Charsets.UTF_8) shouldNotContain "\tat "
     err.toString(Charsets.UTF_8) shouldNotContain "defect"
     out.toString(Charsets.UTF_8) shouldNotContain "defect"

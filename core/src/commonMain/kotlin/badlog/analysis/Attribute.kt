@@ -55,7 +55,7 @@ internal val STANDARD_ATTRIBUTES: List<Attribute> = listOf(
         if (topic.hasGaps) {
             topic.report(
                 ProblemKind.INTEGRAL_OVER_GAPS,
-                "“${topic.topic.name}” has gaps; its integral carries on over them without the area they hide.",
+                "“${topic.topic.name}” has gaps; its integral adds no area for them.",
             )
         }
     },
@@ -70,7 +70,7 @@ internal val STANDARD_ATTRIBUTES: List<Attribute> = listOf(
 
 private fun attribute(name: String, effect: (TopicPlan) -> Unit): Attribute = attributeWithArgument(name) { topic, argument ->
     if (argument != null) {
-        topic.report(ProblemKind.UNFIT_ATTRIBUTE, "“$name” takes nothing after a colon; “:$argument” was ignored.")
+        topic.report(ProblemKind.UNFIT_ATTRIBUTE, "“$name” takes no argument; “:$argument” was ignored.")
     }
     effect(topic)
 }

@@ -66,7 +66,7 @@ internal class LogViewBuilder(private val recording: Recording, private val regi
         if ("log" in seen && seen.size > 1) {
             plan.report(
                 ProblemKind.UNFIT_ATTRIBUTE,
-                "“${topic.name}” is an event log; its other attributes, ${(seen - "log").joinToString()}, do not fit one.",
+                "“${topic.name}” is an event log; its other attributes (${(seen - "log").joinToString()}) have no effect.",
             )
         }
         return plan
@@ -118,25 +118,24 @@ internal class LogViewBuilder(private val recording: Recording, private val regi
         if (xAxis.wildCount > 0) {
             plan.report(
                 ProblemKind.X_WILD,
-                "The x axis “$name” has ${xAxis.wildCount} of ${x.size} values far away from all others, such as " +
-                    "${textOf(xAxis.wildest)}; what was logged there is not drawn. Check the robot's clock.",
+                "The x axis “$name” is far off in ${xAxis.wildCount} of ${x.size} rows, such as at " +
+                    "${textOf(xAxis.wildest)}; these rows are not drawn. Check the robot's clock.",
             )
         }
         if (backwards > 0) {
             plan.report(
                 ProblemKind.X_BACKWARDS,
-                "The x axis “$name” goes backwards, $backwards times, as when the robot's clock is set; " +
-                    "derivatives leave a gap there.",
+                "The x axis “$name” goes backwards ($backwards×), as when the robot's clock is set; derivatives have a gap there.",
             )
         }
         if (repeats > 0) {
             plan.report(
                 ProblemKind.X_REPEATS,
-                "The x axis “$name” repeats a value, $repeats times; derivatives leave a gap there.",
+                "The x axis “$name” repeats a value ($repeats×); derivatives have a gap there.",
             )
         }
         if (gaps > 0) {
-            plan.report(ProblemKind.X_GAPS, "The x axis “$name” has no value in $gaps rows; those are not drawn.")
+            plan.report(ProblemKind.X_GAPS, "The x axis “$name” has no value in $gaps of ${x.size} rows; these rows are not drawn.")
         }
     }
 

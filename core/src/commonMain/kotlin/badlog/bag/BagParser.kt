@@ -151,7 +151,7 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
         if (at == pending.end && !isEnd) return false
         problems.add(
             ProblemKind.NUL_HOLE,
-            "$holeBytes NUL bytes stand where data should be, as after a loss of power; what was there is lost.",
+            "NUL bytes ($holeBytes) have replaced data, probably after a power loss; that data is lost.",
             pending.line,
             loss = Loss(bytes = holeBytes),
         )
@@ -164,7 +164,7 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
         header.header == null && topics.size == 1 && rowCount > 0 && topics[0].counts.run { texts + empty == total }
 
     private fun nothing(): Recording {
-        val message = "${HeaderReader.NO_LOG}: it is a text without columns of numbers."
+        val message = "${HeaderReader.NO_LOG}: it is text without columns of numbers."
         problems.add(ProblemKind.NOT_A_RECORDING, message, 1)
         return Recording(RecordingFormat.CSV, null, emptyList(), emptyList(), 0, problems.toList())
     }
@@ -180,7 +180,7 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
 
             rowCount == 0 -> problems.add(
                 ProblemKind.NO_ROWS,
-                "There is a header but not one row of samples; the robot may have been switched off too early.",
+                "There is a header but no row of samples; the robot may have been switched off too early.",
             )
         }
     }

@@ -38,8 +38,7 @@ private fun reportGaps(column: ColumnBuilder, topic: Topic, problems: ProblemLis
     if (counts.texts > 0 && column.readsDecimalComma) {
         problems.add(
             ProblemKind.TEXT_IN_NUMBERS,
-            "${counts.texts} cells of “${topic.name}” are text, not numbers, such as “${column.firstText}”; " +
-                "they are gaps.",
+            "“${topic.name}” has text, such as “${column.firstText}”, in ${counts.texts} of ${counts.total} cells; these are gaps.",
             column.firstTextLine,
             topic.name,
             counts.texts,
@@ -48,7 +47,7 @@ private fun reportGaps(column: ColumnBuilder, topic: Topic, problems: ProblemLis
     if (counts.empty > 0 && !topic.isSparse) {
         problems.add(
             ProblemKind.EMPTY_CELLS,
-            "${counts.empty} of ${counts.total} cells of “${topic.name}” are empty.",
+            "“${topic.name}” is empty in ${counts.empty} of ${counts.total} cells.",
             topic = topic.name,
             count = counts.empty,
         )

@@ -101,12 +101,12 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
             return next
         }
         if (line != null && header == null && isRestOfJson(lineEnd)) {
-            reportUnreadable("Line ${pending.line} is a piece of the line of JSON before it and was skipped.", lineEnd)
+            reportUnreadable("Line ${pending.line} is part of the JSON line before it; it was skipped.", lineEnd)
             if (!isCut) pending.line++
             return next
         }
         val columns = (pending.start until lineEnd).count { pending.bytes[it].toInt() == COMMA } + 1
-        if (columns > MAX_COLUMNS) return refuse("Line ${pending.line} has $columns titles; a log has $MAX_COLUMNS topics at most.")
+        if (columns > MAX_COLUMNS) return refuse("Line ${pending.line} has $columns titles; a log has at most $MAX_COLUMNS topics.")
         val names = header?.topics.orEmpty().map { it.name }
         val titles = titles(lineEnd, names)
         val isSure = header != null && titles.sorted() == names.sorted()
@@ -180,7 +180,7 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
     private fun takeUntitled(width: Int): Int {
         problems.add(
             ProblemKind.TITLES_DAMAGED,
-            "Line ${pending.line} holds values where the titles should be; the $width columns are called by their numbers.",
+            "Line ${pending.line} has values in place of titles; the columns are named by number.",
             pending.line,
         )
         columns = HeaderColumns.match(header, List(width) { "" }, pending.line, problems)
@@ -191,7 +191,7 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
     private fun skipTo(titles: FirstLines.Line): Int {
         val text = decoder.decode(pending.bytes, pending.start, firstLines.lines[0].end)
         if (line == null && "\"name\":" in text) line = text
-        reportUnreadable("What stands on line ${pending.line} is not the beginning of a bag or a CSV file and was skipped.", titles.from)
+        reportUnreadable("Line ${pending.line} is not the start of a bag or CSV file; it was skipped.", titles.from)
         pending.line += linesIn(pending.start, titles.from)
         stage = Stage.TITLES
         return titles.from
@@ -216,10 +216,10 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
             if (!known.isDoubtful[i]) continue
             val name = matched.columnNames[i]
             val other = titles.getOrNull(i)?.takeIf { it != name }
-            val reason = if (other == null) "the line of titles is damaged" else "line ${pending.line} has “$other” there"
+            val reason = if (other == null) "the title line is damaged" else "line ${pending.line} has “$other” there"
             problems.add(
                 ProblemKind.NAME_IN_DOUBT,
-                "Column ${i + 1} is shown as “$name”, but it may be another one: $reason.",
+                "Column ${i + 1} is shown as “$name”, which may be wrong: $reason.",
                 pending.line,
                 name,
             )
@@ -268,8 +268,8 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
     companion object {
         const val NO_LOG = "This file is neither a bag, nor a CSV file, nor a WPILOG"
 
-        private const val BINARY = "$NO_LOG: it holds bytes that no text has."
-        private const val UTF_16 = "The file is UTF-16, as Excel's “Unicode text” is; save it again as CSV UTF-8."
+        private const val BINARY = "$NO_LOG: it has bytes that never occur in text."
+        private const val UTF_16 = "The file is UTF-16, like Excel's “Unicode text”; save it again as CSV UTF-8."
 
         /** No header line is longer; a file without a newline before is not a bag. */
         private const val MAX_LINE_BYTES = 1 shl 24

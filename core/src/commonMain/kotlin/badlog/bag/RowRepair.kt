@@ -139,7 +139,7 @@ internal class RowRepair(
         if (fits) {
             problems.add(
                 ProblemKind.QUOTES_REPAIRED,
-                "A cell holds quotes that were not escaped; the row was read so that it has its $wanted cells.",
+                "A cell has unescaped quotes; the row was split to match the number of titles.",
                 line,
             )
         }
@@ -170,7 +170,7 @@ internal class RowRepair(
                 linesPassed = lines
                 problems.add(
                     ProblemKind.LINES_JOINED,
-                    "A newline inside a text had torn the row into $lines lines; they were joined.",
+                    "A newline in a text split the row into $lines lines; they were joined.",
                     line,
                 )
                 take(bytes, false, after)

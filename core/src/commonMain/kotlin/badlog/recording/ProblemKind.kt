@@ -105,7 +105,7 @@ public enum class ProblemKind(public val severity: Severity) {
     /** The x axis goes backwards; derivatives and integrals leave a gap there. */
     X_BACKWARDS(Severity.WARNING),
 
-    /** The x axis repeats a value; derivatives leave a gap there. */
+    /** The x axis repeats a value; derivatives have a gap there. */
     X_REPEATS(Severity.NOTE),
 
     /** The x axis has no value in some rows, which can therefore not be drawn. */

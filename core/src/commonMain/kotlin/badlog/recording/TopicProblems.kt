@@ -11,6 +11,6 @@ public fun ProblemList.addNotUtf8(topic: String, line: Int? = null) {
 public fun ProblemList.addNotFinite(topic: Topic, samples: String) {
     val count = topic.counts.notFinite
     if (count == 0) return
-    val message = "$count $samples of “${topic.name}” are NaN or infinite; they are kept, and drawn as gaps."
+    val message = "“${topic.name}” is NaN or infinite in $count of ${topic.counts.total} $samples; these are kept, and drawn as gaps."
     add(ProblemKind.NOT_FINITE, message, topic = topic.name, count = count)
 }

@@ -206,7 +206,7 @@ class LogViewSpec : FunSpec({
         val view = view(TIME, topic("A"), rows = rows)
         view.xAxis.range shouldBe 0.0..9.98
         view.problems.single { it.kind == ProblemKind.X_WILD }.message shouldBe
-            "The x axis “Time” has 1 of 500 values far away from all others, such as 18447000000000; what was logged there is not drawn. " +
+            "The x axis “Time” is far off in 1 of 500 rows, such as at 18447000000000; these rows are not drawn. " +
             "Check the robot's clock."
     }
 

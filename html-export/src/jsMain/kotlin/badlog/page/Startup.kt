@@ -78,7 +78,7 @@ internal class Startup {
         val about = About.find()
         val recording = document.getElementById("recording")
         if (about == null || recording == null) {
-            fail("This page is not complete", "Its end is missing; it may have been cut in copying. Export it again.")
+            fail("This page is not complete", "Its end is missing: copy it again, or export it again.")
             return
         }
         val loading = LoadingScreen(about.name)

@@ -86,7 +86,6 @@ internal class PageWriter(private val out: OutputStream, private val parts: Page
     private companion object {
         // Until the program runs, or instead.
         const val WAITING = "Loading… If this stays, the file is incomplete: copy it again."
-        const val NO_SCRIPT = "This page needs JavaScript to draw. The log is inside all the same: allow " +
-            "scripts for this file, or open it in another browser."
+        const val NO_SCRIPT = "This page needs JavaScript to draw its log: allow scripts for this file, or open it in another browser."
     }
 }

@@ -81,7 +81,7 @@ internal class AxisSpec : PageSpec({
         onPage(TestPages.of(bag)) {
             visibleRange shouldBe 0.0..10.0
             click(".problems-toggle")
-            text shouldContain "1 of 1001 values far away from all others, such as 18447000000000"
+            text shouldContain "far off in 1 of 1001 rows, such as at 18447000000000"
         }
     }
 })

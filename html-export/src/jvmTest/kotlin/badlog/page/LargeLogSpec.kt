@@ -68,7 +68,7 @@ internal class LargeLogSpec : PageSpec({
         }
     }
 
-    browserTest("what is only listed, and what never changes, is put on the board by its pin") {
+    browserTest("what is only listed, and what never changes, is added to the board by its pin") {
         onPage(page) {
             fun pinOf(row: String) = "$row .pin"
             val before = elements("#board .graph").size

@@ -189,7 +189,7 @@ public class BadLog private constructor(private val session: LogSession) : AutoC
         internal fun start(session: LogSession): BadLog {
             val before = current
             if (before != null && before.state != LogState.CLOSED) {
-                StandardError.say("A log was started while there was one already; that one was closed.")
+                StandardError.say("A new log was started while another was open; the other one was closed.")
                 before.close()
             }
             return BadLog(session).also { current = it }

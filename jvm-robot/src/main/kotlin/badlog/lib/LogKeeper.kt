@@ -126,7 +126,7 @@ internal class LogKeeper(private val session: LogSession, private val options: R
     private fun <T : Any> ask(name: String, question: () -> T?): T? = try {
         question()
     } catch (failure: Throwable) {
-        faults.callIgnored(name) { "Asking $name failed: ${describe(failure)}. It counts as unknown." }
+        faults.callIgnored(name) { "$name could not be read: ${describe(failure)}. It counts as unknown." }
         null
     }
 

@@ -154,7 +154,7 @@ internal class LogSession(private val flushesEachRow: Boolean) {
             if (topic != null) {
                 nullPublished(topic.name)
             } else {
-                "What is published to \"$name\" is ignored: createTopicSubscriber() made no topic of that name."
+                "Values published to \"$name\" are ignored: createTopicSubscriber() was not called for it."
             }
         }
         return null
@@ -203,7 +203,7 @@ internal class LogSession(private val flushesEachRow: Boolean) {
         when (phase) {
             LogState.CLOSED -> "$call is ignored, because the log was closed."
             LogState.SETTING_UP -> "$call is ignored until finishInitialization() is called."
-            else -> "$call is ignored while a row is put together; do not call it in what you give to setDoubleToStringFunction()."
+            else -> "$call is ignored while a row is being written; do not call it from the function given to setDoubleToStringFunction()."
         }
     }
 

@@ -32,7 +32,7 @@ internal class Namespace {
     private fun claim(name: String) {
         if (!names.add(name)) {
             throw DuplicateNameException(
-                "There already is a topic or value \"$name\" in this log. Give one of the two another name.",
+                "There is already a topic or value \"$name\" in this log. Give one of the two another name.",
             )
         }
         val odd = name.firstOrNull { !it.isLetterOrDigit() && it != ' ' && it != '_' && it != '/' } ?: return

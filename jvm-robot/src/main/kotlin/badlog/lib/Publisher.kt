@@ -16,4 +16,4 @@ public class Publisher internal constructor(private val topic: SubscribedTopic, 
     }
 }
 
-internal fun nullPublished(name: String): String = "null was published to the topic \"$name\"; that is ignored."
+internal fun nullPublished(name: String): String = "null was published to the topic \"$name\"; it is ignored."

@@ -52,7 +52,7 @@ public class RobotLog private constructor(
     private fun ask(supplier: BooleanSupplier, name: String): Boolean = try {
         supplier.asBoolean
     } catch (failure: Throwable) {
-        session.faults.callIgnored(name) { "Asking $name failed: ${describe(failure)}. It counts as false." }
+        session.faults.callIgnored(name) { "$name could not be read: ${describe(failure)}. It counts as false." }
         false
     }
 

@@ -74,8 +74,8 @@ internal class SyncThread(
         val isMissing = timesMissing > 1
         if (isMissing) {
             faults.sayOnce("missing") {
-                "The log ${file.path} was deleted, or its disk was removed, while it was written. What is logged from " +
-                    "now on is lost; start the robot program again to begin a new log."
+                "The log ${file.path} was deleted, or its disk was removed, while it was being written. From now on, " +
+                    "data is lost; restart the robot program to start a new log."
             }
         }
         // Said before it is seen: who sees the log fail can read why.

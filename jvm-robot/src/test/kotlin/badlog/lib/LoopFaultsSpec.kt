@@ -192,7 +192,7 @@ class LoopFaultsSpec : FunSpec({
                 val file = File(folder, if (compress) "a.bag.gz" else "a.bag").readBytes()
                 val bag = (if (compress) inflated(file) else file).decodeToString()
                 bag.lines().drop(2) shouldBe listOf("1.0,0.0", "1.0,2.0", "1.0,4.0", "")
-                said shouldContain "log() is ignored while a row is put together"
+                said shouldContain "log() is ignored while a row is being written"
             }
         }
     }

@@ -48,7 +48,7 @@ class SetupSpec : FunSpec({
                 second.finishInitialization()
                 second.row()
                 second.close()
-            } shouldContain "that one was closed"
+            } shouldContain "the other one was closed"
             rowsIn(File(folder, "first.bag")) shouldBe listOf("1.0000")
             rowsIn(File(folder, "second.bag")) shouldBe listOf("2.0000")
             standardErrorOf { BadLog.init(File(folder, "second.bag").path).close() }.shouldBeEmpty()

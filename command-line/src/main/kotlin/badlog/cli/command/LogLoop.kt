@@ -19,7 +19,7 @@ import java.nio.file.Path
  * @param isJson whether each log is one line of JSON.
  */
 internal class LogLoop(command: String, private val console: Console, isJson: Boolean) {
-    private val outcomes = Outcomes(command, console, isJson)
+    private val outcomes = Outcomes(command, console, isJson, isSummed = true)
 
     /** Does [work] to every log below [paths], in their order; says what came of it. */
     fun run(paths: List<Path>, work: (LogInput, Progress) -> Outcome): ExitCode {
@@ -58,7 +58,7 @@ internal class LogLoop(command: String, private val console: Console, isJson: Bo
 
             is ExportException -> failure.message.orEmpty()
 
-            is OutOfMemoryError -> "$file is too large for the available memory; set JAVA_OPTS=-Xmx8g or so and try again."
+            is OutOfMemoryError -> "$file is too large for the available memory; set JAVA_OPTS=-Xmx8g, for example, and try again."
 
             else -> {
                 val defect = failure.toString().lineSequence().first()

@@ -4,6 +4,7 @@ import badlog.cli.console.Console
 import badlog.cli.console.Spelling
 import badlog.cli.input.LogInput
 import badlog.cli.text.counted
+import badlog.cli.text.grouped
 import badlog.cli.text.jsonOf
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.JsonElement
@@ -19,8 +20,17 @@ import java.nio.file.Path
  */
 internal class Outcome(val isSalvaged: Boolean, val text: String, val json: Map<String, JsonElement>)
 
-/** Says what came of each log, and counts it for the exit code. */
-internal class Outcomes(private val command: String, private val console: Console, private val isJson: Boolean) {
+/**
+ * Says what came of each log, and counts it for the exit code.
+ *
+ * @param isSummed whether to say at the end what came of several logs; false where the results themselves end with that.
+ */
+internal class Outcomes(
+    private val command: String,
+    private val console: Console,
+    private val isJson: Boolean,
+    private val isSummed: Boolean = false,
+) {
     private var whole = 0
     private var salvaged = 0
     private var failed = 0
@@ -40,7 +50,7 @@ internal class Outcomes(private val command: String, private val console: Consol
     /** Nothing could be done with [file], for the reason of [message]. */
     fun failed(file: Path, message: String) {
         failed++
-        if (isJson) line(file, "failed", jsonOf(ErrorJson(message))) else console.warn(message)
+        if (isJson) line(file, "failed", jsonOf(ErrorJson(message))) else console.fail(message)
     }
 
     /** [input] cannot be read, for the reason of [message]; [isNoLog] when it is something else than a log. */
@@ -81,6 +91,7 @@ internal class Outcomes(private val command: String, private val console: Consol
         }
         val done = whole + salvaged
         val isNothing = done + failed == 0
+        if (isSummed && !isJson && done + failed > 1) console.warn(summary())
         if (isNothing && !isNothingFine) console.warn("No logs found. Name a log, or the folder it is in.")
         return when {
             isNothing && isNothingFine -> if (isIncomplete) ExitCode.SALVAGED else ExitCode.WHOLE
@@ -90,23 +101,18 @@ internal class Outcomes(private val command: String, private val console: Consol
         }
     }
 
-    /** The same JSON in plain ASCII, which comes through whatever encoding the standard output has. */
-    private fun asciiOf(json: String): String {
-        if (json.all { it.code < ASCII }) return json
-        return buildString {
-            for (char in json) {
-                if (char.code < ASCII) append(char) else append(Spelling.escaped(char))
-            }
-        }
+    /** Such as `4 logs: 2 complete, 1 incomplete, 1 failed.` */
+    private fun summary(): String {
+        val parts = listOf(whole to "complete", salvaged to "incomplete", failed to "failed").filter { it.first > 0 }
+        return counted((whole + salvaged + failed).toLong(), "log") + ": " +
+            parts.joinToString(postfix = ".") { (count, what) -> "${grouped(count.toLong())} $what" }
     }
 
     private fun line(file: Path, status: String, rest: Map<String, JsonElement>) {
-        console.say(asciiOf(JsonObject(jsonOf(LineJson(command, file.toString(), status)) + rest).toString()))
+        console.say(Spelling.ascii(JsonObject(jsonOf(LineJson(command, file.toString(), status)) + rest).toString()))
     }
 
     private companion object {
-        const val ASCII = 0x7F
-
         /** So many files that are no logs are named. */
         const val LISTED = 20
     }

@@ -41,6 +41,9 @@ internal abstract class SubCommand(
         if (hasJson) registerOption(json)
     }
 
+    /** Command lines to learn from, without the program's name, each of at most 66 characters. */
+    protected open val examples: List<String> get() = emptyList()
+
     /** All arguments that are not options. */
     protected abstract val words: List<String>
 
@@ -61,14 +64,19 @@ internal abstract class SubCommand(
         val name = unknown.substringBefore('=')
         val names = registeredOptions().flatMap { it.names }
         if (name.startsWith("--") && ' ' !in name) throw NoSuchOption(name, currentContext.suggestTypoCorrection(name, names))
-        throw UsageError("there is no option “$unknown”; put -- before it if it is a name")
+        throw UsageError("there is no option “$unknown”; put -- before it if it is a name or a question")
     }
 
     final override fun help(context: Context): String =
         listOf(summary, details).filter { it.isNotEmpty() }.joinToString("\n\n", transform = ::paragraph)
 
-    final override fun helpEpilog(context: Context): String = paragraph(EXIT_CODES)
+    final override fun helpEpilog(context: Context): String =
+        examplesText(context.parent?.command?.commandName.orEmpty(), examples) + paragraph(EXIT_CODES)
 }
+
+/** What a help text says of [examples], command lines of [program] without its name, before it ends; nothing without any. */
+internal fun examplesText(program: String, examples: List<String>): String =
+    if (examples.isEmpty()) "" else examples.joinToString("\n", "Examples:\n", "\n\n") { "  $program $it" }
 
 /** What every help text ends with. */
 internal const val EXIT_CODES: String =

@@ -18,6 +18,8 @@ import java.nio.file.Path
  * @param out gets results, for people or programs, in [outCharset].
  * @param err gets what went wrong, and progress, in [errCharset].
  * @param isTerminal whether [err] is a terminal, which shows progress.
+ * @param outColors the colors of results.
+ * @param errColors the colors of what went wrong.
  * @property width how many columns a line of results has; [UNLIMITED] where no terminal shows them.
  */
 internal class Console(
@@ -27,6 +29,8 @@ internal class Console(
     private val outCharset: Charset = Charsets.UTF_8,
     private val errCharset: Charset = Charsets.UTF_8,
     val width: Int = LINE_WIDTH,
+    private val outColors: TerminalColors = TerminalColors.NONE,
+    private val errColors: TerminalColors = TerminalColors.NONE,
 ) {
     private var names = emptyMap<String, String>()
     private val outSpelling = Spelling(outCharset)
@@ -37,12 +41,15 @@ internal class Console(
 
     /** Prints a result: [text], and the end of the line. */
     fun say(text: String) {
-        out.println(outSpelling.of(cleaned(text)))
+        out.println(outSpelling.of(cleaned(text)).lines(outColors::result))
         out.flush()
     }
 
-    /** Prints what went wrong: [text], and the end of the line. */
+    /** Prints what there is to know besides: [text], and the end of the line. */
     fun warn(text: String) = err.println(errSpelling.of(cleaned(text)))
+
+    /** Prints what went wrong: [text], and the end of the line. */
+    fun fail(text: String) = err.println(errSpelling.of(cleaned(text)).lines(errColors::failure))
 
     /** Shows how far the work on [label] is, when that takes long. To be closed. */
     fun progress(label: String): ProgressBar = ProgressBar(errSpelling.of(printable(label)), err, isTerminal)
@@ -59,11 +66,23 @@ internal class Console(
         if (names.isEmpty()) return this
         val out = if (isOutTaken) err else out
         val charset = if (isOutTaken) errCharset else outCharset
-        return Console(out, err, isTerminal, charset, errCharset, width).also { it.names = names }
+        val colors = if (isOutTaken) TerminalColors.NONE else outColors
+        return Console(out, err, isTerminal, charset, errCharset, width, colors, errColors).also { it.names = names }
     }
 
     /** Where results go as bytes, for a protocol that is spoken there: nothing else may be said meanwhile. */
     val bytes: OutputStream get() = out
+
+    /** The same without results: of work whose result is only a step. */
+    fun withoutResults(): Console = Console(
+        PrintStream(OutputStream.nullOutputStream()),
+        err,
+        isTerminal,
+        outCharset,
+        errCharset,
+        width,
+        errColors = errColors,
+    ).also { it.names = names }
 
     /** Writes the bytes of [file] as a result. */
     fun give(file: Path) {
@@ -75,6 +94,8 @@ internal class Console(
     private fun cleaned(text: String) = named(text).split('\n').joinToString("\n") { line ->
         if (line.endsWith('\r')) printable(line.dropLast(1)) + '\r' else printable(line)
     }
+
+    private fun String.lines(color: (String) -> String) = split('\n').joinToString("\n", transform = color)
 
     private fun named(text: String) = names.entries.fold(text) { all, (file, name) -> all.replace(file, name) }
 

@@ -24,6 +24,16 @@ internal class Spelling(charset: Charset) {
             '\uFFFD' to "?",
         )
 
+        /** The same [json] in plain ASCII, which comes through whatever encoding the standard output has. */
+        fun ascii(json: String): String {
+            if (json.all { it.code < ASCII }) return json
+            return buildString {
+                for (char in json) if (char.code < ASCII) append(char) else append(escaped(char))
+            }
+        }
+
+        private const val ASCII = 0x7F
+
         /** [char] as JSON and programs write it. */
         fun escaped(char: Char): String = "\\u" + char.code.toString(16).padStart(4, '0')
     }

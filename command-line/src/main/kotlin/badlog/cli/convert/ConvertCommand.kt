@@ -21,8 +21,8 @@ internal class ConvertCommand :
         "convert",
         "Writes logs in another format.",
         "Every number is kept to its last bit; what the format cannot hold is listed. A WPILOG has no rows: a bag or CSV " +
-            "made of it has the last value of each topic in each row. Without --out, match.csv stands beside match.bag. A name " +
-            "that ends in .gz is compressed.",
+            "made from it has the last value of each topic in each row. Without --out, match.bag becomes match.csv beside it. " +
+            "A file whose name ends in .gz is compressed.",
     ) {
     private val to by option("--to").choice(LogFormat.entries.associateBy { it.option }, metavar = "FORMAT")
         .help("${LogFormat.entries.joinToString { it.option }}; default: from the name after --out.")
@@ -38,6 +38,12 @@ internal class ConvertCommand :
         .flag().help("Leave repeated samples out of a WPILOG.")
     private val virtual by VirtualTopicOption()
     private val only by OnlyOption()
+
+    override val examples: List<String> = listOf(
+        "convert match.bag --to csv",
+        "convert match.wpilog --out match.bag --period 0.01",
+        "convert logs --to wpilog --only 'PDP/*' --out converted/",
+    )
 
     override fun makeTask(): Task {
         val format = to ?: output.outPath?.let(LogFormat::ofName)

@@ -164,7 +164,7 @@ internal class ConvertTask(
 
         /** What the entries of descriptions are called that others need. */
         const val SCHEMAS = "/.schema/"
-        const val REPEATS = "Samples that are the same as those before them have no record."
+        const val REPEATS = "Samples that repeat the previous one have no record."
     }
 }
 

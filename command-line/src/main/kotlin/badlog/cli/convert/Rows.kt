@@ -26,7 +26,7 @@ internal class Rows(private val period: Double?, val topic: String?) {
      * @throws Failure when there would be too many.
      */
     fun timesIn(recording: Recording, file: Path): DoubleArray {
-        if (topic != null) return timesOf(recording, recording.topicCalled(topic, file) { "to make rows at" })
+        if (topic != null) return timesOf(recording, recording.topicCalled(topic, file) { "for --rows-at" })
         return try {
             periodicTimes(recording, period ?: DEFAULT_PERIOD)
         } catch (e: IllegalArgumentException) {

@@ -20,8 +20,8 @@ internal class CutCommand :
             "part of a WPILOG begins with the value that each topic held there. A position is a number in the unit of the x " +
             "axis, or 1:32.5 in minutes and seconds. Without --out, the part of match.bag is match.cut.bag.",
     ) {
-    private val from by option("--from", metavar = "X").position().help("Leave out what comes before this position.")
-    private val to by option("--to", metavar = "X").position().help("Leave out what comes after this position.")
+    private val from by option("--from", metavar = "X").position().help("Drop what comes before this position.")
+    private val to by option("--to", metavar = "X").position().help("Drop what comes after this position.")
     private val isEnabled by option("--enabled").flag().help("Keep the time while the robot was enabled.")
     private val margin by option("--margin", metavar = "LENGTH").double()
         .help("With --enabled: extra length at both ends; default: 0.")
@@ -31,6 +31,12 @@ internal class CutCommand :
     private val after by option("--after", metavar = "LENGTH").double().help("With --around: length after; default: 5.")
     private val xTopic by option("--x", metavar = "TOPIC").help("Use this topic as x axis.")
     private val output by OutputOptions()
+
+    override val examples: List<String> = listOf(
+        "cut match.bag --from 1:30 --to 98.5",
+        "cut match.bag --enabled --margin 2 --out enabled.bag",
+        "cut logs --around brownout --before 2 --after 1 --out brownouts/",
+    )
 
     override fun makeTask(): Task {
         if (margin != null && !isEnabled) throw UsageError("--margin belongs to --enabled")

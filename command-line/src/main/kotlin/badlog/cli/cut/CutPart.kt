@@ -44,7 +44,7 @@ internal fun nothingThere(view: LogView, noun: String): Failure {
     val axis = view.xAxis
     val range = axis.range ?: return Failure("it has no ${noun}s.")
     val text = "from ${XTime.text(range.start, axis.unit)} to ${XTime.text(range.endInclusive, axis.unit)}"
-    return Failure("no $noun lies there; ${axis.name} goes $text.")
+    return Failure("there are no ${noun}s there; ${axis.name} goes $text.")
 }
 
 /**

@@ -22,7 +22,7 @@ internal fun interface PartChoice {
 internal class RangeChoice(private val from: Position?, private val to: Position?) : PartChoice {
     override fun spans(view: LogView): List<Span> {
         val span = Span(from?.on(view.xAxis) ?: Double.NEGATIVE_INFINITY, to?.on(view.xAxis) ?: Double.POSITIVE_INFINITY)
-        if (span.from > span.to) throw Failure("--from $from comes after --to $to; exchange them.")
+        if (span.from > span.to) throw Failure("--from $from comes after --to $to; swap them.")
         return listOf(span)
     }
 }

@@ -17,19 +17,25 @@ internal class ExportCommand :
     LogCommand(
         "export",
         "Makes a web page of each log.",
-        "A page opens from disk and needs nothing else. Without --out, match.bag.html stands beside match.bag. The page " +
+        "A page opens from disk and needs nothing else. Without --out, the page of match.bag is match.bag.html beside it. The page " +
             "runs rules: those of --rules, else of badlog-rules.toml beside the log, else the built-in ones.",
     ) {
     private val output by OutputOptions()
     private val attachments by option("-a", "--attach", metavar = "FILE").path().multiple()
-        .help("Include this file in each page; may be given again.")
+        .help("Include this file in each page; may be repeated.")
     private val field by option("--field", metavar = "FILE").path()
-        .help("WPILib's field file; without it, field.json by the log.")
+        .help("WPILib's field file; default: field.json beside the log.")
     private val video by option("--video", metavar = "FILE").path()
-        .help("Show this video, which lies beside the page of one log.")
+        .help("Show this video, which must be beside the page.")
     private val search by SearchOptions()
     private val hooks by HookOptions()
     private val virtual by VirtualTopicOption()
+
+    override val examples: List<String> = listOf(
+        "export match.bag",
+        "export logs --out pages/",
+        "export match.bag --rules my-rules.toml --attach notes.txt",
+    )
 
     override fun makeTask(): Task =
         ExportTask(paths, output.plan(paths), attachments, video, search.search(hooks, virtual.definitions), isJson, field)

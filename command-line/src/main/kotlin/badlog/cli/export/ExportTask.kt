@@ -69,7 +69,7 @@ internal class ExportTask(
             return ExitCode.USAGE
         }
         if (video != null && (paths.size > 1 || Files.isDirectory(paths[0]))) {
-            console.warn("--video is of one match; name the one log that it shows.")
+            console.warn("--video shows one match; name its log only.")
             return ExitCode.USAGE
         }
         val named = try {

@@ -30,7 +30,7 @@ internal class PageFindings private constructor(val hooks: List<HookOutcome>, va
             PageFindings(hooks.map { HookOutcome.of(it, recording) }, null)
         } catch (_: OutOfMemoryError) {
             // The page itself needs little.
-            PageFindings(emptyList(), "the log is too large for the available memory; set JAVA_OPTS=-Xmx8g or so and try again.")
+            PageFindings(emptyList(), "the log is too large for the available memory; set JAVA_OPTS=-Xmx8g, for example, and try again.")
         }
     }
 }

@@ -22,23 +22,29 @@ internal class FetchCommand(private val robots: Robots) :
     SubCommand(
         "fetch",
         "Copies new logs from a robot, while it is disabled.",
-        "“badlog fetch 1014” looks for the robot of that team and copies what is new to the folder logs; with --watch it goes on " +
-            "until Ctrl+C. What is cut off is gone on with next time. docs/fetch.md has more examples.",
+        "“badlog fetch 1014” looks for the robot of that team and copies new logs to the folder logs; with " +
+            "--watch it continues until Ctrl+C. Interrupted copies are resumed next time. docs/fetch.md has more examples.",
     ) {
     private val robot by argument("ROBOT").help("A team's number, or an address, such as 10.10.14.2 or me@robot.local.")
     private val out by option("-o", "--out", metavar = "FOLDER").path().default(Path.of("logs"))
         .help("Put logs here; default: logs.")
-    private val isWatching by option("--watch").flag().help("Go on: copy whatever comes until Ctrl+C.")
+    private val isWatching by option("--watch").flag().help("Keep copying new logs until Ctrl+C.")
     private val folders by option("--from", metavar = "FOLDER").multiple()
         .help("The robot's folder; default: ~/logs and /u/logs.")
     private val limit by option("--limit", metavar = "RATE").convert { rateOf(it) ?: fail("“$it” is not a rate; use one such as 2MB/s") }
-        .help("Copy no faster, such as 2MB/s.")
+        .help("Copy no faster than this, such as 2MB/s.")
     private val age by option("--delete-older-than", metavar = "AGE")
         .convert { ageOf(it) ?: fail("“$it” is not an age; use one such as 14d or 36h") }
         .help("Remove logs this old (14d, 36h) from the robot.")
-    private val user by option("--user", metavar = "NAME").help("User; default: lvuser, then systemcore.")
+    private val user by option("--user", metavar = "NAME").help("User name; default: lvuser, then systemcore.")
     private val anyway by option("--anyway").flag().help("Copy even if the robot may be enabled.")
     private val acceptsNewHostKeys by option("--accept-new-host-key").flag().help("Trust a robot that is unknown or has a new key.")
+
+    override val examples: List<String> = listOf(
+        "fetch 1014",
+        "fetch 10.10.14.2 --out match-logs --watch",
+        "fetch 1014 --delete-older-than 14d",
+    )
 
     override val words: List<String> get() = listOf(robot)
 

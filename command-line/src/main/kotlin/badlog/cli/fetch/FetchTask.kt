@@ -105,7 +105,7 @@ internal class FetchTask(
             val parts = listOfNotNull(
                 log.title,
                 sizeText(log.bytes),
-                "the first ${sizeText(log.resumedAt)} were here".takeIf { log.resumedAt > 0 },
+                "the first ${sizeText(log.resumedAt)} were already here".takeIf { log.resumedAt > 0 },
                 if (!log.isLog) {
                     "cannot be read; badlog info says why"
                 } else if (log.isSalvaged) {
@@ -123,7 +123,7 @@ internal class FetchTask(
             outcomes.passedOver(Path.of(path.ifEmpty { "/" }), message)
         }
 
-        override fun deleted(path: String) = warn("$path was removed from the robot; it is safely here.")
+        override fun deleted(path: String) = warn("$path was removed from the robot; the copy is safe here.")
 
         /** A look at the robot ended well. */
         fun endRound() {

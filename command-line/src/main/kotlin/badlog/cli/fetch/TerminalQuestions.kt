@@ -9,7 +9,7 @@ import java.io.Console
 internal class TerminalQuestions(private val terminal: Console) : FetchQuestions {
     override fun trusts(question: HostKeyQuestion): Boolean {
         val what = if (question.isChanged) {
-            "The host key of ${question.address} has changed. It does when a robot is imaged anew, and when another robot of yours has its address."
+            "The host key of ${question.address} has changed, as when a robot is reimaged or another robot has its address."
         } else {
             "The robot at ${question.address} is unknown."
         }

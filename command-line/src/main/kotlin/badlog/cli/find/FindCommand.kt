@@ -30,7 +30,7 @@ import java.nio.file.Path
 internal class FindCommand :
     LogCommand(
         "find",
-        "Asks a question of every log.",
+        "Answers a question for every log.",
         "The question is an expression, such as 'min(System/Battery Voltage) < 7'. Answers are cached, so " +
             "that a log that has not changed is not read again.",
     ) {
@@ -38,6 +38,12 @@ internal class FindCommand :
     private val virtual by VirtualTopicOption()
     private val xTopic by option("--x", metavar = "TOPIC").help("Use this topic as x axis; CSV does not name one.")
     private val isFresh by option("--no-cache").flag().help("Read every log again, and store no results.")
+
+    override val examples: List<String> = listOf(
+        "find logs 'min(battery voltage) < 7'",
+        "find logs 'max(\"PDP/Current *\") by topic'",
+        "find logs 'max(total current) highest 3' --json",
+    )
 
     override val words: List<String> get() = super.words + question
 

@@ -44,6 +44,12 @@ internal class InfoCommand :
     private val virtual by VirtualTopicOption()
     private val only by OnlyOption()
 
+    override val examples: List<String> = listOf(
+        "info logs",
+        "info match.bag --only '*battery voltage'",
+        "info logs --problems",
+    )
+
     override fun makeTask(): Task {
         val parts = buildSet {
             if (showsTopics || showsAttributes || !only.choice.isAll) add(InfoPart.TOPICS)

@@ -7,7 +7,7 @@ import kotlinx.serialization.Serializable
 
 /** Which topic was taken for what, and why, in lines of [width] columns; where that is without limit, each name is whole. */
 internal fun signalLines(signals: List<SignalTopic>, width: Int): List<String> {
-    if (signals.isEmpty()) return listOf("No topic is a signal that badlog knows; docs/signals.md says how to name yours.")
+    if (signals.isEmpty()) return listOf("No topic matches a known signal; docs/signals.md explains how to name yours.")
     val rows = signals.groupBy { Triple(it.signal, it.unit, it.reason) }.values.flatMap { alike ->
         val isLong = alike.size > MOST_ALIKE
         val more = if (isLong) "; ${alike.size - 1} more like it" else ""

@@ -24,7 +24,7 @@ internal fun readLog(file: Path, progress: Progress, xTopic: String? = null, sin
     recording.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }?.let { throw NotALog("$file: ${it.message}") }
     if (isFormerWpilog(file, recording)) {
         throw Failure(
-            "$file is named like a WPILOG, but does not begin like one; its beginning is lost, without which nothing can be read.",
+            "$file is named like a WPILOG, but does not begin like one: its beginning is lost, so nothing can be read.",
         )
     }
     return if (xTopic == null) recording else recording.withX(xTopic, file)

@@ -22,5 +22,7 @@ internal class LakeCommand(private val parts: PartLoader) :
         metavar = "FOLDER",
     ).path().required().help("Folder for the files: new, empty, or made by lake before.")
 
+    override val examples: List<String> = listOf("lake logs --out lake/")
+
     override fun makeTask(): Task = LakeTask(paths, out, parts, isJson)
 }

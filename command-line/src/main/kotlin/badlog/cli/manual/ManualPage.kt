@@ -22,9 +22,12 @@ internal fun manualPage(name: String, command: CoreCliktCommand, context: Contex
     entries("COMMANDS", parameters.filterIsInstance<ParameterHelp.Subcommand>()) { bold("badlog ${it.name}") to it.help }
     entries("ARGUMENTS", parameters.filterIsInstance<ParameterHelp.Argument>()) { italic(it.name) to it.help }
     entries("OPTIONS", parameters.filterIsInstance<ParameterHelp.Option>()) { headOf(it) to it.help }
-    val (exit, notes) = command.helpEpilog(context).split(PARAGRAPH).map { it.oneLine() }.filter { it.isNotEmpty() }
+    val (examples, remarks) = command.helpEpilog(context).split(PARAGRAPH).partition { it.startsWith(EXAMPLES) }
+    val (exit, notes) = remarks.map { it.oneLine() }.filter { it.isNotEmpty() }
         .flatMap { it.split(BEFORE_EXIT_CODE) }.map { it.trim() }.partition { it.startsWith(EXIT_CODE) }
     if (notes.any { it.isNotEmpty() }) section("NOTES", notes.joinToString("\n.PP\n", transform = ::roff))
+    val lines = examples.flatMap { it.lines().drop(1) }.map { it.trim() }
+    if (lines.isNotEmpty()) section("EXAMPLES", lines.joinToString("\n.PP\n", transform = ::roff))
     if (exit.isNotEmpty()) section("EXIT STATUS", exit.joinToString("\n.PP\n") { roff(it.removePrefix(EXIT_CODE).trim()) })
     if (seeAlso.isNotEmpty()) section("SEE ALSO", seeAlso.joinToString(", ") { "${bold(it)}(1)" })
 }
@@ -68,6 +71,7 @@ private fun roff(text: String): String = buildString {
     }
 }
 
+private const val EXAMPLES = "Examples:"
 private const val EXIT_CODE = "Exit code:"
 private const val FIRST_NOT_ASCII = 0x80
 private val BEFORE_EXIT_CODE = Regex("(?=$EXIT_CODE)")

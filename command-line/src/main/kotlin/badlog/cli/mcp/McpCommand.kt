@@ -25,6 +25,8 @@ internal class McpCommand(private val parts: PartLoader, private val input: Inpu
     ) {
     private val folder by argument("FOLDER").path().help("The folder of logs that may be asked about.")
 
+    override val examples: List<String> = listOf("mcp logs")
+
     override val words: List<String> get() = listOf(folder.toString())
 
     override fun makeTask(): Task = McpTask(folder, parts, input)

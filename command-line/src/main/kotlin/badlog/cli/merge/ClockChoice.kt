@@ -100,20 +100,20 @@ internal class ClockChoice(private val offsets: List<Offset>, private val aligns
         if (fit == null &&
             alignsEnabled
         ) {
-            throw Failure("Nothing in ${part.file} fits ${robot.file}; give --offset ${part.file}=SECONDS instead.")
+            throw Failure("Nothing in ${part.file} matches ${robot.file}; use --offset ${part.file}=SECONDS instead.")
         }
         return fit?.let { Move(part.later(maxOf(it.seconds, -part.firstX)), it.edges, it.error, "motors driven") }
     }
 
     private fun aligned(part: LogPart, edges: List<EnabledEdge>): Move {
         val fit = ClockFit.ofEdges(edgesOf(part), edges)
-            ?: throw Failure("No beginning or end of enabled is in both logs; give --offset instead.")
+            ?: throw Failure("The logs share no time of enabling or disabling; use --offset instead.")
         return Move(part.later(fit.seconds), fit.edges, fit.error)
     }
 
     private fun edgesOf(part: LogPart): List<EnabledEdge> =
         LogView.of(part.recording).withSignals(signalsBeside(part.file)).enabledEdges().ifEmpty {
-            throw Failure("${part.file} does not show when the robot was enabled or disabled; give --offset ${part.file}=SECONDS instead.")
+            throw Failure("${part.file} does not show when the robot was enabled or disabled; use --offset ${part.file}=SECONDS instead.")
         }
 }
 
@@ -133,7 +133,7 @@ internal fun LogPart.later(seconds: Double): LogPart {
         val moved = IdentityHashMap<DoubleArray, DoubleArray>()
         fun later(times: DoubleArray) = moved.getOrPut(times) { DoubleArray(times.size) { round(times[it] * MICROS + micros) / MICROS } }
         val topics = recording.topics.map { it.copy(times = it.times?.let(::later)) }
-        if (firstX * MICROS + micros < 0) throw Failure("$file would begin before 0; give the other logs a positive --offset instead.")
+        if (firstX * MICROS + micros < 0) throw Failure("$file would start before 0; give the other logs a positive --offset instead.")
         return LogPart(file, recording.copy(topics = topics), offset + micros / MICROS)
     }
     val x = xTopic ?: throw Failure("$file has no x axis, so it cannot be moved; name the topic of time with --x.")

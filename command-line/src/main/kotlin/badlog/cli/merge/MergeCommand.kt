@@ -21,10 +21,10 @@ internal class MergeCommand :
     LogCommand(
         "merge",
         "Merges several logs of one run into one.",
-        "Logs with the same topics are appended in the order of x; rows that several have are kept once. Logs with different " +
-            "topics are joined side by side, each with its own rows. All need the same clock as x axis. A topic whose name is " +
-            "taken goes into a folder named like its file. With a WPILOG among the logs, or as the result, each topic keeps its " +
-            "own times. All logs are held in memory at once. Logs of other clocks need --offset or --align; --with-ds finds one.",
+        "Logs with the same topics are appended in order of x; duplicate rows are kept once. Logs with " +
+            "different topics are joined side by side, each with its own rows. All need the same clock as x axis. A topic whose " +
+            "name is taken goes into a folder named after its file. With a WPILOG among the logs, or as the result, each topic " +
+            "keeps its own times. All logs are held in memory at once. Logs of other clocks need --offset or --align; --with-ds finds one.",
     ) {
     private val out by option("-o", "--out", metavar = "FILE").path().required().help("Write to this file.")
     private val isForced by option("--force").flag().help("Replace an existing file, but never a log that is read.")
@@ -32,11 +32,17 @@ internal class MergeCommand :
     private val joins by option("--join").flag().help("Join all logs side by side, whatever their topics.")
     private val xTopic by option("--x", metavar = "TOPIC").help("Use this topic as x axis in every log that has rows.")
     private val offsets by option("--offset", metavar = "FILE=S").convert { Offset.of(it) ?: fail("write FILE=SECONDS") }.multiple()
-        .help("Move this log by S seconds; may be repeated.")
+        .help("Shift this log by S seconds; may be repeated.")
     private val aligned by option("--align", metavar = "enabled").choice("enabled")
-        .help("Move logs so that “enabled” fits that of the first.")
+        .help("Shift logs so that “enabled” matches the first log.")
     private val station by option("--with-ds", metavar = "FOLDER").path().optionalValue(Path.of(""))
         .help("Add the Driver Station log of the same match.")
+
+    override val examples: List<String> = listOf(
+        "merge first.bag second.bag --out match.bag",
+        "merge match.bag vision.wpilog --align enabled --out all.wpilog",
+        "merge match.bag --with-ds=ds-logs --out all.wpilog",
+    )
 
     override fun makeTask(): Task {
         if (appends && joins) throw UsageError("--append and --join exclude each other")

@@ -44,8 +44,8 @@ private fun textLines(merge: Merged, leftOut: Omissions): List<String> = buildLi
     add("  " + counted(count, noun) + " of " + counted(recording.topics.size.toLong(), "topic") + leftOut.tail)
     merge.groups.forEachIndexed { index, group ->
         val how = when {
-            index > 0 -> "  beside them: "
-            group.parts.size > 1 -> "  in the order of x: "
+            index > 0 -> "  joined: "
+            group.parts.size > 1 -> "  in order of x: "
             else -> "  "
         }
         add(wrapped(how, group.parts.joinToString { part -> part.file.toString() + rangeOf(part) }, INDENT))
@@ -53,7 +53,7 @@ private fun textLines(merge: Merged, leftOut: Omissions): List<String> = buildLi
             val (one, other) = overlap.one.file to overlap.other.file
             add(wrapped("  overlap: ", "$one and $other from ${shortNumber(overlap.from)} to ${shortNumber(overlap.to)}", INDENT))
         }
-        if (group.repeated > 0) add("  ${counted(group.repeated.toLong(), noun)} that several have kept once")
+        if (group.repeated > 0) add("  ${counted(group.repeated.toLong(), "duplicate $noun")}, kept once")
     }
     for (renaming in merge.renamed.take(LISTED)) {
         val why = if (renaming.reason.isEmpty()) "" else "; ${renaming.reason}"
@@ -71,8 +71,8 @@ private fun clockLines(moved: MovedLogs): List<String> = moved.moves.map { move 
     }
     wrapped("  moved: ", by + how, INDENT)
 } + moved.pauses.map { pause ->
-    val text = "${pause.one.file} ends ${XTime.clock(pause.seconds)} before ${pause.other.file} begins; if both are of one time, " +
-        "give --align enabled or --offset"
+    val text = "${pause.one.file} ends ${XTime.clock(pause.seconds)} before ${pause.other.file} begins; if they were recorded together, " +
+        "use --align enabled or --offset"
     wrapped("  apart: ", text, INDENT)
 }
 

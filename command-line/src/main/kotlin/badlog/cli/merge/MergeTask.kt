@@ -47,7 +47,7 @@ internal class MergeTask(
             val beside = if (station == null || logs.isEmpty()) null else stationOf(logs.first(), station)
             val parts = logs + listOfNotNull(beside?.part)
             if (parts.size < 2) {
-                throw Failure("Merging needs two logs or more, and there is ${if (parts.isEmpty()) "none" else "one"}.")
+                throw Failure("Merging needs at least two logs, but there is ${if (parts.isEmpty()) "none" else "one"}.")
             }
             outcomes.done(target, console.progress(target.fileName.toString()).use { merge(clocks.moved(parts, beside), target, it) })
         } catch (e: Throwable) {

@@ -35,11 +35,11 @@ internal class StationPart(val part: LogPart, val fit: ClockFit) {
          */
         fun of(robot: LogPart, folder: Path): StationPart {
             val logs = StationLogs(folder)
-            if (logs.size == 0) throw Failure("There is no Driver Station log below $folder; name its folder by --with-ds=FOLDER.")
+            if (logs.size == 0) throw Failure("No Driver Station log found in $folder; name its folder with --with-ds=FOLDER.")
             val clocked = ClockedLog(robot.file.fileName.toString(), robot.recording, signalsBeside(robot.file))
             val found = logs.of(clocked, robot.file, acceptsOnly = true) ?: throw Failure(
-                "None of the ${logs.size} Driver Station logs below $folder is of the time or the match of ${robot.file}; " +
-                    "name the one that is as a log to merge, with --align enabled.",
+                "No Driver Station log in $folder has the time or the match of ${robot.file}; " +
+                    "to merge one anyway, name it as a log, with --align enabled.",
             )
             return StationPart(LogPart(found.log.path, found.station.recording), found.fit)
         }

@@ -57,8 +57,7 @@ internal enum class LogFormat(val ending: String, private val recordingFormat: R
     fun require(recording: Recording, target: Path) {
         if (!hasRows || recording.format.hasRows) return
         throw Failure(
-            "$target would need rows, which the log does not have; let its name end in .wpilog, and make rows of that by " +
-                "badlog convert --to $option.",
+            "$target needs rows, which the log does not have; use a name that ends in .wpilog, then badlog convert --to $option.",
         )
     }
 

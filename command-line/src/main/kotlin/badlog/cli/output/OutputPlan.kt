@@ -74,7 +74,7 @@ internal class OutputPlan(private val out: Output?, private val paths: List<Path
         if (target.toRealPath() in read) {
             throw Failure("$target would overwrite a log that is read; name another file with --out.")
         }
-        if (!isForced) throw Failure("$target exists already; give --force to replace it, or name another file with --out.")
+        if (!isForced) throw Failure("$target exists already; use --force to replace it, or name another file with --out.")
         return target
     }
 
@@ -89,7 +89,7 @@ internal class OutputPlan(private val out: Output?, private val paths: List<Path
 /** The options of everything that writes one file for each log. */
 internal class OutputOptions : OptionGroup() {
     private val out by option("-o", "--out", metavar = "PATH").convert { OutputPlan.Output.of(it) }
-        .help("Write to this file, or for several logs into this folder.")
+        .help("Write to this file, or for several logs to this folder.")
     private val isForced by option("--force").flag().help("Replace files that exist, but never a log that is read.")
 
     /** The plan for the logs below [paths]. */

@@ -36,6 +36,11 @@ internal class RecoverCommand :
     ) {
     private val output by OutputOptions()
 
+    override val examples: List<String> = listOf(
+        "recover match.bag",
+        "recover logs --out clean/",
+    )
+
     override fun makeTask(): Task = RecoverTask(paths, output.plan(paths), isJson)
 }
 
@@ -81,8 +86,8 @@ internal fun requireSame(recording: Recording, written: Path) {
     val hasAll = again.rowCount == recording.rowCount && again.topics.map(::contentOf) == recording.topics.map(::contentOf)
     if (again.isSalvaged || !hasAll) {
         throw Failure(
-            "$written was written, but reads differently: a text in it looks like rows, or a name cannot stand in a " +
-                "line of titles; compare it with badlog info.",
+            "$written was written, but reads differently: a text in it looks like rows, or a name " +
+                "does not fit in the title line; compare it with badlog info.",
         )
     }
 }

@@ -62,6 +62,11 @@ internal class ReplayCommand :
     private val xTopic by option("--x", metavar = "TOPIC").help("Use this topic as x axis; CSV does not name one.")
     private val virtual by VirtualTopicOption()
 
+    override val examples: List<String> = listOf(
+        "replay match.bag",
+        "replay match.bag --from 1:30 --speed 0.5 --loop",
+    )
+
     override fun makeTask(): Task {
         val file = paths.singleOrNull() ?: throw UsageError("name one log to replay")
         return ReplayTask(file, port, speed, isLooping, prefix, from, to, xTopic, virtual.definitions, isJson)
@@ -129,7 +134,7 @@ internal class ReplayTask(
         return if (port == ReplayOptions.DEFAULT_PORT) {
             served
         } else {
-            "$served\nAdvantageScope, Elastic and Shuffleboard look at port ${ReplayOptions.DEFAULT_PORT} alone; they will not find it."
+            "$served\nAdvantageScope, Elastic and Shuffleboard only look at port ${ReplayOptions.DEFAULT_PORT}; they will not find it."
         }
     }
 

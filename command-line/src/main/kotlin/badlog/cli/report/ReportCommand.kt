@@ -35,6 +35,12 @@ internal class ReportCommand :
         .help("Also use the Driver Station log of each match.")
     private val isFresh by option("--no-cache").flag().help("Read every log again, and store no results.")
 
+    override val examples: List<String> = listOf(
+        "report logs",
+        "report logs --out report/",
+        "report logs --rules my-rules.toml --csv",
+    )
+
     override fun makeTask(): Task {
         val form = ResultForm.of(isCsv, isJson)
         if (xTopic != null && folder != null) {

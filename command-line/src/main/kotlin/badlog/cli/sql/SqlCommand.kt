@@ -28,6 +28,11 @@ internal class SqlCommand(private val parts: PartLoader, private val input: Inpu
     private val parquet by option("--parquet", metavar = "FILE").path().help("Write the answer to this Parquet file.")
     private val explainsTables by option("--explain-tables").flag().help("List the tables and their columns.")
 
+    override val examples: List<String> = listOf(
+        "sql logs 'SELECT title, start FROM matches'",
+        "sql logs --explain-tables",
+    )
+
     override val words: List<String> get() = listOfNotNull(folder.toString(), query)
 
     override fun makeTask(): Task {

@@ -13,6 +13,8 @@ import badlog.cli.console.Console
 import badlog.cli.search.HookOptions
 import badlog.cli.search.rulesBeside
 import badlog.cli.text.jsonOf
+import badlog.cli.topic.OnlyOption
+import badlog.cli.topic.TopicChoice
 import badlog.report.table.MatchTable
 import badlog.report.table.TableRow
 import badlog.report.table.TableRowJson
@@ -34,36 +36,49 @@ internal class TableCommand :
         "table",
         "Makes a table with a row per log.",
         "Each --value is an expression, such as 'min(battery voltage)', and gives a column; so does each value that a --hook " +
-            "returns. Answers are cached as those of find, but not those of hooks.",
+            "returns. Each topic of --only gets columns for its min, mean and max. Answers are cached as those of find, but not " +
+            "those of hooks.",
     ) {
     private val values by option("--value", metavar = "EXPRESSION").multiple().help("A column; may be repeated.")
+    private val only by OnlyOption()
     private val by by option("--by", metavar = "NAME").multiple()
-        .help("A column for this header value, such as 'Match Number', by which the rows are sorted.")
+        .help("A column for this header value; it sorts the rows.")
     private val condition by option(
         "--where",
         metavar = "CONDITION",
-    ).help("Only logs whose header values meet it: \"Match Type = 'Playoff'\".")
+    ).help("Only logs that meet it: \"Match Type = 'Playoff'\".")
     private val isCsv by option("--csv").flag().help("Print CSV.")
     private val hooks by HookOptions()
     private val virtual by VirtualTopicOption()
     private val xTopic by option("--x", metavar = "TOPIC").help("Use this topic as x axis; CSV does not name one.")
     private val isFresh by option("--no-cache").flag().help("Read every log again, and store no results.")
 
+    override val examples: List<String> = listOf(
+        "table logs --value 'min(battery voltage)' --by 'Match Number'",
+        "table logs --only 'PDP/Current *' --csv",
+    )
+
     override fun makeTask(): Task {
         val form = ResultForm.of(isCsv, isJson)
-        if (values.isEmpty() && hooks.runners.isEmpty()) throw UsageError("name a column: --value EXPRESSION, or --hook COMMAND")
+        if (values.isEmpty() && hooks.runners.isEmpty() && only.choice.isAll) {
+            throw UsageError("name a column: --value EXPRESSION, --only PATTERN or --hook COMMAND")
+        }
         val cache = if (isFresh) null else cacheFolder()
         return TableTask(
             paths,
-            { signals -> MatchTable(values, by, hooks.runners, condition, virtual.definitions, cache, xTopic, signals) },
+            only.choice,
+            { signals ->
+                MatchTable(values, by, hooks.runners, condition, virtual.definitions, cache, xTopic, signals, only.choice.patterns)
+            },
             form,
         )
     }
 }
 
-/** Makes the table that [tableWith] the signals of the logs' folder is, of every log below [paths]. */
+/** Makes the table that [tableWith] the signals of the logs' folder is, of every log below [paths], with columns for the topics of [only]. */
 internal class TableTask(
     private val paths: List<Path>,
+    private val only: TopicChoice,
     private val tableWith: (SignalVocabulary) -> MatchTable,
     private val form: ResultForm,
 ) : Task {
@@ -83,9 +98,12 @@ internal class TableTask(
             console.warn(it.pointed)
             return ExitCode.USAGE
         }
+        if (!only.isAll && rows.all { it.topics.isEmpty() }) {
+            console.warn("No log has a topic that matches ${only.text}; “badlog info --topics” lists the topics of a log.")
+        }
         if (rows.any { !it.isNoLog }) say(table, rows, console)
         val isJson = form == ResultForm.JSON
-        val outcomes = Outcomes("table", console, isJson)
+        val outcomes = Outcomes("table", console, isJson, isSummed = true)
         val rowOf = rows.associateBy { it.file }
         logs.report(outcomes) { input, file ->
             val row = rowOf.getValue(file)

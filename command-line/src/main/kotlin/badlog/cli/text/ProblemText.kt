@@ -14,7 +14,8 @@ internal fun lossLines(problems: List<Problem>): List<String> =
 
 private fun lineOf(problem: Problem, indent: String): String {
     val line = problem.line?.let { "line $it: " }.orEmpty()
-    val times = if (problem.count > 1) " (${grouped(problem.count.toLong())} times)" else ""
+    val isCounted = problem.count == 1 || problem.message.contains(Regex("\\b${problem.count}\\b"))
+    val times = if (isCounted) "" else " (${grouped(problem.count.toLong())} times)"
     return wrapped(indent + problem.severity.name.lowercase().padEnd(SEVERITY), line + problem.message + times)
 }
 

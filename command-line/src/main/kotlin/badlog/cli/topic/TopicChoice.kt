@@ -10,8 +10,15 @@ import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
 import java.nio.file.Path
 
-/** Which topics are wanted: those whose names fit one of [patterns], or all without any. */
-internal class TopicChoice(private val patterns: List<NamePattern>) {
+/**
+ * Which topics are wanted.
+ *
+ * @property patterns one of these fits the name of each of them; without any, all topics are wanted.
+ */
+internal class TopicChoice(val patterns: List<NamePattern>) {
+    /** The patterns as a person reads them. */
+    val text: String get() = patterns.joinToString(" or ") { "“${it.text}”" }
+
     /** Whether no topic is left out. */
     val isAll: Boolean get() = patterns.isEmpty()
 
@@ -28,9 +35,7 @@ internal class TopicChoice(private val patterns: List<NamePattern>) {
         if (isAll) return recording
         if (recording.topics.none { it.name in this }) {
             throw Failure(
-                "$file has no topic that fits ${patterns.joinToString(" or ") {
-                    "“${it.text}”"
-                }}; “badlog info --topics” lists its topics.",
+                "$file has no topic that matches $text; “badlog info --topics” lists its topics.",
             )
         }
         return recording.copy(topics = recording.topics.filter { it.name in this || it === view.xAxis.topic || it.name in needed })

@@ -111,7 +111,7 @@ class ConvertSpec : FunSpec({
         inFolder { folder ->
             val ended = badlog("convert", folder.with("a.bag", BAG), "--to", "csv", "--only", "Arm/*")
             ended.code shouldBe ExitCode.NOTHING
-            ended.err shouldContain "no topic that fits “Arm/*”"
+            ended.err shouldContain "no topic that matches “Arm/*”"
             (folder / "a.csv").exists() shouldBe false
         }
     }

@@ -110,12 +110,12 @@ class ConvertWpilogSpec : FunSpec({
             val ended = badlog("convert", "--to", "wpilog", bag)
             ended.code shouldBe ExitCode.WHOLE
             ended.out shouldContain "12 samples of 3 topics\n"
-            ended.out shouldContain "differs: The x axis “x (m)” is not a time; one unit counts as one second.\n"
+            ended.out shouldContain "differs: The x axis “x (m)” is not a time; one unit is written as one second.\n"
             leftOut(folder, "--to", "wpilog", bag) shouldContainExactly listOf(
-                "The x axis “x (m)” is not a time; one unit counts as one second.",
-                "“n”: Gaps begin with NaN.",
+                "The x axis “x (m)” is not a time; one unit is written as one second.",
+                "“n”: Each gap starts with NaN.",
                 "“n”: Texts among numbers have no record.",
-                "“on”: Cells without a value have no record.",
+                "“on”: Empty cells have no record.",
             )
             folder.names() shouldContainExactly listOf("a.bag", "a.wpilog")
         }
@@ -131,7 +131,7 @@ class ConvertWpilogSpec : FunSpec({
             GZIPInputStream((folder / "raw.wpilog.gz").inputStream()).use { it.readBytes() }.toList() shouldBe raw.readBytes().toList()
             leftOut(folder, raw, "--changes-only", "-o", folder / "changed.wpilog").shouldBeEmpty()
             leftOut(folder, log, "--changes-only", "-o", folder / "changes.wpilog").single() shouldContain
-                "Samples that are the same as those before them have no record"
+                "Samples that repeat the previous one have no record"
             ((folder / "changes.wpilog").fileSize() < log.fileSize()) shouldBe true
             badlog("convert", folder / "changes.wpilog", "--rows-at", "Time", "-o", folder / "changes.bag")
             badlog("convert", log, "--rows-at", "Time", "-o", folder / "all.bag")
@@ -190,7 +190,7 @@ class ConvertWpilogSpec : FunSpec({
             )) {
                 badlog("convert", log, *options.toTypedArray()).code shouldBe ExitCode.USAGE
             }
-            badlog("convert", log, "--to", "bag", "--rows-at", "nix").err shouldContain "has no topic “nix” to make rows at; there are"
+            badlog("convert", log, "--to", "bag", "--rows-at", "nix").err shouldContain "has no topic “nix” for --rows-at; its topics are"
             badlog("convert", log, "--to", "bag", "--period", "1e-9").err shouldContain "too many. Choose a longer --period."
             badlog("info", log, "--x", "Time").err shouldContain "whose x axis is always the time"
             folder.names().size shouldBe 1

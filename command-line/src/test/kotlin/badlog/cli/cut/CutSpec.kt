@@ -44,7 +44,7 @@ class CutSpec : FunSpec({
     test("ends in the wrong order are named") {
         inFolder { folder ->
             badlog("cut", folder.with("a.bag", BAG), "--from", "0:00.06", "--to", "0.02", "-o", folder / "b.bag").err shouldContain
-                "a.bag: --from 0:00.06 comes after --to 0.02; exchange them."
+                "a.bag: --from 0:00.06 comes after --to 0.02; swap them."
         }
     }
 
@@ -97,7 +97,7 @@ class CutSpec : FunSpec({
     test("what is not there is reported with what is") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
-            badlog("cut", log, "--from", "7").err shouldContain "no row lies there; Time goes from 0 s to 0.08 s"
+            badlog("cut", log, "--from", "7").err shouldContain "there are no rows there; Time goes from 0 s to 0.08 s"
             badlog("cut", log, "--around", "nix").err shouldContain "no event and no state contains “nix”"
             val csv = folder.with("a.csv", "a,b\n1,2\n")
             badlog("cut", csv, "--enabled").err shouldContain "does not show when the robot was enabled"

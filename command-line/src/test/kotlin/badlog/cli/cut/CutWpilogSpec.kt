@@ -107,8 +107,8 @@ class CutWpilogSpec : FunSpec({
             json.getValue("parts").jsonArray.size shouldBe 2
             val beyond = badlog("cut", whole, "--from", "9", "-o", folder / "c.wpilog")
             beyond.code shouldBe ExitCode.NOTHING
-            beyond.err shouldContain "no sample lies there; Time goes from 1 s to 8 s"
-            badlog("cut", whole, "--from", "3", "-o", folder / "c.bag").err shouldContain "would need rows"
+            beyond.err shouldContain "there are no samples there; Time goes from 1 s to 8 s"
+            badlog("cut", whole, "--from", "3", "-o", folder / "c.bag").err shouldContain "needs rows"
             badlog("cut", whole, "--from", "3", "--x", "Speed").err shouldContain "whose x axis is always the time"
         }
     }

@@ -77,7 +77,7 @@ class ExportSpec : FunSpec({
             }
             badlog("export", folder / "logs", "--video", video).run {
                 code shouldBe ExitCode.USAGE
-                err shouldContain "name the one log that it shows"
+                err shouldContain "name its log only"
             }
             badlog("export", log, "--video", video, "--out", folder / "a.html").code shouldBe ExitCode.WHOLE
         }

@@ -84,7 +84,7 @@ class FindSpec : FunSpec({
         // Only some samples have a topic State.
         val ended = badlog("find", samples, "State = SCORING", "--no-cache")
         ended.code shouldBe ExitCode.USAGE
-        ended.err shouldContain "There is no topic “SCORING”; a text stands in single quotes, as in 'SCORING'."
+        ended.err shouldContain "There is no topic “SCORING”; put a text in single quotes, as in 'SCORING'."
     }
 
     test("what the log does not tell is unknown, with the reason") {
@@ -92,7 +92,7 @@ class FindSpec : FunSpec({
             folder.with("a.bag", BAG.replace("Enabled", "Other"))
             val ended = badlog("find", folder, "total(enabled)", "--no-cache")
             ended.out shouldContain "Found in 0 of 1 log."
-            ended.out shouldContain "Unknown in 1 log: The log does not tell when the robot was enabled."
+            ended.out shouldContain "Unknown in 1 log: The log does not show when the robot was enabled."
         }
     }
 

@@ -29,6 +29,7 @@ class ManualSpec : FunSpec({
             options.contains("--help") shouldBe true
             val page = pages.getValue("man/man1/badlog-$name.1")
             options.filterNot { "\\fB${it.replace("-", "\\-")}\\fR" in page }.shouldBeEmpty()
+            page shouldContain ".SH EXAMPLES\nbadlog $name "
             page shouldContain ".SH EXIT STATUS\n0 success"
         }
     }

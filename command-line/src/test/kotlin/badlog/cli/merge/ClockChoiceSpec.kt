@@ -98,8 +98,8 @@ class ClockChoiceSpec : FunSpec({
             val one = folder.match("one", "a", 0.0)
             val two = folder.wpilog("two.wpilog", listOf(Logged("b", "int64", "", samples(5.0))))
             badlog("merge", one, two, "--align", "enabled", "-o", folder / "m.wpilog").err shouldContain
-                "two.wpilog does not show when the robot was enabled or disabled; give --offset"
-            badlog("merge", one, two, "--offset", "two.wpilog=-5.5", "-o", folder / "m.wpilog").err shouldContain "would begin before 0"
+                "two.wpilog does not show when the robot was enabled or disabled; use --offset"
+            badlog("merge", one, two, "--offset", "two.wpilog=-5.5", "-o", folder / "m.wpilog").err shouldContain "would start before 0"
             badlog("merge", one, two, "--offset", "nix.wpilog=1", "-o", folder / "m.wpilog").code shouldBe ExitCode.USAGE
             badlog("merge", one, two, "--offset", "two.wpilog=soon", "-o", folder / "m.wpilog").err shouldContain "FILE=SECONDS"
             badlog("merge", one, two, "--align", "disabled", "-o", folder / "m.wpilog").code shouldBe ExitCode.USAGE

@@ -96,7 +96,7 @@ class MergeSpec : FunSpec({
             ended.code shouldBe ExitCode.NOTHING
             ended.err shouldContain "name the time topic with --x"
             badlog("merge", one, csv, "--x", "Time", "-o", folder / "m.bag").code shouldBe ExitCode.WHOLE
-            badlog("merge", one, "-o", folder / "n.bag").err shouldContain "two logs or more"
+            badlog("merge", one, "-o", folder / "n.bag").err shouldContain "at least two logs"
         }
     }
 

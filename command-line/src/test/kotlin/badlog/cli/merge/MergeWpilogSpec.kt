@@ -79,7 +79,7 @@ class MergeWpilogSpec : FunSpec({
         inFolder { folder ->
             val one = folder.wpilog("one.wpilog", listOf(numbers("a", 0.0 to 1.0)))
             val two = folder.wpilog("two.wpilog", listOf(numbers("a", 0.0 to 5.0), numbers("b", 0.5 to 6.0)))
-            badlog("merge", one, two, "-o", folder / "m.wpilog").out shouldContain "beside them"
+            badlog("merge", one, two, "-o", folder / "m.wpilog").out shouldContain "joined: "
             readRecording(folder / "m.wpilog", LOG_FORMATS).topics.map { it.name } shouldContainExactly listOf("a", "two/a", "b")
             badlog("merge", one, two, "--append", "-o", folder / "n.wpilog")
             readRecording(folder / "n.wpilog", LOG_FORMATS).held("a") shouldContainExactly listOf("0.0 1.0", "0.0 5.0")
@@ -138,7 +138,7 @@ class MergeWpilogSpec : FunSpec({
             badlog("merge", log, meters, "-o", folder / "n.wpilog").err shouldContain "not one clock"
             val ended = badlog("merge", log, csv, "--x", "Time", "-o", folder / "m.bag")
             ended.code shouldBe ExitCode.NOTHING
-            ended.err shouldContain "let its name end in .wpilog"
+            ended.err shouldContain "use a name that ends in .wpilog"
         }
     }
 

@@ -20,7 +20,7 @@ class ReplaySpec : FunSpec({
         val ended = badlog("replay", match, "--port", "0", "--from", "10", "--to", "10.5", "--speed", "5", "--topic", "Odd = Nix")
         ended.code shouldBe ExitCode.WHOLE
         ended.out shouldContain "is served on port"
-        ended.out shouldContain "look at port 5810 alone"
+        ended.out shouldContain "only look at port 5810"
         ended.err shouldContain "There is no topic “Nix”"
     }
 

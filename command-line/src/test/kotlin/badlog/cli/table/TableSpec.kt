@@ -41,11 +41,26 @@ class TableSpec : FunSpec({
             for (number in listOf("10", "9", "101", "2b", "final")) folder.match(number)
             val ended = table(folder, "--value", "max(Speed)", "--value", "count(Enabled) > 0", "--by", "match number")
             ended.code shouldBe ExitCode.WHOLE
-            ended.err shouldBe ""
+            ended.err shouldBe "5 logs: 5 complete.\n"
             ended.out.lines()[0].trim().split(Regex(" {2,}")) shouldBe listOf("Match", "File", "match number", "max(Speed) (m/s)", "count(Enabled) > 0")
             column(ended.out, 2) shouldBe listOf("9", "10", "101", "2b", "final")
             column(ended.out, 3).distinct() shouldBe listOf("5.5")
             column(ended.out, 4).distinct() shouldBe listOf("yes")
+        }
+    }
+
+    test("--only gives the topics that match their lowest, mean and highest values, in logs that have different ones too") {
+        inFolder { folder ->
+            folder.match("1")
+            folder.match("2").let { it.writeText(it.readText().replace("Speed", "Arm/Speed")) }
+            val lines = table(folder, "--only", "*speed", "--by", "Match Number", "--csv").out.trim().lines().map { it.trim() }
+            lines[0] shouldBe "Match,File,Match Number," + listOf("Speed", "Arm/Speed").joinToString(",") { "min($it) (m/s),mean($it) (m/s),max($it) (m/s)" }
+            val numbers = lines.drop(1).map { it.split(',').drop(3) }
+            numbers.map { it[0] to it[2] } shouldBe listOf("1.5" to "5.5", "" to "")
+            numbers.map { it[3] to it[5] } shouldBe listOf("" to "", "1.5" to "5.5")
+            badlogJson("table", folder, "--only", "speed", "--no-cache").json[0].getValue("values").jsonObject.keys shouldBe
+                setOf("min(Speed)", "mean(Speed)", "max(Speed)")
+            table(folder, "--only", "Elevator/*").err shouldContain "No log has a topic that matches “Elevator/*”"
         }
     }
 
@@ -89,7 +104,7 @@ class TableSpec : FunSpec({
             ended.code shouldBe ExitCode.USAGE
             ended.err shouldContain "There is no header value “Match Tpye”; did you mean “Match Type”?\nMatch Tpye = 'Playoff'\n^^^^^^^^^^"
             table(folder, "--value", "max(Speed)", "--where", "Match Type = Playoff").err shouldContain
-                "There is no header value “Playoff”; a text stands in single quotes, as in 'Playoff'."
+                "There is no header value “Playoff”; put a text in single quotes, as in 'Playoff'."
             badlog("find", folder, "max(Speed) where Even = 'x'", "--no-cache").err shouldContain "There is no header value “Even”"
             folder.with("3.bag", BAG.replace("Match Number", "Event"))
             badlog("find", folder, "max(Speed) where Event = 42", "--no-cache").out shouldContain "2 logs have no header value “Event”."
@@ -105,7 +120,7 @@ class TableSpec : FunSpec({
             missing.out shouldBe ""
             table(folder, "--value", "max(Speed").code shouldBe ExitCode.USAGE
             table(folder / "none", "--value", "max(Speed)", "--where", "Match Type = ").err shouldContain "^"
-            table(folder).err shouldContain "Name a column: --value EXPRESSION, or --hook COMMAND"
+            table(folder).err shouldContain "Name a column: --value EXPRESSION, --only PATTERN or --hook COMMAND"
             val defined = table(folder, "--value", "max(Twice)", "--topic", "Twice = 2 * Sped")
             defined.code shouldBe ExitCode.USAGE
             defined.err shouldContain "Twice = 2 * Sped\n            ^^^^"

@@ -73,20 +73,20 @@ internal data class Comparison(
  */
 internal enum class Alignment(val title: String, val hint: String, val layoutName: String) {
     /** The first x. */
-    START("Start", "Every log begins where the open one begins.", "START"),
+    START("Start", "Every log starts where the open one starts.", "START"),
 
     /** The first moment at which the robot was enabled; the first x where that is unknown. */
     ENABLED(
         "Enabled",
-        "The robot is first enabled at the same place in all; a log that does not show it begins with the open one.",
+        "The robot is first enabled at the same time in all logs; a log without that time starts with the open one.",
         "ENABLED",
     ),
 
     /** The x that was logged. */
-    NONE("No alignment", "Every log stands at the x it was logged with.", "AS_LOGGED"),
+    NONE("No alignment", "Every log keeps its own x.", "AS_LOGGED"),
 
     /** What a person has moved it to. */
-    MANUAL("Manual", "Every log stands where you move it.", "BY_HAND"),
+    MANUAL("Manual", "You move each log yourself.", "BY_HAND"),
 }
 
 /** The x in [recording] that this alignment puts at one place with that of the others. */

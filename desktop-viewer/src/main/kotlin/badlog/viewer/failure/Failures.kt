@@ -37,7 +37,7 @@ internal class Failures(private val log: FailureLog, private val notices: Notice
         val where = if (log.add(failure)) "; send us $file" else ""
         SwingUtilities.invokeLater {
             count++
-            notices.complain("That failed (${failure.javaClass.simpleName})$where. What is open stays open.")
+            notices.complain("That failed (${failure.javaClass.simpleName})$where. Open logs stay open.")
         }
     }
 

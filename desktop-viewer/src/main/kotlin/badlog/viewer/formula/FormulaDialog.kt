@@ -202,7 +202,7 @@ internal fun FormulaHelp() {
     }
 }
 
-private const val REST = "Quote names with special characters: \"…\". All of the language is in docs/expressions.md."
+private const val REST = "Quote names with special characters: \"…\". docs/expressions.md describes the language."
 
 private val ESSENTIALS = listOf(
     "Power [W] = Battery Voltage * Total Current",

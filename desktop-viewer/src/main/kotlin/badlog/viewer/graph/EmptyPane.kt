@@ -23,7 +23,7 @@ import badlog.viewer.theme.ToolButton
 @Composable
 internal fun NothingOpen(isOpening: Boolean, modifier: Modifier) {
     if (isOpening) {
-        Sentence("Opening the log …", "Its graphs are here in a moment; the line below shows how far it is.", modifier.fillMaxSize())
+        Sentence("Opening the log …", "Its graphs appear in a moment; the line below shows the progress.", modifier.fillMaxSize())
     } else {
         Sentence("No log is open", "Select a log at the left, or drop a file here.", modifier.fillMaxSize())
     }
@@ -42,7 +42,7 @@ internal fun NoGraphs(board: GraphBoard, open: OpenRecording, modifier: Modifier
         ToolButton("Show the default graphs", Icons.Graph, text = "Show the default graphs", isOn = true) {
             board.change { open.standardGraphs }
         }
-        if (board.canUndo) ToolButton("Show the graphs of before", Icons.Undo, text = "Undo") { board.undo() }
+        if (board.canUndo) ToolButton("Show the previous graphs", Icons.Undo, text = "Undo") { board.undo() }
     }
 }
 

@@ -96,7 +96,7 @@ private fun GraphButtons(scene: GraphScene, spec: BoardGraph, hasAll: Boolean, m
             ToolButton("Reset Y zoom", Icons.Reset, isOn = true) { scene.board.change { withYRange(spec.id, null) } }
         }
         if (spec.sharesY) {
-            ToolButton("Shares its y limits; click to end that", text = "y shared", isOn = true) {
+            ToolButton("Shares its y limits; click to stop sharing", text = "y shared", isOn = true) {
                 scene.board.change { withSharedY(spec.id, false) }
             }
         }

@@ -112,7 +112,7 @@ internal fun FindingsPanel(
             }
         }
         Small("Rules: ${list.rulesFile?.let { "${it.fileName} in ${it.parent.fileName}" } ?: "built-in"}.")
-        if (compared.drawn.size > 1) Small("Of the open log only, not of those it is compared with.")
+        if (compared.drawn.size > 1) Small("Of the open log only, not of the compared logs.")
         list.trouble?.let { Box(Modifier.padding(horizontal = 12.dp, vertical = 4.dp)) { PointedText(it) } }
         if (list.all.isNotEmpty()) {
             SearchField(query, "Search findings", Modifier.fillMaxWidth().padding(horizontal = 8.dp, vertical = 4.dp)) { query = it }

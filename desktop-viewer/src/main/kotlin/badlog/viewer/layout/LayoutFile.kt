@@ -31,7 +31,7 @@ internal fun readLayout(file: Path): Layout {
     } catch (e: IllegalArgumentException) {
         throw IOException(layoutMistake("$name", text), e)
     }
-    if (layout.version > Layout.VERSION) throw IOException("$name was saved by a newer badlog; update this one to open it.")
+    if (layout.version > Layout.VERSION) throw IOException("$name was saved by a newer badlog; update badlog to open it.")
     return layout
 }
 

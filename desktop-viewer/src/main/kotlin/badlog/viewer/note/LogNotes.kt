@@ -45,7 +45,7 @@ internal class LogNotes(private val current: CurrentRecording, private val notic
 
     /** Begins a note at [x], or the change of [note]. */
     fun write(x: Double, note: Note? = null) {
-        if (state.isDamaged) return notices.complain("The notes of this log cannot be read; mend or delete their file first.")
+        if (state.isDamaged) return notices.complain("The notes of this log cannot be read; repair or delete their file first.")
         draft = NoteDraft(note?.x ?: x, note?.text.orEmpty(), note)
     }
 

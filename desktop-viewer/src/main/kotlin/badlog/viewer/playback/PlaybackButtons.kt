@@ -13,7 +13,7 @@ internal fun PlaybackButtons(player: Player, isEnabled: Boolean) {
     val playback = player.state
     Row(verticalAlignment = Alignment.CenterVertically) {
         ToolButton(
-            if (playback.isPlaying) "Pause (Space)" else "Play: the cursor runs (Space)",
+            if (playback.isPlaying) "Pause (Space)" else "Play: moves the cursor (Space)",
             if (playback.isPlaying) Icons.Pause else Icons.Play,
             isOn = playback.isPlaying,
             isEnabled = isEnabled,

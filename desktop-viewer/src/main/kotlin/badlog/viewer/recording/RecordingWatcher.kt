@@ -34,7 +34,7 @@ internal class RecordingWatcher(
             delay(POLL)
             val now = runInterruptible(Dispatchers.IO) { FileStamp.of(shown.file) }
             if (now == null) {
-                notices.say("${shown.file.fileName} is gone from its folder; what was read of it stays open.")
+                notices.say("${shown.file.fileName} was removed from its folder; the data read so far stays open.")
                 return
             }
             val hasChanged = now != known
@@ -47,7 +47,7 @@ internal class RecordingWatcher(
                 readAgain(shown, isGrowing = hasChanged) ?: continue
             } catch (_: OutOfMemoryError) {
                 val name = shown.file.fileName
-                notices.complain("$name has grown larger than the available memory; what was read of it stays open.")
+                notices.complain("$name has grown larger than the available memory; the data read so far stays open.")
                 return
             }
             update(shown)

@@ -153,8 +153,7 @@ internal class RobotLink(
     private inner class Questions : FetchQuestions {
         override fun trusts(question: HostKeyQuestion): Boolean {
             val what = if (question.isChanged) {
-                "The robot at ${question.address} has another key than before, as it has when it was imaged anew, or when it is " +
-                    "another robot of yours."
+                "The robot at ${question.address} has a new key, as when it is reimaged or another robot has its address."
             } else {
                 "The robot at ${question.address} is unknown."
             }

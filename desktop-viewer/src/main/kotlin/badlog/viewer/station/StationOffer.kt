@@ -31,10 +31,10 @@ internal fun StationOffer(stations: StationChoice) {
         val text = if (offered == null) "With the Driver Station log $name ($how)." else "Driver Station log found: $name ($how)."
         Text(text, Modifier.padding(end = 8.dp, top = 4.dp, bottom = 4.dp), color = if (offered == null) palette.muted else palette.text)
         if (offered == null) {
-            ToolButton("Leave the Driver Station log out; the menu Layout can show it again", text = "Hide") { stations.choose(false) }
+            ToolButton("Hide the Driver Station log; the menu Layout can show it again", text = "Hide") { stations.choose(false) }
         } else {
             ToolButton("Show its link, power and messages with this log, and use them in rules", text = "Show") { stations.choose(true) }
-            ToolButton("Leave it out; the menu Layout can show it", text = "Leave out") { stations.choose(false) }
+            ToolButton("Hide it; the menu Layout can show it", text = "Hide") { stations.choose(false) }
         }
     }
 }

@@ -79,7 +79,7 @@ internal class LogVideo(
     /** Shows [file] beside the log, where a video of that name lay before. */
     fun open(file: Path) {
         if (current.recording == null) return sayNoLog(notices)
-        if (secondsOfX == null) return notices.complain("The x axis of this log is not a time, so that no video can lie beside it.")
+        if (secondsOfX == null) return notices.complain("The x axis of this log is not a time, so no video can be shown beside it.")
         show(file, remembered()?.takeIf { Path.of(it.name).fileName == file.fileName }?.alignment)
         remember()
     }

@@ -32,7 +32,7 @@ internal fun VideoPanel(video: LogVideo, open: OpenRecording, modifier: Modifier
         val shown = video.state
         val file = shown.file
         if (video.secondsOfX == null) {
-            Hint("The x axis of this log is not a time, so that no video can lie beside it.")
+            Hint("The x axis of this log is not a time, so no video can be shown beside it.")
             return@Column
         }
         Row(Modifier.fillMaxWidth().padding(start = 12.dp, end = 4.dp), verticalAlignment = Alignment.CenterVertically) {
@@ -89,9 +89,9 @@ private fun ColumnScope.ShownFrame(video: LogVideo, shown: ShownVideo, frame: Vi
     if (shown.alignment == null) {
         Hint(
             if (hasEnabled) {
-                "Find the first frame in which the robot is enabled, and press “Enabled here”."
+                "Find the first frame in which the robot is enabled, and click “Enabled here”."
             } else {
-                "Put the cursor where this frame belongs, and press the chain."
+                "Move the cursor to the time of this frame, and click the link button."
             },
         )
     }

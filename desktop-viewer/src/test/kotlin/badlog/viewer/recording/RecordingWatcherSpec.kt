@@ -44,7 +44,7 @@ class RecordingWatcherSpec : FunSpec({
         }
         val watcher = RecordingWatcher(viewer.notices, gone, viewer.current::replace)
         withContext(Dispatchers.Main) { watcher.watch(shown, before) }
-        viewer.notices.all.single().text shouldContain "is gone from its folder"
+        viewer.notices.all.single().text shouldContain "was removed from its folder"
         viewer.current.recording shouldBe shown
     }
 

@@ -143,7 +143,7 @@ class VideoPanelSpec : FunSpec({
             }
             val rows = Files.writeString(home.resolve("rows.csv"), "A,B\n1,2\n3,4\n")
             viewer.show(OpenRecording.read(rows))
-            onNodeWithText("The x axis of this log is not a time, so that no video can lie beside it.").assertExists()
+            onNodeWithText("The x axis of this log is not a time, so no video can be shown beside it.").assertExists()
             viewer.video.open(video)
             waitForNotice(viewer, "is not a time")
         }

@@ -39,7 +39,7 @@ class TroubleWindowSpec : FunSpec({
             window.awaitState("the log") { it.current.recording != null }
             window.awaitGraphs()
             Files.delete(file)
-            window.awaitState("a sentence") { viewer -> viewer.notices.all.any { "is gone from its folder" in it.text } }
+            window.awaitState("a sentence") { viewer -> viewer.notices.all.any { "was removed from its folder" in it.text } }
             window.look { it.current.recording?.file } shouldBe file
             window.picture("deleted")
         }

@@ -42,7 +42,7 @@ public fun List<Note>.toJson(): String = sortedBy { it.x }.joinToString(",\n", "
 public fun notesOfJson(text: String): List<Note> {
     val members = JsonReader.readObject(text) ?: throw NotesException("This is not an object of JSON.")
     val version = members.findLast { it.key == "version" }?.value?.json?.toIntOrNull()
-    if (version != null && version > VERSION) throw NotesException("The notes were saved by a newer badlog; update this one.")
+    if (version != null && version > VERSION) throw NotesException("The notes were saved by a newer badlog; update badlog.")
     val items = members.findLast { it.key == "notes" }?.value?.items ?: throw NotesException("“notes” is not a list.")
     if (items.size > Note.MAX_NOTES) throw NotesException("There are ${items.size} notes; a log has at most ${Note.MAX_NOTES}.")
     return items.mapIndexed { i, item -> noteOf(i + 1, item) }.sortedBy { it.x }

@@ -22,7 +22,7 @@ class NoteSpec : FunSpec({
     test("what a newer badlog adds is passed over, and what it changes is refused") {
         notesOfJson("""{"notes":[{"x":1.5,"text":"hit","color":"red"}],"author":"A"}""") shouldBe listOf(Note(1.5, "hit"))
         shouldThrow<NotesException> { notesOfJson("""{"version":2,"notes":[]}""") }.message shouldBe
-            "The notes were saved by a newer badlog; update this one."
+            "The notes were saved by a newer badlog; update badlog."
     }
 
     test("what is not notes says what is wrong with it") {

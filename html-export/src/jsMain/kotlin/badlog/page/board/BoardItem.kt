@@ -35,7 +35,7 @@ internal class BoardItem(spec: BoardGraph, private val scene: Scene, private val
         setAttribute("data-id", spec.id.toString())
         for (card in cards) appendChild(card.element)
         cards.first().tools.apply {
-            menuButton = addIconButton("graph-menu", Icon.MORE, "What to do with this graph") { openMenu() }
+            menuButton = addIconButton("graph-menu", Icon.MORE, "More for this graph") { openMenu() }
             menuButton.setAttribute("aria-haspopup", "menu")
             menuButton.setAttribute("aria-expanded", "false")
             addIconButton("pin", Icon.PIN, "Take off the board (P)") { scene.board.change { without(spec.id) } }

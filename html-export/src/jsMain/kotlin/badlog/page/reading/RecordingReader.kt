@@ -45,8 +45,7 @@ internal class RecordingReader(private val expectedBytes: Double, isWhole: Boole
         if (missing <= 0) return recording
         return recording + Problem(
             ProblemKind.GZIP_CUT,
-            "Of the ${bytesText(expectedBytes)} that this page should carry, ${bytesText(missing)} at the end " +
-                "cannot be read; the page may have been cut in copying.",
+            "The last ${bytesText(missing)} of ${bytesText(expectedBytes)} cannot be read; the page may have been cut in copying.",
         )
     }
 

@@ -57,9 +57,9 @@ internal class EvidenceSection(
             severity = add("span")
             heading = add("h2", "findings-title")
             steps = add("span", "evidence-steps") {
-                addIconButton("", Icon.BACK, "The one before") { onStep(-1) }
+                addIconButton("", Icon.BACK, "Previous") { onStep(-1) }
                 number = add("span", "unit") { setAttribute("role", "status") }
-                addIconButton("evidence-next", Icon.BACK, "The next one") { onStep(1) }
+                addIconButton("evidence-next", Icon.BACK, "Next") { onStep(1) }
             }
             add("div", "graph-tools") {
                 keep = addIconButton("", Icon.PIN, "Keep these graphs on the board") { keep() }.apply { id = "keep-evidence" }

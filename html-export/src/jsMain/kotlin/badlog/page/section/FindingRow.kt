@@ -23,7 +23,7 @@ internal fun findingRow(finding: Finding, decimals: Int, pin: (Finding) -> Unit,
     element("li", "finding") {
         add("span", "severity is-${finding.word}", finding.word)
         if (finding.isPlaced) {
-            addButton("event-go", timeText(finding, decimals), "Show what is around it") { go(finding) }
+            addButton("event-go", timeText(finding, decimals), "Zoom to it") { go(finding) }
         } else {
             add("span", "finding-whole", "whole log")
         }
@@ -36,7 +36,7 @@ internal fun findingRow(finding: Finding, decimals: Int, pin: (Finding) -> Unit,
         ) {
             add("span", "unit finding-count", "${countText(finding.spanCount)} times")
         }
-        if (finding.evidence.isNotEmpty()) addIconButton("pin", Icon.PIN, "Put what shows it on the board") { pin(finding) }
+        if (finding.evidence.isNotEmpty()) addIconButton("pin", Icon.PIN, "Add its graphs to the board") { pin(finding) }
         if (finding.isPlaced) {
             addEventListener("click", { if (it.target.asDynamic().closest("button") == null) go(finding) })
         }

@@ -27,7 +27,7 @@ internal fun incidentRow(incident: Incident, decimals: Int, pin: () -> Unit, go:
                 add("p") {
                     val finding = sentence.finding
                     if (finding.isPlaced) {
-                        addButton("event-go", fixedText(finding.time, decimals), "Show what is around it") { go(finding) }
+                        addButton("event-go", fixedText(finding.time, decimals), "Zoom to it") { go(finding) }
                     } else {
                         add("span", "finding-whole", "whole log")
                     }
@@ -36,7 +36,7 @@ internal fun incidentRow(incident: Incident, decimals: Int, pin: () -> Unit, go:
             }
             if (incident.next.isNotEmpty()) add("p", "incident-next", "Next: ${incident.next}")
         }
-        addIconButton("pin", Icon.PIN, "Put what shows it on the board", pin)
+        addIconButton("pin", Icon.PIN, "Add its graphs to the board", pin)
         incident.sentences.map { it.finding }.firstOrNull { it.isPlaced }?.let { first ->
             addEventListener("click", { if (it.target.asDynamic().closest("button") == null) go(first) })
         }

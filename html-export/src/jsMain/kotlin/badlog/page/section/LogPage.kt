@@ -227,7 +227,7 @@ internal class LogPage(
         val problems = ArrayList<String>()
         for (definition in definitions.filter { !formulas.has(it) }) {
             val mistake = formulas.mistakeIn(definition)
-            if (mistake != null) problems += "Left out “$definition”: ${mistake.message}"
+            if (mistake != null) problems += "Skipped “$definition”: ${mistake.message}"
             if (mistake == null) graphs.add(folders.add(formulas.add(definition, isRemembered), isWanted = false))
         }
         if (definitions.isEmpty()) return problems
@@ -258,7 +258,7 @@ internal class LogPage(
     private fun pinEvidence(finding: Finding, incident: Incident?) {
         val shown = evidenceBoard(view, incident.evidenceOf(finding), signals).graphs.filterNot(board.now::has)
         board.change { withGraphs(shown) }
-        scene.notice.say("${countText(shown.size, "graph")} put on the board.")
+        scene.notice.say("${countText(shown.size, "graph")} added to the board.")
     }
 
     private fun changeFormula(from: String, to: String) {

@@ -29,7 +29,7 @@ internal class NoteList(scene: Scene) {
         add("ul", "note-rows") {
             for (note in notes) {
                 rows += add("li", "note-row") {
-                    addButton("event-go", fixedText(note.x, decimals), "Show what is around it") { scene.zoomTo(note.x, note.x) }
+                    addButton("event-go", fixedText(note.x, decimals), "Zoom to it") { scene.zoomTo(note.x, note.x) }
                     add("span", "note-text", note.text)
                 }
             }

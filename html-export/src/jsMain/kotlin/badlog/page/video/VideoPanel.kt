@@ -153,7 +153,7 @@ internal class VideoPanel(private val scene: Scene, fileKey: String, beside: Str
     }
 
     private fun fail() = hint.showText(
-        "This browser cannot play $name" + (if (video.src.startsWith("blob:")) "" else ", or it does not lie beside this page") +
+        "This browser cannot play $name" + (if (video.src.startsWith("blob:")) "" else ", or it is not beside this page") +
             ".",
     )
 

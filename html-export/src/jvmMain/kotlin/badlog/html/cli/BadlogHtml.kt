@@ -67,7 +67,7 @@ internal class BadlogHtml(
             return ExitCode.NOTHING
         }
         if (arguments.video != null && jobs.size > 1) {
-            err.println("--video is of one match; name the one log that it shows.")
+            err.println("--video shows one match; name its log only.")
             return ExitCode.USAGE
         }
         val export = exporterOf(arguments.attachments)

@@ -149,7 +149,7 @@ class BadlogHtmlSpec : FunSpec({
             }
             run(log, folder.with("b.bag"), "--video", video).run {
                 code shouldBe ExitCode.USAGE
-                err shouldContain "name the one log that it shows"
+                err shouldContain "name its log only"
             }
         }
     }

@@ -54,7 +54,7 @@ public class Answer internal constructor(
         if (spans.isNotEmpty()) {
             val first = spans[0]
             parts += if (first.width == 0.0) "at ${timed(first.from)}" else "from ${timed(first.from)} to ${timed(first.to)}"
-            if (times > 1) parts += if (times == 2) "and once more" else "and ${times - 1} times more"
+            if (times > 1) parts += if (times == 2) "and once more" else "and ${times - 1} more times"
             if (spans.size > times) parts += "in ${spans.size} parts since the clock was set back"
         }
         return parts.joinToString(", ")

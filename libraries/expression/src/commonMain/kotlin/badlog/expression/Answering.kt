@@ -72,8 +72,8 @@ internal class Answering(private val text: String, private val root: Node, priva
     /** Why what depends on the mode of the robot is not known. */
     private fun whyUnknown(node: Node): String? {
         if (node is Node.Enabled) {
-            if (signals.enabled == null) return "The log does not tell when the robot was enabled."
-            if (node.mode != Mode.ENABLED && !signals.knowsAutonomous) return "The log does not tell when the robot was autonomous."
+            if (signals.enabled == null) return "The log does not show when the robot was enabled."
+            if (node.mode != Mode.ENABLED && !signals.knowsAutonomous) return "The log does not show when the robot was autonomous."
         }
         return node.children.firstNotNullOfOrNull(::whyUnknown)
     }

@@ -89,7 +89,7 @@ public sealed class Question : ParsedQuestion {
             }
             val signal = vocabulary.signals.first { it.name == (asked as Expression).topics.firstOrNull() }
             if (signal.kind == SignalKind.NUMBER) {
-                val message = "“${signal.name}” is a number; what stands after “by” has states, or is “topic”."
+                val message = "“${signal.name}” is a number; “by” needs a signal with states, or “topic”."
                 return ExpressionError(text, keyFrom, text.length, ExpressionErrorKind.TYPE, message)
             }
             val whole = body.trim().lowercase()
@@ -97,7 +97,7 @@ public sealed class Question : ParsedQuestion {
                 val parsed = Expression.parse(body, vocabulary)
                 if (parsed is ExpressionError) return ExpressionError(text, parsed.from, parsed.until, parsed.kind, parsed.message)
                 if ((parsed as Expression).type.isOverTime) {
-                    val message = "Before “by ${signal.name}” one number for the whole log is needed, as in max(x) by ${signal.name}."
+                    val message = "“by ${signal.name}” needs one number for the whole log before it, as in max(x) by ${signal.name}."
                     return ExpressionError(text, 0, by, ExpressionErrorKind.TYPE, message)
                 }
             }
@@ -109,7 +109,7 @@ public sealed class Question : ParsedQuestion {
             val pattern = quoted.groupValues[1]
             val found = vocabulary.signals.filter { matches(it.name, pattern) || matches(it.name, "*/$pattern") }
             if (found.isEmpty()) {
-                val message = "No topic matches “$pattern”; * stands for anything, ? for one character."
+                val message = "No topic matches “$pattern”; * matches anything, ? one character."
                 return ExpressionError(text, quoted.range.first, quoted.range.last + 1, ExpressionErrorKind.UNKNOWN_TOPIC, message)
             }
             val parsed = found.map { signal ->

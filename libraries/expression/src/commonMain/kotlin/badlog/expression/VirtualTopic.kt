@@ -40,7 +40,7 @@ public class VirtualTopic private constructor(public val name: String, public va
         public fun parse(text: String, vocabulary: Vocabulary): ParsedVirtualTopic = try {
             val heading = VirtualTopicHeading(text)
             val taken = vocabulary.signals.find { it.name == heading.name }
-            if (taken != null && taken.name !in vocabulary.meanings) heading.fail("There already is a topic “${heading.name}”.")
+            if (taken != null && taken.name !in vocabulary.meanings) heading.fail("“${heading.name}” already exists; use another name.")
             if (heading.name in KEYWORDS) heading.fail("“${heading.name}” is a word of the language; use another name.")
             val hidden = vocabulary.find(heading.name).singleOrNull()
             if (hidden != null &&
@@ -84,7 +84,7 @@ internal class VirtualTopicHeading(private val text: String) {
         val bracket = if (rest.endsWith(']')) rest.lastIndexOf('[') else -1
         unit = if (bracket < 0) "" else rest.substring(bracket + 1, rest.length - 1).trim()
         val plainName = if (bracket < 0) rest else rest.substring(0, bracket).trim()
-        if (isQuoted && plainName.isNotEmpty()) fail("Between a quoted name and = only a unit may stand, in brackets.")
+        if (isQuoted && plainName.isNotEmpty()) fail("Only a unit in brackets may be between a quoted name and =.")
         name = if (isQuoted) quoted else plainName
         if (name.isBlank()) fail("The formula has no name before =.")
         length = equals + 1

@@ -269,11 +269,11 @@ class FunctionsSpec : FunSpec({
         fun answer(text: String) = parsed(text, silent.vocabulary).answer(silent)
         for (text in listOf("total(enabled)", "count(i > 1 and enabled)", "max(v when enabled)", "total(enabled) / 60")) {
             answer(text).quantities.single().value.isNaN() shouldBe true
-            answer(text).reason shouldBe "The log does not tell when the robot was enabled."
+            answer(text).reason shouldBe "The log does not show when the robot was enabled."
         }
         for (text in listOf("i > 1 and enabled", "any(enabled)", "count(enabled) == 0", "not enabled")) {
             answer(text).outcome shouldBe Outcome.UNKNOWN
-            answer(text).reason shouldBe "The log does not tell when the robot was enabled."
+            answer(text).reason shouldBe "The log does not show when the robot was enabled."
         }
         answer("i > 99 and enabled").run { outcome to reason } shouldBe (Outcome.FAILS to null)
         answer("max(i)").reason shouldBe null

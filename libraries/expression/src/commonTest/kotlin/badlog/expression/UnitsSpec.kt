@@ -56,9 +56,9 @@ class UnitsSpec : FunSpec({
     val mistakes = mapOf(
         "Plain > 20 ms" to ("20 ms" to "“Plain” has no unit, so 20 ms cannot be compared with it; write the number alone, as it is logged."),
         "Plain < 7 V" to ("7 V" to "“Plain” has no unit, so 7 V cannot be compared with it; write the number alone, as it is logged."),
-        "Voltage > 20 ms" to ("20 ms" to "“Voltage” in V and 20 ms are of different units; neither becomes the other."),
-        "Voltage < Loop Time" to ("Loop Time" to "“Voltage” in V and “Loop Time” in ms are of different units; neither becomes the other."),
-        "Voltage + 3 A > 1" to ("3 A" to "“Voltage” in V and 3 A are of different units; neither becomes the other."),
+        "Voltage > 20 ms" to ("20 ms" to "“Voltage” in V and 20 ms have units that cannot be converted into each other."),
+        "Voltage < Loop Time" to ("Loop Time" to "“Voltage” in V and “Loop Time” in ms have units that cannot be converted into each other."),
+        "Voltage + 3 A > 1" to ("3 A" to "“Voltage” in V and 3 A have units that cannot be converted into each other."),
         "Knots > 3 m/s" to ("3 m/s" to "“Knots” is in “kn”, to which 3 m/s cannot be converted; write the number alone."),
         "Voltage * 2 > 3 V" to ("3 V" to "The unit of the other side is not known, so 3 V cannot be compared with it; write the number alone."),
         "Voltage * Voltage > 3 W" to ("3 W" to "The unit of the other side is not known, so 3 W cannot be compared with it; write the number alone."),

@@ -48,12 +48,12 @@ class VirtualTopicSpec : FunSpec({
             "A formula needs a name and =, as in Power [W] = Voltage * Current.",
         ),
         Triple(" [W] = Voltage", " [W] ", "The formula has no name before =."),
-        Triple("Voltage = Voltage", "Voltage ", "There already is a topic “Voltage”."),
+        Triple("Voltage = Voltage", "Voltage ", "“Voltage” already exists; use another name."),
         Triple("Current = 3", "Current ", "“Current” already means “PDP/Current”; use another name."),
         Triple("current = 3", "current ", "“current” already means “PDP/Current”; use another name."),
         Triple("true = 3", "true ", "“true” is a word of the language; use another name."),
         Triple("enabled [V] = 1", "enabled [V] ", "“enabled” is a word of the language; use another name."),
-        Triple("\"a\" b = Voltage", "\"a\" b ", "Between a quoted name and = only a unit may stand, in brackets."),
+        Triple("\"a\" b = Voltage", "\"a\" b ", "Only a unit in brackets may be between a quoted name and =."),
         Triple("Power = Voltage * Curent", "Curent", "There is no topic “Curent”; did you mean “PDP/Current”?"),
     )
     for ((text, place, message) in errors) {

@@ -16,15 +16,15 @@ public class NoRobotException internal constructor(addresses: List<RobotAddress>
  */
 public class LoginRefusedException internal constructor(public val address: RobotAddress, users: List<String>) :
     FetchException(
-        "$address refuses the password of ${users.distinct().joinToString(" and ")}; set BADLOG_ROBOT_PASSWORD, or another user.",
+        "$address refuses the password of ${users.distinct().joinToString(" and ")}; set BADLOG_ROBOT_PASSWORD, or use --user.",
     )
 
 /** The robot's host key is not trusted. */
 public class HostKeyRefusedException internal constructor(question: HostKeyQuestion) :
     FetchException(
         if (question.isChanged) {
-            "The host key of ${question.address} has changed to ${question.fingerprint}, as it does when a robot is imaged anew or " +
-                "another one has its address; if that is so, use --accept-new-host-key."
+            "The host key of ${question.address} has changed to ${question.fingerprint}; if the robot was " +
+                "reimaged, or another one has its address, use --accept-new-host-key."
         } else {
             "The host key of ${question.address} is unknown (${question.fingerprint}); if this is your robot, use --accept-new-host-key."
         },
@@ -39,11 +39,11 @@ public class HostKeyRefusedException internal constructor(question: HostKeyQuest
  * @property address where it answers.
  */
 public class UnknownStateException internal constructor(public val address: RobotAddress, reason: String) :
-    FetchException("Whether the robot at $address is enabled is unknown: $reason. Start its program, or use --anyway.")
+    FetchException("It is unknown whether the robot at $address is enabled: $reason. Start its program, or use --anyway.")
 
 /** The connection was lost and did not come back. What was copied is kept for the next time. */
 public class LostConnectionException internal constructor(address: RobotAddress, reason: String, cause: Throwable? = null) :
-    FetchException("The connection to $address was lost ($reason); fetch again, which goes on where it stopped.", cause)
+    FetchException("The connection to $address was lost ($reason); fetch again to resume.", cause)
 
 /** There is not enough room on this computer. */
 public class NoRoomException internal constructor(message: String) : FetchException(message)

@@ -78,7 +78,7 @@ internal class LogCopy(
             throw NoRoomException(
                 "The disk of $folder is full, so ${safeName(
                     log.name,
-                )} is only partly here; make room and fetch again, which goes on where it stopped.",
+                )} is only partly here; make room, then fetch again to resume.",
             )
         }
     }

@@ -14,7 +14,7 @@ import java.util.concurrent.TimeoutException
  * Those of [addresses] at which something answers, in their order, each as soon as no earlier one can. All are tried at the same
  * time: most do not exist in the network that the computer is in, and say nothing.
  */
-internal fun answering(addresses: List<RobotAddress>, patience: Duration): Sequence<RobotAddress> = sequence {
+public fun answering(addresses: List<RobotAddress>, patience: Duration): Sequence<RobotAddress> = sequence {
     val end = System.nanoTime() + patience.toNanos()
     val answers = addresses.map { address -> trying(address, patience) }
     for ((index, answer) in answers.withIndex()) if (isTrue(answer, end)) yield(addresses[index])

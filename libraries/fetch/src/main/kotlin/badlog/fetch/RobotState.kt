@@ -50,7 +50,7 @@ internal class RobotState(private val address: RobotAddress, private val patienc
      * @throws UnknownStateException when the connection was lost.
      */
     val isEnabled: Boolean get() = lock.withLock {
-        if (isLost) throw UnknownStateException(address, "its NetworkTables do not answer any longer")
+        if (isLost) throw UnknownStateException(address, "its NetworkTables no longer answer")
         control!! and ENABLED != 0L
     }
 

@@ -142,7 +142,7 @@ internal class Transfer(
         val size = Files.size(part)
         if (recording == null || !recording.isReadable || recording.sampleCount == 0L) {
             writing(part) { Files.deleteIfExists(part) }
-            val message = "A part of a log that is no longer on the robot was removed: nothing in its $size bytes could be read."
+            val message = "The start of a log that is no longer on the robot was removed: nothing in it could be read."
             return listener.skipped(part.fileName.toString(), message, isGrowing = false)
         }
         val place = LogPlace.of("unfinished${endingOf(recording.format)}", RuleSet.BUILT_IN.signals.matchOf(recording))
@@ -211,7 +211,7 @@ internal class Transfer(
     private fun skipGrowing(log: RemoteLog) {
         done += log.path
         val path = printablePath(log.path)
-        listener.skipped(path, "$path is still being written; fetch again when the robot has begun another log.", isGrowing = true)
+        listener.skipped(path, "$path is still being written; fetch again when the robot has started another log.", isGrowing = true)
     }
 
     private fun skip(path: String, message: String) {

@@ -43,7 +43,7 @@ class FetchTroubleSpec : FunSpec({
             robot.stallsAfter = 500_000
             val patience = Patience(silence = Duration.ofMillis(400), growth = Duration.ofMillis(10), retry = Duration.ofMillis(10))
             val fetch = LogFetch(listOf(robot.address()), pit.options(), pit.hosts, pit.person, patience)
-            shouldThrow<LostConnectionException> { fetch.run(Heard()) }.message shouldContain "which goes on where it stopped"
+            shouldThrow<LostConnectionException> { fetch.run(Heard()) }.message shouldContain "fetch again to resume"
             pit.logs().shouldBeEmpty()
             pit.parts() shouldHaveSize 1
         }
@@ -118,7 +118,7 @@ class FetchTroubleSpec : FunSpec({
                     }) {}
                     val log = connection.list(listOf("/home/lvuser/logs")).logs.single()
                     shouldThrow<NoRoomException> { copy.copy(connection, log, null) {} }.message shouldBe
-                        "The disk of ${pit.folder} is full, so log.csv is only partly here; make room and fetch again, which goes on where it stopped."
+                        "The disk of ${pit.folder} is full, so log.csv is only partly here; make room, then fetch again to resume."
                 }
             }
             pit.parts() shouldHaveSize 1

@@ -41,7 +41,7 @@ public fun <T> reading(file: Path, work: () -> T): T = try {
     val message = when (e) {
         is NoSuchFileException -> "There is no file $file; check the spelling."
         is AccessDeniedException -> "$file cannot be read: permission denied; copy it, or ask its owner."
-        else -> "$file cannot be read (${e.message}); try to copy it to this computer's disk first."
+        else -> "$file cannot be read (${e.message}); copy it to this computer's disk first."
     }
     throw UnreadableFileException(file, message, e)
 }
@@ -52,7 +52,7 @@ public fun <T> reading(file: Path, work: () -> T): T = try {
  * @throws UnreadableFileException when it is not.
  */
 public fun requireRegularFile(file: Path) {
-    if (Files.isDirectory(file)) throw UnreadableFileException(file, "$file is a folder, where a file is expected.")
+    if (Files.isDirectory(file)) throw UnreadableFileException(file, "$file is a folder, not a file; name a file.")
     reading(file) { file.toRealPath() }
     if (!Files.isRegularFile(file)) {
         throw UnreadableFileException(file, "$file is not a regular file; copy its content into a file first.")

@@ -1,7 +1,6 @@
 package badlog.file
 
 import badlog.recording.Problem
-import java.io.File
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
@@ -15,11 +14,7 @@ internal object Owlet {
     private const val NAME = "owlet"
 
     /** Whether a log of this format can be read here. */
-    val isInstalled: Boolean by lazy {
-        System.getenv("PATH").orEmpty().split(File.pathSeparator).any { folder ->
-            listOf(NAME, "$NAME.exe").any { name -> folder.isNotEmpty() && File(folder, name).canExecute() }
-        }
-    }
+    val isInstalled: Boolean by lazy { programOnPath(NAME) != null }
 
     /** Makes the WPILOG [made] of [hoot] by [program]. */
     fun convert(hoot: Path, made: Path, checkpoint: () -> Unit, program: String = NAME): List<Problem> {
@@ -35,7 +30,8 @@ internal object Owlet {
                 val words = Files.readString(said, Charsets.ISO_8859_1).lines().lastOrNull { it.isNotBlank() }?.trim()?.take(MOST)
                 throw UnreadableFileException(
                     hoot,
-                    "CTRE's owlet made no WPILOG of $hoot (${words ?: "it did not say why"}); try a newer owlet, or Phoenix Tuner's Log Extractor.",
+                    "CTRE's owlet did not convert $hoot (${words ?: "it gave no reason"}); " +
+                        "try a newer owlet, or Phoenix Tuner's Log Extractor.",
                 )
             }
             return emptyList()
@@ -50,7 +46,8 @@ internal object Owlet {
     } catch (e: IOException) {
         throw UnreadableFileException(
             hoot,
-            "$hoot can only be read by CTRE's program owlet; put it on the PATH, or make a WPILOG of the log in Phoenix Tuner's Log Extractor.",
+            "$hoot can only be read by CTRE's program owlet; put it on the PATH, " +
+                "or convert the log to a WPILOG in Phoenix Tuner's Log Extractor.",
             e,
         )
     }

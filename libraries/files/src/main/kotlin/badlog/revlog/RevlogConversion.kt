@@ -59,7 +59,7 @@ internal class RevlogConversion(private val out: OutputStream) {
         } else if (lostFrom >= 0) {
             problems += Problem(
                 ProblemKind.RECORD_CUT,
-                "The file ends inside a record, which was dropped with the ${total - lostFrom} bytes there are of it.",
+                "The file ends inside a record, which was dropped.",
                 loss = Loss(bytes = total - lostFrom),
             )
         }
@@ -91,7 +91,7 @@ internal class RevlogConversion(private val out: OutputStream) {
     private fun lost(from: Long, until: Long) {
         problems += Problem(
             ProblemKind.RECORDS_SKIPPED,
-            "Bytes $from to ${until - 1} are not records; these ${until - from} bytes were skipped.",
+            "Bytes $from to ${until - 1} are not records and were skipped.",
             loss = Loss(bytes = until - from),
         )
     }

@@ -12,7 +12,7 @@ internal fun reportTopic(topic: Topic, column: SampleColumn, timestamps: Timesta
     if (timestamps.disorder > 0) {
         problems.add(
             ProblemKind.TIMES_SORTED,
-            "“$name” goes back in time ${timestamps.disorder} times; its samples were sorted.",
+            "“$name” goes back in time (${timestamps.disorder}×); its samples were sorted.",
             topic = name,
             count = timestamps.disorder,
         )
@@ -21,7 +21,7 @@ internal fun reportTopic(topic: Topic, column: SampleColumn, timestamps: Timesta
     if (column.roundedCount > 0) {
         problems.add(
             ProblemKind.NUMBERS_ROUNDED,
-            "${column.roundedCount} whole numbers in “$name” are too large to be kept to the last digit.",
+            "Whole numbers in “$name” are too large to be kept exactly (${column.roundedCount}×).",
             topic = name,
             count = column.roundedCount,
         )

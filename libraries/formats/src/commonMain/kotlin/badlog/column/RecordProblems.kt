@@ -7,21 +7,21 @@ import badlog.recording.ProblemList
 /** The bytes from [from] until [until] were skipped; [records] of them may have been there. */
 internal fun ProblemList.addSkipped(from: Long, until: Long, records: Int = 0) = add(
     ProblemKind.RECORDS_SKIPPED,
-    "Bytes $from to ${until - 1} are not records; these ${until - from} bytes were skipped, and what follows was read.",
+    "Bytes $from to ${until - 1} are not records and were skipped; the rest was read.",
     loss = Loss(cells = records, bytes = until - from),
 )
 
 /** From byte [from] on to the end, [total], nothing could be read. */
 internal fun ProblemList.addLost(from: Long, total: Long) = add(
     ProblemKind.RECORDS_LOST,
-    "From byte $from on there are no records; the last ${total - from} bytes cannot be read.",
+    "Bytes $from to ${total - 1}, the last of the file, cannot be read: they are not records.",
     loss = Loss(bytes = total - from),
 )
 
 /** A record of which only [bytes] bytes are there ends the file. */
 internal fun ProblemList.addCut(bytes: Int) = add(
     ProblemKind.RECORD_CUT,
-    "The file ends inside a record, which was dropped with the $bytes bytes there are of it.",
+    "The file ends inside a record, which was dropped.",
     loss = Loss(cells = 1, bytes = bytes.toLong()),
 )
 

@@ -67,7 +67,7 @@ public class DriverStationParser(keepSamples: Boolean = true) : LogParser {
     private fun begin(bytes: ByteArray, at: Int, until: Int): Frames? {
         val version = wordAt(bytes, at)
         if (version !in VERSIONS) {
-            refusal = "This Driver Station log has version $version; versions 3 and 4, of 2016 to 2026, can be read."
+            refusal = "This Driver Station log has version $version; badlog reads versions 3 and 4 (2016 to 2026)."
             return null
         }
         val headerSeconds = secondsAt(bytes, at + Int.SIZE_BYTES)
@@ -99,7 +99,7 @@ public class DriverStationParser(keepSamples: Boolean = true) : LogParser {
         records?.topics(add)
         events?.topics(add)
         if (refusal == null && rowCount == 0) {
-            problems.add(ProblemKind.NO_ROWS, "There is not one sample; the Driver Station may have been closed too early.")
+            problems.add(ProblemKind.NO_ROWS, "There are no samples; the Driver Station may have been closed too early.")
         }
         return Recording(RecordingFormat.DRIVER_STATION, null, values(), topics, 0, problems.toList())
     }
@@ -112,7 +112,7 @@ public class DriverStationParser(keepSamples: Boolean = true) : LogParser {
     private fun reportEnd() {
         val bad = records?.badCount ?: 0
         if (bad > 0) {
-            val message = "$bad records say that the robot is in all modes at once; they were dropped."
+            val message = "Records with all modes of the robot at once were dropped ($bad×)."
             problems.add(ProblemKind.BAD_RECORD, message, count = bad, loss = Loss(cells = bad))
         }
         when {

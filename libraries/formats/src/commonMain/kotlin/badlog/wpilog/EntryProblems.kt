@@ -11,7 +11,7 @@ internal fun reportEntry(entry: Entry, problems: ProblemList) {
     if (decoder.badCount > 0) {
         problems.add(
             ProblemKind.BAD_RECORD,
-            "${decoder.badCount} records of “$name” do not have the bytes of a ${entry.type}; they were dropped.",
+            "Records of “$name” are not of its type, ${entry.type}, and were dropped (${decoder.badCount}×).",
             topic = name,
             count = decoder.badCount,
             loss = Loss(cells = decoder.badCount),
@@ -20,7 +20,7 @@ internal fun reportEntry(entry: Entry, problems: ProblemList) {
     if (decoder.droppedValues > 0) {
         problems.add(
             ProblemKind.TOO_MANY_TOPICS,
-            "${decoder.droppedValues} values of “$name” were dropped: there are more than can be shown.",
+            "Values of “$name” were dropped (${decoder.droppedValues}×): there are more than can be shown.",
             topic = name,
             count = decoder.droppedValues,
             loss = Loss(cells = decoder.droppedValues),
@@ -29,8 +29,7 @@ internal fun reportEntry(entry: Entry, problems: ProblemList) {
     if (decoder.isUndecoded && decoder.timestamps.size > 0 && entry.type != Entry.MESSAGE_SCHEMA) {
         problems.add(
             ProblemKind.NOT_DECODED,
-            "“$name” is of type ${entry.type}, which is not decoded; shown is how many bytes each of its " +
-                "${decoder.timestamps.size} records has.",
+            "“$name” has the type ${entry.type}, which badlog cannot decode; the size of each record is shown instead, in bytes.",
             topic = name,
         )
     }

@@ -103,16 +103,16 @@ internal class EntryWriter(
 
     /** What of the topic has not been written. */
     fun omissions(): List<Omission> = buildList {
-        if (gaps > 0) add(Omission(topic.name, "Gaps begin with NaN.", gaps))
-        if (empty > 0) add(Omission(topic.name, "Cells without a value have no record.", empty))
+        if (gaps > 0) add(Omission(topic.name, "Each gap starts with NaN.", gaps))
+        if (empty > 0) add(Omission(topic.name, "Empty cells have no record.", empty))
         if (misfits > 0) {
             val what = if (payload == Payload.STRING) "Numbers among texts" else "Texts among numbers"
             add(Omission(topic.name, "$what have no record.", misfits))
         }
         if (payload == Payload.DOUBLE && wholeType(topic) == "int64" && topic.samples.isNotEmpty()) {
-            add(Omission(topic.name, "Whole numbers beyond 2^53 are rounded, and all are of type double.", topic.counts.numbers))
+            add(Omission(topic.name, "All numbers are of type double, so whole numbers beyond 2^53 are rounded.", topic.counts.numbers))
         }
-        if (nowhere > 0) add(Omission(topic.name, "Samples without a place on the x axis have no record.", nowhere))
+        if (nowhere > 0) add(Omission(topic.name, "Samples without an x value have no record.", nowhere))
     }
 
     private companion object {

@@ -34,9 +34,9 @@ internal class RecordTimes(private val xAxis: XAxis) {
 
     /** What the times do not say of x any more. */
     fun omissions(): List<Omission> = buildList {
-        if (!isTime) add(Omission(null, "The x axis “${xAxis.title}” is not a time; one unit counts as one second."))
-        if (shift > 0) add(Omission(null, "x begins at ${xAxis.range?.start}; all times are later by $shift."))
-        if (rounded > 0) add(Omission(null, "Times finer than a microsecond were rounded.", rounded))
+        if (!isTime) add(Omission(null, "The x axis “${xAxis.title}” is not a time; one unit is written as one second."))
+        if (shift > 0) add(Omission(null, "x starts at ${xAxis.range?.start}; $shift was added to all times."))
+        if (rounded > 0) add(Omission(null, "Times were rounded to microseconds.", rounded))
     }
 
     private companion object {

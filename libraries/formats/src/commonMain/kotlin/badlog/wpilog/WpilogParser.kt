@@ -69,7 +69,7 @@ public class WpilogParser(keepSamples: Boolean = true) : LogParser {
         val span = (cluster?.from ?: 0.0) / WpilogEntries.MICROS..((cluster?.until ?: 1.0) - 1) / WpilogEntries.MICROS
         val topics = WpilogTopics(span, problems).of(entries.all)
         if (topics.all { it.size == 0 }) {
-            problems.add(ProblemKind.NO_ROWS, "There is not one sample; the robot may have been switched off too early.")
+            problems.add(ProblemKind.NO_ROWS, "There are no samples; the robot may have been switched off too early.")
         }
         return Recording(
             format = RecordingFormat.WPILOG,
@@ -103,10 +103,11 @@ public class WpilogParser(keepSamples: Boolean = true) : LogParser {
             val numbers = entries.unknownIds.take(NAMED).joinToString { it.toUInt().toString() }
             val more = if (entries.unknownIds.size > NAMED) ", …" else ""
             val isSkipped = entries.hasGaps
-            val cause = if (isSkipped) "their start records may be among the skipped bytes" else "they were not started, or are finished"
+            val cause =
+                if (isSkipped) "their start records may be among the skipped bytes" else "their entries were not started, or had finished"
             problems.add(
                 ProblemKind.UNKNOWN_ENTRY,
-                "${entries.unknownCount} records of unknown entries, numbers $numbers$more, were dropped; $cause.",
+                "Records of unknown entries (numbers $numbers$more) were dropped (${entries.unknownCount}×); $cause.",
                 count = entries.unknownCount,
                 loss = Loss(cells = entries.unknownCount),
             )
@@ -114,7 +115,7 @@ public class WpilogParser(keepSamples: Boolean = true) : LogParser {
         if (entries.badControlCount > 0) {
             problems.add(
                 ProblemKind.BAD_RECORD,
-                "${entries.badControlCount} records that start, describe or finish an entry are malformed; they were dropped.",
+                "Malformed records that should start, describe or finish an entry were dropped (${entries.badControlCount}×).",
                 count = entries.badControlCount,
                 loss = Loss(cells = entries.badControlCount),
             )
@@ -122,8 +123,8 @@ public class WpilogParser(keepSamples: Boolean = true) : LogParser {
         if (entries.earlyCount > 0) {
             problems.add(
                 ProblemKind.EARLY_TIMES,
-                "${entries.earlyCount} records, such as one of “${entries.firstEarly?.name}”, are from before the robot's clock began; " +
-                    "they were moved to the start of the log.",
+                "Records from before the robot's clock started, such as one of “${entries.firstEarly?.name}”, " +
+                    "were moved to the start of the log (${entries.earlyCount}×).",
                 count = entries.earlyCount,
             )
         }
@@ -132,8 +133,7 @@ public class WpilogParser(keepSamples: Boolean = true) : LogParser {
             val example = entries.firstWild?.let { ", such as one of “${it.name}”" }.orEmpty()
             problems.add(
                 ProblemKind.WILD_TIMES,
-                "${entries.wildCount + far} records$example have times that cannot be, or are days away from all others; " +
-                    "they were dropped.",
+                "Records with impossible times, or days away from all others$example, were dropped (${entries.wildCount + far}×).",
                 count = entries.wildCount + far,
                 loss = Loss(cells = entries.wildCount + far),
             )

@@ -55,7 +55,7 @@ internal class WpilogTopics(private val span: ClosedFloatingPointRange<Double>, 
         if (name != wanted) {
             problems.add(
                 ProblemKind.DUPLICATE_TOPIC,
-                "Two topics are called “$wanted”; the second is shown as “$name”.",
+                "Two topics are named “$wanted”; the second is shown as “$name”.",
                 topic = name,
             )
         }

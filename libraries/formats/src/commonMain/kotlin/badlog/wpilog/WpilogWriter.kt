@@ -62,15 +62,15 @@ public class WpilogWriter(private val recording: Recording, private val changesO
     private fun omissions(entries: List<EntryWriter>, times: RecordTimes): List<Omission> = buildList {
         addAll(times.omissions())
         val repeats = entries.sumOf { it.repeats }
-        if (repeats > 0) add(Omission(null, "Samples that are the same as those before them have no record.", repeats))
+        if (repeats > 0) add(Omission(null, "Samples that repeat the previous one have no record.", repeats))
         val parts = recording.topics.count {
             it.type.endsWith("[]") || it.type.startsWith("struct:") ||
                 (it.type.startsWith("proto:") && !it.isOfBytes)
         }
-        if (parts > 0) add(Omission(null, "Parts of arrays, structs and messages are entries of their own.", parts))
+        if (parts > 0) add(Omission(null, "Parts of arrays, structs and messages are separate entries.", parts))
         for (topic in recording.topics) {
             if (topic.isOfBytes) {
-                add(Omission(topic.name, "Only the sizes of bytes that were not decoded are kept.", topic.size))
+                add(Omission(topic.name, "Of undecoded bytes, only the size is kept.", topic.size))
             }
         }
         val unknown = recording.headerLine?.let(::readHeader)?.unknown.orEmpty()

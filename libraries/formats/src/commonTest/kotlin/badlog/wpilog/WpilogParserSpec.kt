@@ -206,8 +206,7 @@ class WpilogParserSpec : FunSpec({
         val recording = log.read()
         recording.topic("a").samples.toList() shouldBe listOf(1.0)
         recording.problems.map { it.kind } shouldBe listOf(ProblemKind.RECORDS_LOST)
-        recording.problems[0].message shouldContain "byte $end "
-        recording.problems[0].message shouldContain "last ${log.bytes.size - end} bytes"
+        recording.problems[0].message shouldContain "Bytes $end to ${log.bytes.size - 1}, the last"
         TestLog().start(1, "a", "double").double(1, 1, 1.0).raw(*IntArray(50)).read().problems.map { it.kind } shouldBe
             listOf(ProblemKind.RECORDS_LOST)
     }

@@ -54,7 +54,7 @@ class WpilogWriterSpec : FunSpec({
             timeList() shouldBe listOf(0.02, 0.04, 0.08)
         }
         log.topic("Time").attributes shouldBe listOf("hide")
-        omissions shouldContain Omission("Arm/Angle", "Gaps begin with NaN.", 2)
+        omissions shouldContain Omission("Arm/Angle", "Each gap starts with NaN.", 2)
         LogView.of(log).title shouldBe LogView.of(bag).title
     }
 
@@ -107,7 +107,7 @@ class WpilogWriterSpec : FunSpec({
         val (bytes, omissions) = writeLog(parseLog(log.bytes))
         parseLog(bytes).topics.map { it.type } shouldBe listOf("float", "int64", "int64", "double")
         omissions.single { it.topic == "large" }.what shouldBe
-            "Whole numbers beyond 2^53 are rounded, and all are of type double."
+            "All numbers are of type double, so whole numbers beyond 2^53 are rounded."
     }
 
     test("an element that its array has lost has a gap again") {
@@ -138,7 +138,7 @@ class WpilogWriterSpec : FunSpec({
 
     test("an x axis that is not a time, begins before 0 or is finer than a microsecond is reported") {
         writeLog(parse("a,b\n1,2\n3,4\n")).run {
-            second.single().what shouldBe "The x axis “Index” is not a time; one unit counts as one second."
+            second.single().what shouldBe "The x axis “Index” is not a time; one unit is written as one second."
             parseLog(first).topic("b").timeList() shouldBe listOf(0.0, 1.0)
         }
         val header = "{\"topics\":[{\"name\":\"t\",\"unit\":\"s\",\"attrs\":[\"xaxis\"]},{\"name\":\"b\"}],\"values\":[]}\n"

@@ -51,7 +51,7 @@ private fun summaryOf(results: List<FindResult>, found: Int): List<String> {
         lines += "Unknown in ${count(replies.size, "log")}" + if (reason == null) ", since samples are missing." else ": $reason"
     }
     val leftOut = results.count { it.reply is Reply.LeftOut }
-    if (leftOut > 0) lines += "${count(leftOut, "log")} left out by the question."
+    if (leftOut > 0) lines += "${count(leftOut, "log")} excluded by the question."
     val notAsked = results.mapNotNull { it.reply as? Reply.NotAsked }
     val isAnswered = results.any { it.reply is Reply.Answered }
     val (missing, others) = notAsked.partition { it.kind == ExpressionErrorKind.UNKNOWN_TOPIC }
@@ -61,7 +61,9 @@ private fun summaryOf(results: List<FindResult>, found: Int): List<String> {
         val (name, isOfHeader) = what
         lines += "${have(replies.size)} no ${if (isOfHeader) "header value" else "topic"} “$name”."
     }
-    if (lacking.isNotEmpty()) lines += "${have(lacking.size)} not all topics of the question."
+    if (lacking.isNotEmpty()) {
+        lines += "${count(lacking.size, "log")} ${if (lacking.size == 1) "lacks" else "lack"} some topics of the question."
+    }
     // Where no log has the topic it may be misspelt, and the message says more.
     if (missing.isNotEmpty() && !isAnswered) lines += missing.maxBy { it.place }.pointed
     mistaken.groupBy { it.pointed }.forEach { (pointed, replies) -> lines += "Skipped for ${count(replies.size, "log")}: $pointed" }

@@ -95,7 +95,8 @@ internal sealed interface LogContent {
         private fun failed(e: Throwable) =
             None("This is a bug in badlog ($e); report it, with the file if you may share it.", isNoLog = false)
 
-        private fun tooLarge() = None("It is too large for the available memory; give the program more, or cut the file.", isNoLog = false)
+        private fun tooLarge() =
+            None("It is too large for the available memory; give the program more memory, or cut the file.", isNoLog = false)
 
         private fun withVirtualTopics(
             recording: Recording,

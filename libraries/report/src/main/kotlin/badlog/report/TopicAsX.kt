@@ -18,7 +18,7 @@ public fun Recording.withX(name: String, file: Path): Recording {
         val what = if (format == RecordingFormat.WPILOG) "a WPILOG" else "a Driver Station log"
         throw TopicException("$file is $what, whose x axis is always the time; leave out --x, or convert it to a bag first.")
     }
-    val chosen = topicCalled(name, file) { "to be the x axis" }
+    val chosen = topicCalled(name, file) { "for the x axis" }
     return copy(topics = topics.map { it.asX(it === chosen) })
 }
 
@@ -30,7 +30,7 @@ public fun Recording.withX(name: String, file: Path): Recording {
  */
 public fun Recording.topicCalled(name: String, file: Path, purpose: () -> String): Topic =
     topics.find { it.name == name } ?: topics.singleOrNull { it.name.equals(name, ignoreCase = true) }
-        ?: throw TopicException("$file has no topic “$name” ${purpose()}; there are ${listed(topics.map { it.name })}.")
+        ?: throw TopicException("$file has no topic “$name” ${purpose()}; its topics are ${listed(topics.map { it.name })}.")
 
 private fun Topic.asX(isX: Boolean): Topic {
     if (isX == X_AXIS in attributes) return this

@@ -58,7 +58,7 @@ class FindSpec : FunSpec({
             folder.put("2/1.bag", bag(mapOf("Time" to "s", "Left/Drive Current" to "A"), listOf("0,10", "1,30")))
             val replies = Find("max(motor current)").over(logsIn(folder)).map { it.reply }
             replies[0].shouldBeInstanceOf<Reply.NotAsked>().message shouldBe
-                "“motor current” is 2 topics, such as “Left/Drive Current”; name one, or ask for each: max(\"*/Drive Current\") by topic."
+                "“motor current” means 2 topics, such as “Left/Drive Current”; name one, or ask for each: max(\"*/Drive Current\") by topic."
             replies[1].shouldBeInstanceOf<Reply.Answered>().quantities.single().value shouldBe 30.0
             Find("max(\"*/Drive Current\") by topic").over(logsIn(folder)).all { it.reply is Reply.Answered } shouldBe true
         }

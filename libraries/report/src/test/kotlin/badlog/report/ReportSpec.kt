@@ -153,7 +153,7 @@ class ReportSpec : FunSpec({
             folder.put("1.bag", batteryBag(6.0))
             Report(rules("Battery Voltage < 7 A")).over(logsIn(folder)).skipped.single().run {
                 isMistake shouldBe true
-                message shouldContain "Line 6: “System/Battery Voltage” in V and 7 A are of different units"
+                message shouldContain "Line 6: “System/Battery Voltage” in V and 7 A have units that cannot be converted"
                 message shouldContain "\nwhen = \"Battery Voltage < 7 A\"\n                          ^^^"
             }
             Report(rules("min(Battery Voltage)")).over(logsIn(folder)).skipped.single().message shouldContain "This is a number; compare it"
@@ -211,7 +211,7 @@ class ReportSpec : FunSpec({
             val hook = HookRunner(listOf("python3", "-c", "import sys; sys.exit('no numpy')"), name = "h")
             val result = Report(rules("min(Battery Voltage) < 7"), listOf(hook)).over(logsIn(folder))
             result.logs.single().findings.size shouldBe 1
-            reportText(result) shouldContain "1.bag, hook “h”: The hook ended with the exit code 1 and said: no numpy."
+            reportText(result) shouldContain "1.bag, hook “h”: The hook ended with exit code 1; its last error: no numpy."
             jsonOf(ReportJson(result.logs.single())).getValue("hookFailures").jsonArray.size shouldBe 1
         }
     }

@@ -169,7 +169,7 @@ public class RuleProgram(private val rules: RuleSet, private val shape: LogShape
 
         is TopicsOfSignal -> {
             val beside = if (each.with.isEmpty()) "" else " with ${each.with.joinToString(" and ") { "“$it”" }} of the same device"
-            "no ${if (each.isLinked) "two linked topics are" else "topic is"} the signal “${each.signal}”$beside"
+            "no ${if (each.isLinked) "linked topics" else "topic"} for the signal “${each.signal}”$beside"
         }
     }
 
@@ -195,7 +195,7 @@ public class RuleProgram(private val rules: RuleSet, private val shape: LogShape
         val lacked = lacking.find { it.name in expression.topics }
         return when {
             lacked === DEVIATION -> Refused(Refusal(NO_PLAN))
-            lacked != null -> Refused(Refusal("no topic is the signal “${lacked.name}”"))
+            lacked != null -> Refused(Refusal("no topic for the signal “${lacked.name}”"))
             expression.topics.any { names[it]?.only === CLOCK } && !shape.hasClock -> Refused(Refusal(NO_AXIS))
             expression.type.isCondition -> question(rule, expression, turn)
             fitsElsewhere(rule, names, lacking) -> Refused(Refusal(NO_CONDITION))
@@ -231,7 +231,7 @@ public class RuleProgram(private val rules: RuleSet, private val shape: LogShape
         return when (error.kind) {
             ExpressionErrorKind.UNKNOWN_TOPIC -> Refusal(whyMissing(name, error.message))
 
-            ExpressionErrorKind.NO_TIME -> Refusal(if (timeTopic == null) NO_AXIS else "x of the log is not a time")
+            ExpressionErrorKind.NO_TIME -> Refusal(if (timeTopic == null) NO_AXIS else "the log's x axis is not a time")
 
             else -> {
                 val reason = if (error.kind == ExpressionErrorKind.SYNTAX) NOT_ALL_THERE else error.message.trimEnd('.')
@@ -269,13 +269,13 @@ public class RuleProgram(private val rules: RuleSet, private val shape: LogShape
 
         /** How far the robot is from where its plan has it. */
         const val PLAN_DISTANCE = "plan distance"
-        private const val IS_PART = "the log is only a part of one, as its value “$PART_VALUE” says"
+        private const val IS_PART = "the log is only part of a log (see its value “$PART_VALUE”)"
         private const val NO_AXIS = "the log has no x axis"
-        private const val NO_PLAN = "no topics are the pose of the robot and the pose that was planned for it"
+        private const val NO_PLAN = "no topics for the robot's pose and its planned pose"
         private const val NO_CONDITION = "“when” is a number"
 
         // Where a name is missing, what is left of it may read as anything.
-        private const val NOT_ALL_THERE = "not all topics of “when” are there"
+        private const val NOT_ALL_THERE = "some topics of “when” are missing"
 
         /** Nobody looks at more graphs at once. */
         private const val MAX_EVIDENCE = 12

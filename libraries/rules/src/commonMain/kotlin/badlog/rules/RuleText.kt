@@ -25,11 +25,11 @@ internal class RuleText private constructor(val source: String, private val part
                     at += 2
                 } else if (char == '{') {
                     val end = text.indexOf('}', at)
-                    if (end < 0) throw Mistake(at, at + 1, "This brace is never closed; a brace itself is written twice.")
+                    if (end < 0) throw Mistake(at, at + 1, "This brace is never closed; to print a brace, write it twice.")
                     val place = text.substring(at + 1, end)
                     if (place !in places) {
                         val known = places.joinToString { "{$it}" }
-                        throw Mistake(at, end + 1, "There is no place “{$place}”; there are $known.")
+                        throw Mistake(at, end + 1, "“{$place}” is not a placeholder; the placeholders are $known.")
                     }
                     parts += Part(plain.toString(), false)
                     parts += Part(place, true)

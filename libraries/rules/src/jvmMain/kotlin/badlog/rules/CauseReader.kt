@@ -20,7 +20,7 @@ internal fun causeGraphOf(toml: TomlText, root: TomlTable): CauseGraph {
         )
     }
     val value = root.get(listOf("leads_to")) ?: return CauseGraph(causes, emptyMap())
-    val table = value as? TomlTable ?: toml.fail(toml.placeOf(root, "leads_to"), "“leads_to” is a table: [leads_to].")
+    val table = value as? TomlTable ?: toml.fail(toml.placeOf(root, "leads_to"), "“leads_to” must be a table: [leads_to].")
     return CauseGraph(causes, table.keySet().associateWith { toml.strings(table, it) })
 }
 
@@ -29,7 +29,7 @@ private fun togetherIn(table: TomlTable, toml: TomlText): Int {
     return (value as? Long)?.takeIf { it in 1L..MAX_TOGETHER }?.toInt()
         ?: toml.fail(
             toml.placeOf(table, "together"),
-            "“together” says of how many topics findings are needed: a number from 1 to $MAX_TOGETHER.",
+            "“together” is how many topics must have findings: a number from 1 to $MAX_TOGETHER.",
         )
 }
 

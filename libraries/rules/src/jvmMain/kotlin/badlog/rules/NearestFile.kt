@@ -25,11 +25,11 @@ public class NearestFile<T> internal constructor(public val file: Path?, public 
                 ?: return NearestFile(null, null, null)
             val problem = try {
                 if (Files.size(file) <= MAX_BYTES) return NearestFile(file, parse(Files.readString(file)), null)
-                "It is larger than 1 MB; take out what does not belong there."
+                "It is larger than 1 MB; remove what does not belong there."
             } catch (e: IllegalArgumentException) {
                 e.message
             } catch (_: CharacterCodingException) {
-                "It is not in UTF-8; save it so in your editor."
+                "It is not UTF-8 text; save it as UTF-8 in your editor."
             } catch (_: IOException) {
                 "It cannot be read; check its permissions."
             }

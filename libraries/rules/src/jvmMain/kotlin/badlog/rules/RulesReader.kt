@@ -43,7 +43,7 @@ internal class RulesReader(private val source: String, private val signals: Sign
         if (extends != null &&
             extends != DEFAULT
         ) {
-            toml.fail(toml.placeOf(root, "extends"), "A file of rules extends “$DEFAULT”, not “$extends”.")
+            toml.fail(toml.placeOf(root, "extends"), "“extends” can only be “$DEFAULT”, not “$extends”.")
         }
         if (listOf("extends", "off", "limits").none { root.contains(listOf(it)) }) return Parts(emptyList(), emptyList())
         val off = toml.optionalStrings(root, "off").toSet()
@@ -68,11 +68,12 @@ internal class RulesReader(private val source: String, private val signals: Sign
 
     private fun limits(root: TomlTable): Map<String, Map<String, Double>> {
         if (!root.contains(listOf("limits"))) return emptyMap()
-        val table = root.get(listOf("limits")) as? TomlTable ?: toml.fail(toml.placeOf(root, "limits"), "“limits” is a table: [limits].")
+        val table = root.get(listOf("limits")) as? TomlTable
+            ?: toml.fail(toml.placeOf(root, "limits"), "“limits” must be a table: [limits].")
         return table.keySet().associateWith { name ->
             limitsOf(table.get(listOf(name))) ?: toml.fail(
                 toml.placeOf(table, name, isKey = true),
-                "Limits are numbers by their names, as in \"Low battery\" = { volts = 6.5 }.",
+                "Limits are names with numbers, as in \"Low battery\" = { volts = 6.5 }.",
             )
         }
     }
@@ -85,7 +86,7 @@ internal class RulesReader(private val source: String, private val signals: Sign
     private fun aliases(root: TomlTable): List<Alias> {
         if (!root.contains(listOf("aliases"))) return emptyList()
         val table =
-            root.get(listOf("aliases")) as? TomlTable ?: toml.fail(toml.placeOf(root, "aliases"), "“aliases” is a table: [aliases].")
+            root.get(listOf("aliases")) as? TomlTable ?: toml.fail(toml.placeOf(root, "aliases"), "“aliases” must be a table: [aliases].")
         return table.keySet().map { name ->
             if (!isUsable(name)) {
                 toml.fail(
@@ -177,7 +178,7 @@ internal class RulesReader(private val source: String, private val signals: Sign
         val signals = toml.strings(table, "of")
         signals.find { ComparedSignal.of(it) == null }?.let { signal ->
             val known = ComparedSignal.ALL.joinToString { it.signal }
-            toml.fail(toml.placeOf(table, "of"), "There are no figures of “$signal” to compare; there are those of: $known.")
+            toml.fail(toml.placeOf(table, "of"), "“$signal” cannot be compared; use one of: $known.")
         }
         val name = toml.string(table, "name").orEmpty()
         val limits = Limits(table, others[name].orEmpty(), Comparison.PLACES - Comparison.LIMITS.toSet())
@@ -209,14 +210,14 @@ internal class RulesReader(private val source: String, private val signals: Sign
                 emptyMap()
             } else {
                 limitsOf(value)
-                    ?: toml.fail(toml.placeOf(table, "limits"), "“limits” are numbers by their names, as in limits = { volts = 7 }.")
+                    ?: toml.fail(toml.placeOf(table, "limits"), "“limits” must be names with numbers, as in limits = { volts = 7 }.")
             }
             val taken = own.keys.find { it in places }
-            if (taken != null) toml.fail(toml.placeOf(table, "limits"), "“$taken” cannot be a limit, for it is a place in texts.")
+            if (taken != null) toml.fail(toml.placeOf(table, "limits"), "“$taken” cannot be a limit, because it is a placeholder in texts.")
             val unknown = others.keys.find { it !in own }
             if (unknown != null) {
                 val known = own.keys.joinToString().ifEmpty { "none" }
-                throw RulesException(1, "The rule “${toml.string(table, "name")}” has no limit “$unknown”; there are: $known.")
+                throw RulesException(1, "The rule “${toml.string(table, "name")}” has no limit “$unknown”; its limits are: $known.")
             }
             numbers = own + others
         }
@@ -229,7 +230,7 @@ internal class RulesReader(private val source: String, private val signals: Sign
     private fun each(table: TomlTable): TopicChoice? {
         if (!table.contains(listOf("each"))) {
             return listOf("except", "unit").firstOrNull { table.contains(listOf(it)) }
-                ?.let { toml.fail(toml.placeOf(table, it), "“$it” says which topics “each” means; without “each” it has no meaning.") }
+                ?.let { toml.fail(toml.placeOf(table, it), "“$it” selects topics for “each”, which is missing; add “each”.") }
         }
         val value = table.get(listOf("each"))
         if (value !is TomlTable) {
@@ -241,8 +242,8 @@ internal class RulesReader(private val source: String, private val signals: Sign
         if (unknown != null || !value.contains(listOf("signal"))) {
             toml.fail(
                 toml.placeOf(table, "each"),
-                "“each” names a signal of many topics, as in each = { signal = \"channel current\" }" +
-                    if (unknown == null) "." else "; “$unknown” is none.",
+                "“each” needs a signal of many topics, as in each = { signal = \"channel current\" }" +
+                    if (unknown == null) "." else "; “$unknown” is not one.",
             )
         }
         return TopicsOfSignal(names[0], names.drop(1), toml.isTrue(value, "linked"))

@@ -84,7 +84,7 @@ private class SignalsReader(private val toml: TomlText) {
 
     private fun units(root: TomlTable): List<NamedUnit> {
         if (!root.contains(listOf("units"))) return emptyList()
-        val mistake = "“units” is a table of what names end in and the units that this tells: [units]."
+        val mistake = "“units” must be a table of name endings and their units: [units]."
         val table = root.get(listOf("units")) as? TomlTable ?: toml.fail(toml.placeOf(root, "units"), mistake)
         return table.keySet().map { NamedUnit(it, toml.string(table, it).orEmpty()) }
     }
@@ -96,7 +96,7 @@ private class SignalsReader(private val toml: TomlText) {
         if (motors.size <
             2
         ) {
-            toml.fail(toml.placeOf(table, "motors"), "“motors” names at least two that turn the same, as in [\"A\", \"B\"].")
+            toml.fail(toml.placeOf(table, "motors"), "“motors” needs at least two motors that turn together, as in [\"A\", \"B\"].")
         }
         return motors.map(::NamePattern)
     }

@@ -168,7 +168,7 @@ class BuiltInRulesSpec : FunSpec({
         val byHand = TestMatch().apply { from(15.1, "Odometry/TrajectorySetpoint/translation/x") { ((it - 15) / 2).toString() } }
         byHand.findings(rules).map { it.rule }.shouldBeEmpty()
         rules.over(TestMatch().apply { without("Odometry/TrajectorySetpoint/translation/x") }.view(), "test.bag").skipped
-            .single { it.rule == "Left the plan" }.message shouldBe "no topics are the pose of the robot and the pose that was planned for it"
+            .single { it.rule == "Left the plan" }.message shouldBe "no topics for the robot's pose and its planned pose"
     }
 
     test("a part that was cut out of a log neither restarted nor ended in the match") {
@@ -179,7 +179,7 @@ class BuiltInRulesSpec : FunSpec({
         val part = rules.over(LogView.of(recording.copy(values = recording.values.ofPart("90 s to 130 s"))), "test.bag")
         part.findings.map { it.rule }.filter { it in OF_WHOLE_LOGS }.shouldBeEmpty()
         part.skipped.filter { it.rule in OF_WHOLE_LOGS }.map { it.message }.toSet() shouldBe
-            setOf("the log is only a part of one, as its value “Part” says")
+            setOf("the log is only part of a log (see its value “Part”)")
     }
 
     test("a stop of the log is found, but not while the program starts, nor while the robot is disabled") {

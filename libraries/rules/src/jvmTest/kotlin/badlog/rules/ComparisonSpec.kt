@@ -99,6 +99,6 @@ class ComparisonSpec : FunSpec({
         val limits = "limits = { deviations = 5, percent = 25, findings = 3, others = 5 }"
         val rule = "[[comparison]]\nname = \"A\"\nseverity = \"note\"\nof = [\"setpoint\"]\n$limits\ntext = \"t\"\n"
         shouldThrow<RulesException> { RulesFile.parse(rule) }.message shouldContain
-            "There are no figures of “setpoint” to compare; there are those of: battery"
+            "“setpoint” cannot be compared; use one of: battery"
     }
 })

@@ -41,7 +41,7 @@ class FolderRulesSpec : FunSpec({
         problem.lines()[0] shouldContain "badlog-rules.toml: Line 3:"
         problem.lines()[2].trim() shouldBe "^^^"
         Files.write(folder.resolve(RulesFile.NAME), byteArrayOf(-1, -2, 0))
-        FolderRules.of(folder.resolve("a.bag"), folder).problem.shouldNotBeNull() shouldContain "not in UTF-8"
+        FolderRules.of(folder.resolve("a.bag"), folder).problem.shouldNotBeNull() shouldContain "not UTF-8 text"
     }
 
     test("a file nested however deeply is a problem like any other, and no crash") {

@@ -131,6 +131,6 @@ class IncidentSpec : FunSpec({
     test("a mistake in a cause is reported with its line") {
         shouldThrow<RulesException> { RulesFile.parse("[[cause]]\nname = \"A\"\n") }.message shouldContain "This cause has no “shown_by”."
         shouldThrow<RulesException> { RulesFile.parse("[[cause]]\nname = \"A\"\nshown_by = \"B\"\ntogether = 0\n") }.message shouldContain
-            "Line 4: “together” says"
+            "Line 4: “together” is how many"
     }
 })

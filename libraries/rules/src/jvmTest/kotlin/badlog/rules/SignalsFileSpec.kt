@@ -83,8 +83,8 @@ class SignalsFileSpec : FunSpec({
         "[[signal]]\nname = \"1\"\ntopics = [\"b\"]\n" to "Line 2: A signal's name begins with a letter",
         "[[signal]]\nname = \"a\"\ntopics = [1]\n" to "Line 3: “topics” is a list of names or pairs",
         "[[signal]]\nname = \"a\"\ntopics = [\"b\"]\nis = \"x\"\n" to "Line 4: A signal is a “number”, a “condition” or a “text”, not “x”.",
-        "[[linked]]\nmotors = [\"b\"]\n" to "Line 2: “motors” names at least two",
-        "units = 1\n" to "Line 1: “units” is a table",
+        "[[linked]]\nmotors = [\"b\"]\n" to "Line 2: “motors” needs at least two",
+        "units = 1\n" to "Line 1: “units” must be a table",
         "[[signals]]\n" to "“signals” is not a key of the file",
     )
     for ((text, message) in mistakes) {

@@ -89,6 +89,6 @@ class ViewWithSignalsSpec : FunSpec({
     test("a signal that the log lacks is named as such, with what to do") {
         val names = logOf("Arm/Angle" to List(5) { "1" }).namesWith(vocabulary).vocabulary
         val error = Expression.parse("min(Battery) < 7", names).shouldBeInstanceOf<ExpressionError>()
-        error.message shouldContain "No topic of the log is the signal “battery”; name yours in badlog-signals.toml."
+        error.message shouldContain "The log has no topic for the signal “battery”; name yours in badlog-signals.toml."
     }
 })

@@ -1,6 +1,8 @@
 package badlog.terminal
 
 import java.io.PrintStream
+import kotlin.math.ceil
+import kotlin.math.roundToInt
 
 /**
  * Receives how far a piece of work is. Called on the thread that works; what it throws stops the work, which then leaves nothing
@@ -12,32 +14,60 @@ public fun interface Progress {
 }
 
 /**
- * Shows on a terminal how far a piece of work is, once it has taken a while. Closing it removes it from the terminal.
+ * Shows on a terminal how far a piece of work is and how long it will still take, once it has taken a while. Closing it removes it from the
+ * terminal.
  *
  * @param label what is worked on.
  * @param delay nanoseconds before the bar appears.
+ * @param clock nanoseconds since any moment.
  */
-public class ProgressBar(label: String, err: PrintStream, private val isShown: Boolean, private val delay: Long = 500_000_000L) :
-    Progress,
+public class ProgressBar(
+    label: String,
+    err: PrintStream,
+    private val isShown: Boolean,
+    private val delay: Long = 500_000_000L,
+    private val clock: () -> Long = System::nanoTime,
+) : Progress,
     AutoCloseable {
     private val label = label.takeLast(LABEL)
-    private val start = System.nanoTime()
+    private val start = clock()
     private var percent = -1
+    private var second = -1L
     private val line = StatusLine(err)
 
     override fun advanced(done: Long, total: Long) {
-        if (!isShown || System.nanoTime() - start < delay) return
+        if (!isShown) return
+        val taken = clock() - start
+        if (taken < delay) return
         val now = if (total > 0) (done * 100 / total).coerceAtMost(100).toInt() else 100
-        if (now == percent) return
+        if (now == percent && taken / SECOND == second) return
         percent = now
+        second = taken / SECOND
         val filled = now * BAR / 100
-        line.show("$label [${"#".repeat(filled)}${" ".repeat(BAR - filled)}] $now %")
+        val left = if (now in 1..99) ", ${timeLeft(taken.toDouble() / SECOND * (total - done) / done)}" else ""
+        line.show("$label [${"#".repeat(filled)}${" ".repeat(BAR - filled)}] $now %$left")
     }
 
     override fun close(): Unit = line.close()
 
     private companion object {
+        // Together with the time that is left they fit 80 columns.
         const val LABEL = 34
-        const val BAR = 34
+        const val BAR = 20
+
+        /** Nanoseconds. */
+        const val SECOND = 1_000_000_000L
     }
 }
+
+/** [seconds] as rough as an estimate is: `12 s left`, from a minute and a half on `3 min left`, from an hour and a half on `2 h left`. */
+internal fun timeLeft(seconds: Double): String = when {
+    seconds < LEAST_MINUTES -> "${ceil(seconds).toInt()} s left"
+    seconds < LEAST_HOURS -> "${(seconds / MINUTE).roundToInt()} min left"
+    else -> "${(seconds / HOUR).roundToInt()} h left"
+}
+
+private const val MINUTE = 60
+private const val HOUR = 3600
+private const val LEAST_MINUTES = 90
+private const val LEAST_HOURS = 5400

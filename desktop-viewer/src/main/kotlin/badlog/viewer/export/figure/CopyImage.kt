@@ -28,7 +28,7 @@ internal fun copyImage(image: Image, clipboard: () -> Clipboard) {
     } catch (e: HeadlessException) {
         throw IOException("There is no clipboard here; save the figure as a file instead.", e)
     } catch (e: IllegalStateException) {
-        throw IOException("Another program holds the clipboard; try again.", e)
+        throw IOException("Another program is using the clipboard; try again.", e)
     }
 }
 

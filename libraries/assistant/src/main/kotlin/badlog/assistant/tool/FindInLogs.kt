@@ -118,7 +118,7 @@ internal class FindInLogs(private val logs: LogFolder, private val cache: Path?)
     internal companion object {
         /** What an assistant has to know of expressions. */
         const val LANGUAGE: String =
-            "Names are those of topics or signals; texts stand in single quotes; numbers may have units (7 V, 0.5 s). Operators: and or " +
+            "Names are those of topics or signals; put texts in single quotes; numbers may have units (7 V, 0.5 s). Operators: and or " +
                 "not < <= > >= == != contains matches + - * / ^, “x when c”, “c for 0.5 s”, “a within 1 s after b”. Of a whole log: min " +
                 "max first last mean median percentile(x,95) stddev integral count total any all duration time_of_min time_of_max " +
                 "slope correlation. Over time: min(x, 1 s) delta derivative previous changed rises falls crosses after before during. " +

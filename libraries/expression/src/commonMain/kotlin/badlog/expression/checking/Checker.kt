@@ -55,10 +55,10 @@ internal object Checker {
 
     private fun typeOfFor(node: Node.For): Type {
         if (!needCondition(node.condition).isOverTime) {
-            mistake(node.condition, "Before “for” a condition that changes over time is needed.")
+            mistake(node.condition, "“for” needs a condition that changes over time before it.")
         }
         needLasting(node.condition)
-        if (node.time.seconds <= 0) mistake(node.time, "After “for” a time above 0 is needed.")
+        if (node.time.seconds <= 0) mistake(node.time, "“for” needs a time above 0 after it.")
         return node.condition.type
     }
 
@@ -83,9 +83,9 @@ internal object Checker {
             Operator.Group.TEXT -> {
                 val symbol = node.operator.symbol
                 if (left.kind != Kind.TEXT || !left.isOverTime) {
-                    mistake(node.left, "Before “$symbol” a topic of texts is needed, not ${described(node.left)}.")
+                    mistake(node.left, "“$symbol” needs a topic of texts before it, not ${described(node.left)}.")
                 }
-                if (node.right !is Node.Text) mistake(node.right, "After “$symbol” a text in single quotes is needed.")
+                if (node.right !is Node.Text) mistake(node.right, "“$symbol” needs a text in single quotes after it.")
                 Type(Kind.CONDITION, true)
             }
 
@@ -99,10 +99,10 @@ internal object Checker {
                 if ((left.kind == Kind.TEXT) != (right.kind == Kind.TEXT)) {
                     val text = if (left.kind == Kind.TEXT) node.left else node.right
                     val other = if (left.kind == Kind.TEXT) node.right else node.left
-                    val hint = if (other is Node.Topic) "" else "; texts stand in single quotes"
+                    val hint = if (other is Node.Topic) "" else "; put texts in single quotes"
                     mistake(node, "A text, ${quotedPart(text)}, cannot be compared with ${described(other)}$hint.")
                 }
-                if (left.kind == Kind.TEXT && !isOverTime) mistake(node, "Two fixed texts need no comparison.")
+                if (left.kind == Kind.TEXT && !isOverTime) mistake(node, "Two fixed texts need no comparison; compare a topic with a text.")
                 Type(Kind.CONDITION, isOverTime)
             }
 
@@ -120,8 +120,8 @@ internal object Checker {
             val parameter = function.parameters[index]
             if (!parameter.accepts(argument)) {
                 val isOfTwo = parameter == Parameter.WINDOW && argument.type.isOverTime && argument.type.kind.isNumeric
-                val hint = if (isOfTwo) "; of two, if(a < b, a, b) takes one" else ""
-                mistake(argument, "${function.title} needs here ${parameter.needed}, not ${described(argument)}$hint.")
+                val hint = if (isOfTwo) "; to choose between two, use if(a < b, a, b)" else ""
+                mistake(argument, "${function.title} needs ${parameter.needed}, not ${described(argument)}$hint.")
             }
         }
         val arguments = node.arguments

@@ -116,7 +116,7 @@ internal object UnitChecker {
                 val place = if (isWritten(left)) left else right
                 mistake(
                     place,
-                    "${described(left, leftUnit)} and ${described(right, rightUnit)} are of different units; neither becomes the other.",
+                    "${described(left, leftUnit)} and ${described(right, rightUnit)} have units that cannot be converted into each other.",
                 )
             }
             // What a person wrote becomes what was logged.

@@ -111,7 +111,7 @@ internal class NameReader(private val text: String, private val scanner: Scanner
             }
 
             Function.called(key).isNotEmpty() ->
-                fail(from, from + word.length, "$key is a function; its operands stand in parentheses behind it.")
+                fail(from, from + word.length, "$key is a function; put its operands in parentheses after it.")
 
             else -> {
                 val until = nameEnd(from)
@@ -144,12 +144,12 @@ internal class NameReader(private val text: String, private val scanner: Scanner
         val rest = topics.map { it.substring(start.length) }
         val end = rest.reduce { one, other -> one.commonSuffixWith(other) }.dropWhile(::isWordCharacter)
         val pattern = if (start.isEmpty() && end.isEmpty()) topics[0].substringBefore('/') + "/*" else "$start*$end"
-        return "“$signal” is ${topics.size} topics, such as “${topics[0]}”; name one, or ask for each: max(\"$pattern\") by topic."
+        return "“$signal” means ${topics.size} topics, such as “${topics[0]}”; name one, or ask for each: max(\"$pattern\") by topic."
     }
 
     private fun failUnknownTopic(name: String, from: Int, until: Int): Nothing {
         vocabulary.lacking(name)?.let {
-            val message = "No topic of the log is the signal “$it”; name yours in badlog-signals.toml."
+            val message = "The log has no topic for the signal “$it”; name yours in badlog-signals.toml."
             throw Mistake(from, until, ExpressionErrorKind.UNKNOWN_TOPIC, message)
         }
         vocabulary.several.entries.find { it.key.equals(name, ignoreCase = true) }?.let { (signal, topics) ->

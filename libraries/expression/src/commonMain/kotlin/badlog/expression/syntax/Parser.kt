@@ -83,7 +83,7 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
 
     private fun asText(mistake: Mistake): Mistake = mistake.run {
         val name = text.substring(from, until).trim('"', '`')
-        Mistake(from, until, kind, "There is no ${vocabulary.thing} “$name”; a text stands in single quotes, as in '$name'.")
+        Mistake(from, until, kind, "There is no ${vocabulary.thing} “$name”; put a text in single quotes, as in '$name'.")
     }
 
     // An operand in parentheses reaches farther than what it is made of.
@@ -91,7 +91,7 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
 
     private fun readTime(wordFrom: Int): Node.Time {
         val word = text.substring(wordFrom, scanner.at)
-        val message = "After “$word” a time is needed, as in $word 0.5 s."
+        val message = "“$word” needs a time after it, as in $word 0.5 s."
         scanner.skipSpace()
         val from = scanner.at
         if (!scanner.isNumberHere()) fail(wordFrom, wordFrom + word.length, message)
@@ -108,7 +108,7 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
         } else if (scanner.takeWord("before")) {
             Function.BEFORE
         } else {
-            fail(wordFrom, scanner.at, "After “within” and the time, “after” or “before” is needed, as in within 1 s after x > 5.")
+            fail(wordFrom, scanner.at, "“within” needs a time, then “after” or “before”, as in within 1 s after x > 5.")
         }
         val other = expression(Precedence.NOT, nesting + 1)
         val call = made(Node.Call(from, scanner.at, function, listOf(other, time)))
@@ -234,7 +234,7 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
 
     private fun countMove(node: Node) {
         if (++moves > Limits.MOVES) {
-            val message = "An expression has at most ${Limits.MOVES} times during, shift, after, before, first and last with a time."
+            val message = "An expression can use during, shift, after, before, first and last with a time at most ${Limits.MOVES} times."
             fail(node.from, node.until, message, ExpressionErrorKind.LIMIT)
         }
     }
@@ -251,7 +251,7 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
             when (found) {
                 ")" -> "This parenthesis was never opened."
                 "&", "|" -> "“$found” is not an operator; write “$found$found”."
-                "," -> "A comma stands only between the operands of a function; a decimal point is a point."
+                "," -> "A comma only separates the operands of a function; write decimals with a point."
                 else -> "“$found” is not expected here; an operator such as + or < may follow, or the end."
             },
         )

@@ -44,7 +44,7 @@ public fun boardLayoutOf(name: String, text: String): BoardLayout {
     if (members == null || version == null) {
         throw BoardException(layoutMistake(name, text))
     }
-    if (version > BoardLayout.VERSION) throw BoardException("$name was saved by a newer badlog; update this one to open it.")
+    if (version > BoardLayout.VERSION) throw BoardException("$name was saved by a newer badlog; update badlog to open it.")
     val visible = members["visible"]?.members?.associate { it.key to it.value.json.toDoubleOrNull() }
     return BoardLayout(
         board = members["graphs"]?.takeIf { it.json != "null" }?.let { boardOf(it) { place -> " (${lineAndColumn(text, place)})" } },

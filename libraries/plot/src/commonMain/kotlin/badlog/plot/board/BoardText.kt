@@ -66,7 +66,7 @@ private fun graphOf(id: Int, text: String): BoardGraph {
                 'w' -> graph = graph.copy(xRange = spanOf(value))
                 'o' -> graph = graph.copy(origin = originOf(value))
                 'h' -> graph = graph.copy(height = heightOf(value))
-                else -> throw BoardException("Graph $id has “${part[0]}”, which this badlog does not know; update it to open this.")
+                else -> throw BoardException("Graph $id has “${part[0]}”, which is unknown here; update badlog to open this.")
             }
         } else if (part.isNotEmpty()) {
             lines += if (part == "~") "" else nameOf(part)

@@ -18,10 +18,10 @@ public enum class Action(public val group: String, public val meaning: String, p
     TEN_SAMPLES_BACK("Graphs", "Cursor ten samples back", KeyStroke("←", shift = true)),
 
     /** The cursor goes on by ten samples. */
-    TEN_SAMPLES_ON("Graphs", "Cursor ten samples on", KeyStroke("→", shift = true)),
+    TEN_SAMPLES_ON("Graphs", "Cursor ten samples forward", KeyStroke("→", shift = true)),
 
     /** A second cursor is put where the first one is, and moved from then on; or taken away. */
-    SECOND_CURSOR("Graphs", "Second cursor, for the arrow keys to move; again: away with it", KeyStroke("B")),
+    SECOND_CURSOR("Graphs", "Second cursor, moved by the arrow keys; again: remove it", KeyStroke("B")),
 
     /** Less of x is shown, around the cursor where it is in sight. */
     ZOOM_IN("Graphs", "Zoom in", KeyStroke("+")),
@@ -51,7 +51,7 @@ public enum class Action(public val group: String, public val meaning: String, p
     CURSOR_VALUES("Graphs", "Values at the cursor: open or close", KeyStroke("V")),
 
     /** The graph goes on the board, or off it. */
-    PIN("Board", "Put the graph on the board, or take it off", KeyStroke("P")),
+    PIN("Board", "Add the graph to the board, or remove it", KeyStroke("P")),
 
     /** The graph changes places with the one above it. */
     MOVE_UP("Board", "Move the graph up", KeyStroke("↑", alt = true)),
@@ -136,13 +136,13 @@ public data class HelpLine(public val group: String, public val how: String, pub
 public val GRAPH_GESTURES: List<HelpLine> = listOf(
     HelpLine("On the graphs", "Wheel", "Scrolls."),
     HelpLine("On the graphs", "Ctrl+wheel, pinch", "Zooms around the pointer."),
-    HelpLine("On the graphs", "Shift+wheel", "Pans, as the wheel sideways does."),
-    HelpLine("On the graphs", "Drag", "Zooms to what it covers."),
+    HelpLine("On the graphs", "Shift+wheel", "Pans, like a sideways wheel."),
+    HelpLine("On the graphs", "Drag", "Zooms to the range it covers."),
     HelpLine("On the graphs", "Shift+drag", "Pans."),
     HelpLine("On the graphs", "Alt+drag", "Zooms y of this graph."),
     HelpLine("On the graphs", "Double click", "Shows everything again."),
-    HelpLine("On the graphs", "Click", "Pins the cursor; on the cursor, lets it go."),
+    HelpLine("On the graphs", "Click", "Pins the cursor; on the cursor, unpins it."),
     HelpLine("On the graphs", "Shift+click", "Sets a second cursor: difference and slope of each line, and statistics between both."),
-    HelpLine("On the overview", "Drag", "Moves the visible range, or one of its edges; beside it, selects a new one."),
+    HelpLine("On the overview", "Drag", "Moves the visible range or one of its edges; outside it, selects a new one."),
     HelpLine("On the overview", "Click", "Moves the visible range there."),
 )

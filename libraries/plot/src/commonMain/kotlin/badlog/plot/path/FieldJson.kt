@@ -19,7 +19,7 @@ public fun fieldOfJson(text: String): Field {
     val corners = members["field-corners"]?.members
     val (left, top) = pair(corners, "top-left")
     val (right, bottom) = pair(corners, "bottom-right")
-    if (right <= left || bottom <= top) throw FieldException("“bottom-right” is not below and to the right of “top-left”; exchange them.")
+    if (right <= left || bottom <= top) throw FieldException("“bottom-right” is not below and to the right of “top-left”; swap them.")
     val unit = members["field-unit"]?.text?.lowercase()
     val meters = when (unit) {
         "foot", "feet", "ft" -> FOOT

@@ -2,9 +2,9 @@ package badlog.plot.text
 
 import badlog.recording.Problem
 
-/** Where [problem] was met, and how often where its message does not begin with that: `line 12 · Arm/Angle · 3 times`. */
+/** Where [problem] was met, and how often where its message does not say it: `line 12 · Arm/Angle · 3 times`. */
 public fun placeTextOf(problem: Problem): String = listOfNotNull(
     problem.line?.let { "line ${countText(it)}" },
     problem.topic,
-    problem.count.takeIf { it > 1 && !problem.message.startsWith("$it ") }?.let { "${countText(it)} times" },
+    problem.count.takeIf { it > 1 && !problem.message.contains(Regex("\\b$it\\b")) }?.let { "${countText(it)} times" },
 ).joinToString(" · ")

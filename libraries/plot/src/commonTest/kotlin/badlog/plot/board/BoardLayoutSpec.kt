@@ -49,7 +49,7 @@ class BoardLayoutSpec : FunSpec({
                 "my.json is not a layout, or is damaged; select a file that badlog has saved."
         }
         shouldThrow<BoardException> { boardLayoutOf("my.json", "{\"badlog-layout\":2}") }.message shouldBe
-            "my.json was saved by a newer badlog; update this one to open it."
+            "my.json was saved by a newer badlog; update badlog to open it."
     }
 
     test("a mistake in a layout is named with its line and column") {

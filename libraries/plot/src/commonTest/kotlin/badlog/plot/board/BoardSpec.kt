@@ -109,7 +109,7 @@ class BoardSpec : FunSpec({
         )
         for ((text, sentence) in wrong) shouldThrow<BoardException> { boardOfJson(text) }.message shouldBe sentence
         shouldThrow<BoardException> { boardOfText("A,q=1") }.message shouldBe
-            "Graph 1 has “q”, which this badlog does not know; update it to open this."
+            "Graph 1 has “q”, which is unknown here; update badlog to open this."
     }
 
     test("an origin that is not known is said") {

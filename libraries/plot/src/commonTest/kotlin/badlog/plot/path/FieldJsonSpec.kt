@@ -33,7 +33,7 @@ class FieldJsonSpec : FunSpec({
         fun sentence(old: String, new: String) = shouldThrow<FieldException> { fieldOfJson(text.replace(old, new)) }.message
         sentence(text, "[1]") shouldBe "It is not a JSON object; select the field’s .json file."
         sentence("[100,50]", "[100]") shouldBe "“top-left” is not a pair of numbers; write it as [x, y]."
-        sentence("[900,450]", "[90,450]") shouldBe "“bottom-right” is not below and to the right of “top-left”; exchange them."
+        sentence("[900,450]", "[90,450]") shouldBe "“bottom-right” is not below and to the right of “top-left”; swap them."
         sentence("foot", "furlong") shouldBe "“field-unit” is neither “foot” nor “meter”; write one of them."
         sentence("[50,25]", "[0,25]") shouldBe "“field-size” is not the size of a field; give its length and width, as [54, 27]."
         sentence("field-image", "picture") shouldBe "“field-image” is missing; name the picture beside the file."

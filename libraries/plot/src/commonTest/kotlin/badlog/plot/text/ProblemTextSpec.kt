@@ -15,6 +15,8 @@ class ProblemTextSpec : FunSpec({
 
     test("a number that a problem begins with is not said twice") {
         placeTextOf(Problem(ProblemKind.ROW_CUT, "27 records were dropped.", topic = "Mode", count = 27)) shouldBe "Mode"
+        placeTextOf(Problem(ProblemKind.EMPTY_CELLS, "“Mode” is empty in 27 of 400 cells.", count = 27)) shouldBe ""
+        placeTextOf(Problem(ProblemKind.BAD_RECORD, "Records were dropped (27×).", count = 27)) shouldBe ""
         placeTextOf(Problem(ProblemKind.ROW_CUT, "271 records were dropped.", count = 27)) shouldBe "27 times"
     }
 })

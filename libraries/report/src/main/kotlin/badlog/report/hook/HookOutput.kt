@@ -15,12 +15,12 @@ import java.util.Base64
 /** Checks what a hook printed. Throws [IllegalArgumentException] with a sentence at the first thing that is not as it has to be. */
 internal object HookOutput {
     fun read(text: String): HookResult {
-        require(text.isNotBlank()) { "The hook printed nothing; it has to print one JSON object, at least {}." }
+        require(text.isNotBlank()) { "The hook printed nothing; it must print one JSON object, at least {}." }
         requireShallow(text)
         val root = try {
             Json.parseToJsonElement(text)
         } catch (e: SerializationException) {
-            throw IllegalArgumentException("The hook printed no JSON: ${e.message.orEmpty().lineSequence().first().take(MAX_QUOTED)}.")
+            throw IllegalArgumentException("The hook did not print JSON: ${e.message.orEmpty().lineSequence().first().take(MAX_QUOTED)}.")
         }
         val members = membersOf(root, "the output", setOf("values", "findings", "series", "figures"))
         return HookResult(
@@ -40,7 +40,7 @@ internal object HookOutput {
             when (text[at]) {
                 '"' -> isInText = !isInText
                 '\\' -> at++
-                '[', '{' -> if (!isInText) require(++depth <= MAX_DEPTH) { "What the hook printed is nested too deeply." }
+                '[', '{' -> if (!isInText) require(++depth <= MAX_DEPTH) { "The hook's output is nested too deeply." }
                 ']', '}' -> if (!isInText) depth--
             }
             at++
@@ -48,11 +48,11 @@ internal object HookOutput {
     }
 
     private fun values(json: JsonElement): Map<String, String> {
-        require(json is JsonObject) { "“values” has to be an object of texts and numbers, not ${kindOf(json)}." }
+        require(json is JsonObject) { "“values” must be an object of texts and numbers, not ${kindOf(json)}." }
         require(json.size <= MAX_VALUES) { "There are ${json.size} values; at most $MAX_VALUES are allowed." }
         return json.mapValues { (name, value) ->
             require(value is JsonPrimitive && value !is JsonNull) {
-                "The value “${name.take(MAX_NAME)}” has to be a text or a number, not ${kindOf(value)}."
+                "The value “${name.take(MAX_NAME)}” must be a text or a number, not ${kindOf(value)}."
             }
             limited(value.content, MAX_TEXT, "The value “${name.take(MAX_NAME)}”")
         }
@@ -63,10 +63,10 @@ internal object HookOutput {
         val severity = text(members, "severity", where, MAX_NAME, "warning")
         val time = numberIn(members, "time", where)
         val until = numberIn(members, "until", where)
-        require(until.isNaN() || until >= time) { "In $where “until” has to be a time not before “time”." }
+        require(until.isNaN() || until >= time) { "In $where “until” must not be before “time”." }
         return HookFinding(
             Severity.entries.find { it.name.lowercase() == severity }
-                ?: throw IllegalArgumentException("In $where “severity” has to be error, warning or note, not “$severity”."),
+                ?: throw IllegalArgumentException("In $where “severity” must be error, warning or note, not “$severity”."),
             text(members, "text", where, MAX_TEXT),
             time,
             until,
@@ -77,26 +77,26 @@ internal object HookOutput {
         val members = membersOf(json, where, setOf("name", "unit", "x", "y"))
         val x = numbers(members, "x", where, areGapsAllowed = false)
         val y = numbers(members, "y", where, areGapsAllowed = true)
-        require(x.size == y.size) { "In $where “x” has ${x.size} numbers and “y” has ${y.size}; they have to be as many." }
-        for (i in 1 until x.size) require(x[i] >= x[i - 1]) { "In $where “x” goes back at number ${i + 1}; it has to be sorted." }
+        require(x.size == y.size) { "In $where “x” has ${x.size} numbers and “y” has ${y.size}; they must have the same length." }
+        for (i in 1 until x.size) require(x[i] >= x[i - 1]) { "In $where “x” decreases at number ${i + 1}; sort it." }
         return HookSeries(text(members, "name", where, MAX_NAME), text(members, "unit", where, MAX_NAME, ""), Series(x, y))
     }
 
     private fun figure(json: JsonElement, where: String): HookFigure {
         val members = membersOf(json, where, setOf("title", "svg", "png"))
         val title = text(members, "title", where, MAX_NAME)
-        require(("svg" in members) != ("png" in members)) { "In $where there has to be either “svg” or “png”." }
+        require(("svg" in members) != ("png" in members)) { "In $where either “svg” or “png” is needed." }
         if ("svg" in members) {
             val svg = text(members, "svg", where, MAX_FIGURE)
-            require(beginsAsSvg(svg)) { "In $where “svg” has to be an SVG picture that begins with <svg." }
+            require(beginsAsSvg(svg)) { "In $where “svg” must be an SVG picture that starts with <svg." }
             return HookFigure(title, "image/svg+xml", picture(svg.encodeToByteArray(), "In $where “svg”"))
         }
         val png = try {
             Base64.getMimeDecoder().decode(text(members, "png", where, MAX_BASE64))
         } catch (_: IllegalArgumentException) {
-            throw IllegalArgumentException("In $where “png” has to be Base64.")
+            throw IllegalArgumentException("In $where “png” must be Base64.")
         }
-        require(png.size > PNG.size && PNG.indices.all { png[it] == PNG[it] }) { "In $where “png” has to be a PNG picture in Base64." }
+        require(png.size > PNG.size && PNG.indices.all { png[it] == PNG[it] }) { "In $where “png” must be a PNG picture in Base64." }
         return HookFigure(title, "image/png", picture(png, "In $where “png”"))
     }
 
@@ -107,20 +107,20 @@ internal object HookOutput {
 
     private fun <T> items(members: JsonObject, key: String, most: Int, read: (JsonElement, String) -> T): List<T> {
         val json = members[key] ?: return emptyList()
-        require(json is JsonArray) { "“$key” has to be a list, not ${kindOf(json)}." }
+        require(json is JsonArray) { "“$key” must be a list, not ${kindOf(json)}." }
         require(json.size <= most) { "There are ${json.size} $key; at most $most are allowed." }
         return json.mapIndexed { index, item -> read(item, "number ${index + 1} of “$key”") }
     }
 
     private fun membersOf(json: JsonElement, where: String, known: Set<String>): JsonObject {
-        require(json is JsonObject) { "What the hook printed is not as it has to be: $where is ${kindOf(json)}, not an object." }
+        require(json is JsonObject) { "The hook's output is wrong: $where is ${kindOf(json)}, not an object." }
         val unknown = json.keys.firstOrNull { it !in known } ?: return json
-        throw IllegalArgumentException("In $where there is “${unknown.take(MAX_NAME)}”; it may have ${known.joinToString()}.")
+        throw IllegalArgumentException("In $where “${unknown.take(MAX_NAME)}” is not a key; the keys are ${known.joinToString()}.")
     }
 
     private fun text(members: JsonObject, key: String, where: String, most: Int, absent: String? = null): String {
         val json = members[key] ?: absent?.let { return it } ?: throw IllegalArgumentException("In $where “$key” is missing.")
-        require(json is JsonPrimitive && json.isString) { "In $where “$key” has to be a text, not ${kindOf(json)}." }
+        require(json is JsonPrimitive && json.isString) { "In $where “$key” must be a text, not ${kindOf(json)}." }
         return limited(json.content, most, "In $where “$key”")
     }
 
@@ -131,7 +131,7 @@ internal object HookOutput {
 
     private fun numberIn(members: JsonObject, key: String, where: String): Double {
         val json = members[key] ?: return Double.NaN
-        return number(json) ?: throw IllegalArgumentException("In $where “$key” has to be a number or left out, not ${kindOf(json)}.")
+        return number(json) ?: throw IllegalArgumentException("In $where “$key” must be a number or missing, not ${kindOf(json)}.")
     }
 
     private fun number(json: JsonElement): Double? =
@@ -139,7 +139,7 @@ internal object HookOutput {
 
     private fun numbers(members: JsonObject, key: String, where: String, areGapsAllowed: Boolean): DoubleArray {
         val json = members[key]
-        require(json is JsonArray) { "In $where “$key” has to be a list of numbers${if (areGapsAllowed) " and nulls" else ""}." }
+        require(json is JsonArray) { "In $where “$key” must be a list of numbers${if (areGapsAllowed) " and nulls" else ""}." }
         require(json.size <= MAX_SAMPLES) { "In $where “$key” has ${json.size} numbers; at most $MAX_SAMPLES are allowed." }
         return DoubleArray(json.size) { index ->
             val item = json[index]

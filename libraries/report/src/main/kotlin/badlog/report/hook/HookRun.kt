@@ -33,7 +33,7 @@ internal class HookRun(private val process: Process, private val recording: Reco
         }
         if (output.isTooLong) fail("The hook printed more than ${MAX_OUTPUT shr 20} MB.")
         val code = process.exitValue()
-        if (code != 0) throw HookException("The hook ended with the exit code $code${lastError(" and said")}.")
+        if (code != 0) throw HookException("The hook ended with exit code $code${lastError("; its last error")}.")
         return try {
             HookOutput.read(output.text())
         } catch (e: IllegalArgumentException) {
@@ -50,7 +50,7 @@ internal class HookRun(private val process: Process, private val recording: Reco
     private fun fail(message: String, cause: Throwable? = null): Nothing {
         close()
         errors.join(POLL)
-        val said = lastError(" To standard error it said").let { if (it.isEmpty()) "" else "$it." }
+        val said = lastError(" Its last error").let { if (it.isEmpty()) "" else "$it." }
         throw HookException(message + said, cause)
     }
 

@@ -35,7 +35,7 @@ public class HookRunner(
 ) {
     init {
         require(command.isNotEmpty()) { "The command of the hook is empty." }
-        require(timeLimit.isPositive()) { "The time limit of a hook is above 0, not $timeLimit." }
+        require(timeLimit.isPositive()) { "The time limit of a hook must be above 0, not $timeLimit." }
     }
 
     /**
@@ -88,13 +88,13 @@ public class HookRunner(
         val reason = ERROR_OF_SYSTEM.find(message)?.let { " (${it.groupValues[1]})" }.orEmpty()
         val file = folder?.toFile()?.resolve(program) ?: File(program)
         return when {
-            folder != null && !Files.isDirectory(folder) -> "The folder “$folder” in which to run the hook is not there."
+            folder != null && !Files.isDirectory(folder) -> "The folder of the hook, “$folder”, does not exist."
 
             file.isFile ->
                 "The file “$program” cannot be run as a program$reason; name what runs it, as in “python3 $program”, " +
                     "or allow it by chmod +x."
 
-            else -> "The program “$program” cannot be started$reason; is it installed, and in the PATH?"
+            else -> "The program “$program” cannot be started$reason; install it, or add its folder to the PATH."
         }
     }
 

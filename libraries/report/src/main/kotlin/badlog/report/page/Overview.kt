@@ -11,7 +11,7 @@ import badlog.rules.figure.Measure
 internal fun overview(logs: List<IndexedLog>): String {
     val out = StringBuilder("<table class=\"overview\">\n<thead><tr><th scope=\"col\">Match</th>")
     for (title in listOf("Errors", "Warnings", "Notes")) out.append("<th scope=\"col\" class=\"count\">$title</th>")
-    out.append("<th scope=\"col\" class=\"first\">First of all</th>")
+    out.append("<th scope=\"col\" class=\"first\">Main finding</th>")
     for ((title, unit) in FIGURES) out.append("<th scope=\"col\" class=\"count figure\">$title<br><small>$unit</small></th>")
     out.append("</tr></thead>\n<tbody>\n")
     for (log in logs.sortedWith(WORST_FIRST)) out.append(row(log))

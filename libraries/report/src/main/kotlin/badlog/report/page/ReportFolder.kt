@@ -106,7 +106,7 @@ public class ReportFolder(
         val reason = when {
             realPath(page) in read -> "$page would overwrite a log that is read; select another folder."
             isForced || isOfBadlog(page) -> return
-            else -> "$page exists already, and badlog did not make it; select another folder, or give --force to replace it."
+            else -> "$page exists already, and badlog did not make it; select another folder, or use --force to replace it."
         }
         throw ExportException.Unwritable(page, reason)
     }

@@ -4,6 +4,7 @@ import badlog.expression.ExpressionError
 import badlog.expression.Outcome
 import badlog.expression.ParsedQuestion
 import badlog.expression.Question
+import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Signals
 import badlog.file.LogFile
 import badlog.recording.NumberSinks
@@ -25,6 +26,7 @@ import badlog.rules.BUILT_IN
 import badlog.rules.LogShape
 import badlog.rules.QuestionNames
 import badlog.rules.RuleSet
+import badlog.rules.signal.NamePattern
 import badlog.rules.signal.SignalVocabulary
 import badlog.rules.signal.toJson
 import kotlinx.serialization.Serializable
@@ -32,8 +34,8 @@ import kotlinx.serialization.Transient
 import java.nio.file.Path
 
 /**
- * A table with a row for each log, a column for each of [questions], see `docs/expressions.md`, and one for each value that [hooks]
- * return.
+ * A table with a row for each log, a column for each of [questions], see `docs/expressions.md`, three for each topic of [only], and one for
+ * each value that [hooks] return.
  *
  * @param by the names of header values that have columns of their own, and by which the rows are sorted; numbers as numbers.
  * @param hooks programs to run for each log.
@@ -43,6 +45,7 @@ import java.nio.file.Path
  *   depends on.
  * @param xTopic the topic to take as x axis, which plain CSV does not name; null for what the log itself says.
  * @param signals what topics are called that the questions name by their meaning.
+ * @param only the topics of which the table has the lowest, mean and highest values.
  */
 public class MatchTable(
     public val questions: List<String>,
@@ -53,16 +56,25 @@ public class MatchTable(
     private val cache: Path? = null,
     private val xTopic: String? = null,
     signals: SignalVocabulary = RuleSet.BUILT_IN.signals,
+    private val only: List<NamePattern> = emptyList(),
 ) {
     private val usedSignals = signals.namedIn((virtualTopics + questions).joinToString("\n"))
 
     // A hook is given all that the log has.
-    private val sinks = if (hooks.isEmpty()) NamedTopics(virtualTopics + questions, xTopic, usedSignals) else NumberSinks.RECORDING
+    private val sinks = if (hooks.isEmpty()) neededTopics() else NumberSinks.RECORDING
     private val asked = LruCache<LogShape, Asked>(MAX_SHAPES) { Asked(it) }
 
     private inner class Asked(shape: LogShape) {
         val names = QuestionNames(usedSignals, shape)
         val questions: List<ParsedQuestion> = this@MatchTable.questions.map { Question.parse(it, names.vocabulary) }
+        val topics: List<TopicQuestion> = shape.vocabulary.signals
+            .filter { signal -> signal.kind == SignalKind.NUMBER && only.any { it.matches(signal.name) } }
+            .flatMap { signal -> TopicQuestion.of(signal.name, names.vocabulary) }
+    }
+
+    private fun neededTopics(): NumberSinks {
+        val named = NamedTopics(virtualTopics + questions, xTopic, usedSignals)
+        return NumberSinks { name, attributes -> if (only.any { it.matches(name) }) null else named.of(name, attributes) }
     }
 
     /** What is wrong with a question, or the condition, whatever a log has; null when nothing seems to be. */
@@ -74,6 +86,7 @@ public class MatchTable(
         val title: String?,
         val headers: List<String> = emptyList(),
         val cells: List<TableCell> = emptyList(),
+        val topics: List<TopicCell> = emptyList(),
         val unreadable: String? = null,
         val isNoLog: Boolean = false,
         val isSalvaged: Boolean = false,
@@ -92,7 +105,14 @@ public class MatchTable(
     public fun over(files: List<LogFile>, progress: (done: Int, total: Int) -> Unit = { _, _ -> }): List<TableRow> {
         val rows = ArrayList<TableRow>(files.size)
         val parts =
-            listOf("table", xTopic.orEmpty(), condition.orEmpty(), usedSignals.toJson()) + questions + "by" + by + "topics" + virtualTopics
+            listOf(
+                "table",
+                xTopic.orEmpty(),
+                condition.orEmpty(),
+                usedSignals.toJson(),
+            ) + questions + "by" + by + "topics" + virtualTopics +
+                "only" +
+                only.map { it.text }
         val known = cache?.takeIf { hooks.isEmpty() }?.let { ResultCache(it, parts.joinToString("\n"), Stored.serializer()) }
         runCached(files, known, { file, cores ->
             LogContent.examined(file, virtualTopics, usedSignals, xTopic, sinks, cores, work = ::ask)
@@ -120,7 +140,7 @@ public class MatchTable(
         val found = stored.hooks.flatMap { hook -> hook.result?.values.orEmpty().map { (name, text) -> HookValue(hook.hook, name, text) } }
         val failures = stored.hooks.mapNotNull { hook -> hook.failure?.let { HookFailure(hook.hook, it.message) } }
         return stored.run {
-            TableRow(file, title, headers, cells, found, failures, unreadable, isNoLog, isSalvaged, isWanted, undefined, mistake)
+            TableRow(file, title, headers, cells, topics, found, failures, unreadable, isNoLog, isSalvaged, isWanted, undefined, mistake)
         }
     }
 
@@ -133,16 +153,12 @@ public class MatchTable(
         val values = log.recording.values
         val (isWanted, mistake) = condition?.let { holdsFor(values, it) } ?: (true to null)
         val asked = asked[LogShape.of(log.view)]
+        val signals = asked.names.signalsOf(log.view)
         return Stored(
             log.view.title,
             by.map { headerOf(values, it) },
-            cells = if (isWanted) {
-                asked.names.signalsOf(log.view).let { signals ->
-                    asked.questions.map { cellOf(it, signals) }
-                }
-            } else {
-                emptyList()
-            },
+            cells = if (isWanted) asked.questions.map { cellOf(it, signals) } else emptyList(),
+            topics = if (isWanted) asked.topics.map { TopicCell(it.topic, it.statistic, cellOf(it.question, signals)) } else emptyList(),
             isSalvaged = log.recording.isSalvaged,
             isWanted = isWanted,
             mistake = mistake,

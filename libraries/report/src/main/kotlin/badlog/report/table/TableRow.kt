@@ -11,6 +11,7 @@ import kotlinx.serialization.Serializable
  *
  * @property headers the header values by which the table is sorted; empty texts where the log has none.
  * @property cells what each question came to; empty where the log was not asked.
+ * @property topics the statistics of the topics that the table was asked to sum up, in the order of the log.
  * @property hookValues what the hooks returned.
  * @property hookFailures the hooks that failed for it.
  * @property unreadable why the file cannot be read; null when it can.
@@ -24,6 +25,7 @@ public class TableRow internal constructor(
     public val title: String?,
     public val headers: List<String>,
     public val cells: List<TableCell>,
+    public val topics: List<TopicCell>,
     public val hookValues: List<HookValue>,
     public val hookFailures: List<HookFailure>,
     public val unreadable: String?,

@@ -19,8 +19,9 @@ public class TableRowJson private constructor(
     public constructor(table: MatchTable, row: TableRow) : this(
         match = row.title,
         by = table.by.zip(row.headers).toMap(),
-        values = table.questions.zip(row.cells.map { finite(it.value) }).toMap(),
-        units = table.questions.zip(row.cells.map { it.unit }).toMap(),
+        values =
+        table.questions.zip(row.cells.map { finite(it.value) }).toMap() + row.topics.associate { it.title to finite(it.cell.value) },
+        units = table.questions.zip(row.cells.map { it.unit }).toMap() + row.topics.associate { it.title to it.cell.unit },
         messages = table.questions.zip(row.cells).mapNotNull { (question, cell) -> cell.refusal?.let { question to it.message } }.toMap(),
         hooks = row.hookValues.groupBy { it.hook }.mapValues { (_, values) -> values.associate { it.name to primitive(it.text) } },
         hookFailures = row.hookFailures.map { HookFailureJson(it.hook, it.message) },

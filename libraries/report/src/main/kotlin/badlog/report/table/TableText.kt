@@ -13,14 +13,17 @@ public fun tableText(table: MatchTable, rows: List<TableRow>): String {
     val asked = askedOf(rows)
     val names = shortNames(asked.map { it.file })
     val units = unitsOf(table, asked)
+    val topics = TopicColumn.of(asked)
     val hooks = HookColumn.of(asked)
     val columns = listOf(TextTable.Column("Match"), TextTable.Column("File")) + table.by.map { TextTable.Column(it) } +
         table.questions.mapIndexed { i, question -> TextTable.Column(titled(question, units[i]), isNumber = true) } +
+        topics.map { TextTable.Column(titled(it.title, it.unit), isNumber = true) } +
         hooks.map { column -> TextTable.Column(column.title, isNumber = asked.all { isNumber(column.textIn(it)) }) }
     val lines = asked.map { row ->
         val file = names.getValue(row.file)
         listOf(row.title ?: file, file) + row.headers +
             row.cells.mapIndexed { i, cell -> textOf(cell, isUnitInTitle = units[i].isNotEmpty()) } +
+            topics.map { column -> column.cellIn(row)?.let { textOf(it, isUnitInTitle = column.unit.isNotEmpty()) } ?: UNKNOWN } +
             hooks.map { it.textIn(row) ?: UNKNOWN }
     }
     return TextTable(columns).lines(lines).flatten().joinToString("\n")
@@ -30,11 +33,13 @@ public fun tableText(table: MatchTable, rows: List<TableRow>): String {
 public fun tableCsv(table: MatchTable, rows: List<TableRow>): String {
     val asked = askedOf(rows)
     val units = unitsOf(table, asked)
+    val topics = TopicColumn.of(asked)
     val hooks = HookColumn.of(asked)
     val head = listOf("Match", "File") + table.by + table.questions.mapIndexed { i, question -> titled(question, units[i]) } +
-        hooks.map { it.title }
+        topics.map { titled(it.title, it.unit) } + hooks.map { it.title }
     val lines = asked.map { row ->
         listOf(row.title.orEmpty(), row.file.path.toString()) + row.headers + row.cells.map { plain(it.value) } +
+            topics.map { column -> plain(column.cellIn(row)?.value ?: Double.NaN) } +
             hooks.map { it.textIn(row).orEmpty() }
     }
     return (listOf(head) + lines).joinToString("") { line -> line.joinToString(",", postfix = "\r\n", transform = ::cell) }
@@ -45,6 +50,25 @@ public fun notesOf(rows: List<TableRow>): List<String> =
     undefinedTexts(askedOf(rows).map { it.undefined }) + hookTexts(rows.flatMap { row -> row.hookFailures.map { it to row.file } })
 
 private fun askedOf(rows: List<TableRow>) = rows.filter { it.unreadable == null && it.isWanted }
+
+/** What [rows] have of the statistic of a topic; [unit] is empty where it has none or several. */
+private class TopicColumn(rows: List<TableRow>, val title: String) {
+    private val cells = rows.mapNotNull { row -> row.topics.find { it.title == title }?.let { row to it.cell } }.toMap()
+    val unit: String = cells.values.filter { !it.value.isNaN() }.map { it.unit }.distinct().singleOrNull().orEmpty()
+
+    fun cellIn(row: TableRow): TableCell? = cells[row]
+
+    companion object {
+        fun of(rows: List<TableRow>): List<TopicColumn> {
+            val topics = rows.flatMap { row -> row.topics.map { it.topic } }.distinct().withIndex().associate { (place, name) ->
+                name to
+                    place
+            }
+            val titles = rows.flatMap { it.topics }.sortedBy { topics.getValue(it.topic) }.map { it.title }.distinct()
+            return titles.map { TopicColumn(rows, it) }
+        }
+    }
+}
 
 /** The unit of each column, empty where it has none or several. */
 private fun unitsOf(table: MatchTable, rows: List<TableRow>): List<String> = table.questions.indices.map { column ->

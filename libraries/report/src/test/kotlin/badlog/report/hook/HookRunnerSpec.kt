@@ -61,7 +61,7 @@ class HookRunnerSpec : FunSpec({
 
     test("of what R says, that counts which shows what went wrong").config(enabled = HAS_PYTHON) {
         val failure = shouldThrow<HookException> { python("import sys; sys.exit('Error: no such column\\nExecution halted\\n')") }
-        failure.message shouldBe "The hook ended with the exit code 1 and said: Error: no such column."
+        failure.message shouldBe "The hook ended with exit code 1; its last error: Error: no such column."
     }
 
     test("a hook gets all rows, and the header's path twice").config(enabled = HAS_PYTHON) {
@@ -102,12 +102,12 @@ class HookRunnerSpec : FunSpec({
 
     test("a hook that fails is reported with its last words").config(enabled = HAS_PYTHON) {
         val failure = shouldThrow<HookException> { python("import sys; sys.exit('no such column')") }
-        failure.message shouldBe "The hook ended with the exit code 1 and said: no such column."
+        failure.message shouldBe "The hook ended with exit code 1; its last error: no such column."
     }
 
     test("whatever is wrong with a hook, its last words are reported").config(enabled = HAS_PYTHON) {
         shouldThrow<HookException> { python("import sys; print('odd column', file=sys.stderr)") }.message shouldBe
-            "The hook printed nothing; it has to print one JSON object, at least {}. To standard error it said: odd column."
+            "The hook printed nothing; it must print one JSON object, at least {}. Its last error: odd column."
     }
 
     test("a file that is not a program is reported as such").config(enabled = !IS_WINDOWS) {
@@ -198,6 +198,6 @@ class HookRunnerSpec : FunSpec({
     test("a program that is not there is reported") {
         val failure = shouldThrow<HookException> { HookRunner(listOf("no-such-program-anywhere"), 1.seconds).run(RECORDING) }
         failure.message shouldStartWith "The program “no-such-program-anywhere” cannot be started ("
-        failure.message shouldEndWith "); is it installed, and in the PATH?"
+        failure.message shouldEndWith "); install it, or add its folder to the PATH."
     }
 })

@@ -45,7 +45,7 @@ internal class LakeExamination(private val rules: RuleSet) {
         if (IO_ERROR in e.message.orEmpty()) throw e
         ExaminedLog.None("This is a bug in badlog (${e.message}); report it, with the file if you may share it.", isNoLog = false)
     } catch (_: OutOfMemoryError) {
-        ExaminedLog.None("It is too large for the available memory; give the program more, or cut the file.", isNoLog = false)
+        ExaminedLog.None("It is too large for the available memory; give the program more memory, or cut the file.", isNoLog = false)
     }
 
     private fun programFor(view: LogView): RuleProgram {

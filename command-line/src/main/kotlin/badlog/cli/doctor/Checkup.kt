@@ -1,0 +1,129 @@
+package badlog.cli.doctor
+
+import badlog.cli.command.cacheFolder
+import badlog.cli.computer.Computer
+import badlog.cli.text.counted
+import badlog.cli.text.sizeText
+import badlog.fetch.RobotAddress
+import badlog.fetch.answering
+import badlog.html.BADLOG_VERSION
+import badlog.terminal.browserCommand
+import java.io.IOException
+import java.io.UncheckedIOException
+import java.nio.file.Files
+import java.nio.file.Path
+import java.time.Duration
+import kotlin.io.path.isRegularFile
+
+/** What a check came to. */
+internal enum class CheckState(val word: String) {
+    /** All is well. */
+    OK("ok"),
+
+    /** Something that only some people need is not there. */
+    MISSING("missing"),
+
+    /** Something that was asked for, or that badlog needs, does not work. */
+    ERROR("error"),
+}
+
+/**
+ * A line of a check-up.
+ *
+ * @property name what was looked at.
+ * @property text what was found, and what to do where that is not [CheckState.OK].
+ */
+internal class CheckFinding(val name: String, val state: CheckState, val text: String)
+
+/**
+ * Looks at what [computer] has for badlog.
+ *
+ * @param addresses where a robot may answer; null when nobody asks.
+ * @param patience how long a robot may take to answer.
+ */
+internal class Checkup(private val computer: Computer, private val addresses: List<RobotAddress>?, private val patience: Duration) {
+    /** One finding for each thing that was looked at. */
+    fun findings(): List<CheckFinding> = listOf(
+        CheckFinding("badlog", CheckState.OK, BADLOG_VERSION),
+        java(),
+        browser(),
+        window(),
+        owlet(),
+        folder("settings", computer.folders.settings, "kept"),
+        folder("cache", computer.folders.cache, "safe to delete"),
+    ) + listOfNotNull(answers(), robot())
+
+    private fun java(): CheckFinding {
+        val memory = sizeText(Runtime.getRuntime().maxMemory())
+        return CheckFinding("Java", CheckState.OK, "${Runtime.version()} in ${System.getProperty("java.home")}, may use $memory of memory")
+    }
+
+    private fun browser(): CheckFinding {
+        val command = browserCommand(computer.system).first()
+        val program = computer.program(command)
+        return when {
+            program != null -> CheckFinding("browser", CheckState.OK, "opened by $program")
+
+            else -> CheckFinding(
+                "browser",
+                CheckState.MISSING,
+                "$command is not on the PATH, so badlog cannot open pages; install xdg-utils, or open pages yourself",
+            )
+        }
+    }
+
+    private fun window(): CheckFinding = when (val window = computer.window()) {
+        null -> CheckFinding(
+            "window",
+            CheckState.MISSING,
+            "not installed, so “badlog open” shows pages; install it, or set ${Computer.WINDOW} to its program",
+        )
+
+        else -> CheckFinding("window", CheckState.OK, "$window")
+    }
+
+    private fun owlet(): CheckFinding = when (val owlet = computer.program("owlet")) {
+        null -> CheckFinding(
+            "owlet",
+            CheckState.MISSING,
+            "not on the PATH, so .hoot logs cannot be read; get it from CTRE if you have such logs",
+        )
+
+        else -> CheckFinding("owlet", CheckState.OK, "$owlet")
+    }
+
+    /** The answers to questions, where they are not in the folder of all that is cached. */
+    private fun answers(): CheckFinding? {
+        val answers = cacheFolder(computer.system, computer.user, computer.variable)
+        return if (answers.startsWith(computer.folders.cache)) null else folder("answers", answers, "safe to delete")
+    }
+
+    private fun folder(name: String, folder: Path, remark: String): CheckFinding {
+        if (!Files.exists(folder)) {
+            val parent = generateSequence(folder.toAbsolutePath()) { it.parent }.first { Files.exists(it) }
+            if (!Files.isWritable(parent)) return unwritable(name, folder)
+            return CheckFinding(name, CheckState.OK, "$folder, not used yet")
+        }
+        if (!Files.isDirectory(folder) || !Files.isWritable(folder)) return unwritable(name, folder)
+        return try {
+            val sizes = Files.walk(folder).use { files -> files.filter { it.isRegularFile() }.mapToLong { Files.size(it) }.toArray() }
+            CheckFinding(name, CheckState.OK, "$folder, ${counted(sizes.size.toLong(), "file")}, ${sizeText(sizes.sum())}; $remark")
+        } catch (_: IOException) {
+            unwritable(name, folder)
+        } catch (_: UncheckedIOException) {
+            unwritable(name, folder)
+        }
+    }
+
+    private fun unwritable(name: String, folder: Path) =
+        CheckFinding(name, CheckState.ERROR, "$folder cannot be written; check its permissions")
+
+    private fun robot(): CheckFinding? {
+        val wanted = addresses ?: return null
+        val names = wanted.joinToString { it.toString() }
+        return when (val found = answering(wanted, patience).firstOrNull()) {
+            null -> CheckFinding("robot", CheckState.ERROR, "does not answer at $names; connect to its network or by USB")
+            else -> CheckFinding("robot", CheckState.OK, "answers at $found")
+        }
+    }
+}

@@ -1,0 +1,29 @@
+package badlog.cli.open
+
+import badlog.cli.command.LogCommand
+import badlog.cli.command.Task
+import badlog.cli.computer.Computer
+import com.github.ajalt.clikt.core.UsageError
+import com.github.ajalt.clikt.parameters.options.flag
+import com.github.ajalt.clikt.parameters.options.help
+import com.github.ajalt.clikt.parameters.options.option
+
+/** `badlog open`. */
+internal class OpenCommand(private val computer: Computer) :
+    LogCommand(
+        "open",
+        "Opens a log or a folder of logs in the window.",
+        "If the window is not installed, opens the page of the log, or of the newest log in the folder, in the browser. The page is kept " +
+            "in the cache until the next one of the same name. ${Computer.WINDOW} names the window's program if it is not where the " +
+            "installer puts it.",
+        logHelp = "A log, or a folder of logs.",
+    ) {
+    private val isPage by option("--page").flag().help("Open the page, even if the window is installed.")
+
+    override val examples: List<String> = listOf("open match.bag", "open logs", "open match.bag --page")
+
+    override fun makeTask(): Task {
+        val path = paths.singleOrNull() ?: throw UsageError("name one log or one folder to open")
+        return OpenTask(path, isPage, computer, isJson)
+    }
+}

@@ -1,0 +1,21 @@
+package badlog.file
+
+import java.io.File
+import java.nio.file.Files
+import java.nio.file.InvalidPathException
+import java.nio.file.Path
+
+/**
+ * Where the program [name] is in the folders of [path], the system's PATH; null where it is in none. On Windows it may end in `.exe`.
+ */
+public fun programOnPath(name: String, path: String? = System.getenv("PATH")): Path? =
+    path.orEmpty().split(File.pathSeparator).filter { it.isNotEmpty() }.firstNotNullOfOrNull { folder ->
+        listOf(name, "$name.exe").firstNotNullOfOrNull { file -> executableAt(folder, file) }
+    }
+
+private fun executableAt(folder: String, file: String): Path? = try {
+    Path.of(folder, file).takeIf { Files.isRegularFile(it) && Files.isExecutable(it) }
+} catch (_: InvalidPathException) {
+    // A PATH may hold anything.
+    null
+}
