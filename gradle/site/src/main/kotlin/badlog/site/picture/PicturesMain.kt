@@ -41,7 +41,7 @@ private fun fitted(image: BufferedImage): BufferedImage {
     return BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB).apply {
         createGraphics().apply {
             setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BICUBIC)
-            color = Color(image.getRGB(image.width - 1, image.height - 1))
+            color = Color(image.getRGB(0, 0))
             fillRect(0, 0, WIDTH, HEIGHT)
             drawImage(image, (WIDTH - width) / 2, (HEIGHT - height) / 2, width, height, null)
         }.dispose()
