@@ -50,4 +50,5 @@ private fun helpOf(names: List<String>, command: BadlogCommand = badlogCommand()
 }
 
 /** The program's command line; nothing of what it would run is looked for. */
-internal fun badlogCommand(): BadlogCommand = BadlogCommand(emptyList(), Robots.ofSystem(), PartLoader.ofProgram(), InputStream.nullInputStream())
+internal fun badlogCommand(): BadlogCommand =
+    BadlogCommand(emptyList(), Robots.ofSystem(), PartLoader.ofProgram(), InputStream.nullInputStream())
