@@ -52,6 +52,6 @@ class FolderLayoutSpec : FunSpec({
         problemOf("""{"badlog-layout":99}""") shouldContain "saved by a newer badlog"
         problemOf(" ".repeat(2 shl 20)) shouldContain "larger than 1 MB"
         Files.write(file, byteArrayOf(-1, -2, 0))
-        FolderLayout.of(log).problem.shouldNotBeNull() shouldContain "not in UTF-8"
+        FolderLayout.of(log).problem.shouldNotBeNull() shouldContain "not UTF-8 text"
     }
 })
