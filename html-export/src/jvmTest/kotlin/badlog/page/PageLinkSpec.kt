@@ -119,7 +119,7 @@ internal class PageLinkSpec : PageSpec({
             press("Power [W] = Voltage * Current", Keys.ENTER)
             script("location.hash = '#f=' + 'Power = Voltage * 2'.replaceAll(' ', '+').replace('=', '~003d').replace('*', '~002a')")
             await("the notice") { notice().isNotEmpty() }
-            notice() shouldContain "Left out “Power = Voltage * 2”"
+            notice() shouldContain "Skipped “Power = Voltage * 2”"
             script("location.hash = '#f=' + 'Power [W] = Voltage * Current'.replaceAll(' ', '+').replace('=', '~003d')")
             settle()
             graphNames.count { it == "Power" } shouldBe 1

@@ -49,6 +49,6 @@ class CopyImageSpec : FunSpec({
 
     test("where there is no clipboard, or another program holds it, a sentence says so") {
         shouldThrow<IOException> { copyImage(ImageBitmap(1, 1)) { throw HeadlessException() } }.message shouldContain "no clipboard"
-        shouldThrow<IOException> { copyImage(ImageBitmap(1, 1)) { throw IllegalStateException() } }.message shouldContain "holds the clipboard"
+        shouldThrow<IOException> { copyImage(ImageBitmap(1, 1)) { throw IllegalStateException() } }.message shouldContain "is using the clipboard"
     }
 })
