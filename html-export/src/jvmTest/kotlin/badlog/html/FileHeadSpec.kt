@@ -11,7 +11,7 @@ class FileHeadSpec : FunSpec({
 
     test("bytes that no text has, and a WPILOG of another version, are refused at once") {
         val binary = byteArrayOf(1, 2, 3, 0, -1)
-        for (bytes in listOf(binary, gzip(binary))) refusal(bytes).orEmpty() shouldContain "bytes that no text has"
+        for (bytes in listOf(binary, gzip(binary))) refusal(bytes).orEmpty() shouldContain "bytes that never occur in text"
         refusal("WPILOG\u0000\u0002\u0000\u0000\u0000\u0000".encodeToByteArray()).orEmpty() shouldContain "WPILOG of version 2"
         refusal("WPILOG\u0000\u0001\u0000\u0000\u0000\u0000".encodeToByteArray()).shouldBeNull()
     }
