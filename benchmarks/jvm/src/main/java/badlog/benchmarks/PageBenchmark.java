@@ -64,11 +64,7 @@ public final class PageBenchmark {
     private static String measure(Path bag, Path page) throws Exception {
         ChromeDriver browser = start();
         try {
-            double opened = Double.MAX_VALUE;
-            int rounds = MeasuredBags.size(page) > 100_000_000 ? 1 : 3;
-            for (int round = 0; round < rounds; round++) {
-                opened = Math.min(opened, open(browser, page.toUri().toString()));
-            }
+            double opened = quickest(browser, page, page.toUri().toString());
             double memory = memory(browser);
             List<Double> zooms = zooms(browser, "badlog-zoom", "section.graph", 3);
             return String.format(Locale.ROOT, "| %s | %.1f MB | %.2f s | %.0f MB | %d | %.1f ms | %.1f ms |",
@@ -93,7 +89,7 @@ public final class PageBenchmark {
             List<Double> zooms = zooms(browser, "badlog-zoom", BOARD_GRAPHS, 1);
             int shown = graphsOnScreen(browser);
             browser.executeCdpCommand("Emulation.setCPUThrottlingRate", Map.of("rate", SLOWED));
-            double opened = open(browser, address);
+            double opened = quickest(browser, page, address);
             List<Double> slowed = zooms(browser, "badlog-zoom-script", BOARD_GRAPHS, 1);
             return String.format(Locale.ROOT, "| %s | %d | %.1f ms | %.1f ms | %.2f s | %.1f ms |", bag.getFileName(), shown,
                 script.get(script.size() / 2), zooms.get(zooms.size() / 2), opened, slowed.get(slowed.size() / 2));
@@ -147,6 +143,16 @@ public final class PageBenchmark {
             }
         }
         throw new IllegalStateException("The page is measured with " + program + ", which is not on the PATH.");
+    }
+
+    /** The quickest of three times of {@link #open}, of one where the page is huge. */
+    private static double quickest(ChromeDriver browser, Path page, String address) throws Exception {
+        double opened = Double.MAX_VALUE;
+        int rounds = MeasuredBags.size(page) > 100_000_000 ? 1 : 3;
+        for (int round = 0; round < rounds; round++) {
+            opened = Math.min(opened, open(browser, address));
+        }
+        return opened;
     }
 
     /** Seconds from the start of loading to the first graphs. */
