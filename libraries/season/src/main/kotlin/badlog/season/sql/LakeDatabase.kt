@@ -102,7 +102,8 @@ public class LakeDatabase private constructor(
         views.makeFor(sql)
         work()
     } catch (e: SQLException) {
-        throw SqlException(e.message.orEmpty().trim(), e)
+        // Where rows are streamed, the driver puts a line of its own before what the engine says.
+        throw SqlException(e.message.orEmpty().substringAfter("\nError: ").trim(), e)
     }
 
     /** Only queries can be written as JSON by DuckDB, so whatever else a text holds is refused before any of it is executed. */
