@@ -14,7 +14,11 @@ import java.nio.file.Path
 import java.nio.file.StandardOpenOption.CREATE
 import java.nio.file.StandardOpenOption.WRITE
 import java.sql.SQLException
+import java.util.concurrent.CancellationException
+import java.util.concurrent.locks.ReentrantReadWriteLock
 import java.util.zip.CRC32
+import kotlin.concurrent.read
+import kotlin.concurrent.write
 
 /** A lake cannot be made or read. The message is one sentence for a person: what, where, and what to do. */
 public class LakeException(override val message: String, cause: Throwable? = null) : Exception(message, cause)
@@ -141,6 +145,8 @@ internal class LakeRefresh(private val folder: Path, private val engine: Engine,
     private val registered = registeredIn(folder, engine)
     private val stage = LakeStage(folder, engine)
     private val examination = LakeExamination(rules)
+    private val underWay = ReentrantReadWriteLock()
+    private var isStopped = false
     private val maker = "${LakeLayout.VERSION}-${CRC32().apply { update(rules.toJson().encodeToByteArray()) }.value.toString(HEX)}"
 
     fun run(logs: List<LakeLog>, roots: List<Path>, batch: Int, progress: (done: Int, total: Int) -> Unit): LakeResult {
@@ -166,12 +172,8 @@ internal class LakeRefresh(private val folder: Path, private val engine: Engine,
             val names = namesOf(changed)
             try {
                 gone.forEach(stage::remove)
-                FolderRun().forEach(
-                    changed.map {
-                        it.file
-                    },
-                    { file, cores -> write(byFile.getValue(file), names, cores) },
-                ) { file, examined ->
+                val work = { file: LogFile, cores: Int -> writeUnlessStopped(byFile.getValue(file), names, cores) }
+                FolderRun().forEach(changed.map { it.file }, work) { file, examined ->
                     val log = byFile.getValue(file)
                     outcomes[log] = outcomeOf(log, examined)
                     // Tables are written anew each time, so the larger they are, the more has to come together.
@@ -179,7 +181,11 @@ internal class LakeRefresh(private val folder: Path, private val engine: Engine,
                     progress(outcomes.size, changed.size)
                 }
             } finally {
-                stage.flush()
+                // What is being written when the work is stopped comes into the tables, too, and nothing is written after the lock is gone.
+                underWay.write {
+                    isStopped = true
+                    stage.flush()
+                }
             }
             noteIgnored(logs.map { outcomes[it] ?: known.getValue(it)!! })
         }
@@ -202,6 +208,11 @@ internal class LakeRefresh(private val folder: Path, private val engine: Engine,
     private fun namesOf(logs: List<LakeLog>): Map<LakeLog, String> {
         val taken = registered.values.mapTo(HashSet()) { it.log.lowercase() }
         return logs.associateWith { log -> registered[pathOf(log.file)]?.log ?: freeName(log.name) { taken.add(it.lowercase()) } }
+    }
+
+    private fun writeUnlessStopped(log: LakeLog, names: Map<LakeLog, String>, cores: Int): ExaminedLog = underWay.read {
+        if (isStopped) throw CancellationException()
+        write(log, names, cores)
     }
 
     private fun write(log: LakeLog, names: Map<LakeLog, String>, cores: Int): ExaminedLog = examination.of(log.file, cores) {
