@@ -36,9 +36,10 @@ internal class PageWriter(private val out: OutputStream, private val parts: Page
 
     /** What the page shows besides the recording, no byte when that is nothing; then the program, which runs while the rest is loaded. */
     fun program(additions: PageAdditions) {
-        if (!additions.isEmpty) {
+        val json = additions.toJson()
+        if (json != NO_ADDITIONS) {
             text("<script type=\"application/octet-stream\" id=\"packed-additions\">")
-            out.write(packed(additions.toJson()))
+            out.write(packed(json))
             text("</script>\n")
         }
         text("<script type=\"application/octet-stream\" id=\"packed\">")
@@ -84,6 +85,8 @@ internal class PageWriter(private val out: OutputStream, private val parts: Page
     private fun text(text: String) = out.write(text.encodeToByteArray())
 
     private companion object {
+        val NO_ADDITIONS = PageAdditions().toJson()
+
         // Until the program runs, or instead.
         const val WAITING = "Loading… If this stays, the file is incomplete: copy it again."
         const val NO_SCRIPT = "This page needs JavaScript to draw its log: allow scripts for this file, or open it in another browser."

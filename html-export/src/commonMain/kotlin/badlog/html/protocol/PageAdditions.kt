@@ -41,11 +41,6 @@ public class PageAdditions(
     internal fun withNotes(notes: List<Note>, problem: String?): PageAdditions =
         PageAdditions(virtualTopics, rules, rulesProblem, findings, hooks, differences, layout, notes, problem, field, video)
 
-    /** Whether there is nothing, so that a page is as small as one without. */
-    public val isEmpty: Boolean
-        get() = virtualTopics.isEmpty() && rules.rules.isEmpty() && rules.signals.isEmpty && rulesProblem == null && findings.isEmpty() &&
-            hooks.isEmpty() && layout == null && this.field == null && notes.isEmpty() && notesProblem == null && video == null
-
     /** Reads what [toJson] wrote. */
     public companion object
 }
