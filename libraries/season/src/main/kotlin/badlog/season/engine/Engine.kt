@@ -55,6 +55,11 @@ internal class Engine(memoryMegabytes: Int?, threads: Int, streams: Boolean = fa
         root.close()
         scratch.toFile().deleteRecursively()
     }
+
+    companion object {
+        /** How much memory is enough for writing a lake, in MB. */
+        const val WRITING_MEGABYTES = 256
+    }
 }
 
 private fun connected(options: Map<String, String>): DuckDBConnection =

@@ -3,9 +3,7 @@ package badlog.season.lake
 import badlog.file.FolderRun
 import badlog.file.LogFile
 import badlog.rules.RuleSet
-import badlog.rules.toJson
 import badlog.season.engine.Engine
-import badlog.text.freeName
 import java.io.IOException
 import java.nio.channels.FileChannel
 import java.nio.channels.OverlappingFileLockException
@@ -16,7 +14,6 @@ import java.nio.file.StandardOpenOption.WRITE
 import java.sql.SQLException
 import java.util.concurrent.CancellationException
 import java.util.concurrent.locks.ReentrantReadWriteLock
-import java.util.zip.CRC32
 import kotlin.concurrent.read
 import kotlin.concurrent.write
 
@@ -30,7 +27,9 @@ public class LakeException(override val message: String, cause: Throwable? = nul
  * @property name what the lake calls it, with slashes, mostly its path below the folder of logs; where another file has that name in the
  *   lake, it gets a number.
  */
-public class LakeLog(public val file: LogFile, public val name: String)
+public class LakeLog(public val file: LogFile, public val name: String) {
+    internal val source: LogSource get() = LogSource(pathOf(file.path), file.name, name, file.size, file.modified)
+}
 
 /**
  * What became of a file that was to be in a lake.
@@ -90,18 +89,11 @@ public class Lake(public val folder: Path) {
         batch: Int = DEFAULT_BATCH,
         progress: (done: Int, total: Int) -> Unit = { _, _ -> },
     ): LakeResult = locked {
-        try {
+        writing(folder) {
             val mark = LakeMark.of(folder) ?: LakeMark().also { it.write(folder) }
-            Engine(MEMORY_MEGABYTES, threads = 1).use { engine ->
+            Engine(Engine.WRITING_MEGABYTES, threads = 1).use { engine ->
                 LakeRefresh(folder, engine, rules, mark).run(logs, roots, batch, progress)
             }
-        } catch (e: SQLException) {
-            throw LakeException(
-                "The lake $folder cannot be written (${e.message}); make room on the disk, or make the lake in another folder.",
-                e,
-            )
-        } catch (e: IOException) {
-            throw LakeException("The lake $folder cannot be written (${e.message}); make it in another folder.", e)
         }
     }
 
@@ -135,50 +127,45 @@ public class Lake(public val folder: Path) {
         /** Whether [folder] is a lake, of any version. */
         public fun isLake(folder: Path): Boolean = Files.isRegularFile(folder.resolve(LakeLayout.MARK))
 
-        private const val MEMORY_MEGABYTES = 256
         private const val DEFAULT_BATCH = 500
     }
 }
 
+/** Does [work], which writes to [folder]; whatever it cannot write becomes a [LakeException]. */
+internal inline fun <R> writing(folder: Path, work: () -> R): R = try {
+    work()
+} catch (e: SQLException) {
+    throw LakeException("The lake $folder cannot be written (${e.message}); make room on the disk, or make the lake in another folder.", e)
+} catch (e: IOException) {
+    throw LakeException("The lake $folder cannot be written (${e.message}); make it in another folder.", e)
+}
+
 /** One run of [Lake.refresh], by [engine], over the lake [folder], which is locked and says [mark] of itself. */
-internal class LakeRefresh(private val folder: Path, private val engine: Engine, private val rules: RuleSet, private val mark: LakeMark) {
+internal class LakeRefresh(private val folder: Path, private val engine: Engine, rules: RuleSet, private val mark: LakeMark) {
     private val registered = registeredIn(folder, engine)
     private val stage = LakeStage(folder, engine)
-    private val examination = LakeExamination(rules)
+    private val examination = LakeExamination(rules, engine)
     private val underWay = ReentrantReadWriteLock()
     private var isStopped = false
-    private val maker = "${LakeLayout.VERSION}-${CRC32().apply { update(rules.toJson().encodeToByteArray()) }.value.toString(HEX)}"
 
     fun run(logs: List<LakeLog>, roots: List<Path>, batch: Int, progress: (done: Int, total: Int) -> Unit): LakeResult {
-        val ignored = mark.ignored.associateBy { it.path }
-        val known = logs.associateWith { log ->
-            val former = registered[pathOf(log.file)]
-            val other = ignored[pathOf(log.file)]?.takeIf { it.isOf(log.file) }
-            when {
-                former?.isOf(log.file, maker) == true && former.files.all { Files.exists(folder.resolve(it)) } ->
-                    LakeOutcome(log, null, isNoLog = false, isSalvaged = false, isWritten = false)
-
-                other != null -> LakeOutcome(log, other.message, isNoLog = true, isSalvaged = false, isWritten = false)
-
-                else -> null
-            }
-        }
-        val changed = logs.filter { known[it] == null }
-        val gone = goneFrom(logs, roots)
-        val outcomes = HashMap<LakeLog, LakeOutcome>()
-        if (changed.isNotEmpty() || gone.isNotEmpty()) {
+        val sources = logs.map { it.source }
+        val tops = roots.map { Path.of(pathOf(it)) }
+        val isBelow = { path: String -> tops.any { Path.of(path).startsWith(it) } }
+        val plan = LakeInventory(mark, registered).plan(sources, examination.maker, isBelow) { Files.exists(folder.resolve(it)) }
+        val examined = HashMap<String, ExaminedLog>()
+        if (plan.changed.isNotEmpty() || plan.gone.isNotEmpty()) {
             dropDrafts()
-            val byFile = changed.associateBy { it.file }
-            val names = namesOf(changed)
+            val byPath = plan.changed.associateBy { it.source.path }
+            val changed = logs.map { it.file }.filter { pathOf(it.path) in byPath }
             try {
-                gone.forEach(stage::remove)
-                val work = { file: LogFile, cores: Int -> writeUnlessStopped(byFile.getValue(file), names, cores) }
-                FolderRun().forEach(changed.map { it.file }, work) { file, examined ->
-                    val log = byFile.getValue(file)
-                    outcomes[log] = outcomeOf(log, examined)
+                plan.gone.forEach(stage::remove)
+                val work = { file: LogFile, cores: Int -> writeUnlessStopped(file.path, byPath.getValue(pathOf(file.path)), cores) }
+                FolderRun().forEach(changed, work) { file, found ->
+                    examined[pathOf(file.path)] = found
                     // Tables are written anew each time, so the larger they are, the more has to come together.
-                    if (stage.size >= maxOf(batch, (registered.size + outcomes.size) / GROWTH)) stage.flush()
-                    progress(outcomes.size, changed.size)
+                    if (stage.size >= maxOf(batch, (registered.size + examined.size) / GROWTH)) stage.flush()
+                    progress(examined.size, changed.size)
                 }
             } finally {
                 // What is being written when the work is stopped comes into the tables, too, and nothing is written after the lock is gone.
@@ -187,15 +174,10 @@ internal class LakeRefresh(private val folder: Path, private val engine: Engine,
                     stage.flush()
                 }
             }
-            noteIgnored(logs.map { outcomes[it] ?: known.getValue(it)!! })
         }
-        return LakeResult(logs.map { outcomes[it] ?: known.getValue(it)!! }, gone.size)
-    }
-
-    private fun goneFrom(logs: List<LakeLog>, roots: List<Path>): List<RegisteredLog> {
-        val here = logs.mapTo(HashSet()) { pathOf(it.file) }
-        val tops = roots.map { Path.of(pathOf(it)) }
-        return registered.values.filter { former -> former.path !in here && tops.any { Path.of(former.path).startsWith(it) } }
+        val outcomes = logs.zip(sources) { log, source -> outcomeOf(log, examined[source.path], plan.ignored[source]) }
+        if (examined.isNotEmpty()) noteIgnored(outcomes)
+        return LakeResult(outcomes, plan.gone.size)
     }
 
     /** What killed runs have left. */
@@ -205,56 +187,23 @@ internal class LakeRefresh(private val folder: Path, private val engine: Engine,
         }
     }
 
-    private fun namesOf(logs: List<LakeLog>): Map<LakeLog, String> {
-        val taken = registered.values.mapTo(HashSet()) { it.log.lowercase() }
-        return logs.associateWith { log -> registered[pathOf(log.file)]?.log ?: freeName(log.name) { taken.add(it.lowercase()) } }
-    }
-
-    private fun writeUnlessStopped(log: LakeLog, names: Map<LakeLog, String>, cores: Int): ExaminedLog = underWay.read {
+    private fun writeUnlessStopped(file: Path, log: PlannedLog, cores: Int): ExaminedLog = underWay.read {
         if (isStopped) throw CancellationException()
-        write(log, names, cores)
+        examination.write(file, cores, log.source, log.log, folder).also { if (it is ExaminedLog.Written) stage.add(it.entry, log.former) }
     }
 
-    private fun write(log: LakeLog, names: Map<LakeLog, String>, cores: Int): ExaminedLog = examination.of(log.file, cores) {
-            view,
-            findings,
-        ->
-        val name = names.getValue(log)
-        val identity = LogIdentity.of(log.file.name, view.recording, rules.signals)
-        val samples = SamplesTable(view, name, identity)
-        val tables = listOfNotNull(
-            samples.table?.let { LakeLayout.logFile(LakeLayout.SAMPLES, identity.partition, name) to it },
-            seriesTable(view, name, identity)?.let { LakeLayout.logFile(LakeLayout.SERIES, identity.partition, name) to it },
-        )
-        val metadata = METADATA to topicsJson(view.recording.topics, samples.nameOf, identity)
-        engine.connected { connection ->
-            for ((file, table) in tables) {
-                engine.lend(table) { select -> writeParquet(connection, select, folder.resolve(file), metadata, table.columns.size) }
-            }
-        }
-        val files = tables.map { it.first }
-        val records = LogRecords(name, log.file, view, findings, identity, samples.nameOf, files, maker)
-        stage.add(name, identity.partition, records.all, files, registered[pathOf(log.file)])
-    }
-
-    private fun outcomeOf(log: LakeLog, examined: ExaminedLog): LakeOutcome = when (examined) {
-        is ExaminedLog.Written -> LakeOutcome(log, null, isNoLog = false, isSalvaged = examined.isSalvaged, isWritten = true)
+    private fun outcomeOf(log: LakeLog, examined: ExaminedLog?, ignored: String?): LakeOutcome = when (examined) {
+        is ExaminedLog.Written -> LakeOutcome(log, null, isNoLog = false, isSalvaged = examined.entry.isSalvaged, isWritten = true)
         is ExaminedLog.None -> LakeOutcome(log, examined.message, examined.isNoLog, isSalvaged = false, isWritten = false)
+        null -> LakeOutcome(log, ignored, isNoLog = ignored != null, isSalvaged = false, isWritten = false)
     }
 
     private fun noteIgnored(outcomes: List<LakeOutcome>) {
-        val ignored = outcomes.filter { it.isNoLog }.map { outcome ->
-            outcome.log.file.let { LakeMark.Ignored(pathOf(it), it.size, it.modified, outcome.message.orEmpty()) }
-        }
-        val here = outcomes.mapTo(HashSet()) { pathOf(it.log.file) }
-        LakeMark(ignored = mark.ignored.filter { it.path !in here } + ignored).write(folder)
+        val ignored = outcomes.filter { it.isNoLog }.associate { it.log.source to it.message.orEmpty() }
+        mark.after(outcomes.map { it.log.source }, ignored).write(folder)
     }
 
     private companion object {
-        const val HEX = 16
         const val GROWTH = 4
-
-        /** By which name a file of samples says what its topics are. */
-        const val METADATA = "badlog"
     }
 }

@@ -1,7 +1,6 @@
 package badlog.season.lake
 
 import badlog.analysis.LogView
-import badlog.file.LogFile
 import badlog.file.UnreadableFileException
 import badlog.file.readRecording
 import badlog.formats.LOG_FORMATS
@@ -10,33 +9,42 @@ import badlog.rules.Finding
 import badlog.rules.LogShape
 import badlog.rules.RuleProgram
 import badlog.rules.RuleSet
+import badlog.rules.toJson
 import badlog.rules.withSignals
+import badlog.season.engine.Engine
+import java.nio.file.Path
 import java.sql.SQLException
 import java.util.concurrent.ConcurrentHashMap
+import java.util.zip.CRC32
 
 /** What a file turned out to be, when a lake wanted it. */
-internal sealed interface ExaminedLog {
-    /** A log, which is in the lake now. */
-    class Written(val isSalvaged: Boolean) : ExaminedLog
+public sealed interface ExaminedLog {
+    /** A log, whose files are written; [entry] is for the tables. */
+    public class Written internal constructor(public val entry: LakeEntry) : ExaminedLog
 
     /** Something else than a log, or one that cannot be read; [message] says why. */
-    class None(val message: String, val isNoLog: Boolean) : ExaminedLog
+    public class None internal constructor(public val message: String, public val isNoLog: Boolean) : ExaminedLog
 }
 
-/** Reads logs and runs [rules] over them. Safe for several threads. */
-internal class LakeExamination(private val rules: RuleSet) {
+/** Reads logs, runs [rules] over them, and writes the files of single logs by [engine]. Safe for several threads. */
+internal class LakeExamination(private val rules: RuleSet, private val engine: Engine) {
     private val programs = ConcurrentHashMap<LogShape, RuleProgram>()
 
-    /** Gives [file], read on [cores] cores, with what the rules find in it, to [write]; whatever fails, fails for this file alone. */
-    fun of(file: LogFile, cores: Int, write: (LogView, List<Finding>) -> Unit): ExaminedLog = try {
-        val recording = readRecording(file.path, LOG_FORMATS, cores = cores)
+    /** What decides what becomes of a log besides its file. */
+    val maker: String = "${LakeLayout.VERSION}-${CRC32().apply { update(rules.toJson().encodeToByteArray()) }.value.toString(HEX)}"
+
+    /**
+     * Reads [file] on [cores] cores, which is the log [source] or a copy of it, and writes its files into [folder], where the lake calls
+     * it [log]. Whatever fails, fails for this log alone, but for a full disk.
+     */
+    fun write(file: Path, cores: Int, source: LogSource, log: String, folder: Path): ExaminedLog = try {
+        val recording = readRecording(file, LOG_FORMATS, cores = cores, name = source.file)
         val problem = recording.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
         if (problem != null) {
             ExaminedLog.None(problem.message, isNoLog = true)
         } else {
             val view = LogView.of(recording).withSignals(rules.signals)
-            write(view, programFor(view).run(view, file.name).flatMap { it.findings }.toList())
-            ExaminedLog.Written(recording.isSalvaged)
+            ExaminedLog.Written(write(view, programFor(view).run(view, source.file).flatMap { it.findings }.toList(), source, log, folder))
         }
     } catch (e: UnreadableFileException) {
         ExaminedLog.None(e.message, isNoLog = false)
@@ -48,6 +56,24 @@ internal class LakeExamination(private val rules: RuleSet) {
         ExaminedLog.None("It is too large for the available memory; give the program more memory, or cut the file.", isNoLog = false)
     }
 
+    private fun write(view: LogView, findings: List<Finding>, source: LogSource, log: String, folder: Path): LakeEntry {
+        val identity = LogIdentity.of(source.file, view.recording, rules.signals)
+        val samples = SamplesTable(view, log, identity)
+        val tables = listOfNotNull(
+            samples.table?.let { LakeLayout.logFile(LakeLayout.SAMPLES, identity.partition, log) to it },
+            seriesTable(view, log, identity)?.let { LakeLayout.logFile(LakeLayout.SERIES, identity.partition, log) to it },
+        )
+        val metadata = METADATA to topicsJson(view.recording.topics, samples.nameOf, identity)
+        engine.connected { connection ->
+            for ((target, table) in tables) {
+                engine.lend(table) { select -> writeParquet(connection, select, folder.resolve(target), metadata, table.columns.size) }
+            }
+        }
+        val files = tables.map { it.first }
+        val records = LogRecords(log, source, view, findings, identity, samples.nameOf, files, maker)
+        return LakeEntry(log, identity.partition, files, view.recording.isSalvaged, records.all)
+    }
+
     private fun programFor(view: LogView): RuleProgram {
         if (programs.size > MAX_PROGRAMS) programs.clear()
         return programs.computeIfAbsent(LogShape.of(view)) { RuleProgram(rules, it) }
@@ -56,5 +82,9 @@ internal class LakeExamination(private val rules: RuleSet) {
     private companion object {
         const val MAX_PROGRAMS = 64
         const val IO_ERROR = "IO Error"
+        const val HEX = 16
+
+        /** By which name a file of samples says what its topics are. */
+        const val METADATA = "badlog"
     }
 }

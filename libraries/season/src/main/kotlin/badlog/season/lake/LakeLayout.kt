@@ -1,35 +1,44 @@
 package badlog.season.lake
 
+import java.io.Serializable
 import java.nio.file.Path
 import java.util.zip.CRC32
 
 /** Where what is in a lake; `docs/season.md` specifies it. */
-internal object LakeLayout {
+public object LakeLayout {
     /** To be raised when a reader of the former layout would misunderstand the new one. */
-    const val VERSION = 1
+    internal const val VERSION = 1
 
     /** The file that says that a folder is a lake, and of which version. */
-    const val MARK = "lake.json"
+    public const val MARK: String = "lake.json"
 
     /** What nobody may have open twice. */
-    const val LOCK = ".lock"
+    internal const val LOCK = ".lock"
 
     /** The folder of the files with a row for each row of a log. */
-    const val SAMPLES = "samples"
+    public const val SAMPLES: String = "samples"
 
     /** The folder of the files with the samples of topics that have times of their own. */
-    const val SERIES = "series"
+    public const val SERIES: String = "series"
 
     /** How the names of unfinished files begin, which no reader looks at. */
-    const val DRAFT = ".badlog-"
-    const val ENDING = ".parquet"
+    public const val DRAFT: String = ".badlog-"
+
+    /** How the names of all files of tables end. */
+    public const val ENDING: String = ".parquet"
+
+    /** The folders of the tables that have records of many logs, in the order in which they are written. */
+    public val TABLES: List<String> = LakeTable.entries.map { it.table }
+
+    /** The folder of the table that says which logs a lake has. */
+    public val MATCHES: String = LakeTable.MATCHES.table
 
     /** Where the table [name] of [partition] is in the lake [folder]. */
-    fun tableFile(folder: Path, name: String, partition: Partition): Path =
+    internal fun tableFile(folder: Path, name: String, partition: Partition): Path =
         folder.resolve(name).resolve(partition.path).resolve(name + ENDING)
 
     /** Where in a lake the file of [kind] is of the log [log], written with slashes. */
-    fun logFile(kind: String, partition: Partition, log: String): String {
+    internal fun logFile(kind: String, partition: Partition, log: String): String {
         val name = encoded(log)
         val short = if (name.length <=
             MAX_NAME
@@ -42,7 +51,7 @@ internal object LakeLayout {
     }
 
     /** [text] as a name of a file: what is not a plain letter, a digit, a point, a sign or an underscore is percent-encoded. */
-    fun encoded(text: String): String = buildString {
+    internal fun encoded(text: String): String = buildString {
         for ((i, byte) in text.encodeToByteArray().withIndex()) {
             val char = (byte.toInt() and BYTE).toChar()
             // Readers pass over names that begin so.
@@ -62,11 +71,13 @@ internal object LakeLayout {
  * @property season the year; null where nothing tells it.
  * @property event null where nothing tells it.
  */
-internal data class Partition(val season: Int?, val event: String?) {
+internal data class Partition(val season: Int?, val event: String?) : Serializable {
     /** Its folder, as Hive names it. */
     val path: String get() = "season=${season ?: UNKNOWN}/event=${event?.let(LakeLayout::encoded) ?: UNKNOWN}"
 
     private companion object {
+        const val serialVersionUID = 1L
+
         /** By which all engines mean null. */
         const val UNKNOWN = "__HIVE_DEFAULT_PARTITION__"
     }

@@ -1,6 +1,5 @@
 package badlog.season.lake
 
-import badlog.file.LogFile
 import badlog.file.writeAtomically
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.SerializationException
@@ -18,12 +17,24 @@ internal class LakeMark(val format: String = FORMAT, val version: Int = LakeLayo
     /** A file that is no log, as it was then, and why. */
     @Serializable
     class Ignored(val path: String, val size: Long, val modified: Long, val message: String) {
-        /** Whether [file] is it, unchanged. */
-        fun isOf(file: LogFile): Boolean = path == pathOf(file) && size == file.size && modified == file.modified
+        /** Whether [source] is it, unchanged. */
+        fun isOf(source: LogSource): Boolean = path == source.path && size == source.size && modified == source.modified
+    }
+
+    /** Its text. */
+    val text: String get() = JSON.encodeToString(this)
+
+    /** This, after a run that found those of [logs] to be no logs that [ignored] has, and why. */
+    fun after(logs: List<LogSource>, ignored: Map<LogSource, String>): LakeMark {
+        val here = logs.mapTo(HashSet()) { it.path }
+        return LakeMark(
+            ignored =
+            this.ignored.filter { it.path !in here } + ignored.map { (log, why) -> Ignored(log.path, log.size, log.modified, why) },
+        )
     }
 
     /** Writes it into [folder]. */
-    fun write(folder: Path) = writeAtomically(folder.resolve(LakeLayout.MARK)) { it.write(JSON.encodeToString(this).encodeToByteArray()) }
+    fun write(folder: Path) = writeAtomically(folder.resolve(LakeLayout.MARK)) { it.write(text.encodeToByteArray()) }
 
     companion object {
         private const val FORMAT = "badlog-lake"
@@ -40,11 +51,19 @@ internal class LakeMark(val format: String = FORMAT, val version: Int = LakeLayo
          */
         fun of(folder: Path): LakeMark? {
             val file = folder.resolve(LakeLayout.MARK)
-            if (!Files.isRegularFile(file)) return null
+            return if (Files.isRegularFile(file)) of(Files.readString(file), "$folder") else null
+        }
+
+        /**
+         * That of the lake [folder], which says [text].
+         *
+         * @throws LakeException likewise.
+         */
+        fun of(text: String, folder: String): LakeMark {
             val mark = try {
-                JSON.decodeFromString<LakeMark>(Files.readString(file))
+                JSON.decodeFromString<LakeMark>(text)
             } catch (_: SerializationException) {
-                throw LakeException("$file is damaged; delete the folder $folder and make the lake again.")
+                throw LakeException("$folder/${LakeLayout.MARK} is damaged; delete the folder $folder and make the lake again.")
             }
             if (mark.format != FORMAT) throw LakeException("$folder is not a lake of badlog; name another folder.")
             if (mark.version != LakeLayout.VERSION) {
@@ -56,9 +75,6 @@ internal class LakeMark(val format: String = FORMAT, val version: Int = LakeLayo
         }
     }
 }
-
-/** What a lake knows [file] by. */
-internal fun pathOf(file: LogFile): String = pathOf(file.path)
 
 /** What a lake knows the file at [path] by. */
 internal fun pathOf(path: Path): String = path.toAbsolutePath().normalize().toString()

@@ -1,8 +1,8 @@
 package badlog.season.lake
 
-import badlog.file.LogFile
 import badlog.season.engine.Engine
 import badlog.season.engine.literal
+import java.io.Serializable
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -11,38 +11,43 @@ import java.nio.file.Path
  *
  * @property log what the lake calls it.
  * @property path the log's file.
- * @property partition where its records are.
  * @property files the files of its samples, seen from the lake.
  */
-internal class RegisteredLog(
-    val log: String,
-    val path: String,
+public class RegisteredLog internal constructor(
+    public val log: String,
+    public val path: String,
     private val size: Long,
     private val modified: Long,
     private val maker: String,
-    val partition: Partition,
-    val files: List<String>,
-) {
-    /** Whether it is what [maker] would make of [file] as it is now. */
-    fun isOf(file: LogFile, maker: String): Boolean = size == file.size && modified == file.modified && this.maker == maker
+    internal val partition: Partition,
+    public val files: List<String>,
+) : Serializable {
+    /** Where in each table its records stand: the folders of season and event, with a slash between. */
+    public val place: String get() = partition.path
+
+    /** Whether it is what [maker] would make of [source] as it is now. */
+    internal fun isOf(source: LogSource, maker: String): Boolean = size == source.size && modified == source.modified && this.maker == maker
+
+    private companion object {
+        const val serialVersionUID = 1L
+    }
 }
 
-/** The logs that the lake [folder] has, by the paths of their files. */
-internal fun registeredIn(folder: Path, engine: Engine): Map<String, RegisteredLog> {
+/** The logs that the lake [folder] has. */
+internal fun registeredIn(folder: Path, engine: Engine): List<RegisteredLog> {
     val files = tableFiles(folder, LakeTable.MATCHES)
-    if (files.isEmpty()) return emptyMap()
+    if (files.isEmpty()) return emptyList()
     val sql = "SELECT log, path, size, epoch_ms(modified), made_by, season, event, files FROM ${scanOf(files)}"
     return engine.connected { connection ->
         connection.createStatement().use { statement ->
             statement.executeQuery(sql).use { rows ->
-                val logs = LinkedHashMap<String, RegisteredLog>()
+                val logs = ArrayList<RegisteredLog>()
                 while (rows.next()) {
                     val season = rows.getInt("season").takeUnless { rows.wasNull() }
                     val names = (rows.getArray("files").array as Array<*>).map { it as String }
-                    val path = rows.getString("path")
-                    logs[path] = RegisteredLog(
+                    logs += RegisteredLog(
                         rows.getString("log"),
-                        path,
+                        rows.getString("path"),
                         rows.getLong("size"),
                         rows.getLong(MODIFIED),
                         rows.getString("made_by"),

@@ -46,13 +46,13 @@ internal class LakeStage(private val folder: Path, private val engine: Engine) {
         }
     }
 
-    /** Adds the log [log] with its [records] in [partition], where the lake had [former] of it. */
-    fun add(log: String, partition: Partition, records: Map<LakeTable, List<List<Any?>>>, files: List<String>, former: RegisteredLog?) =
-        lock.read {
-            note(log, records.mapValues { (_, rows) -> rows.map { listOf(partition.season, partition.event) + it } })
-                ?.let(::insert)
-            touch(listOfNotNull(partition, former?.partition), former?.files.orEmpty() - files.toSet())
-        }
+    /** Adds [entry], where the lake had [former] of the same log. */
+    fun add(entry: LakeEntry, former: RegisteredLog?) = lock.read {
+        val partition = entry.partition
+        note(entry.log, entry.records.mapValues { (_, rows) -> rows.map { listOf(partition.season, partition.event) + it } })
+            ?.let(::insert)
+        touch(listOfNotNull(partition, former?.partition), former?.files.orEmpty() - entry.files.toSet())
+    }
 
     /** Removes [former]. */
     fun remove(former: RegisteredLog) = lock.read {

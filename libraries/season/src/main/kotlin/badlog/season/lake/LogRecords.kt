@@ -3,7 +3,6 @@ package badlog.season.lake
 import badlog.analysis.LogView
 import badlog.analysis.Units
 import badlog.analysis.statisticsOf
-import badlog.file.LogFile
 import badlog.recording.Topic
 import badlog.recording.TopicKind
 import badlog.rules.Finding
@@ -24,7 +23,7 @@ import kotlin.math.abs
  */
 internal class LogRecords(
     private val log: String,
-    private val file: LogFile,
+    private val source: LogSource,
     private val view: LogView,
     private val findings: List<Finding>,
     private val identity: LogIdentity,
@@ -97,7 +96,7 @@ internal class LogRecords(
             range?.let { (it.endInclusive - it.start) * secondsPerX }?.takeIf { !view.xAxis.isIndex }, view.xAxis.name,
             view.xAxis.unit.takeUnless(Units::isNone), recording.format.name.lowercase(), recording.rowCount.toLong(),
             recording.sampleCount, recording.topics.size.toLong(), events.size.toLong(), findings.size.toLong(), recording.isSalvaged,
-            problemsJson(), headerJson(), file.path.toAbsolutePath().normalize().toString(), file.size, file.modified * 1000,
+            problemsJson(), headerJson(), source.path, source.size, source.modified * 1000,
             textsJson(files), maker,
         )
     }
