@@ -15,14 +15,14 @@ public class AreaSum {
     /** The area so far. */
     public val value: Double get() = sum + compensation
 
-    /** Adds the sample ([x], [y]); the area before it counts when the sample before it has a value and is not later. */
+    /** Adds the sample ([x], [y]). The area before it counts if the previous sample has a value and is not later. */
     public fun add(x: Double, y: Double) {
         holdUntil(x)
         lastX = x
         lastY = y
     }
 
-    /** The last sample holds until [x], and no longer. */
+    /** Ends the area at [x]: the last sample holds until there, and no longer. */
     public fun holdUntil(x: Double) {
         if (x >= lastX) addArea((x - lastX) * lastY)
         lastX = Double.NaN

@@ -3,30 +3,30 @@ package badlog.analysis
 import badlog.recording.ProblemKind
 
 /**
- * What a topic's attribute does when a recording is shown. A program adds its own by putting an object of this kind into
- * an [AttributeRegistry].
+ * What a topic's attribute does when a recording is shown. A program adds its own by adding an implementation to an
+ * [AttributeRegistry].
  */
 public interface Attribute {
-    /** The text of the attribute, up to and without a `:`. */
+    /** The attribute's text, up to but not including a `:`. */
     public val name: String
 
     /**
      * Applies it to a topic.
      *
-     * @param argument what follows the `:`, or null when there is none.
+     * @param argument what follows the `:`, or null if there is none.
      */
     public fun apply(topic: TopicPlan, argument: String?)
 }
 
 /**
- * The attributes that mean something.
+ * The attributes that have an effect.
  *
- * @property attributes them; of two with one name the later counts.
+ * @property attributes the attributes; of two with the same name, the later one counts.
  */
 public class AttributeRegistry(public val attributes: List<Attribute>) {
     private val byName = attributes.associateBy { it.name }
 
-    /** This registry and one attribute more. */
+    /** Returns this registry with one more attribute. */
     public operator fun plus(attribute: Attribute): AttributeRegistry = AttributeRegistry(attributes + attribute)
 
     internal fun find(text: String): Attribute? = byName[text.substringBefore(':')]

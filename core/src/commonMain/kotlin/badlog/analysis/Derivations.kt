@@ -1,14 +1,15 @@
 package badlog.analysis
 
 /**
- * The differences of neighbors, `y[i+1] - y[i]`, each at the middle of `x[i]` and `x[i+1]`. Has one sample fewer than the
- * series. A gap where one of the neighbors has no finite value.
+ * Returns the differences between neighbors, `y[i+1] - y[i]`, each at the midpoint of `x[i]` and `x[i+1]`: one sample
+ * fewer than the series has. There is a gap wherever one of the two neighbors has no finite value.
  */
 public fun Series.delta(): Series = betweenNeighbors { i -> y[i + 1] - y[i] }
 
 /**
- * The slopes between neighbors, `(y[i+1] - y[i]) / (x[i+1] - x[i])`, each at the middle of `x[i]` and `x[i+1]`. Has one
- * sample fewer than the series. A gap where one of the neighbors has no finite value, and where x does not go forward.
+ * Returns the slopes between neighbors, `(y[i+1] - y[i]) / (x[i+1] - x[i])`, each at the midpoint of `x[i]` and
+ * `x[i+1]`: one sample fewer than the series has. There is a gap wherever one of the two neighbors has no finite value,
+ * or x does not increase.
  */
 public fun Series.derivative(): Series = betweenNeighbors { i ->
     val run = x[i + 1] - x[i]
@@ -17,10 +18,12 @@ public fun Series.derivative(): Series = betweenNeighbors { i ->
 }
 
 /**
- * The running area under the series by the trapezoid rule: 0 at the first value, and each sum at the sample that closes it.
- * Over a gap, and where x goes backwards, the sum is carried on unchanged, since the area there is not known.
+ * Returns the running area under the series by the trapezoidal rule: 0 at the first value, and each sum at the sample that
+ * ends its interval. Over a gap, and where x goes backwards, the sum is carried on unchanged, since the area there is not
+ * known.
  *
- * @param holds whether each sample holds until the next, as those of a topic that logs changes; then its area is a rectangle.
+ * @param holds whether each sample holds until the next one, as in a topic that is logged when it changes; the area is then
+ * made of rectangles.
  */
 public fun Series.integral(holds: Boolean = false): Series {
     val sums = DoubleArray(size)

@@ -3,19 +3,18 @@ package badlog.analysis
 /**
  * Draws a series of any length at the cost of the screen's width: the smallest and largest value of each pixel column, with
  * its first and last (M4: Jugel et al., "M4: A Visualization-Oriented Time Series Data Aggregation", 2014). A lone spike
- * always shows, a gap of a column's width or more stays a gap, and so does one between two columns.
+ * always shows. A gap of a column's width or more stays a gap, and so does one between two columns.
  *
- * A min/max pyramid, built at the first use, spares looking at every sample at every zoom. Not safe for use by several
- * threads.
+ * A min/max pyramid, built on first use, avoids visiting every sample at every zoom. Not thread-safe.
  */
 public class Downsampling(private val series: Series) {
     private val pyramid by lazy { MinMaxPyramid(series.y) }
 
     /**
-     * Fills [into] with what lies from x = [from] to x = [to]; the range is divided into columns of equal width, of which
-     * the last includes its end.
+     * Fills [into] with what lies from x = [from] to x = [to]. The range is divided into columns of equal width; the last
+     * one includes its end.
      *
-     * @throws IllegalArgumentException when [to] is not above [from] or one of them is not finite.
+     * @throws IllegalArgumentException if [to] is not above [from], or either of them is not finite.
      */
     public fun fill(from: Double, to: Double, into: PixelColumns) {
         require(to > from && (to - from).isFinite()) { "A range must go forward, but goes from $from to $to." }
@@ -42,7 +41,7 @@ public class Downsampling(private val series: Series) {
         }
     }
 
-    // x goes backwards somewhere: every sample is looked at, and each falls into the column where it stands.
+    // x goes backwards somewhere: every sample is visited, and goes into the column of its own x.
     private fun fillUnordered(from: Double, to: Double, into: PixelColumns) {
         val x = series.x
         val y = series.y
@@ -60,14 +59,15 @@ public class Downsampling(private val series: Series) {
 
     private fun finiteOrGap(value: Double) = if (value.isFinite()) value else Double.NaN
 
-    /** One past the last sample at or before [to]. */
+    /** Returns the index after the last sample at or before [to]. */
     private fun endOf(to: Double): Int {
         var end = series.firstAtOrAfter(to)
         while (end < series.size && series.x[end] <= to) end++
         return end
     }
 
-    // Gallops from the column's start: neighboring columns end near each other, so this beats a search of everything.
+    // Searches in growing steps from the column's start: neighboring columns end close together, so this is faster than a search of the
+    // whole array.
     private fun firstAtOrAfter(position: Double, from: Int, until: Int): Int {
         val x = series.x
         var low = from
@@ -86,31 +86,31 @@ public class Downsampling(private val series: Series) {
 }
 
 /**
- * What a series looks like on a screen of [count] pixel columns, see [Downsampling]. One is made for a screen and filled
+ * What a series looks like on a screen of [count] pixel columns, see [Downsampling]. Made once for a screen, and filled
  * again for each zoom.
  *
  * @property count how many pixel columns there are.
  */
 public class PixelColumns(public val count: Int) {
-    /** For each column the value of its first sample; NaN where that is a gap or there is no sample. */
+    /** The value of each column's first sample; NaN where that sample is a gap or there is none. */
     public val first: DoubleArray = DoubleArray(count)
 
-    /** For each column its smallest finite value, NaN without one. */
+    /** The smallest finite value of each column; NaN if it has none. */
     public val min: DoubleArray = DoubleArray(count)
 
-    /** For each column its largest finite value, NaN without one. */
+    /** The largest finite value of each column; NaN if it has none. */
     public val max: DoubleArray = DoubleArray(count)
 
-    /** For each column the value of its last sample; NaN where that is a gap or there is no sample. */
+    /** The value of each column's last sample; NaN where that sample is a gap or there is none. */
     public val last: DoubleArray = DoubleArray(count)
 
-    /** For each column how many samples it has, gaps included. */
+    /** The number of samples in each column, gaps included. */
     public val samples: IntArray = IntArray(count)
 
-    /** Whether column [column] begins with a gap, so that no line may lead into it. */
+    /** Returns whether column [column] begins with a gap, so that no line may lead into it. */
     public fun beginsInGap(column: Int): Boolean = samples[column] > 0 && first[column].isNaN()
 
-    /** Whether column [column] ends with a gap, so that no line may lead out of it. */
+    /** Returns whether column [column] ends with a gap, so that no line may lead out of it. */
     public fun endsInGap(column: Int): Boolean = samples[column] > 0 && last[column].isNaN()
 
     internal fun clear() {
@@ -123,18 +123,19 @@ public class PixelColumns(public val count: Int) {
 }
 
 /**
- * The smallest and the largest finite value of any range of an array, found in a time that hardly depends on the range:
- * each level holds both for blocks of [BLOCK] entries of the level below. Takes a sixteenth of the array's memory.
+ * The smallest and the largest finite value of any range of an array, found in a time that hardly depends on the length
+ * of the range. Each level holds both values for blocks of [BLOCK] entries of the level below. The pyramid takes a
+ * sixteenth of the array's memory.
  */
 internal class MinMaxPyramid(private val values: DoubleArray) {
     private val mins = ArrayList<DoubleArray>()
     private val maxs = ArrayList<DoubleArray>()
 
-    /** The smallest finite value of the range that [find] looked at last; NaN when it has none. */
+    /** The smallest finite value that the last call of [find] found; NaN if there was none. */
     var min = Double.NaN
         private set
 
-    /** The largest finite value of the range that [find] looked at last; NaN when it has none. */
+    /** The largest finite value that the last call of [find] found; NaN if there was none. */
     var max = Double.NaN
         private set
 
@@ -157,7 +158,7 @@ internal class MinMaxPyramid(private val values: DoubleArray) {
         maxs += levelMaxs
     }
 
-    /** Finds [min] and [max] of the values from [from] until [until]. */
+    /** Finds [min] and [max] of the values from index [from] until [until]. */
     fun find(from: Int, until: Int) {
         clear()
         var start = from

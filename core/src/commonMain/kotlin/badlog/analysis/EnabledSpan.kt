@@ -3,7 +3,7 @@ package badlog.analysis
 import badlog.recording.Topic
 
 /**
- * A stretch over which the robot was enabled.
+ * A time during which the robot was enabled.
  *
  * @property span where on the x axis.
  * @property isAutonomous whether it was under its own control; false when a driver was, or it is unknown.
@@ -11,21 +11,21 @@ import badlog.recording.Topic
 public data class EnabledSpan(public val span: Span, public val isAutonomous: Boolean)
 
 /**
- * When the robot was enabled, in the order of x, as the [modes][LogView.modes] say. The last value of a topic with times of its own
- * holds until the recording's end. Empty when no topic shows it, and when x goes backwards.
+ * Returns when the robot was enabled, in the order of x, according to the [modes][LogView.modes]. The last value of a topic with
+ * times of its own holds until the recording's end. Empty if no topic shows it, or if x goes backwards.
  */
 public fun LogView.enabledSpans(): List<EnabledSpan> {
     val alone = modes.autonomous?.let(::spansOf).orEmpty()
     return modes.enabled?.let(::spansOf).orEmpty().flatMap { split(it, alone) }
 }
 
-/** Whether the recording shows when the robot was enabled; where not, [enabledSpans] is empty and means nothing. */
+/** Whether the recording shows when the robot was enabled; if it doesn't, [enabledSpans] is empty and means nothing. */
 public val LogView.knowsEnabled: Boolean get() = modes.enabled?.let { topicOf(it) }?.let { seriesOf(it).data.isOrdered } ?: false
 
-/** Whether the recording shows which [enabledSpans] were under the robot's own control. */
+/** Whether the recording shows which [enabledSpans] were autonomous. */
 public val LogView.knowsAutonomous: Boolean get() = knowsEnabled && modes.autonomous?.let { topicOf(it) } != null
 
-/** The topics that [enabledSpans] looks at. */
+/** Returns the topics that [enabledSpans] uses. */
 public fun LogView.enabledTopics(): List<Topic> = listOfNotNull(modes.enabled, modes.autonomous).mapNotNull { topicOf(it) }.distinct()
 
 private fun LogView.topicOf(flag: FlagTopic) = recording.topics.find { it.name == flag.topic && seriesOf(it).data.size > 0 }

@@ -20,7 +20,7 @@ public class EventLog internal constructor(public val topic: Topic, xAxis: XAxis
     /** The full name, with its folder. */
     public val name: String get() = topic.name
 
-    /** What stands above it. */
+    /** The heading above it: its name without the folder. */
     public val title: String get() = PathName.baseNameOf(topic.name)
 
     /** Each text cell of the topic; numbers and empty cells are not events. */

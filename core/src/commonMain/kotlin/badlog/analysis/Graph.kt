@@ -7,7 +7,7 @@ import badlog.recording.PathName
  *
  * @property name the full name, with its folder.
  * @property unit the unit of y, `ul` for none; that of the first series where they differ.
- * @property isVirtual whether it was derived from topics rather than logged; its [title] then stands in brackets.
+ * @property isVirtual whether it was derived from topics rather than logged; its [title] is then in brackets.
  * @property isFilled whether the area below the line is filled.
  * @property includesZero whether y must include 0.
  * @property series the lines, in the order in which they were added; never empty.
@@ -23,7 +23,7 @@ public class Graph(
     /** The folder it belongs to; empty for the root folder. */
     public val folder: String get() = PathName.folderOf(name)
 
-    /** What stands above it: its name without the folder, `[ … ]` when [isVirtual]. */
+    /** The heading above it: its name without the folder, in `[ … ]` if [isVirtual]. */
     public val title: String get() = PathName.baseNameOf(name).let { if (isVirtual) "[ $it ]" else it }
 
     /** Whether it shows states rather than numbers: each of its series has [GraphSeries.states]. */

@@ -9,7 +9,8 @@ import badlog.recording.Topic
  * @property unit its unit, `ul` for none.
  * @property topic the topic it comes from.
  * @property isDerived whether its samples were calculated from those of [topic] rather than logged.
- * @property states what each number means, where the numbers only stand for states: state `n` is `states[n]`. Else null.
+ * @property states the names of the states, if the numbers only stand for states: number `n` is `states[n]`. Otherwise
+ * null.
  */
 public class GraphSeries internal constructor(
     public val name: String,
@@ -19,9 +20,9 @@ public class GraphSeries internal constructor(
     public val isDerived: Boolean = false,
     compute: () -> Series,
 ) {
-    /** Its samples, computed when they are first asked for. */
+    /** Its samples, computed on first use. */
     public val data: Series by lazy(compute)
 
-    /** Whether a sample's value holds until the next one: that of a topic with times of its own, logged when it changes. */
+    /** Whether a sample's value holds until the next one: true for a topic with times of its own, which is logged when it changes. */
     public val holds: Boolean get() = topic.times != null && !isDerived
 }

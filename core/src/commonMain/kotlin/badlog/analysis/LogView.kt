@@ -10,11 +10,12 @@ import badlog.recording.Value
  * A recording after its attributes were applied: what a front end shows, in the order in which it shows it.
  *
  * @property recording what it was made from.
- * @property title what match it is, from the event and match values, or null without any.
+ * @property title the match, such as `OHCL Qualification 42`, from the event and match values; null if there are
+ * none.
  * @property xAxis the common x of its graphs.
  * @property folders the root folder first, if it has anything, then the others, sorted regardless of case.
  * @property problems the recording's problems, then those of its attributes.
- * @property modes the topics that tell when the robot was enabled.
+ * @property modes the topics that show when the robot was enabled.
  */
 public class LogView internal constructor(
     public val recording: Recording,
@@ -24,16 +25,16 @@ public class LogView internal constructor(
     public val problems: List<Problem>,
     public val modes: ModeTopics = ModeTopics.NONE,
 ) {
-    /** This view of the match [title], in which [modes] tell when the robot was enabled. */
+    /** Returns this view with another match [title] and other [modes], the topics that show when the robot was enabled. */
     public fun identified(title: String?, modes: ModeTopics): LogView = LogView(recording, title, xAxis, folders, problems, modes)
 
-    /** The line that [topic], one of the recording's, gives by itself, whether or not a graph shows it. */
+    /** Returns [topic], one of the recording's, as a line by itself, whether or not a graph shows it. */
     public fun seriesOf(topic: Topic): GraphSeries = seriesOf(topic, xAxis)
 
-    /** The texts of [topic], one of the recording's, as events, whether or not they are shown as a list. */
+    /** Returns the texts of [topic], one of the recording's, as events, whether or not they are shown as a list. */
     public fun eventsOf(topic: Topic): EventLog = EventLog(topic, xAxis)
 
-    /** How many of [problems] are of each severity. */
+    /** Returns how many of [problems] have [severity]. */
     public fun count(severity: Severity): Int = problems.count { it.severity == severity }
 
     public companion object {
@@ -44,7 +45,7 @@ public class LogView internal constructor(
 }
 
 /**
- * What belongs together: all whose names begin with the same path. Members keep the order of the file.
+ * All values, event logs and graphs whose names begin with the same path. They keep the order of the file.
  *
  * @property name the path, without slashes at its ends; empty for the root folder.
  */

@@ -33,7 +33,7 @@ internal class LogViewBuilder(private val recording: Recording, private val regi
         val plans = recording.topics.map(::planOf)
         val xAxis = findXAxis(plans)
         for (plan in plans) addOwn(plan, xAxis)
-        // After all others, so that a graph's name is known to be a topic's before anything joins it.
+        // Last, so that all topics' graphs have their names before anything joins them.
         for (plan in plans) for (graph in plan.joins) join(plan, graph, xAxis)
         return LogView(
             recording = recording,
@@ -158,7 +158,7 @@ internal class LogViewBuilder(private val recording: Recording, private val regi
                 continue
             }
             val unit = derivation.unit(topic.unit, xAxis.unit)
-            // A topic, or another derived graph, may bear the name that a derived one would get; both are shown.
+            // A topic, or another derived graph, may already have the name that this one would get; both are shown.
             val name = freeName(derivation.name) { it !in topicNames && it !in graphOfName }
             addGraph(GraphDraft(name, unit, isVirtual = true)).series +=
                 GraphSeries(PathName.baseNameOf(name), unit, topic, null, isDerived = true) {
@@ -197,7 +197,7 @@ internal class LogViewBuilder(private val recording: Recording, private val regi
     }
 }
 
-/** [number] without its decimals, the same on every platform where that is possible. */
+/** Returns [number] without a fraction, with the same text on every platform where that is possible. */
 private fun textOf(number: Double): String = if (abs(number) < WHOLE) number.toLong().toString() else number.toString()
 
 private const val WHOLE = 1e15

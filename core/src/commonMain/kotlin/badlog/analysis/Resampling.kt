@@ -12,13 +12,13 @@ import kotlin.math.ceil
 import kotlin.math.round
 
 /**
- * The samples of [recording] in rows, one for each of [times]: each topic has there the last value at or before that time,
- * and nothing before its first. An event stands in the first row that is not before it; several that share a row are joined by
- * `; `. A topic `Time` with these times comes first, as the x axis; where the recording was made of rows, the topic
- * that [was their x axis][Topic.wasXAxis] is it again. What comes out can be written as a bag or as CSV.
+ * Returns the samples of [recording] in rows, one for each of [times]. In each row, a topic has its last value at or before
+ * that time, and nothing before its first sample. An event is in the first row that is not before it; several events of one
+ * row are joined by `; `. The first topic is `Time`, with these times, as the x axis. If the recording was made from rows, the
+ * topic that [was their x axis][Topic.wasXAxis] is the x axis again. The result can be written as a bag or as CSV.
  *
  * @param times ascending and finite, in the unit of the recording's x axis.
- * @throws IllegalArgumentException when they are not.
+ * @throws IllegalArgumentException if they are not.
  */
 public fun resampled(recording: Recording, times: DoubleArray): Recording {
     for (i in times.indices) {
@@ -45,7 +45,7 @@ private fun newXAxis(recording: Recording, unit: String, times: DoubleArray): To
     return Topic(name, unit, listOf("xaxis", "hide"), times, TextColumn.EMPTY, xCounts(times))
 }
 
-/** The topic [former] with its own numbers where they have the [times] more exactly than these do. */
+/** Returns the topic [former] with its own numbers, if they hold the times more precisely than [times] does. */
 private fun xAxisAgain(former: Topic, times: DoubleArray): Topic {
     val inSeconds = Units.microsIn(former.unit) / 1e6
     val x = DoubleArray(times.size) { row ->
@@ -58,10 +58,11 @@ private fun xAxisAgain(former: Topic, times: DoubleArray): Topic {
 private fun xCounts(times: DoubleArray) = CellCounts(times.size, 0, 0, 0, 0, 0)
 
 /**
- * The times from the first sample of [recording] on, [period] apart; the last of them is not before the last sample.
+ * Returns times that are [period] apart, from the first sample of [recording] on; the last one is not before the
+ * last sample.
  *
  * @param period in the unit of the x axis, above 0.
- * @throws IllegalArgumentException when it is not, or when there would be more than 100 million.
+ * @throws IllegalArgumentException if it is not, or if there would be more than 100 million times.
  */
 public fun periodicTimes(recording: Recording, period: Double): DoubleArray {
     require(period > 0) { "A period must be above 0, but is $period." }
@@ -71,13 +72,13 @@ public fun periodicTimes(recording: Recording, period: Double): DoubleArray {
     return periodicTimes(range.start, period, steps.toInt() + 1)
 }
 
-/** [count] times from [from] on, [period] apart, without the last digits that sums of binary fractions bring. */
+/** Returns [count] times from [from] on, [period] apart, without the stray last digits of sums of binary fractions. */
 public fun periodicTimes(from: Double, period: Double, count: Int): DoubleArray = DoubleArray(count) {
     val time = from + it * period
     if (period >= MICROSECOND) round(time * PLACES) / PLACES else time
 }
 
-/** The times at which [topic], one of [recording]'s, has a sample: each once, ascending. */
+/** Returns the times at which [topic], one of [recording]'s, has samples: each once, in ascending order. */
 public fun timesOf(recording: Recording, topic: Topic): DoubleArray {
     val positions = positionsOf(topic, LogView.of(recording).xAxis).filter { it.isFinite() }.toDoubleArray()
     positions.sort()
@@ -89,7 +90,7 @@ public fun timesOf(recording: Recording, topic: Topic): DoubleArray {
 private fun held(topic: Topic, xAxis: XAxis, times: DoubleArray): Topic {
     val positions = positionsOf(topic, xAxis)
     val isOrdered = Series(positions, positions).isOrdered
-    // Of a clock that was set, the samples that lie before the ones already met are found by none of the times.
+    // If a clock was set back, samples out of order would be found by none of the times.
     val order = if (isOrdered) {
         null
     } else {
@@ -110,7 +111,7 @@ private fun held(topic: Topic, xAxis: XAxis, times: DoubleArray): Topic {
     return sampler.build()
 }
 
-/** Takes the samples of a topic one after another, and puts the last one into each row. */
+/** Walks through the samples of a topic, and puts the last one at each time into its row. */
 private class LastValueSampler(private val topic: Topic, rows: Int) {
     private val isEvent = topic.kind == TopicKind.EVENT || "log" in topic.attributes
     private val samples = if (topic.samples.isEmpty()) DoubleArray(0) else DoubleArray(rows) { Double.NaN }
@@ -126,7 +127,7 @@ private class LastValueSampler(private val topic: Topic, rows: Int) {
     }
 
     fun meet(index: Int) {
-        // A sparse topic's empty cells are none of its samples.
+        // Empty cells of a sparse topic are not samples.
         if (topic.isSparse && textOf[index] < 0 && topic.samples.getOrElse(index) { Double.NaN }.isNaN()) return
         last = index
         val met = textOf[index]
@@ -160,7 +161,7 @@ private class LastValueSampler(private val topic: Topic, rows: Int) {
         return Topic(topic.name, topic.unit, attributes(), samples, texts, counts(rows.size))
     }
 
-    // Few rows of many have what happened, which makes a state of it unless it says so.
+    // Without the attribute, a reader could take a topic with an event in few of many rows for a state.
     private fun attributes() = if (isEvent && "log" !in topic.attributes) topic.attributes + "log" else topic.attributes
 
     private fun counts(texts: Int): CellCounts {
@@ -182,10 +183,10 @@ private class LastValueSampler(private val topic: Topic, rows: Int) {
     private fun isGap(row: Int) = samples.isEmpty() || samples[row].isNaN()
 }
 
-// Of the last step of a period that divides the range.
+// The tolerance, in periods, for the last step of a period that divides the range.
 private const val ROUNDING = 1e-9
 private const val MICROSECOND = 1e-6
 private const val MAX_ROWS = 1e8
 
-/** To so many parts of a unit of x are times rounded. */
+/** Times are rounded to this fraction of a unit of x. */
 private const val PLACES = 1e9

@@ -4,16 +4,16 @@ import badlog.recording.PathName
 import badlog.recording.Topic
 import badlog.recording.TopicKind
 
-/** Where each sample of [topic] stands: at its own times, or at those of the rows. */
+/** Returns the x of each sample of [topic]: its own times, or those of the rows. */
 internal fun positionsOf(topic: Topic, xAxis: XAxis): DoubleArray = topic.times ?: xAxis.positions
 
-/** The numbers of [topic] over [xAxis]; rows without an x are left out, and so are a sparse topic's empty cells. */
+/** Returns the numbers of [topic] over [xAxis]; rows without an x are dropped, and so are empty cells of a sparse topic. */
 internal fun samplesOf(topic: Topic, xAxis: XAxis): Series {
     val x = positionsOf(topic, xAxis)
     val y = topic.samples
     if (y.isEmpty() || x.isEmpty()) return Series(DoubleArray(0), DoubleArray(0))
     val isSparse = topic.isSparse
-    // As for nearly every topic of a log with rows.
+    // The case of nearly every topic in a log with rows.
     if (!isSparse && x === xAxis.positions && xAxis.isEverywhere && x.size == y.size) return Series(x, y)
     var kept = 0
     for (i in y.indices) if (isDrawable(x[i], y[i], isSparse)) kept++
@@ -29,7 +29,7 @@ internal fun samplesOf(topic: Topic, xAxis: XAxis): Series {
     return Series(keptX, keptY)
 }
 
-/** The states of a [TopicKind.STATE] topic over [xAxis], as numbers into its dictionary; a cell without text is a gap. */
+/** Returns the states of a [TopicKind.STATE] topic over [xAxis], as numbers into its dictionary; a cell without text is a gap. */
 internal fun statesOf(topic: Topic, xAxis: XAxis): Series {
     val positions = positionsOf(topic, xAxis)
     val texts = topic.texts
@@ -43,7 +43,7 @@ internal fun statesOf(topic: Topic, xAxis: XAxis): Series {
     )
 }
 
-/** The line that [topic] gives by itself: its numbers, or the states it was in. */
+/** Returns the line of [topic] by itself: its numbers, or the states it was in. */
 internal fun seriesOf(topic: Topic, xAxis: XAxis): GraphSeries {
     val name = PathName.baseNameOf(topic.name)
     return when (topic.kind) {

@@ -5,11 +5,11 @@ import kotlin.math.ln
 import kotlin.math.sqrt
 
 /**
- * Puts the number that sorting would bring to index [place] there, those that are not larger before it and those that
- * are not smaller behind it, all of [values] from index [from] until [until]. None of them may be NaN.
+ * Partially sorts [values] from index [from] until [until]: the number that sorting would bring to index [place] is then
+ * there, with no larger one before it and no smaller one after it. None of the values may be NaN.
  *
- * Selection by Floyd and Rivest ("Algorithm 489", 1975): the pivot comes from a sample around the place, so that few rounds
- * do nearly always. Where the values are such that they do not, it sorts what is left.
+ * Selection by Floyd and Rivest ("Algorithm 489", 1975): the pivot comes from a sample around the place, so that a few
+ * rounds nearly always suffice. If they do not, the rest is sorted.
  */
 public fun select(values: DoubleArray, place: Int, from: Int = 0, until: Int = values.size) {
     var low = from
@@ -33,7 +33,7 @@ public fun select(values: DoubleArray, place: Int, from: Int = 0, until: Int = v
                 values[right--] = value
             }
         }
-        // What stands between the two, if anything, is the pivot.
+        // Anything between the two is the pivot.
         if (place >= left) {
             low = left
         } else if (place <= right) {
@@ -44,7 +44,7 @@ public fun select(values: DoubleArray, place: Int, from: Int = 0, until: Int = v
     }
 }
 
-/** Brings to [place] a value that is a little beyond the wanted one, seen from the middle, by selecting in a sample. */
+/** Moves to [place], by selecting within a sample, a value slightly farther from the middle than the wanted one. */
 private fun selectInSample(values: DoubleArray, place: Int, low: Int, high: Int) {
     val size = high - low + 1.0
     val rank = place - low + 1.0
@@ -56,19 +56,19 @@ private fun selectInSample(values: DoubleArray, place: Int, low: Int, high: Int)
     select(values, place, sampleLow, sampleHigh + 1)
 }
 
-// Few enough to sort.
+// Up to this many values are simply sorted.
 private const val FEW = 32
 
-// A sample pays from here on.
+// From this many values on, taking a sample is worth it.
 private const val MANY = 600
 private const val MAX_ROUNDS = 8
 
 /**
- * The value below which the [share] of all weight lies: the smallest of the first [count] of [values] at which the weights of it and
- * of those below it come to so much, and where they come to just that, the middle between it and the next. Values that are
- * equal may have their weights together or apart, which changes nothing. NaN without values.
+ * Returns the value below which [share] of the total weight lies. It is the smallest of the first [count] of [values] whose weight,
+ * with the weights of all below it, reaches that share; if they reach it exactly, it is the midpoint between that value and the
+ * next. Equal values may have their weights together or separately, with the same result. NaN if there are no values.
  *
- * @param values not NaN; they and their weights change their places.
+ * @param values not NaN; reordered, together with their weights.
  * @param weights above 0.
  * @param share from 0 to 1.
  */
@@ -83,7 +83,7 @@ public fun weightedPercentile(values: DoubleArray, weights: DoubleArray, count: 
     var below = 0.0
     var random = 1
     while (true) {
-        // Any place will do; from a fixed one the order of the values could make this slow.
+        // Any place will do; but with a fixed one, some orders of values would make this slow.
         random = random * 1_103_515_245 + 12_345
         val pivot = values[low + (random ushr 1) % (high - low + 1)]
         var less = low
@@ -129,5 +129,5 @@ private fun nextAbove(values: DoubleArray, count: Int, value: Double): Double {
     return if (next.isFinite()) next else value
 }
 
-// Sums of the same weights in another order differ by less.
+// Sums of the same weights in different orders differ by less than this.
 private const val ROUNDING = 1e-9

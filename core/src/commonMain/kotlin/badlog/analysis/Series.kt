@@ -3,28 +3,29 @@ package badlog.analysis
 import kotlin.math.abs
 
 /**
- * Samples over x: `(x[i], y[i])` for every `i`. Hides whether they share their x with other series or have their own.
+ * Samples over x: `(x[i], y[i])` for every `i`. Callers need not know whether it shares its x with other series or
+ * has its own.
  *
- * @property x where each sample stands; finite. Usually ascending, see [isOrdered]. Not to be changed.
- * @property y the samples, same size as [x]; NaN is a gap, and an infinity is drawn as one. Not to be changed.
- * @throws IllegalArgumentException when the sizes differ.
+ * @property x the position of each sample; finite. Usually ascending, see [isOrdered]. Not to be changed.
+ * @property y the samples, of the same size as [x]; NaN is a gap, and an infinity is drawn as one. Not to be changed.
+ * @throws IllegalArgumentException if the sizes differ.
  */
 public class Series(public val x: DoubleArray, public val y: DoubleArray) {
     init {
         require(x.size == y.size) { "A series needs one x for each y, but has ${x.size} for ${y.size}." }
     }
 
-    /** How many samples there are, gaps included. */
+    /** The number of samples, gaps included. */
     public val size: Int get() = x.size
 
-    /** Whether x never goes backwards, so that it can be searched. */
+    /** Whether x never goes backwards, so that it can be searched by bisection. */
     public val isOrdered: Boolean by lazy {
         var ordered = true
         for (i in 1 until x.size) if (x[i] < x[i - 1]) ordered = false
         ordered
     }
 
-    /** The smallest and the largest x, or null without samples. */
+    /** The smallest and the largest x, or null if there are no samples. */
     public val range: ClosedFloatingPointRange<Double>? by lazy {
         when {
             x.isEmpty() -> null
@@ -33,7 +34,7 @@ public class Series(public val x: DoubleArray, public val y: DoubleArray) {
         }
     }
 
-    /** The index of the first sample at or after [position]; [size] when there is none. Needs an ordered series. */
+    /** Returns the index of the first sample at or after [position]; [size] if there is none. The series must be ordered. */
     public fun firstAtOrAfter(position: Double): Int {
         var low = 0
         var high = size
@@ -44,7 +45,7 @@ public class Series(public val x: DoubleArray, public val y: DoubleArray) {
         return low
     }
 
-    /** The index of the first sample after [position]; [size] when there is none. Needs an ordered series. */
+    /** Returns the index of the first sample after [position]; [size] if there is none. The series must be ordered. */
     public fun firstAfter(position: Double): Int {
         var low = 0
         var high = size
@@ -55,7 +56,7 @@ public class Series(public val x: DoubleArray, public val y: DoubleArray) {
         return low
     }
 
-    /** The index of the sample nearest to [position], the earlier one of two equally near; -1 without samples. */
+    /** Returns the index of the sample nearest to [position], the earlier of two that are equally near; -1 if there are no samples. */
     public fun nearest(position: Double): Int {
         if (size == 0) return -1
         if (!isOrdered) return nearestOfAll(position)

@@ -3,22 +3,22 @@ package badlog.analysis
 import kotlin.math.sqrt
 
 /**
- * What a series does over a range of x. Each sample holds until the next: mean, standard deviation and percentiles weigh by x, so
- * that they are the same whether a value was logged again and again or only when it changed. Gaps weigh nothing. Every figure but
- * the counts is NaN when there is no value in the range.
+ * Statistics of a series over a range of x. Each sample holds until the next: mean, standard deviation and percentiles are
+ * weighted by x, so that they are the same whether a value was logged again and again or only when it changed. Gaps have no
+ * weight. Everything but the counts is NaN if there is no value in the range.
  *
- * @property count how many samples of the range have a finite value.
- * @property gaps how many have none.
- * @property min the smallest value, be it one that only holds on from before the range.
+ * @property count the number of samples in the range that have a finite value.
+ * @property gaps the number of those that have none.
+ * @property min the smallest value, including one that still holds from before the range.
  * @property max the largest value, likewise.
- * @property mean the mean, each value weighed by how long it holds.
- * @property standardDeviation the distance from [mean], in the root mean square, weighed likewise.
- * @property percentile5 the value below which it lies for 5 % of the time; see [weightedPercentile].
+ * @property mean the mean, with each value weighted by how long it holds.
+ * @property standardDeviation the root mean square of the distances from [mean], weighted likewise.
+ * @property percentile5 the value below which the series lies for 5 % of the time; see [weightedPercentile].
  * @property median the same for 50 %.
  * @property percentile95 the same for 95 %.
  * @property first the first finite value.
  * @property last the last finite value.
- * @property integral the area under the values, each as long as it holds.
+ * @property integral the area under the values, each for as long as it holds.
  */
 public data class SeriesStatistics(
     public val count: Int,
@@ -36,10 +36,10 @@ public data class SeriesStatistics(
 )
 
 /**
- * The statistics from [from] to [to]: of the samples there, both ends included, and of the value that still holds at [from]. In a
- * series that is ordered it looks at those alone; it allocates two arrays for them.
+ * Returns the statistics from [from] to [to]: of the samples there, both ends included, and of the value that still holds at
+ * [from]. In an ordered series only these samples are visited; two arrays are allocated for them.
  *
- * @param end until where the last sample holds, as until the end of its recording; NaN for no farther than where it stands.
+ * @param end until where the last sample holds, such as the end of its recording; NaN for no farther than its own x.
  */
 public fun Series.statistics(
     from: Double = Double.NEGATIVE_INFINITY,
@@ -48,10 +48,11 @@ public fun Series.statistics(
 ): SeriesStatistics = statistics(listOf(Span(from, to)), end)
 
 /**
- * The statistics of several [parts] together, without what lies between them, as of the time in which a robot was enabled.
+ * Returns the statistics of several [parts] together, without what lies between them: for example, of the time in which a
+ * robot was enabled.
  *
  * @param parts in the order of x; they do not touch.
- * @param end as that of the statistics of one part.
+ * @param end see the statistics of a single part.
  */
 public fun Series.statistics(parts: List<Span>, end: Double = Double.NaN): SeriesStatistics {
     val pieces = parts.map { Piece(this, it) }
@@ -71,12 +72,12 @@ public fun Series.statistics(parts: List<Span>, end: Double = Double.NaN): Serie
     return figures.statistics()
 }
 
-/** The samples of [series] that [part] is about. */
+/** The samples of [series] within [part]. */
 private class Piece(series: Series, val part: Span) {
     val begin = if (series.isOrdered) series.firstAtOrAfter(part.from) else 0
     val stop = if (series.isOrdered) series.firstAfter(part.to) else series.size
 
-    /** What holds on from before the part, unless a sample stands at its very begin. */
+    /** A value still holds from before the part, unless there is a sample exactly at its start. */
     val held = if (series.isOrdered && part.from <= part.to && begin in 1..series.size &&
         !(begin < series.size && series.x[begin] == part.from)
     ) {
@@ -86,14 +87,14 @@ private class Piece(series: Series, val part: Span) {
     }
 }
 
-/** The statistics of [line], one of this view's; where its values hold, the last one does until the end of the recording. */
+/** Returns the statistics of [line], one of this view's. If its values hold, the last one holds until the end of the recording. */
 public fun LogView.statisticsOf(
     line: GraphSeries,
     from: Double = Double.NEGATIVE_INFINITY,
     to: Double = Double.POSITIVE_INFINITY,
 ): SeriesStatistics = statisticsOf(line, listOf(Span(from, to)))
 
-/** The same of several [parts] together, which are in the order of x and do not touch. */
+/** Returns the same for several [parts] together, which are in the order of x and do not touch. */
 public fun LogView.statisticsOf(line: GraphSeries, parts: List<Span>): SeriesStatistics =
     line.data.statistics(parts, xAxis.range?.endInclusive?.takeIf { line.holds } ?: Double.NaN)
 
@@ -145,7 +146,7 @@ private class WeighedFigures(most: Int) {
         )
     }
 
-    /** Leaves out what holds for no time; where nothing holds for any, each sample weighs the same. */
+    /** Drops values that hold for no time; if none holds for any time, all have the same weight. */
     private fun keepWeighty() {
         var kept = 0
         for (i in 0 until size) {
@@ -163,7 +164,7 @@ private class WeighedFigures(most: Int) {
     }
 }
 
-/** Mean and standard deviation of values that weigh differently, by West's recurrence (1979), without the cancellation of sums of squares. */
+/** Mean and standard deviation of weighted values, by West's recurrence (1979), which avoids the cancellation of sums of squares. */
 public class Moments {
     private var weight = 0.0
     private var center = 0.0
@@ -177,12 +178,12 @@ public class Moments {
         squares += weight * distance * (value - center)
     }
 
-    /** The mean; NaN without values. */
+    /** The mean; NaN if there are no values. */
     public val mean: Double get() = if (weight > 0) center else Double.NaN
 
-    /** The root mean square of the distances from [mean]; NaN without values. */
+    /** The root mean square of the distances from [mean]; NaN if there are no values. */
     public val standardDeviation: Double get() = if (weight > 0) sqrt(squares / weight) else Double.NaN
 
-    /** That of a sample of equal weights 1, dividing by one less than their number; NaN for fewer than two. */
+    /** The standard deviation of a sample whose weights are all 1, dividing by one less than their number; NaN for fewer than two. */
     public val sampleStandardDeviation: Double get() = if (weight > 1) sqrt(squares / (weight - 1)) else Double.NaN
 }

@@ -7,9 +7,9 @@ package badlog.analysis
  * @property to where it ends; not before [from].
  */
 public data class Span(public val from: Double, public val to: Double) {
-    /** How long it is, in the axis' unit. */
+    /** The length, in the unit of the axis. */
     public val width: Double get() = to - from
 
-    /** Whether [position] lies in it; both ends do. */
+    /** Returns whether [position] lies in it; both ends are included. */
     public operator fun contains(position: Double): Boolean = position in from..to
 }

@@ -1,8 +1,8 @@
 package badlog.analysis
 
 /**
- * The [indices] in the ascending order of their [keys], equal ones as they stand and NaN last: a merge sort from the bottom up,
- * without an object for each.
+ * Returns the [indices] in ascending order of their [keys]. Equal keys keep their order, and NaN comes last. A bottom-up merge
+ * sort that allocates no object per index.
  */
 public fun stableOrder(keys: DoubleArray, indices: IntArray = IntArray(keys.size) { it }): IntArray {
     var from = indices.copyOf()

@@ -1,9 +1,8 @@
 package badlog.analysis
 
 /**
- * The stretches over which a series of states stays in one: run `i` is in [states]`[i]` from [from]`[i]` to [to]`[i]`,
- * which is where the next one begins. The last one goes on until [end]: a topic that is logged when it changes stays as
- * it is.
+ * The runs of a series of states: run `i` is in [states]`[i]` from [from]`[i]` to [to]`[i]`, where the next one begins.
+ * The last one lasts until [end], because a topic that is logged when it changes keeps its state.
  */
 public class StateRuns(series: Series, end: Double) {
     /** Where each run begins. */
@@ -34,7 +33,7 @@ public class StateRuns(series: Series, end: Double) {
             to[run] = when {
                 next == starts.size -> maxOf(end, x[start])
 
-                // Where x jumps back, the state is known until the last sample before.
+                // Where x jumps back, the state is known until the last sample before the jump.
                 x[starts[next]] < x[start] -> x[starts[next] - 1]
 
                 else -> x[starts[next]]
@@ -54,10 +53,10 @@ public class StateRuns(series: Series, end: Double) {
         sums
     }
 
-    /** How much of x the whole recording is in [state]. */
+    /** Returns how much of x the whole recording is in [state]. */
     public fun timeIn(state: Int): Double = times[state]
 
-    /** The index of the first run that may reach to [position] or beyond. */
+    /** Returns the index of the first run that may extend to [position] or beyond. */
     public fun firstReaching(position: Double): Int = ends?.firstAtOrAfter(position) ?: 0
 
     private fun isSame(one: Double, other: Double) = one == other || (one.isNaN() && other.isNaN())

@@ -6,7 +6,7 @@ import badlog.recording.Topic
 import badlog.recording.TopicKind
 
 /**
- * How one topic is to be shown; its attributes, applied one after the other, decide.
+ * How one topic is to be shown, as decided by its attributes, which are applied one after the other.
  *
  * @property topic the topic.
  */
@@ -26,7 +26,7 @@ public class TopicPlan internal constructor(public val topic: Topic, private val
     internal val derivations = ArrayList<Derivation>()
     internal val joins = LinkedHashSet<String>()
 
-    /** Whether the topic's samples are numbers, so that it can be calculated with. */
+    /** Whether the topic's samples are numbers, so that calculations are possible. */
     public val isNumeric: Boolean
         get() = topic.counts.run { numbers + notFinite + truthValues } > 0 && topic.kind != TopicKind.EVENT
 
@@ -34,41 +34,42 @@ public class TopicPlan internal constructor(public val topic: Topic, private val
     public val hasGaps: Boolean
         get() = isNumeric && !topic.isSparse && topic.counts.run { notFinite + texts + empty } > 0
 
-    /** The topic's own graph is not shown; what derives from it is. */
+    /** Hides the topic's own graph; graphs derived from it are still shown. */
     public fun hide() {
         isHidden = true
     }
 
-    /** The topic's texts are shown as a list of events. */
+    /** Shows the topic's texts as a list of events. */
     public fun showAsEventLog() {
         isEventLog = true
     }
 
-    /** The area below the topic's line is filled. */
+    /** Fills the area below the topic's line. */
     public fun fill() {
         isFilled = true
     }
 
-    /** The y axis of the topic's graph includes 0. */
+    /** Makes the y axis of the topic's graph include 0. */
     public fun includeZero() {
         includesZero = true
     }
 
-    /** The topic is the x of every graph. */
+    /** Makes the topic the x axis of every graph. */
     public fun useAsX() {
         isX = true
     }
 
     /**
-     * A graph of its own is shown for what [series] makes of the topic's samples, titled `[ topic name ]` in brackets.
+     * Adds a graph of its own for the result of [series] from the topic's samples, titled `[ topic name ]` in
+     * brackets.
      *
-     * @param unit gives its unit from the topic's unit and that of x.
+     * @param unit returns its unit from the topic's unit and that of x.
      */
     public fun derive(name: String, unit: (unit: String, xUnit: String) -> String, series: (Series) -> Series) {
         derivations += Derivation("${topic.name} $name", unit, series)
     }
 
-    /** The topic is also a line of the graph named [graph], in which others may join. */
+    /** Adds the topic as a line to the graph named [graph], which others may also join. */
     public fun join(graph: String) {
         joins += graph
     }

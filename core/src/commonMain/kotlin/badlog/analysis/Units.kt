@@ -4,19 +4,19 @@ import badlog.recording.Topic
 
 /** How units are shown and derived. */
 public object Units {
-    /** Whether [unit] means that there is none: `ul`, or nothing. */
+    /** Returns whether [unit] means that there is none: `ul`, or a blank text. */
     public fun isNone(unit: String): Boolean = unit.isBlank() || unit == Topic.UNITLESS
 
     /**
-     * The unit of a derivative: `unit/xunit`. An x axis without a unit counts as `Index`; without a unit of its own the
-     * derivative is per x, `1/s`.
+     * Returns the unit of a derivative: `unit/xunit`. An x axis without a unit counts as `Index`; for a topic
+     * without a unit the result is per x, such as `1/s`.
      */
     public fun ofDerivative(unit: String, xUnit: String): String = "${if (isNone(unit)) "1" else unit}/${ofX(xUnit)}"
 
-    /** The unit of an integral: `unit·xunit`, or that of x alone where the topic has none. */
+    /** Returns the unit of an integral: `unit·xunit`, or the unit of x alone if the topic has none. */
     public fun ofIntegral(unit: String, xUnit: String): String = if (isNone(unit)) ofX(xUnit) else "$unit·${ofX(xUnit)}"
 
-    /** How many seconds one [unit] is, such as 0.001 for `ms` and `Milliseconds`; null when it is not a unit of time. */
+    /** Returns the number of seconds in one [unit], such as 0.001 for `ms` and `Milliseconds`; null if it is not a unit of time. */
     public fun secondsIn(unit: String): Double? = when (unit.trim().lowercase()) {
         "h", "hr", "hrs", "hour", "hours" -> 3600.0
 
@@ -26,7 +26,7 @@ public object Units {
 
         "ms", "msec", "msecs", "millis", "millisecond", "milliseconds" -> 1e-3
 
-        // Both signs for micro.
+        // Both characters for micro.
         "us", "\u00b5s", "\u03bcs", "usec", "usecs", "micros", "microsecond", "microseconds" -> 1e-6
 
         "ns", "nsec", "nsecs", "nanos", "nanosecond", "nanoseconds" -> 1e-9
@@ -34,7 +34,7 @@ public object Units {
         else -> null
     }
 
-    /** How many microseconds one [unit] of an x axis is; what is not a unit of time counts as a second. */
+    /** Returns the number of microseconds in one [unit] of an x axis; anything that is not a unit of time counts as a second. */
     public fun microsIn(unit: String): Double = (secondsIn(unit) ?: 1.0) * 1e6
 
     private fun ofX(xUnit: String) = if (isNone(xUnit)) "Index" else xUnit

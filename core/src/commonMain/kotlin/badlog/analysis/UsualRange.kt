@@ -1,12 +1,12 @@
 package badlog.analysis
 
 /**
- * From where to where the finite ones of some positions lie, without a few that lie so far from all others that nothing of these could be
- * seen any more: a hundred times as far as they lie from one another, and no more than one of a hundred.
+ * The range in which some positions lie, without a few outliers that would make the others too small to see. Outliers are a hundred times
+ * as far away as the others are from one another, and at most one in a hundred. Positions that are not finite are ignored.
  *
- * @property range it; null without any position.
- * @property wildCount how many positions are left out.
- * @property wildest the one of those farthest away; NaN without any.
+ * @property range the range; null if there are no positions.
+ * @property wildCount the number of outliers.
+ * @property wildest the outlier that is farthest away; NaN if there are none.
  */
 internal class UsualRange(positions: DoubleArray) {
     var range: ClosedFloatingPointRange<Double>? = null
@@ -42,7 +42,7 @@ internal class UsualRange(positions: DoubleArray) {
     private fun distance(position: Double, bounds: ClosedFloatingPointRange<Double>) =
         maxOf(bounds.start - position, position - bounds.endInclusive)
 
-    /** Beyond what a position is wild; null where that cannot be told. Looks at some positions of the whole log. */
+    /** Returns the bounds beyond which a position is an outlier; null if that cannot be decided. Uses a sample of the positions. */
     private fun boundsOf(positions: DoubleArray): ClosedFloatingPointRange<Double>? {
         val step = maxOf(1, positions.size / LOOKED_AT)
         val some = (positions.indices step step).map { positions[it] }.filter { it.isFinite() }.sorted()
@@ -66,16 +66,16 @@ internal class UsualRange(positions: DoubleArray) {
     }
 
     private companion object {
-        /** So many times as far away as the others lie from one another is wild. */
+        /** An outlier is this many times as far away as the others are from one another. */
         const val FAR = 100.0
 
-        /** One of so many positions may be wild. */
+        /** At most one in this many positions may be an outlier. */
         const val FEW = 100
 
-        /** One of so many is not counted at either end when it is asked how far the others lie from one another. */
+        /** One in this many is ignored at each end when the distances of the others are measured. */
         const val PART = 20
 
-        /** Fewer positions than these have no usual range. */
+        /** With fewer positions than this, there is no usual range. */
         const val FEWEST = 100
         const val LOOKED_AT = 2000
     }

@@ -7,12 +7,12 @@ import badlog.recording.Topic
 /**
  * The common x of a recording's graphs.
  *
- * @property name what it is called: the base name of the topic with the `xaxis` attribute, `Time` where there are no rows and
- *   topics have times of their own, else `Index`.
+ * @property name what it is called: the base name of the topic with the `xaxis` attribute, `Time` if there are no rows and
+ *   topics have times of their own, otherwise `Index`.
  * @property unit its unit, `ul` for none.
  * @property positions the x of each row; may hold gaps, and may go backwards. Empty where there are no rows. Not to be
  *   changed.
- * @property topic the topic it comes from, or null for the row index and for times of their own.
+ * @property topic the topic it comes from, or null for the row index and for topics' own times.
  */
 public class XAxis private constructor(
     public val name: String,
@@ -21,13 +21,13 @@ public class XAxis private constructor(
     public val topic: Topic?,
     private val ownTimes: List<DoubleArray>,
 ) {
-    /** What stands below the graphs: `Name (unit)`, or the name alone without a unit. */
+    /** The text below the graphs: `Name (unit)`, or just the name if there is no unit. */
     public val title: String get() = if (Units.isNone(unit)) name else "$name ($unit)"
 
-    /** Whether x only counts rows. */
+    /** Whether x is only the number of the row. */
     public val isIndex: Boolean get() = topic == null && name == INDEX
 
-    /** Every x of the recording: [positions] where there are rows, and an array for each clock of its topics, in which x ascends. */
+    /** Every x of the recording: [positions] if there are rows, and an ascending array for each clock of its topics. */
     public val clocks: List<DoubleArray>
         get() = if (positions.isEmpty() && ownTimes.isNotEmpty()) ownTimes else listOf(positions) + ownTimes
 
@@ -36,15 +36,15 @@ public class XAxis private constructor(
 
     private val usual by lazy { UsualRange(positions) }
 
-    /** How many of [positions] lie so far from all others that [range] leaves them out. */
+    /** The number of [positions] that are so far from all others that [range] does not include them. */
     public val wildCount: Int get() = usual.wildCount
 
-    /** The one of those that is farthest away; NaN without any. */
+    /** The one of those that is farthest away; NaN if there are none. */
     public val wildest: Double get() = usual.wildest
 
     /**
-     * The smallest and the largest x at which there is a sample; null without any. A few that are far away from all others, as when a
-     * clock was wrong for a moment, are left out: else nothing could be seen of these.
+     * The smallest and the largest x at which there is a sample; null if there are none. A few that are far away from all others, as
+     * when a clock was wrong for a moment, are ignored: otherwise the others would be too small to see.
      */
     public val range: ClosedFloatingPointRange<Double>? by lazy {
         var from = usual.range?.start ?: Double.POSITIVE_INFINITY
@@ -60,24 +60,24 @@ public class XAxis private constructor(
     public companion object {
         private const val INDEX = "Index"
 
-        /** The x axis that [topic], one of those of [recording], gives. */
+        /** Returns the x axis made from [topic], one of those of [recording]. */
         internal fun of(topic: Topic, recording: Recording): XAxis =
             XAxis(PathName.baseNameOf(topic.name), topic.unit, topic.samples, topic, ownTimesOf(recording))
 
-        /** The index of each row of [recording], from 0. */
+        /** Returns the index of each row of [recording], from 0, as an x axis. */
         internal fun index(recording: Recording): XAxis {
             val positions = DoubleArray(recording.rowCount) { it.toDouble() }
             return XAxis(INDEX, Topic.UNITLESS, positions, null, ownTimesOf(recording))
         }
 
-        /** Time, where [recording] has no rows but topics with times of their own; else null. */
+        /** Returns time as the x axis if [recording] has no rows but topics with times of their own; otherwise null. */
         internal fun ofOwnTimes(recording: Recording): XAxis? {
             val clocks = if (recording.rowCount == 0) ownTimesOf(recording) else emptyList()
             return if (clocks.isEmpty()) null else XAxis("Time", "s", DoubleArray(0), null, clocks)
         }
 
         private fun ownTimesOf(recording: Recording): List<DoubleArray> {
-            // Arrays are equal only to themselves.
+            // Arrays are equal only to themselves, so each clock is in the set once.
             val clocks = LinkedHashSet<DoubleArray>()
             for (topic in recording.topics) topic.times?.let { clocks += it }
             return clocks.toList()

@@ -7,8 +7,8 @@ import badlog.json.appendQuotedJson
 import badlog.recording.Value
 
 /**
- * What line 1 of a bag says: its topics and its values. Unknown keys of the object itself, of a topic and of a value are
- * kept as JSON text, so that a header survives being read and written again.
+ * The content of line 1 of a bag: its topics and its values. Unknown keys of the object itself, of a topic and of a
+ * value are kept as JSON text, so that a header survives being read and written again.
  *
  * @property topics the topics, in the order of the line.
  * @property values the values, in the order of the line.
@@ -44,10 +44,10 @@ public data class BagTopic(
 public data class BagValue(public val value: Value, public val unknown: Map<String, String> = emptyMap())
 
 /**
- * Reads line 1 of a bag. Keys that are missing read as nothing, values of another type than expected as their JSON text; of
- * two equal keys the last counts.
+ * Reads line 1 of a bag. Missing keys are read as empty, and values of an unexpected type as their JSON text; of two equal
+ * keys the last one counts.
  *
- * @return the header, or null when [line] is not one whole JSON object.
+ * @return the header, or null if [line] is not exactly one JSON object.
  */
 public fun readHeader(line: String): BagHeader? = JsonReader.readObject(line)?.let(::headerOf)
 
@@ -79,16 +79,16 @@ private fun List<JsonMember>.without(vararg known: String): Map<String, String> 
     filter { it.key !in known }.associate { it.key to it.value.json }
 
 /**
- * Line 1 of a bag, without its newline: JSON on one line, in ASCII apart from the names' own characters. A header that
- * [readHeader] returned comes out with everything it had.
+ * Returns line 1 of a bag, without its newline: JSON on one line, in ASCII apart from the names' own characters. A header that
+ * [readHeader] returned is written with everything it had.
  *
- * A topic's name is written as the line of titles can hold it, so that both lines agree: a newline becomes a space, a NUL and half
- * of a surrogate pair U+FFFD.
+ * A topic's name is written in the form that the line of titles can hold, so that both lines agree: a newline becomes a space; a
+ * NUL, and half of a surrogate pair, become U+FFFD.
  *
  * Written without a JSON library, because a robot writes it before its first loop and has 256 MB for everything.
  *
- * @param asOriginal true to write the very bytes that the original badlog wrote: a topic's unit stands before its name,
- *   and more characters are escaped than need be.
+ * @param asOriginal true to write the exact bytes that the original badlog wrote: a topic's unit comes before its name, and more
+ *   characters are escaped than necessary.
  */
 public fun headerText(header: BagHeader, asOriginal: Boolean = false): String = HeaderText(asOriginal).apply { append(header) }.toString()
 

@@ -12,14 +12,14 @@ import badlog.text.NUL
 import badlog.text.TextDecoder
 
 /**
- * Reads a bag, or a plain CSV file, that is pushed to it in pieces of any size. Nothing in the bytes makes it throw:
+ * Reads a bag, or a plain CSV file, that is pushed to it in pieces of any size. It never throws because of the bytes:
  * whatever is wrong becomes a problem of the recording, by the rules in `docs/bag-format.md`.
  *
- * Besides the recording's own columns it holds one piece of the file, never the file. Compressed files are to be inflated
- * before. Not safe for use by several threads.
+ * Besides the recording's own columns, it holds one piece of the file in memory, never the whole file. Compressed files must
+ * be inflated first. Not thread-safe.
  *
- * @param expectedBytes how long the file will be, if known: spares columns from growing beyond what its rows need. 0 when it
- *   is not known.
+ * @param expectedBytes the length of the file, if known, so that columns do not grow beyond what its rows need. 0 if it is
+ *   not known.
  * @param keepSamples false to find only topics, counts and problems, in memory that does not grow with the file.
  */
 public class BagParser(private val expectedBytes: Long = 0, private val keepSamples: Boolean = true) : LogParser {
@@ -28,12 +28,12 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
     private var forAll: (count: Int, work: (Int) -> Unit) -> Unit = { count, work -> repeat(count, work) }
 
     /**
-     * A parser that leaves to [forAll] what takes long in each column.
+     * Creates a parser that passes the slow work of each column to [forAll].
      *
-     * @param sinks where the numbers of topics go that the recording is not to have; texts and counts are in it all the same.
-     * @param expectedLines how many lines the file will have, if known; spares columns from growing at all. 0 when it is not known.
-     * @param forAll calls its function for each number from 0 until the first argument, in any order, on several threads where
-     *   there are some, and returns when all calls have.
+     * @param sinks where numbers go that the recording is not to keep; texts and counts are kept all the same.
+     * @param expectedLines the number of lines of the file, if known, so that columns need not grow at all. 0 if it is not known.
+     * @param forAll calls its function for each number from 0 until the first argument, in any order, on several threads if
+     *   available, and returns when all calls have returned.
      */
     public constructor(
         expectedBytes: Long,
@@ -61,7 +61,7 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
 
     override val isFull: Boolean get() = rows?.gaveUp == true
 
-    /** What a [RowBatchParser] has to know to read rows of this file; null while the header is not read, and where no rows follow. */
+    /** What a [RowBatchParser] must know to read rows of this file; null until the header is read, and if no rows follow. */
     public val readsDecimalComma: BooleanArray? get() = if (ignoresTheRest) null else rowReader()?.readsDecimalComma
 
     private val ignoresTheRest: Boolean get() = header.isNoLog || isFull
@@ -77,10 +77,10 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
     }
 
     /**
-     * Takes what a [RowBatchParser] read of the bytes that follow those of the calls before, in place of the bytes.
+     * Takes rows that a [RowBatchParser] read, in place of their bytes, which follow those of the previous calls.
      *
-     * @return false where no row begins there, for a row or a hole goes on, and where [batch] lacks the numbers that this parser
-     *   keeps or hands on; the bytes themselves are then to be given.
+     * @return false if no row begins there because a row or a hole continues, or if [batch] lacks numbers that this parser keeps
+     *   or passes on; the bytes themselves must then be passed.
      */
     public fun accept(batch: RowBatch): Boolean {
         val reader = rowReader()
@@ -137,11 +137,11 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
         forAll,
     )
 
-    /** Without a line of titles there are no rows, but the line of JSON may still have the topics that there were to be. */
+    /** Without a line of titles there are no rows, but the line of JSON may still list the topics. */
     private fun columnsOfHeaderAlone(): HeaderColumns =
         HeaderColumns.match(header.header, header.header?.topics.orEmpty().map { it.name }, pending.line, problems)
 
-    /** Skips NULs; says how many there were when they are over. Returns false when they may go on. */
+    /** Skips NULs, and reports how many there were once they end. Returns false if more may follow. */
     private fun passHole(isEnd: Boolean): Boolean {
         var at = pending.start
         while (at < pending.end && pending.bytes[at].toInt() == NUL) at++
@@ -189,7 +189,7 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
         /** A thousand rows a second for more than half a day. */
         public const val MAX_ROWS: Int = 50_000_000
 
-        /** A line without an end is looked at again only when it is longer than any line may be. */
+        /** A line that does not end is examined again only when it exceeds the length of any valid line. */
         private const val MAX_WAIT = 1 shl 24
     }
 }

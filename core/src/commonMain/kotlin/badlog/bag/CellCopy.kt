@@ -9,12 +9,15 @@ internal class CellCopy(
     private val reader: CellReader,
     private val columns: Array<ColumnBuilder>,
 ) {
-    /** The bytes of the row's text cells, unescaped; what the cells' starts and ends point into. */
+    /** The bytes of the row's text cells, unescaped; the starts and ends of cells are indices into it. */
     var text = ByteArray(256)
         private set
     private var textLength = 0
 
-    /** Takes the row's first [count] cells, unescaped if [undouble]; cells beyond them are empty, those beyond the row's are left. */
+    /**
+     * Copies the row's first [count] cells, unescaped if [undouble]. Further cells become empty; those that the splitter found beyond the
+     * row's are dropped.
+     */
     fun take(bytes: ByteArray, undouble: Boolean, count: Int) {
         textLength = 0
         for (i in 0 until cells.columns) {

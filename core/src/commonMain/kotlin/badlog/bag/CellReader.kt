@@ -7,7 +7,7 @@ import badlog.text.PLUS
 import badlog.text.SPACE
 import badlog.text.TAB
 
-/** What one cell holds; kept as plain numbers because a row has hundreds and none may cost an object. */
+/** The content of one cell; plain numbers, because a row has hundreds of cells and none may cost an object. */
 internal object CellKind {
     const val EMPTY = 0
     const val NUMBER = 1
@@ -17,15 +17,15 @@ internal object CellKind {
     const val DECIMAL_COMMA = 5
 }
 
-/** Finds what a cell's bytes are. Spaces and tabs around a number do not count. Not safe for use by several threads. */
+/** Finds out what a cell's bytes are. Spaces and tabs around a number are ignored. Not thread-safe. */
 internal class CellReader {
     private val decimal = DecimalReader()
 
-    /** The number that [read] or [readWithDecimalComma] found last; NaN when the cell has none. */
+    /** The number that [read] or [readWithDecimalComma] found last; NaN if the cell has none. */
     var number: Double = 0.0
         private set
 
-    /** The [CellKind] of the bytes from [from] until [until], which lie inside any quotes. */
+    /** Returns the [CellKind] of the bytes from [from] until [until], which lie inside any quotes. */
     fun read(bytes: ByteArray, from: Int, until: Int): Int {
         var start = from
         var end = until
@@ -40,7 +40,7 @@ internal class CellReader {
         return readWord(bytes, start, end)
     }
 
-    /** Whether the bytes are a number with a decimal comma, such as `1,2345`; it is then in [number]. */
+    /** Returns whether the bytes are a number with a decimal comma, such as `1,2345`; it is then in [number]. */
     fun readWithDecimalComma(bytes: ByteArray, from: Int, until: Int): Boolean {
         val found = (from until until).any { bytes[it].toInt() == COMMA } && decimal.read(bytes, from, until, COMMA)
         number = if (found) decimal.value else Double.NaN

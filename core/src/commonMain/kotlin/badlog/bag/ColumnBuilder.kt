@@ -9,10 +9,11 @@ import badlog.text.TextDecoder
 import badlog.text.TextPool
 
 /**
- * One column while its file is being read: a growing array of numbers, the sparse texts, and what was odd about it.
+ * One column while its file is being read: a growing array of numbers, the sparse texts, and whatever was odd about
+ * it.
  *
  * @property name the name of its topic.
- * @property readsDecimalComma false for a topic of texts, in which `1,5` may be meant as it stands.
+ * @property readsDecimalComma false for a topic of texts, in which `1,5` may be meant literally.
  * @param keepsSamples false to count only, in memory that does not grow.
  * @param sink where the numbers go instead of into this column, or null.
  */
@@ -25,7 +26,7 @@ internal class ColumnBuilder(
 ) {
     private val keepsNumbers = keepsSamples && sink == null
 
-    /** Whether its numbers go elsewhere. */
+    /** Whether its numbers go to a sink. */
     val hasSink: Boolean get() = sink != null
     private var numbers = DoubleArray(0)
     private var texts: TextPool? = null
@@ -43,7 +44,7 @@ internal class ColumnBuilder(
     private var lastGapRow = -2
     private var firstGapRow = -1
 
-    /** The first text met, as a reader would quote it, and the line it stands on. */
+    /** The first text found, in the form for a message, and the line it is on. */
     var firstText: String? = null
         private set
     var firstTextLine = 0
@@ -121,8 +122,8 @@ internal class ColumnBuilder(
     }
 
     /**
-     * Adds a line to the text in [row], the last one. Returns false where that cell is not text, or would become longer than
-     * [longest] bytes.
+     * Adds a line to the text in [row], the last one. Returns false if that cell is not a text, or would exceed [longest]
+     * bytes.
      */
     fun extendText(row: Int, bytes: ByteArray, from: Int, until: Int, longest: Int): Boolean {
         val size = lastTextSize + 1 + until - from
@@ -138,7 +139,7 @@ internal class ColumnBuilder(
         return true
     }
 
-    /** Forgets all rows, but keeps the room for them. */
+    /** Removes all rows, but keeps the memory for them. */
     fun clear() {
         texts = null
         lastTextRow = -1
@@ -156,7 +157,7 @@ internal class ColumnBuilder(
         notUtf8Line = 0
     }
 
-    /** Writes to [out] what [append] reads; returns the numbers, which stay this builder's. */
+    /** Writes to [out] what [append] reads. Returns the numbers, which still belong to this builder. */
     fun writeTo(out: BatchWriter): DoubleArray {
         out.put(notFiniteCount)
         out.put(truthCount)
@@ -182,12 +183,13 @@ internal class ColumnBuilder(
     }
 
     /**
-     * Adds the rows of another builder, whose first is [row], the first after all that were added here.
+     * Adds the rows of another builder.
      *
-     * @param rows how many rows they are.
+     * @param row the first of them, which follows all rows added here.
+     * @param rows how many there are.
      * @param more their numbers.
-     * @param details what [writeTo] wrote of them.
-     * @param linesBefore how many lines stand before its first.
+     * @param details what [writeTo] wrote about them.
+     * @param linesBefore how many lines come before the first of them.
      */
     fun append(row: Int, rows: Int, more: DoubleArray, details: BatchReader, linesBefore: Int) {
         if (keepsNumbers) {
@@ -248,12 +250,12 @@ internal class ColumnBuilder(
         numbers = numbers.copyOf(maxOf(FIRST_ROWS, row + 1, row + row / 2))
     }
 
-    /** Makes room for [rows] rows, where that many are expected. */
+    /** Reserves memory for [rows] expected rows. */
     fun expect(rows: Int) {
         if (keepsNumbers && rows > numbers.size) numbers = numbers.copyOf(rows)
     }
 
-    /** The topic that the first [rows] rows make. The builder is of no use afterwards. */
+    /** Returns the topic made of the first [rows] rows. The builder must not be used afterwards. */
     fun build(rows: Int, unit: String, attributes: List<String>): Topic {
         val numeric = rows - textCount - emptyCount
         val samples = when {

@@ -7,7 +7,7 @@ import badlog.recording.TopicKind
 import badlog.recording.addNotFinite
 import badlog.recording.addNotUtf8
 
-/** Reports what was odd about a whole column, once, when all of it was read. */
+/** Reports what was odd about a whole column: once, after all of it was read. */
 internal fun reportColumn(column: ColumnBuilder, topic: Topic, problems: ProblemList) {
     val counts = topic.counts
     val name = topic.name

@@ -4,13 +4,13 @@ import badlog.text.CR
 import badlog.text.LF
 import badlog.text.TAB
 
-/** What the first lines from the titles on look like; the rows that follow show whether a line of titles is damaged or only odd. */
+/** The first lines from the titles on: the rows that follow show whether a line of titles is damaged or merely unusual. */
 internal class FirstLines(private val pending: PendingBytes, private val cellReader: CellReader) {
     /**
      * A line without its end.
      *
      * @property next where the next line begins.
-     * @property cells how many cells it has; 0 where its quotes or its bytes are not those of a row.
+     * @property cells how many cells it has; 0 if its quotes or its bytes are not those of a row.
      * @property numbers how many of them are numbers, or true or false.
      * @property texts how many of them are texts.
      */
@@ -21,22 +21,22 @@ internal class FirstLines(private val pending: PendingBytes, private val cellRea
 
     private val splitter = RowSplitter()
 
-    /** The titles, and as many lines after them as are looked at. */
+    /** The titles, and the lines after them that are examined. */
     val lines = ArrayList<Line>()
 
-    /** How many cells most of the lines after the titles have; 0 where that is not clear. */
+    /** The number of cells in most of the lines after the titles; 0 if that is not clear. */
     var width = 0
         private set
 
-    /** Whether among them are rows with numbers. */
+    /** Whether some of them are rows with numbers. */
     var hasRows = false
         private set
 
-    /** Whether they are the bytes of a picture, an archive or a program: damage leaves more text than that. */
+    /** Whether these are the bytes of a picture, an archive or a program: even a damaged log has more text than those. */
     var isBinary = false
         private set
 
-    /** Looks at the lines from the pending byte on; false where more of them are needed, and [isEnd] does not say that there are none. */
+    /** Examines the lines from the first pending byte on. Returns false if more of them are needed and [isEnd] is false. */
     fun look(isEnd: Boolean): Boolean {
         lines.clear()
         val bytes = pending.bytes
@@ -56,7 +56,7 @@ internal class FirstLines(private val pending: PendingBytes, private val cellRea
                 lines += line
                 if (line.cells > 0) rows++
             }
-            // A line that ends at a NUL goes on there.
+            // After a line that ends at a NUL, go on from that NUL.
             at = if (next == end) end + 1 else next
         }
         val controls = (pending.start until at).count { isControl(bytes[it]) }
@@ -75,7 +75,7 @@ internal class FirstLines(private val pending: PendingBytes, private val cellRea
 
     private fun findWidth() {
         val full = lines.drop(1).filter { it.cells > 0 }
-        // What damage has torn off the titles has no numbers.
+        // A piece of the titles that damage split off has no numbers.
         val rows = full.filter { it.numbers > 0 }.ifEmpty { full }
         val counts = rows.groupingBy { it.cells }.eachCount()
         val own = counts[lines.firstOrNull()?.cells] ?: 0
@@ -89,25 +89,25 @@ internal class FirstLines(private val pending: PendingBytes, private val cellRea
         hasRows = width > 0 && numeric >= minOf(2, lines.size - 1) && (width > 1 || numeric * 2 >= lines.size)
     }
 
-    /** How many of the lines after the first have [width] cells. */
+    /** Returns how many of the lines after the first have [width] cells. */
     fun rowsOf(width: Int): Int = lines.drop(1).count { it.cells == width }
 
     companion object {
-        /** So many rows are looked at. */
+        /** This many rows are examined. */
         private const val ROWS = 20
         private const val MAX_BYTES = 1 shl 20
         private const val CLEARLY = 3
         private const val MOST_CELLS = 1 shl 16
 
-        /** Of bytes by chance every ninth is a control character; of text with a few damaged places not one in [MIN_TEXT]. */
+        /** Among random bytes, every ninth is a control character; in text with a few damaged places, fewer than one in [MIN_TEXT]. */
         private const val MIN_TEXT = 20
         private const val MIN_CONTROLS = 16
 
-        /** Whether there are bytes that no text has. */
+        /** Returns whether there are bytes that do not occur in text. */
         fun hasControls(bytes: ByteArray, from: Int, until: Int): Boolean =
             (from until until).any { bytes[it] in 1..31 && bytes[it].toInt() != TAB }
 
-        // Not NUL, of which a loss of power may leave thousands.
+        // Except NUL: a loss of power may leave thousands of them.
         private fun isControl(byte: Byte) = byte in 1..31 && byte.toInt() != TAB && byte.toInt() != LF && byte.toInt() != CR
     }
 }

@@ -6,11 +6,11 @@ import badlog.text.UniqueNames
 import badlog.text.isLetterOrDigit
 
 /**
- * How the topics of line 1 and the columns of line 2 belong together.
+ * Which topic of line 1 belongs to which column of line 2.
  *
  * @property columnNames the name of each column, unique, in the order of line 2.
  * @property topics for each column, its topic of line 1, or null.
- * @property order the columns in the order in which they are shown: that of line 1, then those it does not name.
+ * @property order the columns in display order: that of line 1, then those it does not name.
  */
 internal class HeaderColumns private constructor(val columnNames: List<String>, val topics: List<BagTopic?>, val order: List<Int>) {
     companion object {

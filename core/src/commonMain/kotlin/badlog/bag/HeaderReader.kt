@@ -10,7 +10,7 @@ import badlog.text.LF
 import badlog.text.NUL
 import badlog.text.TextDecoder
 
-/** Reads what stands before the rows: the line of JSON, if there is one, and the line of column titles. */
+/** Reads what comes before the rows: the line of JSON, if there is one, and the line of column titles. */
 internal class HeaderReader(private val pending: PendingBytes, private val decoder: TextDecoder, private val problems: ProblemList) {
     private enum class Stage { SIGNATURE, FIRST_LINE, TITLES, DONE }
 
@@ -19,26 +19,26 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
     private var sawOtherText = false
     private var mayBeUtf16 = false
 
-    /** The line of JSON as it stands there, or null without one. */
+    /** The line of JSON exactly as in the file, or null if there is none. */
     var line: String? = null
         private set
 
-    /** What it says; null without it, and where it cannot be read. */
+    /** The content of that line; null if there is none, or it cannot be read. */
     var header: BagHeader? = null
         private set
 
-    /** The columns; null until they are known, and where the titles line is missing or cut. */
+    /** The columns; null until they are known, and if the line of titles is missing or cut. */
     var columns: HeaderColumns? = null
         private set
 
-    /** Whether nothing of the header is still to come. */
+    /** Whether the whole header has been read. */
     val isDone: Boolean get() = stage == Stage.DONE
 
     /** Whether the bytes turned out not to be a log. */
     var isNoLog = false
         private set
 
-    /** Reads one line of it; returns where the next begins, or [RowScanner.INCOMPLETE]. */
+    /** Reads one line of the header. Returns where the next begins, or [RowScanner.INCOMPLETE]. */
     fun read(isEnd: Boolean): Int = when (stage) {
         Stage.SIGNATURE -> readSignature(isEnd)
         Stage.FIRST_LINE -> readLine(isEnd) { lineEnd, next, _ -> takeFirstLine(lineEnd, next) }
@@ -95,7 +95,7 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
 
     private fun takeTitles(lineEnd: Int, next: Int, isEnd: Boolean): Int {
         val isCut = next == lineEnd
-        // What a hole has left of the line of JSON holds no titles.
+        // The rest of a line of JSON after a hole is not the line of titles.
         if (line != null && header == null && pending.isAfterHole) {
             if (!isCut) pending.line++
             return next
@@ -115,7 +115,7 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
         return if (header == null) takeWithoutHeader(titles, lineEnd, next) else takeWithHeader(names, titles, isSure, next, isCut)
     }
 
-    /** Whether what begins here was torn off the line of JSON, by a newline that damage has put there. */
+    /** Returns whether this is a piece of the line of JSON, split off by a newline that damage put there. */
     private fun isRestOfJson(lineEnd: Int): Boolean = (pending.start..lineEnd - JSON_MARKS[0].length).any { at ->
         JSON_MARKS.any { mark -> mark.indices.all { pending.bytes[at + it].toInt() == mark[it].code } }
     }
@@ -124,9 +124,9 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
         reportEncoding()
         val width = if (isSure) 0 else clearWidth(names.size)
         val isNone = names.isNotEmpty() && titles.none { it in names }
-        // A hole may have taken line 2, or damage: then this is a row.
+        // Line 2 may be lost, to a hole or to damage: then this is a row.
         val isRow = isNone && (pending.holeLine > 0 || (names.size == width && titles.size == width && firstLines.lines[0].numbers > 0))
-        // The line of JSON knows the topics better than a line of titles that is cut.
+        // The line of JSON is more reliable than a line of titles that is cut.
         val isOnlyNames = isRow || (isCut && names.isNotEmpty() && width == 0)
         val known = if (isOnlyNames) ColumnTitles(names) else ColumnTitles.of(names, titles, width)
         columns = columnsOf(known, titles)
@@ -145,10 +145,10 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
         return end
     }
 
-    /** How many cells a row has; 0 where that is not clear. */
+    /** Returns how many cells a row has; 0 if that is not clear. */
     private fun clearWidth(names: Int): Int = firstLines.width.takeIf { it == names || firstLines.rowsOf(it) >= LEAST_ROWS } ?: 0
 
-    /** A plain CSV file, or the rest of a bag whose first line cannot be read. */
+    /** Handles a plain CSV file, or the rest of a bag whose first line cannot be read. */
     private fun takeWithoutHeader(titles: List<String>, lineEnd: Int, next: Int): Int {
         val width = clearWidth(0)
         val isDamaged = width > 1 && titles.size != width
@@ -157,14 +157,14 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
         reportEncoding()
         if (titles.size == 1 && width <= 1) otherSeparator(titles[0])?.let { return refuse(it) }
         if (isDamaged && firstLines.hasRows) {
-            // Damage, or the remarks of whoever made the file, may stand before the titles.
+            // Damage, or remarks of the file's author, may come before the titles.
             val begin = firstLines.lines.firstOrNull { it.cells == width }
             if (begin?.isTitles == true) return skipTo(begin)
         }
         val first = firstLines.lines.firstOrNull()
         if (first != null && titles.size == width && (first.texts == 0 || (line != null && first.numbers > 0))) return takeUntitled(width)
         val known = if (isDamaged) ColumnTitles.of(emptyList(), titles, width) else ColumnTitles(titles)
-        // A hole has taken the rest of the line, which may have had more titles.
+        // A hole destroyed the rest of the line, which may have had more titles.
         if (next == lineEnd && firstLines.hasRows) known.isDoubtful.fill(true)
         for (i in known.titles.indices) if (known.titles[i].any(::isControl)) known.isDoubtful[i] = true
         columns = columnsOf(known.map { title -> title.map { if (isControl(it)) ' ' else it }.joinToString("") }, titles)
@@ -187,7 +187,7 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
         return pending.start
     }
 
-    /** Goes on at the line [titles]; what stands before it is lost. */
+    /** Continues at the line [titles]; everything before it is lost. */
     private fun skipTo(titles: FirstLines.Line): Int {
         val text = decoder.decode(pending.bytes, pending.start, firstLines.lines[0].end)
         if (line == null && "\"name\":" in text) line = text
@@ -197,7 +197,7 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
         return titles.from
     }
 
-    /** Where the lines end that damage has torn off the line of titles: they are not rows. */
+    /** Returns where the pieces that damage split off the line of titles end: they are not rows. */
     private fun restOfTitles(next: Int, width: Int): Int = firstLines.lines.drop(1)
         .takeWhile { it.cells != width && it.numbers == 0 && it.next > it.end }.lastOrNull()?.next ?: next
 
@@ -271,38 +271,38 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
         private const val BINARY = "$NO_LOG: it has bytes that never occur in text."
         private const val UTF_16 = "The file is UTF-16, like Excel's “Unicode text”; save it again as CSV UTF-8."
 
-        /** No header line is longer; a file without a newline before is not a bag. */
+        /** No header line is longer; a file without a newline before that is not a bag. */
         private const val MAX_LINE_BYTES = 1 shl 24
         private val BYTE_ORDER_MARK = byteArrayOf(0xEF.toByte(), 0xBB.toByte(), 0xBF.toByte())
 
-        /** Each column costs memory before it has a row. */
+        /** A limit, because each column takes memory before it has any row. */
         private const val MAX_COLUMNS = 1 shl 16
 
-        /** What stands between a key of JSON and its value, and in no title. */
+        /** Characters between a key and its value in JSON, which no title contains. */
         private val JSON_MARKS = listOf("\":\"", "\":[")
 
-        /** So many rows of one width count more than the titles. */
+        /** From this many rows of one width on, their width counts, not that of the titles. */
         private const val LEAST_ROWS = 3
     }
 }
 
-/** What kind of file the first bytes show. */
+/** The kind of a file according to its first bytes. */
 internal enum class FileSignature {
-    /** A gzip stream, which has to be inflated. */
+    /** A gzip stream, which must be inflated. */
     GZIP,
 
     /** A WPILOG of WPILib's DataLog. */
     WPILOG,
 
-    /** Anything else: a bag, a CSV file, or nothing that can be read. */
+    /** Anything else: a bag, a CSV file, or something that cannot be read. */
     OTHER,
     ;
 
     companion object {
-        /** How many bytes [of] wants to see; fewer are a shorter file. */
+        /** The number of bytes that [of] needs; pass fewer only if the file is shorter. */
         const val BYTES: Int = 6
 
-        /** The signature of a file that begins with the first [count] of [bytes]. */
+        /** Returns the signature of a file that begins with the first [count] of [bytes]. */
         fun of(bytes: ByteArray, count: Int = bytes.size): FileSignature = when {
             count >= 2 && bytes[0] == 0x1f.toByte() && bytes[1] == 0x8b.toByte() -> GZIP
             count >= 6 && bytes.decodeToString(0, 6) == "WPILOG" -> WPILOG

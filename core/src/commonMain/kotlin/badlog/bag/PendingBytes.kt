@@ -6,7 +6,7 @@ import badlog.text.CR
 import badlog.text.LF
 import badlog.text.NUL
 
-/** What of a file has arrived and is not read yet: [bytes] from [start] until [end]. */
+/** The bytes of a file that have arrived but are not read yet: [bytes] from [start] until [end]. */
 internal class PendingBytes(room: Int = 2 * PIECE) {
     var bytes = ByteArray(room)
         private set
@@ -15,14 +15,14 @@ internal class PendingBytes(room: Int = 2 * PIECE) {
     var end = 0
         private set
 
-    /** Behind the last line end, or NUL, that has arrived. */
+    /** The position after the last line end, or NUL, that has arrived. */
     var lineEnd = 0
         private set
 
-    /** The physical line, from 1, that [start] is in. */
+    /** The physical line that [start] is in, counted from 1. */
     var line = 1
 
-    /** The line on which a run of NULs was skipped last; 0 before any. */
+    /** The line on which a run of NULs was last skipped; 0 if there was none. */
     var holeLine = 0
 
     /** Whether the beginning of the line that [start] is in was lost in a run of NULs. */
@@ -53,7 +53,7 @@ internal class PendingBytes(room: Int = 2 * PIECE) {
         end += until - from
     }
 
-    /** Takes the bytes from [from] until [until] of [others] for a file of its own, without a copy. Not to be appended to. */
+    /** Treats the bytes from [from] until [until] of [others] as a separate file, without copying them. Nothing may be appended. */
     fun lend(others: ByteArray, from: Int, until: Int) {
         bytes = others
         start = from
@@ -62,14 +62,14 @@ internal class PendingBytes(room: Int = 2 * PIECE) {
         sawCarriageReturn = false
     }
 
-    /** Says that what [batch] was read from came and is read. */
+    /** Marks the bytes from which [batch] was read as arrived and read. */
     fun pass(batch: RowBatch) {
         passed += batch.byteCount
         line += batch.lineCount
         if (batch.sawCarriageReturn) sawCarriageReturn = true
     }
 
-    /** Says that all before [next] is read. */
+    /** Marks everything before [next] as read. */
     fun advanceTo(next: Int) {
         if (next - start >= 1 && bytes[next - 1].toInt() == CR) sawCarriageReturn = true
         if (next - start >= 2 && bytes[next - 2].toInt() == CR && bytes[next - 1].toInt() == LF) sawCarriageReturn = true
@@ -78,8 +78,8 @@ internal class PendingBytes(room: Int = 2 * PIECE) {
     }
 
     /**
-     * Passes the blank line that ends at [end], before [next], and all that follow it as far as they have arrived: there may be a
-     * billion. Returns where they end, and reports them.
+     * Skips the blank line that ends at [end], before [next], and all blank lines after it that have arrived, as there may be a
+     * billion of them. Reports them, and returns where they end.
      */
     fun passBlankLines(end: Int, next: Int, problems: ProblemList): Int {
         var at = next
@@ -100,12 +100,14 @@ internal class PendingBytes(room: Int = 2 * PIECE) {
         private const val BLANK = "A blank line was skipped."
         private const val FEW = 10
 
-        /** How much is read at a time: enough to be fast, little enough to stay in the processor's cache. */
+        /** The number of bytes read at a time: enough to be fast, few enough to stay in the processor's cache. */
         const val PIECE = 1 shl 16
     }
 }
 
-/** Where the line that [from] is in ends: at its LF or CR, or at a NUL, where whatever stood there is lost; else [until]. */
+/**
+ * Returns where the line that contains [from] ends: at its LF or CR, or at a NUL, where the original content is lost; otherwise [until].
+ */
 internal fun lineEndIn(bytes: ByteArray, from: Int, until: Int): Int {
     var at = from
     while (at < until && !isLineEnd(bytes[at].toInt())) at++
@@ -115,7 +117,7 @@ internal fun lineEndIn(bytes: ByteArray, from: Int, until: Int): Int {
 internal fun isLineEnd(byte: Int): Boolean = byte == LF || byte == CR || byte == NUL
 
 /**
- * Where the line after the one that ends at [end] begins; for a NUL that is the NUL itself.
+ * Returns where the line after the one that ends at [end] begins; for a NUL, that is the NUL itself.
  *
  * @param isEnd whether no bytes will follow those before [until].
  * @return [RowScanner.INCOMPLETE] for a CR that may be half of a CRLF.

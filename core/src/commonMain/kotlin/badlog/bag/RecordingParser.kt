@@ -5,18 +5,18 @@ import badlog.recording.LogParser
 import badlog.recording.Recording
 
 /**
- * Reads a log of any of [formats], or else a bag or a CSV file. The content decides.
+ * Reads a log in one of [formats], or otherwise a bag or a CSV file. The content decides.
  *
- * @param formats what it may be besides a bag and a CSV file.
+ * @param formats the formats to recognize besides bag and CSV.
  * @param keepSamples false to find only topics, counts and problems, in memory that does not grow with the file.
- * @param bag makes the parser of a bag, or of a CSV file.
+ * @param bag creates the parser of a bag or a CSV file.
  */
 public class RecordingParser(private val formats: List<LogFormat>, private val keepSamples: Boolean, private val bag: () -> BagParser) :
     LogParser {
     /**
-     * A parser that reads a bag by itself.
+     * Creates a parser that uses a [BagParser] of its own for a bag.
      *
-     * @param expectedBytes how long the file will be, if known; else 0.
+     * @param expectedBytes the length of the file, if known; otherwise 0.
      */
     public constructor(formats: List<LogFormat>, expectedBytes: Long = 0, keepSamples: Boolean = true) :
         this(formats, keepSamples, { BagParser(expectedBytes, keepSamples) })

@@ -6,26 +6,26 @@ import badlog.recording.Topic
 import badlog.recording.TopicKind
 
 /**
- * Writes a recording, or some of its rows, as a file that reads as the same topics, values and samples again: every number
- * to the last bit, each cell as what it was.
+ * Writes a recording, or some of its rows, as a file that, when read again, has the same topics, values and samples: every number to
+ * the last bit, each cell as what it was.
  *
- * What a file cannot say is lost. CSV has neither units, attributes nor values. A newline in a topic's name becomes a space,
- * and a CSV title keeps no control characters but tabs. Where a topic has both empty cells and cells with `NaN`, all of them come out
- * as the same. A text whose lines look like rows is taken for rows, see `docs/bag-format.md`.
+ * What the format cannot express is lost. CSV has neither units, attributes nor values. A newline in a topic's name becomes a space,
+ * and a CSV title keeps no control characters but tabs. If a topic has both empty cells and cells with `NaN`, all of them are written
+ * as the same. A text whose lines look like rows is read as rows, see `docs/bag-format.md`.
  *
- * @param recording what to write; read with its samples.
- * @param format how; what was read from a bag can be written as CSV and the other way round.
+ * @param recording what to write; it must have been read with its samples.
+ * @param format the format to write; a recording read from a bag can be written as CSV, and vice versa.
  */
 public class RecordingWriter(private val recording: Recording, private val format: RecordingFormat = recording.format) {
     /**
      * Writes the header and the rows from [fromRow] until [untilRow].
      *
-     * @param progress hears after each piece how many of these rows are written, and how many they are. What it throws
-     *   stops the writing and is passed on.
-     * @param sink gets the file in pieces of about 64 KiB, each `[0, size)` of the array, which is used again after the
-     *   call. What it throws stops the writing and is passed on.
-     * @throws IllegalArgumentException when there are no such rows, or the recording was read without its samples.
-     * Also for a recording whose topics have times of their own, and for another format than bag and CSV.
+     * @param progress called after each piece with the number of these rows written so far, and the number of all. An
+     *   exception from it stops the writing and is passed on.
+     * @param sink receives the file in pieces of about 64 KiB, each `[0, size)` of the array, which is reused after the
+     *   call. An exception from it stops the writing and is passed on.
+     * @throws IllegalArgumentException if there are no such rows, the recording was read without its samples, its
+     * topics have times of their own, or the format is neither bag nor CSV.
      */
     public fun write(
         fromRow: Int = 0,
@@ -67,7 +67,7 @@ public class RecordingWriter(private val recording: Recording, private val forma
         }
     }
 
-    /** What comes first in a file decides what it is taken for, so that title stands in quotes. */
+    /** A reader recognizes the format by the first characters, so a misleading first title is quoted. */
     private fun csvTitles(names: List<String>, out: RowWriter) {
         val isAlone = names.size == 1
         names.forEachIndexed { index, name ->
@@ -90,17 +90,17 @@ public class RecordingWriter(private val recording: Recording, private val forma
     private companion object {
         const val PIECE = 1 shl 16
 
-        /** A file of one column with one of these in its title is taken for a table that is separated so. */
+        /** A one-column file with one of these in its title would be read as a table with that separator. */
         const val SEPARATORS = ";\t"
 
-        /** The beginnings of files that are something else: JSON, a WPILOG, a byte order mark. */
+        /** What other files begin with: JSON, a WPILOG, a byte order mark. */
         val MISLEADING = listOf("{", "WPILOG", "\uFEFF")
     }
 }
 
 /**
- * Line 1 of the bag that [recording] makes: its own, where that describes just these topics and values; else one that does,
- * with the unknown keys of the recording's own.
+ * Returns line 1 for writing [recording] as a bag: its own, if that describes exactly these topics and values; otherwise a
+ * new one that does, with the unknown keys of its own.
  */
 internal fun headerLineOf(recording: Recording): String {
     val line = recording.headerLine
@@ -122,7 +122,7 @@ internal class TopicCells(private val topic: Topic) {
     private val isBoolean = topic.kind == TopicKind.BOOLEAN
     private val gapsAreNaN = gapsAreNaN(topic)
 
-    /** Writes the cell of [row], which is behind those of the calls before. */
+    /** Writes the cell of [row], which must be after those of previous calls. */
     fun write(row: Int, out: RowWriter) {
         val texts = topic.texts
         while (nextText < texts.size && texts.rows[nextText] < row) nextText++
@@ -143,8 +143,9 @@ internal class TopicCells(private val topic: Topic) {
 
     private companion object {
         /**
-         * An empty cell and one with `NaN` are the same sample; the counts show which it was where there was but one of the two.
-         * Where there were both, empty ones are the better guess, unless the topic's kind would be another without `NaN`.
+         * Returns whether to write gaps as `NaN`. An empty cell and one with `NaN` are the same sample; if there was only one of
+         * the two, the counts show which. If there were both, empty is the better guess, unless the topic's kind would change
+         * without `NaN`.
          */
         fun gapsAreNaN(topic: Topic): Boolean {
             val counts = topic.counts

@@ -1,26 +1,26 @@
 package badlog.bag
 
 /**
- * Rows that a [RowBatchParser] read apart from those before them, for [BagParser.accept]. All of it is in arrays of numbers and
- * of texts, so that it can travel between threads and between the workers of a page.
+ * Rows that a [RowBatchParser] read independently of those before them, for [BagParser.accept]. It consists only of arrays of
+ * numbers and texts, so that it can be passed between threads and between the workers of a page.
  *
- * @property numbers for each column, in the order of the file, the numbers of its rows and perhaps room for more; empty arrays
- *   where samples are not kept.
- * @property details counts, lines, and which texts stand where. Only [BagParser] knows their order.
- * @property texts the texts that [details] speaks of.
+ * @property numbers for each column, in the order of the file, the numbers of its rows, with possible spare room; empty arrays
+ *   if samples are not kept.
+ * @property details counts, lines, and the places of texts. Only [BagParser] knows their order.
+ * @property texts the texts that [details] refers to.
  */
 public class RowBatch(public val numbers: Array<DoubleArray>, public val details: IntArray, public val texts: Array<String>) {
-    /** How many rows it holds. */
+    /** The number of rows. */
     public val rowCount: Int get() = details[0]
 
-    /** Whether the numbers are there, not only their counts. */
+    /** Whether it has the numbers, not only their counts. */
     internal val hasSamples: Boolean get() = numbers.all { it.size >= rowCount }
     internal val lineCount: Int get() = details[1]
     internal val byteCount: Int get() = details[2]
     internal val sawCarriageReturn: Boolean get() = details[3] != 0
 }
 
-/** Gathers what a [RowBatch] says besides its numbers. */
+/** Collects what a [RowBatch] holds besides its numbers. */
 internal class BatchWriter {
     private var integers = IntArray(256)
     private var size = 0
@@ -44,7 +44,7 @@ internal class BatchWriter {
     fun batch(numbers: Array<DoubleArray>) = RowBatch(numbers, integers.copyOf(size), texts.toTypedArray())
 }
 
-/** Takes what a [BatchWriter] put, in its order. */
+/** Reads what a [BatchWriter] wrote, in the same order. */
 internal class BatchReader(private val batch: RowBatch, private var at: Int) {
     private var textAt = 0
 
@@ -58,7 +58,7 @@ internal class BatchReader(private val batch: RowBatch, private var at: Int) {
     }
 
     companion object {
-        /** The integers that are about all columns. */
+        /** The number of integers that concern all columns. */
         const val FRAME = 4
     }
 }

@@ -5,11 +5,11 @@ import badlog.text.LF
 import badlog.text.TextDecoder
 
 /**
- * Reads some of a bag's rows apart from those before them, as one of several that work on a file at a time. Used again and
- * again, but not by several threads at a time.
+ * Reads some of a bag's rows independently of those before them, as one of several parsers that work on a file in
+ * parallel. Reusable, but not by several threads at a time.
  *
- * @param readsDecimalComma what [BagParser.readsDecimalComma] says.
- * @param keepSamples as the [BagParser] has it.
+ * @param readsDecimalComma see [BagParser.readsDecimalComma].
+ * @param keepSamples as for the [BagParser].
  */
 public class RowBatchParser(readsDecimalComma: BooleanArray, private val keepSamples: Boolean = true) {
     private val decoder = TextDecoder()
@@ -22,8 +22,8 @@ public class RowBatchParser(readsDecimalComma: BooleanArray, private val keepSam
     /**
      * Reads the rows from [from] until [until] of [bytes], where the first begins and the last ends with its newline.
      *
-     * @return the rows, whose numbers are overwritten by the next call; null where something is odd, so that what the rows are
-     *   may depend on those before or after, and the [BagParser] has to read the bytes itself.
+     * @return the rows, whose numbers are overwritten by the next call; null if something is irregular, so that the rows may
+     *   depend on those before or after, and the [BagParser] must read the bytes itself.
      */
     public fun parse(bytes: ByteArray, from: Int, until: Int): RowBatch? {
         if (until <= from || bytes[until - 1].toInt() != LF) return null

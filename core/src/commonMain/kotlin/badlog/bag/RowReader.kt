@@ -31,18 +31,18 @@ internal class RowReader(
     private val repair = RowRepair(pending, cells, cellReader, columns, decoder, problems, endsInNewline)
     private val passedBefore = pending.passed
 
-    // For so many rows the columns have been made as large as need be.
+    // The columns have room for this many rows.
     private var roomyRows = SAMPLE_ROWS
 
     /** How many rows have been read. */
     var rowCount = 0
         private set
 
-    /** Whether what follows is not a row at all and is not read. */
+    /** Whether reading stopped because what follows is not a row at all. */
     var gaveUp = false
         private set
 
-    /** Reads one row; returns where the next begins, or [RowScanner.INCOMPLETE]. */
+    /** Reads one row. Returns where the next begins, or [RowScanner.INCOMPLETE]. */
     fun read(isEnd: Boolean): Int {
         if (rowCount >= maxRows) return giveUp(ProblemKind.TOO_MANY_ROWS, tooMany())
         val hasEnd = pending.start < pending.lineEnd
@@ -60,10 +60,10 @@ internal class RowReader(
         return next
     }
 
-    /** What distinguishes a column of numbers from one of texts, for each column. */
+    /** For each column, whether it is one of numbers, in which a decimal comma is read, rather than of texts. */
     val readsDecimalComma: BooleanArray get() = BooleanArray(columns.size) { columns[it].readsDecimalComma }
 
-    /** Adds rows that were read elsewhere; returns false where that was done without the numbers that are wanted here. */
+    /** Adds rows that were read elsewhere. Returns false if they lack numbers that are needed here. */
     fun add(batch: RowBatch): Boolean {
         if (batch.rowCount > maxRows - rowCount) return false
         if (batch.hasSamples != keepSamples || (!keepSamples && columns.any { it.hasSink })) return false
@@ -83,15 +83,15 @@ internal class RowReader(
     }
 
     /**
-     * Makes room for the rows that the file is likely to have. The first rows of a log are seldom like the others, so the
-     * guess is only trusted to some multiple of the rows it was made from, and made again when they are reached.
+     * Reserves memory for the rows that the file is likely to have. The first rows of a log are seldom like the others,
+     * so the estimate is trusted only up to a multiple of the rows it was made from, and repeated when that is reached.
      */
     private fun makeRoom(rows: Int) {
         val passed = pending.passed - passedBefore
         if (passed >= expectedBytes) return
         val likely = (rows * (expectedBytes.toDouble() / passed) * SPARE).toLong() + 1
         val counted = rows + expectedLines - (pending.line - 1)
-        // Lines may be empty: their number is believed where their length agrees.
+        // Lines may be empty, so their number is trusted only if it fits their length.
         val room = if (counted in rows..2 * likely) counted else minOf(likely, rows * MAX_GROWTH)
         roomyRows = minOf(room, maxRows.toLong()).toInt()
         forAll(columns.size) { columns[it].expect(roomyRows) }
@@ -105,7 +105,7 @@ internal class RowReader(
         return pending.end
     }
 
-    /** The topics that all rows make, in the order in which they are shown. To be called once, last. */
+    /** Returns the topics made of all rows, in display order. Call it once, last. */
     fun topics(): List<Topic> {
         val topics = arrayOfNulls<Topic>(columns.size)
         forAll(columns.size) { index ->
@@ -120,11 +120,11 @@ internal class RowReader(
         const val MAX_ROW_BYTES = 1 shl 24
         const val TOO_LONG = "A line of more than $MAX_ROW_BYTES bytes is not a row of samples; the rest of the file was not read."
 
-        /** So many rows are looked at for the first guess of how many there will be. */
+        /** The first estimate of the number of rows is made after this many. */
         const val SAMPLE_ROWS = 64
         const val MAX_GROWTH = 16L
 
-        /** The rows to come may be a little shorter than those before. */
+        /** Allows for later rows being a little shorter than earlier ones. */
         const val SPARE = 1 + 1.0 / 64
     }
 }

@@ -14,8 +14,8 @@ import badlog.text.ZERO
 import badlog.text.isLetterOrDigit
 
 /**
- * Reads the rows that [RowScanner] leaves: quoted, cut, torn, too short or too long ones. One rule stands above the others:
- * a line that is a complete row by itself is never swallowed by a damaged one before it.
+ * Reads the rows that [RowScanner] cannot: quoted, cut, split, too short or too long ones. The most important rule: a line
+ * that is a complete row by itself is never merged into a damaged one before it.
  *
  * @param endsInNewline whether every whole row of this file ends in a newline, as a bag's does, so that a last row
  *   without one is cut.
@@ -32,24 +32,24 @@ internal class RowRepair(
     private val splitter = RowSplitter()
     private val copy = CellCopy(cells, splitter, reader, columns)
 
-    /** The bytes of the row's text cells, unescaped; what the cells' starts and ends point into. */
+    /** The bytes of the row's text cells, unescaped; the starts and ends of cells are indices into it. */
     val text: ByteArray get() = copy.text
 
     /** Whether the last call of [repair] put a row into the cells. */
     var hasRow = false
         private set
 
-    /** How many physical lines the last call of [repair] went through. */
+    /** The number of physical lines that the last call of [repair] consumed. */
     var linesPassed = 0
         private set
 
     private val line get() = pending.line
 
-    // Which cells of a row with an open quote are numbers.
+    // For each cell of a row with an open quote, whether it is a number.
     private val hasNumber = BooleanArray(cells.columns)
 
     /**
-     * Reads what is pending, from the start of a line.
+     * Reads the pending bytes, from the start of a line.
      *
      * @param isEnd whether no more bytes will follow.
      * @param row how many rows there are so far.
@@ -88,7 +88,7 @@ internal class RowRepair(
         }
     }
 
-    /** A quoted cell with newlines inside, as RFC 4180 allows. */
+    /** Returns a quoted cell with newlines inside, as RFC 4180 allows. */
     private fun quotedLines(bytes: ByteArray, from: Int, secondLine: Int, until: Int, isEnd: Boolean): Int {
         var start = secondLine
         var holdsRows = false
@@ -120,13 +120,14 @@ internal class RowRepair(
         for (i in hasNumber.indices) hasNumber[i] = i < count && kindOf(bytes, i) == CellKind.NUMBER
     }
 
-    // A line of a quoted text may have the cells of a row, but seldom a number where the row has one.
+    // Returns whether the line has no text where the row has a number: a line of a quoted text may have as many cells as a row, but seldom
+    // a number wherever the row has one.
     private fun hasSameNumbers(bytes: ByteArray): Boolean = hasNumber.indices.none { hasNumber[it] && kindOf(bytes, it) == CellKind.TEXT }
 
     private fun kindOf(bytes: ByteArray, cell: Int): Int = reader.read(bytes, splitter.starts[cell], splitter.ends[cell])
 
     /**
-     * The readings under which quotes that were never escaped give the row its right number of cells.
+     * Tries readings of quotes that were never escaped, until one gives the row its right number of cells.
      *
      * @param mayBeOpen whether a quote that nothing closes may be a character like any other.
      */
@@ -146,10 +147,10 @@ internal class RowRepair(
         return fits
     }
 
-    /** A text cell that a raw newline has torn: the pieces fit together when they have the right number of cells. */
+    /** Joins a text cell that a raw newline has split: the pieces belong together if they then have the right number of cells. */
     private fun joinedLines(bytes: ByteArray, from: Int, end: Int, next: Int, until: Int, isEnd: Boolean): Int {
         var start = next
-        // Without quotes the commas give the number of cells, and nothing has to be split again and again.
+        // Without quotes, counting commas gives the number of cells, so nothing has to be split repeatedly.
         var commas = bytes.count(COMMA, from, end)
         var quotes = bytes.count(QUOTE, from, end)
         for (lines in 2..MAX_LINES) {
@@ -182,7 +183,7 @@ internal class RowRepair(
         return NOT_SO
     }
 
-    /** A piece of the last topic's text, which a raw newline has torn off: a line of one text, where a number should be. */
+    /** Handles a piece of the last topic's text, split off by a raw newline: a line that is one text, where a number should be. */
     private fun continuesText(bytes: ByteArray, from: Int, end: Int, row: Int): Boolean {
         val isPiece = cells.columns > 1 && columns[0].firstText == null &&
             (from until end).none { bytes[it].toInt() == COMMA } &&
@@ -195,7 +196,10 @@ internal class RowRepair(
         return isPiece
     }
 
-    /** Whether it is a number with letters close behind it: the x of a row of which damage has left nothing else but its end. */
+    /**
+     * Returns whether the bytes are a number directly followed by letters: the x of a row of which, because of damage, only the end is left
+     * besides.
+     */
     private fun isEndOfRow(bytes: ByteArray, from: Int, end: Int): Boolean {
         var at = from
         while (at < end && bytes[at] in ZERO..NINE) at++
@@ -205,7 +209,7 @@ internal class RowRepair(
         return at < end && isLetterOrDigit(bytes[at].toInt().toChar())
     }
 
-    // Two short rows of numbers would fit together as well, but a newline never stands inside a number.
+    // Returns whether the newline is in a text: two short rows of numbers could also be joined, but a newline is never inside a number.
     private fun isTextTornAt(bytes: ByteArray, newline: Int, next: Int): Boolean {
         for (i in 0 until cells.columns) {
             val start = splitter.starts[i]
@@ -222,7 +226,7 @@ internal class RowRepair(
         splitter.split(bytes, from, until, Quotes.STRICT) == cells.columns &&
         !splitter.isOpen && !splitter.isMalformed
 
-    /** A row with too few or too many cells, which no reading could mend. */
+    /** Takes a row with too few or too many cells, which no reading could repair. */
     private fun takeUneven(bytes: ByteArray, from: Int, end: Int, next: Int): Int {
         var count = splitter.split(bytes, from, end, Quotes.STRICT)
         val isStrict = !splitter.isOpen && !splitter.isMalformed
@@ -242,7 +246,7 @@ internal class RowRepair(
         return take(bytes, isStrict, next, count)
     }
 
-    /** What follows a hole up to the next newline, which is whole only by chance. */
+    /** Drops what follows a hole up to the next newline, as it would be complete only by chance. */
     private fun dropFragment(bytes: ByteArray, from: Int, end: Int, next: Int): Int {
         problems.add(
             ProblemKind.ROW_CUT,
@@ -260,7 +264,7 @@ internal class RowRepair(
     }
 
     /**
-     * A row without a newline at the end of the file or before a hole.
+     * Reads a row without a newline, at the end of the file or before a hole.
      *
      * @param isCut whether a missing newline means that bytes are missing.
      */
@@ -321,7 +325,7 @@ internal class RowRepair(
     private companion object {
         const val NOT_SO = -3
 
-        // A damaged row may make the parser look ahead, but never hold more than this.
+        // For a damaged row the parser may look ahead, but never hold more than this.
         const val MAX_LINES = 100
         const val MAX_BYTES = 1 shl 16
         const val QUOTED_BYTES = 200

@@ -12,15 +12,15 @@ import badlog.text.QUOTE
 import badlog.text.ZERO
 
 /**
- * The fast way through a bag: rows without quotes, NULs and missing cells, which is nearly every row. Whatever is not so is
- * left to [RowRepair], which knows the rules but not the hurry.
+ * The fast way through a bag: rows without quotes, NULs and missing cells, as nearly all rows are. All others are left to
+ * [RowRepair], which is thorough rather than fast.
  */
 internal class RowScanner(private val cells: RowCells, private val reader: CellReader) {
     /**
-     * Reads the row that begins at [from] into the cells. There has to be a line end or a NUL behind it, which spares a look at
-     * the end with every byte.
+     * Reads the row that begins at [from] into the cells. A line end or a NUL must follow, so that the end need not be checked at
+     * every byte.
      *
-     * @return where the next row begins; [INCOMPLETE] when it ends in what may be half of a CRLF; [IRREGULAR] when it is not plain.
+     * @return where the next row begins; [INCOMPLETE] if it ends in what may be half of a CRLF; [IRREGULAR] if it is not plain.
      */
     fun scan(bytes: ByteArray, from: Int, until: Int): Int {
         val last = cells.columns - 1
@@ -88,23 +88,23 @@ internal class RowScanner(private val cells: RowCells, private val reader: CellR
 }
 
 /**
- * The cells of one row between their bytes and their columns. A row is put into the columns only when all of it was read,
- * so a row that turns out to be cut or odd leaves no trace.
+ * The cells of one row, on their way from bytes to columns. A row is added to the columns only after all of it was read,
+ * so a row that turns out to be cut or irregular leaves no trace.
  *
  * @property columns how many cells a row has.
  */
 internal class RowCells(val columns: Int) {
-    /** For each cell its [CellKind]. */
+    /** The [CellKind] of each cell. */
     val kinds = IntArray(columns)
 
-    /** For each cell its number, where it has one. */
+    /** The number of each cell that has one. */
     val numbers = DoubleArray(columns)
 
-    /** For each text cell, where its bytes begin, and where they end. */
+    /** Where the bytes of each text cell begin and end. */
     val starts = IntArray(columns)
     val ends = IntArray(columns)
 
-    /** Puts the row into the columns as row number [row]; [line] is the line it stands on. */
+    /** Adds the row to the columns as row number [row]; [line] is the line it is on. */
     fun commit(builders: Array<ColumnBuilder>, row: Int, bytes: ByteArray, line: Int) {
         for (i in builders.indices) {
             val column = builders[i]

@@ -5,13 +5,15 @@ import badlog.text.QUOTE
 
 /** Finds the cells of a row that is not plain, under several readings of its quotes. */
 internal class RowSplitter {
-    /** Where the cells found last begin and end, without their quotes; only the first `count` that [split] returned. */
+    /**
+     * Where the cells that were last found begin and end, without their quotes; only the first ones are valid, as many as [split] returned.
+     */
     var starts = IntArray(16)
         private set
     var ends = IntArray(16)
         private set
 
-    /** Whether the cell stood in quotes. */
+    /** Whether each cell was quoted. */
     var quoted = BooleanArray(16)
         private set
 
@@ -19,7 +21,7 @@ internal class RowSplitter {
     var isOpen = false
         private set
 
-    /** Whether a quote stood where RFC 4180 has none. */
+    /** Whether there was a quote where RFC 4180 allows none. */
     var isMalformed = false
         private set
 
@@ -28,7 +30,7 @@ internal class RowSplitter {
         /** RFC 4180: a quote opens at a cell's start, closes at the next single quote; doubled ones stand for one. */
         STRICT,
 
-        /** A quote opens at a cell's start and closes only before a comma or the end: the original never doubled them. */
+        /** A quote opens at a cell's start and closes only before a comma or the end: the original badlog never doubled them. */
         LENIENT,
 
         /** A quote is a character like any other. */
@@ -37,7 +39,7 @@ internal class RowSplitter {
 
     private var count = 0
 
-    /** Splits the bytes from [from] until [until], which hold no line end outside quotes; returns how many cells. */
+    /** Splits the bytes from [from] until [until], which contain no line end outside quotes. Returns the number of cells. */
     fun split(bytes: ByteArray, from: Int, until: Int, quotes: Quotes): Int {
         count = 0
         isOpen = false
@@ -84,10 +86,10 @@ internal class RowSplitter {
     }
 
     /**
-     * Joins cells that a quote and a comma inside one text took apart, as in `"he said "a", ok"`: a cell that ends in a
-     * quote without having begun with one belongs to the quoted cell before it. Stops at [wanted] cells.
+     * Joins cells that were split at a quote and a comma inside one text, as in `"he said "a", ok"`: a cell that ends
+     * in a quote without having begun with one belongs to the quoted cell before it. Stops at [wanted] cells.
      *
-     * @return how many cells there are now.
+     * @return the number of cells that are left.
      */
     fun mergeTornQuotes(bytes: ByteArray, wanted: Int): Int {
         var i = 1

@@ -10,9 +10,9 @@ import badlog.text.NUL
 import badlog.text.QUOTE
 
 /**
- * Writes the lines of a bag into a buffer of its own, cell by cell: numbers by [FiveDigitFormat], texts quoted as RFC 4180
- * asks, in UTF-8, each row ended by one newline. Once the buffer has grown to the longest row, nothing is allocated. Not
- * safe for use by several threads.
+ * Writes the lines of a bag into a buffer of its own, cell by cell: numbers by [FiveDigitFormat], texts in UTF-8, quoted
+ * according to RFC 4180, each row ended by one newline. Once the buffer has grown to the longest row, nothing is
+ * allocated. Not thread-safe.
  *
  * ```
  * row.number(12.3).text("armed, ready").endRow()
@@ -24,26 +24,26 @@ public class RowWriter {
     private var cells = 0
     private var rowStart = 0
 
-    /** Holds what was written since the last [clear], in its first [size] bytes. Replaced when it grows. */
+    /** What was written since the last [clear], in the first [size] bytes. The array is replaced when it grows. */
     public var bytes: ByteArray = ByteArray(1024)
         private set
 
-    /** How many bytes were written since the last [clear]. */
+    /** The number of bytes written since the last [clear]. */
     public var size: Int = 0
         private set
 
-    /** Forgets all that was written. */
+    /** Discards everything written. */
     public fun clear() {
         size = 0
         rowStart = 0
         cells = 0
     }
 
-    /** Writes the two header lines, [headerText] and the titles. The topics' order is that of the cells of every row. */
+    /** Writes the two header lines, [headerText] and the titles. The cells of every row must be in the order of the topics. */
     public fun header(header: BagHeader, asOriginal: Boolean = false): RowWriter =
         line(headerText(header, asOriginal)).titles(header.topics.map { it.name })
 
-    /** Writes a line as it is; [text] has no line end. */
+    /** Writes a line as it is; [text] must have no line end. */
     internal fun line(text: String): RowWriter {
         encode(text, quotesDoubled = false)
         put(LF)
@@ -66,8 +66,8 @@ public class RowWriter {
     }
 
     /**
-     * Writes a cell with a number and six digits after its point, such as `100.020000`: what a time needs. From a size of
-     * 9e18 on, and when it is not finite, it is written as [number] writes it.
+     * Writes a cell with a number with six decimals, such as `100.020000`, as times need them. A magnitude of 9e18 or
+     * more, or a number that is not finite, is written as by [number].
      */
     public fun microseconds(value: Double): RowWriter {
         beginCell()
@@ -77,8 +77,8 @@ public class RowWriter {
     }
 
     /**
-     * Writes a cell with a number in as many digits as it takes to read the very same double again: `0.02`, `12.346`,
-     * `-7`, `1e-7`; infinities and NaN as [number] writes them.
+     * Writes a cell with a number in as many digits as it takes to read exactly the same double again: `0.02`,
+     * `12.346`, `-7`, `1e-7`; infinities and NaN as by [number].
      */
     public fun exact(value: Double): RowWriter {
         beginCell()
@@ -87,7 +87,7 @@ public class RowWriter {
         return this
     }
 
-    /** Writes a cell with a whole number, all of its digits. */
+    /** Writes a cell with all digits of a whole number. */
     public fun integer(value: Long): RowWriter {
         beginCell()
         reserve(IntegerFormat.MAX_LENGTH)
@@ -99,8 +99,8 @@ public class RowWriter {
     public fun truth(value: Boolean): RowWriter = text(if (value) "true" else "false")
 
     /**
-     * Writes a cell with a text. A NUL, which in a bag is a sign of damage, becomes U+FFFD. A text that reads as a number
-     * is read as one.
+     * Writes a cell with a text. A NUL, which in a bag is a sign of damage, becomes U+FFFD. A text that looks like a
+     * number is read back as a number.
      */
     public fun text(value: String): RowWriter {
         if (needsQuotes(value)) return quoted(value)
@@ -118,7 +118,7 @@ public class RowWriter {
         return this
     }
 
-    /** Writes a cell without anything: a gap. */
+    /** Writes an empty cell: a gap. */
     public fun empty(): RowWriter {
         beginCell()
         return this
@@ -137,7 +137,7 @@ public class RowWriter {
         return this
     }
 
-    /** Forgets the cells written since the last row ended. */
+    /** Discards the cells written since the last row ended. */
     public fun dropRow() {
         size = rowStart
         cells = 0
@@ -208,7 +208,7 @@ public class RowWriter {
     internal companion object {
         private const val REPLACEMENT = 0xFFFD
 
-        /** The title of a topic named [name]: the same but for what a line of titles cannot hold. */
+        /** Returns the title of a topic named [name]: the name, except for characters that a line of titles cannot hold. */
         fun titleOf(name: String): String = RowWriter().run {
             encode(name.replace('\n', ' ').replace('\r', ' '), quotesDoubled = false)
             bytes.decodeToString(0, size)

@@ -1,4 +1,4 @@
 package badlog.bag
 
-/** The first [size] of these numbers; no copy where the platform can do without. This array is of no use afterwards. */
+/** Returns the first [size] of these numbers, without a copy if the platform allows it. This array must not be used afterwards. */
 internal expect fun DoubleArray.shortened(size: Int): DoubleArray

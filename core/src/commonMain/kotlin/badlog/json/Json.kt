@@ -6,11 +6,11 @@ import badlog.text.isLetterOrDigit
 /**
  * A value of a JSON text.
  *
- * @property json the value as it stands in the text.
- * @property text what it says, where it is a string; else null.
- * @property items its items, where it is an array; else null.
- * @property members its members in order, where it is an object; else null.
- * @property start where in the text it begins.
+ * @property json the value exactly as in the text.
+ * @property text its content if it is a string; otherwise null.
+ * @property items its items if it is an array; otherwise null.
+ * @property members its members in order if it is an object; otherwise null.
+ * @property start the index in the text at which it begins.
  */
 public class JsonValue internal constructor(
     public val json: String,
@@ -23,15 +23,15 @@ public class JsonValue internal constructor(
 /**
  * A member of a JSON object.
  *
- * @property key its name, which another member may have too.
+ * @property key its name, which need not be unique.
  */
 public class JsonMember internal constructor(public val key: String, public val value: JsonValue)
 
 /**
- * Reads JSON as RFC 8259 has it, with one indulgence: control characters may stand in strings as they are.
+ * Reads JSON as defined by RFC 8259, with one exception: control characters are allowed in strings.
  *
- * A reader of its own, because every platform's own one differs from the others, in what it accepts and in what it does to
- * numbers, and a page must show what the viewer shows; the JSON library alone would also be most of a page's script.
+ * It exists because the platforms' own readers differ in what they accept and in what they do to numbers, while a page
+ * must show the same as the viewer. A JSON library would also be most of a page's script.
  */
 public class JsonReader private constructor(private val text: String) {
     private var at = 0
@@ -127,7 +127,7 @@ public class JsonReader private constructor(private val text: String) {
         return code.toChar()
     }
 
-    /** `true`, `false`, `null` or a number. */
+    /** Returns `true`, `false`, `null` or a number. */
     private fun word(): String {
         val start = at
         while (at < text.length && (isLetterOrDigit(text[at]) || text[at] in "+-.")) at++
@@ -153,7 +153,7 @@ public class JsonReader private constructor(private val text: String) {
         while (at < text.length && isBlank(text[at])) at++
     }
 
-    // Faster than to look for it in a text of all of them, which counts for a page with its rules.
+    // Faster than searching a string of all of them, which matters for a page with its rules.
     private fun isBlank(char: Char) = char == ' ' || char == '\n' || char == '\t' || char == '\r'
 
     private fun peek(): Char = if (at < text.length) text[at] else throw Malformed()
@@ -164,17 +164,17 @@ public class JsonReader private constructor(private val text: String) {
     }
 
     public companion object {
-        // Far deeper than any header, and far from what a stack holds.
+        // Far deeper than any header, and far below the limit of a stack.
         private const val MAX_DEPTH = 100
 
-        /** The members of the JSON object that [text] is, or null when it is not exactly one. */
+        /** Returns the members of the JSON object in [text], or null if [text] is not exactly one object. */
         public fun readObject(text: String): List<JsonMember>? = try {
             JsonReader(text).document().members
         } catch (_: Malformed) {
             null
         }
 
-        /** Where [text] ceases to be JSON; null where all of it is. */
+        /** Returns the index at which [text] stops being JSON; null if all of it is. */
         public fun mistakeIn(text: String): Int? = JsonReader(text).run {
             try {
                 document()
@@ -186,10 +186,10 @@ public class JsonReader private constructor(private val text: String) {
     }
 }
 
-/** [text] as a string of JSON, with its quotes. Stays on one line, and what is not ASCII stands as it is. */
+/** Returns [text] as a JSON string, with its quotes, on one line. Characters beyond ASCII are not escaped. */
 public fun quotedJson(text: String): String = StringBuilder(text.length + 2).appendQuotedJson(text).toString()
 
-/** Appends [text] as [quotedJson] has it. */
+/** Appends [text] in the form of [quotedJson]. */
 internal fun StringBuilder.appendQuotedJson(text: String): StringBuilder {
     append('"')
     for (char in text) {

@@ -7,8 +7,8 @@ import badlog.text.PLUS
 import badlog.text.ZERO
 
 /**
- * Reads a decimal number from ASCII bytes, rounded correctly, as `String.toDouble` would, and in almost every case without
- * an object made. Not safe for use by several threads.
+ * Reads a decimal number from ASCII bytes, rounded correctly, as `String.toDouble` would, in almost every case without
+ * creating an object. Not thread-safe.
  *
  * Up to 15 digits with a small exponent are exact in one double operation (Clinger, "How to read floating point numbers
  * accurately", 1990). Longer ones are computed in double-double arithmetic (Dekker, 1971) with a known error bound; only
@@ -96,7 +96,7 @@ internal class DecimalReader {
     private fun scaledExactly(digits: Double, scale: Int): Double =
         if (scale < 0) digits / EXACT_POWERS_OF_TEN[-scale] else digits * EXACT_POWERS_OF_TEN[scale]
 
-    /** NaN where the error bound leaves open to which double the number rounds. */
+    /** Returns NaN if the error bound leaves open to which double the number rounds. */
     private fun scaledTwofold(high: Double, low: Double, significant: Int, scale: Int): Double {
         val shift = EXACT_POWERS_OF_TEN[maxOf(0, significant - 9)]
         val shifted = high * shift
@@ -125,7 +125,7 @@ internal class DecimalReader {
         return if (result + (lost + bound) == result && result + (lost - bound) == result) result else Double.NaN
     }
 
-    /** The exact error of the rounded product [product] of [a] and [b]. */
+    /** Returns the exact error of the rounded product [product] of [a] and [b]. */
     private fun productError(a: Double, b: Double, product: Double): Double {
         val aSplit = a * SPLITTER
         val aHigh = aSplit - (aSplit - a)

@@ -4,16 +4,17 @@ package badlog.number
  * The five significant digits of `String.format("%.5g")` on Java 17 for any finite double above zero, by integer
  * arithmetic alone.
  *
- * Java first generates the decimal digits of the value until what is left is within a margin around the value, then
- * rounds those digits half up to five. The margin is half the distance to the next double away from zero; for a power
- * of two it is half of that again.
+ * Java first generates decimal digits until the remainder is within a margin around the value, then rounds those
+ * digits half up to five. The margin is half the distance to the next double away from zero; for a power of two it is
+ * half of that again.
  *
  * The generated digits can stop at a tie between two five-digit numbers if the tie is within the margin, and never
- * pass a tie which is not. So as long as the margin is small beside the sixth digit, the value rounds up exactly if
- * value plus margin is above the tie. That turns the digit generation into one multiplication and one comparison.
- * Subnormal values of less than 21 significant bits have a wider margin. Their digits are generated one by one.
+ * pass one that is not. So as long as the margin is small compared with the sixth digit, the value rounds up if and
+ * only if value plus margin is above the tie. That turns the digit generation into one multiplication and one
+ * comparison. Subnormal values with fewer than 21 significant bits have a wider margin; their digits are generated
+ * one by one.
  *
- * Immutable, hence safe for use by several threads.
+ * Immutable, and so thread-safe.
  */
 internal class ExactDigits {
     private val powers = PowersOfTen96(MIN_POWER, MAX_POWER)
@@ -41,8 +42,8 @@ internal class ExactDigits {
      * Rounds [reach] times two to the [exponent], value plus margin, to the nearest, a tie down.
      *
      * The scaled number is `reach * 2^exponent * 10^power` with the power chosen to give it five or six digits before
-     * the point. The table holds 96 bits of the power of ten, cut off. So the product is never too large and too small
-     * by less than 2^-77: a factor of 1 - 2^-95 on a number below 2^18. A search by continued fractions over all
+     * the point. The table holds 96 bits of the power of ten, cut off. So the product is never too large, and too
+     * small by less than 2^-77: a factor of 1 - 2^-95 on a number below 2^18. A search by continued fractions over all
      * exponents found that no number above a tie is closer to it than 2^-65 (3.77845e-250 comes closest), so the
      * deficit never pulls one down to its tie.
      *
@@ -65,15 +66,15 @@ internal class ExactDigits {
         return pack(digits, decimal)
     }
 
-    /** `factor * 2^(top - 63) * 10^power` rounded, with [factor] unsigned and its top bit set. */
+    /** Returns `factor * 2^(top - 63) * 10^power` rounded, with [factor] unsigned and its top bit set. */
     private fun scale(factor: Long, top: Int, power: Int): Int {
         val high = factor ushr 32
         val low = factor and LOW_HALF
         val power0 = powers.low(power)
         val power1 = powers.middle(power)
         val power2 = powers.high(power)
-        // Schoolbook multiplication of two by three 32-bit words of which only the top 64 bits are kept. No sum
-        // exceeds 64 bits, and all of them are unsigned.
+        // Schoolbook multiplication of two by three 32-bit words keeping only the top 64 bits. No sum exceeds 64
+        // bits, and all of them are unsigned.
         val a = high * power0 + ((low * power0) ushr 32)
         val b = low * power1 + (a and LOW_HALF)
         val c = high * power1 + (a ushr 32) + (b ushr 32)

@@ -7,18 +7,18 @@ import kotlin.math.abs
 import kotlin.math.floor
 
 /**
- * Writes a number so that a reader gets the very same double: `0.02`, `-7`, `1e-7`. In few digits wherever that is enough,
- * which costs no object; else in those that the platform has for it.
+ * Writes a number so that a reader gets exactly the same double: `0.02`, `-7`, `1e-7`. Uses few digits wherever they are
+ * enough, which allocates nothing; otherwise the platform's digits.
  */
 internal object ExactFormat {
     /** Length in bytes of the longest text [write] produces. */
     const val MAX_LENGTH: Int = 25
 
-    // Up to here every whole number is a double.
+    // Up to this limit, every whole number is a double.
     private const val WHOLE_LIMIT = 9007199254740992.0
     private const val MAX_DECIMALS = 9
 
-    // What is smaller reads better with an exponent.
+    // Smaller numbers are easier to read with an exponent.
     private const val MIN_PLAIN = 1e-4
     private val PLAIN_EXPONENTS = -4..15
 
@@ -34,7 +34,7 @@ internal object ExactFormat {
         return next
     }
 
-    /** Writes [magnitude] with as many decimals as it needs; returns -1 where these are not few. */
+    /** Writes [magnitude] with as many decimals as it needs; returns -1 if it needs many. */
     private fun writeFewDecimals(magnitude: Double, into: ByteArray, at: Int): Int {
         if (magnitude < MIN_PLAIN && magnitude != 0.0) return -1
         for (decimals in 0..MAX_DECIMALS) {
@@ -62,7 +62,7 @@ internal object ExactFormat {
         return point + 1 + decimals
     }
 
-    /** The platform's digits, in a form that is the same on every platform. */
+    /** Returns the platform's digits, in a form that is the same on every platform. */
     private fun platformText(magnitude: Double): String {
         val text = magnitude.toString().lowercase()
         val mantissa = text.substringBefore('e')

@@ -5,8 +5,8 @@ import badlog.text.PLUS
 import badlog.text.ZERO
 
 /**
- * Writes a [Double] as text with five significant digits, byte for byte the text of
- * `String.format(Locale.ROOT, "%.5g", value)` on Java 17, for every value there is.
+ * Writes a [Double] as text with five significant digits, byte for byte as `String.format(Locale.ROOT, "%.5g",
+ * value)` does on Java 17, for every possible value.
  *
  * | value                                     | texts                                      |
  * |-------------------------------------------|--------------------------------------------|
@@ -18,12 +18,12 @@ import badlog.text.ZERO
  * A text has 3 to [MAX_LENGTH] characters, all of them ASCII, one byte each.
  *
  * Source of the rule: the conversion `g` of `java.util.Formatter` in Java 17. It does not round the binary value but
- * the decimal digits which that release generates for it, half up. So a value a hair below a decimal tie goes up if
- * its digits stop at the tie: the double nearest to 2.00005 is less than that, and its text is `2.0001`. Later Java
- * releases generate other digits and differ for a few values.
+ * the decimal digits which that release generates for it, half up. So a value just below a decimal tie is rounded up
+ * if its digits stop at the tie: the double nearest to 2.00005 is less than that, and its text is `2.0001`. Later
+ * Java releases generate other digits and differ for a few values.
  *
- * Calls allocate nothing but for the first one, which builds a table of 8 kB. There is no state besides that table:
- * calls from several threads at once are safe if their buffers are not shared.
+ * Calls allocate nothing, except the first one, which builds a table of 8 kB. There is no other state: calls from
+ * several threads are safe if their buffers are not shared.
  */
 public object FiveDigitFormat {
     /** Length in bytes of the longest text [write] produces, that of `-1.7977e+308`. */
@@ -32,7 +32,7 @@ public object FiveDigitFormat {
     private val exactDigits = ExactDigits()
 
     /**
-     * Writes the text of [value] into [into] from index [at] on and touches nothing else in it.
+     * Writes the text of [value] into [into] from index [at] on, and changes nothing else in it.
      *
      * @return the index after the last byte written, `at + 3` to `at + MAX_LENGTH`
      * @throws IndexOutOfBoundsException if [at] is negative or this text does not fit between [at] and the end of

@@ -3,14 +3,14 @@ package badlog.number
 import badlog.text.MINUS
 import badlog.text.ZERO
 
-/** Writes whole numbers as text, all of their digits. Calls allocate nothing. */
+/** Writes whole numbers as text, with all of their digits. Calls allocate nothing. */
 internal object IntegerFormat {
     /** Length in bytes of the longest text [write] produces, that of [Long.MIN_VALUE]. */
     const val MAX_LENGTH: Int = 20
 
     /** Writes [value] into [into] from index [at] on; returns the index after its last digit. */
     fun write(value: Long, into: ByteArray, at: Int): Int {
-        // Negative numbers reach one farther than positive ones, so that is the side to count on.
+        // There is one more negative number than positive ones, so the digits are taken from the negative value.
         var rest = if (value > 0) -value else value
         val start = if (value < 0) at + 1 else at
         val end = start + digitsOf(rest)

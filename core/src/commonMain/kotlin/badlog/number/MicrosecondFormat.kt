@@ -5,8 +5,8 @@ import badlog.text.MINUS
 import badlog.text.ZERO
 
 /**
- * Writes a number with six digits after its point, as a time in seconds needs them: `%.5g` leaves 10 ms of 100 s. From
- * a size of 9e18 on, and for what is not finite, it is [FiveDigitFormat] that writes. Calls allocate nothing.
+ * Writes a number with six decimals, as a time in seconds needs them: `%.5g` only resolves 10 ms from 100 s on. A
+ * magnitude of 9e18 or more, or a number that is not finite, is written by [FiveDigitFormat]. Calls allocate nothing.
  */
 internal object MicrosecondFormat {
     /** Length in bytes of the longest text [write] produces. */

@@ -7,8 +7,8 @@ internal val EXACT_POWERS_OF_TEN: DoubleArray = doubleArrayOf(
 )
 
 /**
- * The top 96 bits of the powers of ten from 10^[min] to 10^[max], cut off, each as three words: `10^power` is their
- * number times `2^(log2Floor(power) - 95)`, or more than that by less than one unit.
+ * The top 96 bits of the powers of ten from 10^[min] to 10^[max], truncated, each as three words: `10^power` is
+ * their number times `2^(log2Floor(power) - 95)`, or more than that by less than one unit.
  *
  * @param min lowest power, -1000 to 0
  * @param max highest power, 0 to 1000
@@ -81,7 +81,7 @@ internal class PowersOfTen96(private val min: Int, max: Int) {
         private const val WORDS = 3
         private const val WORD_MASK = 0xFFFF_FFFFL
 
-        /** Five has 2.33 bits; one word more than needed never hurts. */
+        /** Five has 2.33 bits; one spare word does no harm. */
         private fun wordsOfFive(power: Int): Int = power * 233 / 100 / 32 + 1
 
         /** Largest `n` with `2^n` not above 10^[power], for powers from -1000 to 1000. */

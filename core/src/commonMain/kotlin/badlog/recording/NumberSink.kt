@@ -1,11 +1,11 @@
 package badlog.recording
 
 /**
- * Receives the numbers of one topic while its file is read, in place of the recording: its topic then has none, though all else
- * is known of it.
+ * Receives the numbers of one topic while its file is read, in place of the recording: the topic then has no samples, but is
+ * complete otherwise.
  */
 public fun interface NumberSink {
-    /** The next row has [number], or NaN for a cell without one; [row] counts from 0. */
+    /** Receives the [number] of the next row, or NaN for a cell without one; [row] counts from 0. */
     public fun add(row: Int, number: Double)
 
     public companion object {
@@ -14,13 +14,13 @@ public fun interface NumberSink {
     }
 }
 
-/** Decides where the numbers of a file's topics go. Asked once for each topic, before its first row. */
+/** Decides where the numbers of a file's topics go. Called once for each topic, before its first row. */
 public fun interface NumberSinks {
-    /** Where the numbers of the topic [name] with [attributes] go; null for the recording. */
+    /** Returns where the numbers of the topic [name] with [attributes] go; null for the recording. */
     public fun of(name: String, attributes: List<String>): NumberSink?
 
     public companion object {
-        /** All numbers go to the recording. */
+        /** Sends all numbers to the recording. */
         public val RECORDING: NumberSinks = NumberSinks { _, _ -> null }
     }
 }

@@ -2,16 +2,16 @@ package badlog.recording
 
 /**
  * The two parts of a name in which `/` makes folders: `Drivetrain/Wheels/A Position` is `A Position` in the folder
- * `Drivetrain/Wheels`. A leading `/` names no folder.
+ * `Drivetrain/Wheels`. A leading `/` does not make a folder.
  */
 public object PathName {
-    /** The folder of [name], without slashes at its ends; empty for the root folder. */
+    /** Returns the folder of [name], without slashes at its ends; empty for the root folder. */
     public fun folderOf(name: String): String {
         val slash = lastSeparator(name)
         return if (slash < 0) "" else name.substring(0, slash).trim('/')
     }
 
-    /** What [name] is called inside its folder; never empty unless [name] is. */
+    /** Returns what [name] is called inside its folder; never empty unless [name] is. */
     public fun baseNameOf(name: String): String = name.substring(lastSeparator(name) + 1)
 
     // A slash at the very end separates nothing: "Arm/" would otherwise have no name at all.

@@ -12,7 +12,7 @@ public enum class ProblemKind(public val severity: Severity) {
     /** The file has no bytes, or no bytes but NULs. */
     EMPTY_FILE(Severity.ERROR),
 
-    /** The compressed stream ended before its end; all that could be inflated was read. */
+    /** The compressed stream ends early; everything that could be inflated was read. */
     GZIP_CUT(Severity.ERROR),
 
     /** The JSON of line 1 is cut or broken, so units, attributes and values are lost. */
@@ -24,7 +24,7 @@ public enum class ProblemKind(public val severity: Severity) {
     /** The header is damaged, and a column's name may be that of another one. */
     NAME_IN_DOUBT(Severity.WARNING),
 
-    /** The header is there but no sample is. */
+    /** There is a header but no sample. */
     NO_ROWS(Severity.WARNING),
 
     /** A row was cut off, by a loss of power or by damage, and dropped. */
@@ -42,7 +42,7 @@ public enum class ProblemKind(public val severity: Severity) {
     /** Quotes inside a cell were not escaped; the row was read the way that gives it the right number of cells. */
     QUOTES_REPAIRED(Severity.WARNING),
 
-    /** The file has more rows than are read of one. */
+    /** The file has more rows than the maximum; the rest was not read. */
     TOO_MANY_ROWS(Severity.ERROR),
 
     /** A row has too few cells; the missing ones are gaps. */
@@ -75,7 +75,7 @@ public enum class ProblemKind(public val severity: Severity) {
     /** `true` and `false` were read as 1 and 0. */
     TRUTH_VALUES(Severity.NOTE),
 
-    /** `NaN` or an infinity: kept as that value, drawn as a gap. */
+    /** `NaN` or an infinity: kept as that value, and drawn as a gap. */
     NOT_FINITE(Severity.NOTE),
 
     /** The header names a topic that has no column. */
@@ -90,13 +90,13 @@ public enum class ProblemKind(public val severity: Severity) {
     /** A name has a character other than letters, digits, space, `_` and `/`. */
     UNUSUAL_NAME(Severity.NOTE),
 
-    /** An attribute that no registered attribute answers to; kept in the data, without effect. */
+    /** An attribute that is not registered; kept in the data, without effect. */
     UNKNOWN_ATTRIBUTE(Severity.NOTE),
 
-    /** An attribute stands twice on one topic. */
+    /** A topic has the same attribute twice. */
     DUPLICATE_ATTRIBUTE(Severity.NOTE),
 
-    /** An attribute cannot do its work on this topic, or not beside another one. */
+    /** An attribute cannot be applied to this topic, or not together with another one. */
     UNFIT_ATTRIBUTE(Severity.WARNING),
 
     /** More than one topic has the `xaxis` attribute; the first one wins. */
@@ -117,34 +117,34 @@ public enum class ProblemKind(public val severity: Severity) {
     /** A joined graph mixes units, repeats a line's name, or is the graph of an existing topic. */
     UNUSUAL_JOIN(Severity.NOTE),
 
-    /** An integral has gaps to carry over; the area under them is not known and not added. */
+    /** An integral spans gaps; the area under them is not known and not added. */
     INTEGRAL_OVER_GAPS(Severity.NOTE),
 
     /** A WPILOG ends inside a record, which was dropped. */
     RECORD_CUT(Severity.ERROR),
 
-    /** Bytes inside a WPILOG are not records; those after them were found again. */
+    /** Bytes inside a WPILOG are not records; reading continued at the next record. */
     RECORDS_SKIPPED(Severity.ERROR),
 
-    /** What stands in a WPILOG from some byte on is not a record; nothing after it can be read. */
+    /** From some byte on, a WPILOG has no records; nothing after it can be read. */
     RECORDS_LOST(Severity.ERROR),
 
-    /** A record of a WPILOG does not have the bytes that its type asks for; it was dropped. */
+    /** A record of a WPILOG does not have the size that its type requires; it was dropped. */
     BAD_RECORD(Severity.ERROR),
 
-    /** A record of a WPILOG belongs to no entry that was begun; it was dropped. */
+    /** A record of a WPILOG belongs to no entry that was started; it was dropped. */
     UNKNOWN_ENTRY(Severity.ERROR),
 
     /** Records of a WPILOG are from before the robot's clock began; they were moved to the start of the log. */
     EARLY_TIMES(Severity.WARNING),
 
-    /** Records of a WPILOG have times that cannot be, or are days away from all others; they were dropped. */
+    /** Records of a WPILOG have impossible times, or times days away from all others; they were dropped. */
     WILD_TIMES(Severity.ERROR),
 
     /** A WPILOG has more topics, or an array more elements, than can be shown; the others were dropped. */
     TOO_MANY_TOPICS(Severity.ERROR),
 
-    /** Samples of a topic stand in the file out of the order of time; they were sorted. */
+    /** Samples of a topic are not in order of time in the file; they were sorted. */
     TIMES_SORTED(Severity.NOTE),
 
     /** A topic's bytes are of a type that is not decoded; the size of each record is shown. */

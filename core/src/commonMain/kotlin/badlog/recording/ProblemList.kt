@@ -1,6 +1,6 @@
 package badlog.recording
 
-/** Collects problems in bounded memory: of each kind and topic the first ten are kept, the others only counted. */
+/** Collects problems in bounded memory: of each kind and topic, the first ten are kept and the others only counted. */
 public class ProblemList {
     private val problems = ArrayList<Problem>()
     private val seen = HashMap<Pair<ProblemKind, String?>, Int>()
@@ -23,7 +23,7 @@ public class ProblemList {
         }
     }
 
-    /** The problems in the order in which they were added, then one for each kind that went on. */
+    /** Returns the problems in the order in which they were added, then one for each kind that occurred more often. */
     public fun toList(): List<Problem> = problems + overflow.values
 
     private companion object {

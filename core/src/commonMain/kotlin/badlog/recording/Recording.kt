@@ -1,14 +1,14 @@
 package badlog.recording
 
 /**
- * What was read from one file: everything that could be kept, and the problems met on the way.
+ * What was read from one file: everything that could be kept, and the problems found on the way.
  *
- * @property format what the file turned out to be.
- * @property headerLine the JSON of the file's first line as it stands there, or null where it has none.
+ * @property format the format that the content turned out to have.
+ * @property headerLine the JSON of the file's first line exactly as in the file, or null if it has none.
  * @property values the values, in the order of the file.
  * @property topics the topics, in the order of the file's header.
- * @property rowCount how many samples each topic has that shares rows with the others; 0 where all topics have
- *   [times of their own][Topic.times], as in a WPILOG, which has no rows. [sampleCount] counts either.
+ * @property rowCount the number of samples of each topic that shares rows with the others; 0 if all topics have
+ *   [times of their own][Topic.times], as in a WPILOG, which has no rows. [sampleCount] counts both.
  * @property problems what was wrong, in the order in which it was found.
  */
 public class Recording(
@@ -19,7 +19,7 @@ public class Recording(
     public val rowCount: Int,
     public val problems: List<Problem>,
 ) {
-    /** This recording with some of its parts replaced. */
+    /** Returns this recording with some of its parts replaced. */
     public fun copy(
         format: RecordingFormat = this.format,
         headerLine: String? = this.headerLine,
@@ -29,20 +29,20 @@ public class Recording(
         problems: List<Problem> = this.problems,
     ): Recording = Recording(format, headerLine, values, topics, rowCount, problems)
 
-    /** How many samples all topics have together, gaps included. */
+    /** The number of samples of all topics together, gaps included. */
     public val sampleCount: Long get() = topics.sumOf { it.size.toLong() }
 
     /** False for bytes that are not a log at all, so that there is nothing to show but [problems]. */
     public val isReadable: Boolean get() = problems.none { it.kind == ProblemKind.NOT_A_RECORDING }
 
-    /** True when something of the file is lost: one of [problems] is an [error][Severity.ERROR]. */
+    /** True if part of the file's data is lost: one of [problems] is an [error][Severity.ERROR]. */
     public val isSalvaged: Boolean get() = problems.any { it.severity == Severity.ERROR }
 }
 
 /**
  * The format that a [Recording] was read from.
  *
- * @property hasRows whether all topics share rows; else each has times of its own.
+ * @property hasRows whether all topics share rows; otherwise each has times of its own.
  */
 public enum class RecordingFormat(public val hasRows: Boolean) {
     /** A JSON line, then CSV. */

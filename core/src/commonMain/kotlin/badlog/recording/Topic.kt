@@ -1,20 +1,20 @@
 package badlog.recording
 
 /**
- * A named, united, attributed stream of samples: one for each row of its recording, or at times of its own.
+ * A stream of samples with a name, a unit and attributes: one for each row of its recording, or at times of its own.
  *
  * @property name the full name, unique in its recording; `/` makes folders, see [PathName].
  * @property unit the unit as the file gives it; `ul` and the empty text mean none.
  * @property attributes the attributes as the file gives them, in its order.
- * @property samples one number for each row or time, NaN where there is none; of size 0 when no cell has a number. Not to be
+ * @property samples one number for each row or time, NaN where there is none; of size 0 if no cell has a number. Not to be
  *   changed.
  * @property texts the cells that hold a text.
  * @property counts what the cells held.
  * @property times when each sample was taken, finite and ascending, perhaps repeating; in the unit of the recording's x axis,
  *   which is s where there are no rows. Null where sample `i` belongs to row `i` of the recording. Topics that were logged
- *   together share one array. Of size 0 when samples were not kept. Not to be changed.
- * @property type what the file calls the type of the samples, such as `double` or `struct:Pose2d`; empty where it names none.
- * @property metadata what else the file says of the topic, often JSON; may be empty.
+ *   together share one array. Of size 0 if samples were not kept. Not to be changed.
+ * @property type the type of the samples as named in the file, such as `double` or `struct:Pose2d`; empty if it names none.
+ * @property metadata what else the file says about the topic, often JSON; may be empty.
  * @property wasXAxis whether the topic was the x axis of the rows that this log was made of.
  */
 public class Topic(
@@ -29,20 +29,21 @@ public class Topic(
     public val metadata: String = "",
     public val wasXAxis: Boolean = false,
 ) {
-    /** How many samples there are, gaps included; known even where they were not kept. */
+    /** The number of samples, gaps included; known even if they were not kept. */
     public val size: Int get() = counts.total
 
     /**
-     * What the cells turned out to be. Mostly texts with times of their own are a [state][TopicKind.STATE] when there are few
-     * different ones or each comes twice on average, else [events][TopicKind.EVENT]; where the samples were not kept, a state.
+     * What the cells turned out to be. A topic of mostly texts with times of its own is a [state][TopicKind.STATE] if there
+     * are few different texts or each occurs twice on average, otherwise [events][TopicKind.EVENT]; if the samples were not
+     * kept, it is a state.
      */
     public val kind: TopicKind = kindOf(counts).let {
         if (it == TopicKind.STATE && times != null && tellsEvents(texts)) TopicKind.EVENT else it
     }
 
     /**
-     * Whether fewer than half of the rows have a number, and those mostly stand alone. Such a topic is sampled at times of its
-     * own, as in a CSV file made from a log of changes: its empty cells are not gaps, they just have no sample.
+     * Whether fewer than half of the rows have a number, mostly isolated ones. Such a topic is sampled at times of its own, as
+     * in a CSV file made from a log of changes: its empty cells are not gaps, they just have no sample.
      */
     public val isSparse: Boolean
         get() {
@@ -52,7 +53,7 @@ public class Topic(
             return withoutNumber > withNumber && withNumber < ALONE * counts.gaps
         }
 
-    /** This topic with some of its parts replaced. */
+    /** Returns this topic with some of its parts replaced. */
     public fun copy(
         name: String = this.name,
         unit: String = this.unit,
@@ -70,10 +71,10 @@ public class Topic(
         /** The unit of a topic that has none. */
         public const val UNITLESS: String = "ul"
 
-        /** On average so many numbers between two gaps still count as standing alone. */
+        /** Numbers count as isolated if, on average, at most this many are between two gaps. */
         private const val ALONE = 2L
 
-        /** So many different texts are states, however often they come. */
+        /** Up to this many different texts are states, however often each occurs. */
         private const val FEW_STATES = 8
 
         internal fun kindOf(counts: CellCounts): TopicKind {
@@ -112,15 +113,16 @@ public enum class TopicKind {
 }
 
 /**
- * How many cells of a topic held what. The first five add up to the topic's [size][Topic.size], so every cell is accounted
- * for. Where topics have times of their own, a sample is a cell and a neighboring sample a neighboring row.
+ * How many cells of a topic hold which kind of content. The first five add up to the topic's [size][Topic.size], so every
+ * cell is accounted for. If topics have times of their own, a sample counts as a cell, and neighboring samples as
+ * neighboring rows.
  *
  * @property numbers finite numbers.
  * @property notFinite `NaN` and infinities that were written as such.
  * @property truthValues `true` and `false`.
  * @property texts any other text.
  * @property empty nothing, `null`, or a cell that its row lacks.
- * @property gaps into how many runs of neighboring rows the cells without a number fall.
+ * @property gaps the number of runs of neighboring rows without a number.
  */
 public data class CellCounts(
     public val numbers: Int,

@@ -1,13 +1,13 @@
 package badlog.recording
 
-// What may be odd about a topic, whatever file it is from.
+// Problems of a topic that can occur in any format.
 
-/** The texts of [topic], in [line] for the first time, are not UTF-8. */
+/** Reports that texts of [topic] are not UTF-8, the first of them on [line]. */
 public fun ProblemList.addNotUtf8(topic: String, line: Int? = null) {
     add(ProblemKind.NOT_UTF8, "Texts in “$topic” are not UTF-8; they were read as Windows-1252.", line, topic)
 }
 
-/** Some of the [samples] of [topic] are no finite numbers, if it is so. */
+/** Reports it if some of the [samples] of [topic] are not finite numbers. */
 public fun ProblemList.addNotFinite(topic: Topic, samples: String) {
     val count = topic.counts.notFinite
     if (count == 0) return

@@ -1,6 +1,6 @@
 package badlog.text
 
-// The bytes that mean something in a bag.
+// The bytes with a special meaning in a bag.
 internal const val NUL = 0
 internal const val TAB = 9
 internal const val LF = 10

@@ -1,9 +1,10 @@
 package badlog.text
 
 /**
- * [wanted] followed by [ending], or where that is not free, the first of `wanted (2)`, `wanted (3)` and so on that is.
+ * Returns [wanted] followed by [ending], or, if that is taken, the first of `wanted (2)`, `wanted (3)` and so on that
+ * is free.
  *
- * @param isFree is asked for one name after another until it says true; it may take that name at the same time.
+ * @param isFree called for one name after another until it returns true; it may reserve that name.
  */
 public inline fun freeName(wanted: String, ending: String = "", isFree: (String) -> Boolean): String {
     var name = wanted + ending
@@ -12,12 +13,12 @@ public inline fun freeName(wanted: String, ending: String = "", isFree: (String)
     return name
 }
 
-/** Gives each name away once, in a time that does not grow with how often one is wanted. */
+/** Hands out each name once, in a time that does not grow with how often one is wanted. */
 public class UniqueNames {
     private val given = HashSet<String>()
     private val copies = HashMap<String, Int>()
 
-    /** [wanted], or where that was given before, the first of `wanted (2)`, `wanted (3)` and so on that was not. */
+    /** Returns [wanted], or, if that was handed out before, the first of `wanted (2)`, `wanted (3)` and so on that was not. */
     public fun give(wanted: String): String {
         var name = wanted
         var copy = copies[wanted] ?: 2

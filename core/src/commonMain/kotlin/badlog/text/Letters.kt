@@ -1,7 +1,7 @@
 package badlog.text
 
-/** Whether [char] is a letter of any script. Where the platform knows that by itself, no table has to be carried. */
+/** Returns whether [char] is a letter of any script. Uses the platform's own tables if it has them, so that none must be shipped. */
 public expect fun isLetter(char: Char): Boolean
 
-/** Whether [char] is a letter or a digit of any script. */
+/** Returns whether [char] is a letter or a digit of any script. */
 public expect fun isLetterOrDigit(char: Char): Boolean

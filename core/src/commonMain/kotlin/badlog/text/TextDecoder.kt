@@ -1,15 +1,15 @@
 package badlog.text
 
 /**
- * Decodes text that should be UTF-8. What is not is read as Windows-1252, in which every byte means something. Not safe for
- * use by several threads.
+ * Decodes text that should be UTF-8. Text that is not is read as Windows-1252, in which every byte is a character. Not
+ * thread-safe.
  */
 public class TextDecoder {
     /** Whether the last text was not UTF-8. */
     public var wasNotUtf8: Boolean = false
         private set
 
-    /** The text of [bytes] from [from] until [until]. */
+    /** Returns the text of [bytes] from [from] until [until]. */
     public fun decode(bytes: ByteArray, from: Int, until: Int): String {
         wasNotUtf8 = false
         return try {
@@ -20,7 +20,7 @@ public class TextDecoder {
         }
     }
 
-    /** Whether the bytes are UTF-8; found without an object where they are ASCII. */
+    /** Returns whether the bytes are UTF-8; allocates nothing if they are ASCII. */
     public fun isUtf8(bytes: ByteArray, from: Int, until: Int): Boolean {
         for (i in from until until) {
             if (bytes[i] < 0) {
@@ -31,7 +31,7 @@ public class TextDecoder {
         return true
     }
 
-    /** The first [most] bytes of a text, for a message; a text that goes on ends in an ellipsis. */
+    /** Returns the first [most] bytes of a text, for a message; a text that was shortened ends in an ellipsis. */
     public fun excerpt(bytes: ByteArray, from: Int, until: Int, most: Int): String {
         if (until - from <= most) return decode(bytes, from, until)
         var end = from + most

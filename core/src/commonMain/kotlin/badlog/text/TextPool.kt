@@ -1,8 +1,8 @@
 package badlog.text
 
 /**
- * Gives each different text of a column a number from 0 on, finding a text it knows by its bytes, so that repeats cost no
- * object. Not safe for use by several threads.
+ * Assigns a number, from 0 on, to each different text of a column. Known texts are found by their bytes, so that repeats
+ * allocate nothing. Not thread-safe.
  */
 public class TextPool(private val decoder: TextDecoder) {
     private val texts = ArrayList<String>()
@@ -12,7 +12,7 @@ public class TextPool(private val decoder: TextDecoder) {
     /** Every different text, in the order of its number. */
     public val dictionary: List<String> get() = texts
 
-    /** The number of the text whose bytes are given. */
+    /** Returns the number of the text with these bytes. */
     public fun idOf(bytes: ByteArray, from: Int, until: Int): Int {
         var slot = hash(bytes, from, until) and (slots.size - 1)
         while (slots[slot] != FREE) {
@@ -27,16 +27,16 @@ public class TextPool(private val decoder: TextDecoder) {
         return id
     }
 
-    /** The bytes of the text number [id]. */
+    /** Returns the bytes of text number [id]. */
     public fun bytesOf(id: Int): ByteArray = encoded[id]
 
-    /** Forgets the text that was met last for the first time. */
+    /** Removes the newest text. */
     public fun forgetLast() {
         texts.removeAt(texts.lastIndex)
         val text = encoded.removeAt(encoded.lastIndex)
         var slot = hash(text, 0, text.size) and (slots.size - 1)
         while (slots[slot] != texts.size) slot = (slot + 1) and (slots.size - 1)
-        // No text was put behind it, so none is searched for past its slot.
+        // No text was added after it, so no search goes past its slot.
         slots[slot] = FREE
     }
 

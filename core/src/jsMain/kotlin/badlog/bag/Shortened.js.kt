@@ -1,5 +1,5 @@
 package badlog.bag
 
-// What a browser reserved and never wrote to costs nothing; a copy of a large log would.
+// Memory that a browser reserved but never wrote to costs nothing; a copy of a large log would.
 internal actual fun DoubleArray.shortened(size: Int): DoubleArray =
     if (size > this.size / 2) asDynamic().subarray(0, size).unsafeCast<DoubleArray>() else copyOf(size)

@@ -7,18 +7,18 @@ import java.io.IOException
 /**
  * A Python that has [module]: the one that CI installs for tests, see `gradle/python.gradle`, or the system's.
  *
- * @param from what to install where neither has it.
+ * @param from the package to install if neither has it.
  */
 internal class TestPython(private val module: String, private val from: String) {
-    /** How it is called; null where there is none. */
+    /** Its command; null if there is none. */
     val command: String? = listOfNotNull(System.getProperty("badlog.python"), "python3").firstOrNull { ends(it, "-c", "import $module") }
 
-    /** For a test that needs it. */
+    /** A condition for tests that need it. */
     val isHere: EnabledOrReasonIf = {
         if (command != null) Enabled.enabled else Enabled.disabled("No Python here has $from; .ci/run installs one.")
     }
 
-    /** Python as it runs [script] with [arguments]; what goes wrong in it is printed. */
+    /** Python as it runs [script] with [arguments]; its error output is printed. */
     fun running(script: String, vararg arguments: String): Process =
         ProcessBuilder(command, script, *arguments).redirectError(ProcessBuilder.Redirect.INHERIT)
             .apply { environment()["PYTHONIOENCODING"] = "utf-8" }.start()

@@ -10,13 +10,13 @@ import kotlin.random.Random
  * @property damage what was done, for messages.
  */
 internal class Mutant(val bytes: ByteArray, val origin: IntArray, val damage: String) {
-    /** Whether the bytes of the original from [from] until [until] are still together. */
+    /** Returns whether the bytes of the original from [from] until [until] are still together. */
     fun holds(from: Int, until: Int): Boolean {
         for (at in origin.indices) if (origin[at] == from && holdsAt(at, from, until)) return true
         return false
     }
 
-    /** Whether the bytes of the original from [from] until [until] stand at [at]. */
+    /** Returns whether the bytes of the original from [from] until [until] stand at [at]. */
     fun holdsAt(at: Int, from: Int, until: Int): Boolean = at >= 0 && at + until - from <= origin.size && (from until until).all { origin[at + it - from] == it }
 
     private fun replaced(at: Int, size: Int, by: ByteArray, origins: IntArray, damage: String): Mutant {
@@ -47,7 +47,7 @@ internal class Mutant(val bytes: ByteArray, val origin: IntArray, val damage: St
     }
 
     companion object {
-        /** The file [bytes] with one damage or two. */
+        /** Returns the file [bytes] with one damage or two. */
         fun of(bytes: ByteArray, random: Random, head: Int): Mutant {
             val whole = Mutant(bytes, IntArray(bytes.size) { it }, "")
             val once = whole.damaged(random, head)

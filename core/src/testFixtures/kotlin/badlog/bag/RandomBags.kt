@@ -16,7 +16,7 @@ private val CELLS = listOf(
 
 private const val HEADER = "{\"topics\":[{\"name\":\"a\"},{\"name\":\"b\"},{\"name\":\"c\",\"attrs\":[\"log\"]}]}\na,b,c\n"
 
-/** A bag that has a bit of everything, and in a few rows something odd; now and then cut, or in Latin-1. */
+/** Returns a bag that has a bit of everything, and in a few rows something odd; now and then cut, or in Latin-1. */
 internal fun randomBag(random: Random): ByteArray {
     val rows = List(random.nextInt(0, 40)) {
         val row = List(3) { CELLS.random(random) }.joinToString(",")
@@ -34,7 +34,7 @@ internal fun randomBag(random: Random): ByteArray {
     return if ('\u00E9' in text) ByteArray(end) { text[it].code.toByte() } else text.substring(0, end).encodeToByteArray()
 }
 
-/** [describe] with what it leaves out: the bits of numbers, and the order of the dictionaries. */
+/** Returns [describe] with what it leaves out: the bits of numbers, and the order of the dictionaries. */
 internal fun describeFully(recording: Recording): String = describe(recording) + recording.topics.joinToString("\n") { topic ->
     "${topic.name} ${topic.texts.dictionary} ${topic.samples.map { it.toRawBits().toString(16) }}"
 }

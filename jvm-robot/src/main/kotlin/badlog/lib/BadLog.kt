@@ -10,43 +10,42 @@ import java.util.function.LongSupplier
 import java.util.function.Supplier
 
 /**
- * Logs what a robot does into a bag. There is one log at a time: [init] starts it, topics and values are created by the
- * functions that need no instance, [finishInitialization] writes the header, and then each loop calls [updateTopics]
- * and [log].
+ * Logs what a robot does into a bag. There is one log at a time: [init] starts it, the static functions create topics
+ * and values, [finishInitialization] writes the header, and then each loop calls [updateTopics] and [log].
  *
- * While a log is set up, mistakes are exceptions. What a robot calls in its loop, [updateTopics], [log], [flush] and
- * publishing, never throws: what fails leaves a gap or is ignored, is counted (see [counters]), said once on standard
- * error and noted in the log's first event log, if it has one.
+ * While a log is set up, mistakes are exceptions. The functions that a robot calls in its loop, [updateTopics], [log],
+ * [flush] and those that publish, never throw. A failure leaves a gap, or the call is ignored; it is counted (see
+ * [counters]), reported once on standard error, and noted in the log's first event log, if there is one.
  *
- * All functions may be called by any thread. Suppliers are called by the thread that calls [updateTopics].
+ * All functions may be called from any thread. Suppliers are called on the thread that calls [updateTopics].
  */
 public class BadLog private constructor(private val session: LogSession) : AutoCloseable {
-    /** What it is doing. */
+    /** What the log is doing. */
     public val state: LogState get() = session.state
 
-    /** What it has been through so far. Makes an object, so it is not meant for every loop. */
+    /** Returns what was written, lost and ignored so far. Allocates an object, so it is not meant for every loop. */
     public fun counters(): LogCounters = session.faults.counters.snapshot()
 
     /**
-     * Ends the set-up: writes the header.
+     * Ends the setup and writes the header.
      *
      * @throws InvalidModeException if that was done before.
      */
     public fun finishInitialization(): Unit = session.finishSetup()
 
-    /** Asks all suppliers, and takes what was published. The values are those of all rows until the next call. */
+    /** Calls all suppliers, and takes over what was published. All rows until the next call have these values. */
     public fun updateTopics(): Unit = session.update()
 
-    /** Writes a row with the values of the last [updateTopics]. */
+    /** Writes a row with the values from the last [updateTopics]. */
     public fun log(): Unit = session.log()
 
-    /** Writes the rows that still wait, if the log was started without writing each row at once. */
+    /** Writes the rows that are still buffered, if the log was started without writing each row at once. */
     public fun flush(): Unit = session.flush()
 
     /**
-     * Sets how numbers become text, for all topics, also those created before. By default it is `%.5g`.
+     * Sets how numbers are converted to text, for all topics, including those already created. Default: `%.5g`.
      *
-     * @param function called while a row is put together, under the log's lock: it must be quick, and must not wait for
+     * @param function called while a row is built, with the log's lock held: it must be quick, and must not wait for
      *   other threads, which may be waiting for that lock.
      */
     public fun setDoubleToStringFunction(function: Function<in Double, out String?>) {
@@ -54,39 +53,41 @@ public class BadLog private constructor(private val session: LogSession) : AutoC
     }
 
     /**
-     * Switches off or on that rows are brought to the disk four times a second; on by default. Without it, a cut of
-     * power may cost half a minute instead of a quarter of a second.
+     * Sets whether rows are synced to the disk four times a second. Default: on. When off, a loss of power may cost
+     * half a minute of data instead of a quarter of a second.
      */
     public fun setSyncing(enabled: Boolean): Unit = session.setSyncing(enabled)
 
-    /** Writes what still waits, and closes the file. Calls that follow are ignored. */
+    /** Writes what is still buffered, and closes the file. Later calls are ignored. */
     override fun close(): Unit = session.close()
 
     public companion object {
-        /** The unit of data without a unit. */
+        /** The unit of data that has none. */
         public const val UNITLESS: String = "ul"
 
-        /** What stands in a subscriber's cell when there is nothing to put there. */
+        /** The content of a subscriber topic's cell when there is no value. */
         public const val DEFAULT_DATA: String = "-1.0"
 
         @Volatile
         private var current: BadLog? = null
 
-        /** Starts a log that writes each row at once. See the other [init] for what all have in common. */
+        /** Starts a log that writes each row at once. For details see the [init] with all parameters. */
         @JvmStatic
         public fun init(path: String): BadLog = init(path, compress = false, flush = true)
 
-        /** Starts a log that writes several rows together. See the other [init] for what all have in common. */
+        /** Starts a log that writes several rows together. For details see the [init] with all parameters. */
         @JvmStatic
         public fun init(path: String, compress: Boolean?): BadLog = init(path, compress, flush = false)
 
         /**
-         * Starts a log. Missing folders are created, a file of that name is replaced. If there is a log already, it is
-         * closed first. When the file cannot be created, that is said on standard error and nothing is logged.
+         * Starts a log. Missing folders are created; an existing file of that name is replaced. If there already is a
+         * log, it is closed first. If the file cannot be created, this is reported on standard error, and nothing is
+         * logged.
          *
          * @param path where to write, such as `/home/lvuser/logs/match.bag`.
          * @param compress true to write a gzip file; then `.gz` is added to [path].
-         * @param flush true to write each row at once, false to write about a quarter of a second together.
+         * @param flush true to write each row at once, false to write the rows of about a quarter of a second
+         * together.
          */
         @JvmStatic
         public fun init(path: String, compress: Boolean?, flush: Boolean?): BadLog {
@@ -100,11 +101,11 @@ public class BadLog private constructor(private val session: LogSession) : AutoC
         /**
          * Creates a topic of numbers.
          *
-         * @param name letters, digits, spaces, `_` and `/`, which makes folders.
-         * @param unit such as `V`, or [UNITLESS], as null is, too.
-         * @param supplier asked in each [updateTopics].
-         * @param attrs how it is to be shown, such as `hide` or `join:Drivetrain`; null is nothing.
-         * @throws DuplicateNameException if there is a topic or value of that name.
+         * @param name letters, digits, spaces, `_`, and `/` for folders.
+         * @param unit such as `V`; [UNITLESS] or null for none.
+         * @param supplier called in each [updateTopics].
+         * @param attrs how to show it, such as `hide` or `join:Drivetrain`; null for no attributes.
+         * @throws DuplicateNameException if a topic or value of that name exists.
          * @throws InvalidModeException before [init] or after [finishInitialization].
          */
         @JvmStatic
@@ -113,28 +114,28 @@ public class BadLog private constructor(private val session: LogSession) : AutoC
             session.add(BoxedNumberTopic(described(name, unit, attrs), session.faults, given(supplier, "supplier"), session.text))
         }
 
-        /** Creates a topic of texts, as [createTopic] does. */
+        /** Creates a topic of texts, otherwise like [createTopic]. */
         @JvmStatic
         public fun createTopicStr(name: String, unit: String?, supplier: Supplier<out String?>, vararg attrs: String?) {
             val session = settingUp(name)
             session.add(TextTopic(described(name, unit, attrs), session.faults, given(supplier, "supplier")))
         }
 
-        /** Creates a topic of numbers that costs no garbage, as [createTopic] does. */
+        /** Creates a topic of numbers that produces no garbage; otherwise like [createTopic]. */
         @JvmStatic
         public fun createTopicDouble(name: String, unit: String?, supplier: DoubleSupplier, vararg attrs: String?) {
             val session = settingUp(name)
             session.add(NumberTopic(described(name, unit, attrs), session.faults, given(supplier, "supplier"), session.text))
         }
 
-        /** Creates a topic that is true or false, as [createTopic] does. */
+        /** Creates a topic that is true or false, otherwise like [createTopic]. */
         @JvmStatic
         public fun createTopicBoolean(name: String, unit: String?, supplier: BooleanSupplier, vararg attrs: String?) {
             val session = settingUp(name)
             session.add(BooleanTopic(described(name, unit, attrs), session.faults, given(supplier, "supplier")))
         }
 
-        /** Creates a topic of whole numbers, written with all their digits, as [createTopic] does. */
+        /** Creates a topic of whole numbers, written with all their digits; otherwise like [createTopic]. */
         @JvmStatic
         public fun createTopicLong(name: String, unit: String?, supplier: LongSupplier, vararg attrs: String?) {
             val session = settingUp(name)
@@ -142,15 +143,15 @@ public class BadLog private constructor(private val session: LogSession) : AutoC
         }
 
         /**
-         * Creates a topic whose values are published. [mode] says what it holds when nothing was. Otherwise as
-         * [createTopic].
+         * Creates a topic whose values are published. [mode] decides its value if nothing was published. Otherwise
+         * like [createTopic].
          */
         @JvmStatic
         public fun createTopicSubscriber(name: String, unit: String?, mode: DataInferMode, vararg attrs: String?) {
             createPublisher(name, unit, mode, *attrs)
         }
 
-        /** Creates a topic as [createTopicSubscriber] does, and returns the quicker way to publish to it. */
+        /** Creates a topic like [createTopicSubscriber], and returns a faster way to publish to it. */
         @JvmStatic
         public fun createPublisher(name: String, unit: String?, mode: DataInferMode, vararg attrs: String?): Publisher {
             val session = settingUp(name)
@@ -159,7 +160,7 @@ public class BadLog private constructor(private val session: LogSession) : AutoC
             return Publisher(session.add(topic), session.faults)
         }
 
-        /** Creates an event log, a topic with the attribute `log`. Throws what [createTopic] does. */
+        /** Creates an event log: a topic with the attribute `log`. Throws the same exceptions as [createTopic]. */
         @JvmStatic
         public fun createEvents(name: String): Events {
             val session = settingUp(name)
@@ -167,7 +168,10 @@ public class BadLog private constructor(private val session: LogSession) : AutoC
             return Events(session.add(topic), session.faults)
         }
 
-        /** Creates a value: a text known now, such as the match's number; null is empty. Throws as [createTopic]. */
+        /**
+         * Creates a value: a text that is already known, such as the match number; null counts as empty. Throws the same exceptions as
+         * [createTopic].
+         */
         @JvmStatic
         public fun createValue(name: String, value: String?): Unit = settingUp(name).addValue(name, value ?: "")
 
@@ -184,7 +188,7 @@ public class BadLog private constructor(private val session: LogSession) : AutoC
             current?.session?.publishing(name, false)?.publish(value)
         }
 
-        /** Makes [session] the log in which topics are created, and closes the one before. */
+        /** Makes [session] the log in which topics are created, and closes the previous one. */
         @Synchronized
         internal fun start(session: LogSession): BadLog {
             val before = current
@@ -195,7 +199,7 @@ public class BadLog private constructor(private val session: LogSession) : AutoC
             return BadLog(session).also { current = it }
         }
 
-        /** Java may hand over null, which is better said while the robot is set up than in its loop. */
+        /** Java may pass null, which is better reported during setup than in the robot's loop. */
         private fun <T : Any> given(argument: T, what: String): T =
             Objects.requireNonNull(argument, "The $what of a topic is null; give it one.")
 

@@ -1,6 +1,6 @@
 package badlog.lib
 
-/** Thrown while a log is set up, when a topic or a value is created under a name that another one has. */
+/** Thrown during setup if a topic or a value is created with a name that is already taken. */
 public class DuplicateNameException internal constructor(message: String?) : RuntimeException(message) {
     public constructor() : this(null)
 
@@ -9,7 +9,7 @@ public class DuplicateNameException internal constructor(message: String?) : Run
     }
 }
 
-/** Not thrown by anything: unusual names are only warned of. Here for programs that mention it. */
+/** Never thrown: unusual names only cause a warning. Kept for programs that mention it. */
 public class InvalidNameException : RuntimeException() {
     private companion object {
         const val serialVersionUID: Long = -2518114606252953907L
@@ -17,8 +17,9 @@ public class InvalidNameException : RuntimeException() {
 }
 
 /**
- * Thrown while a log is set up, when something is done too early or too late: a topic created before [BadLog.init] or
- * after [BadLog.finishInitialization], or the latter called twice. Never thrown by what a robot calls in its loop.
+ * Thrown during setup if something is done too early or too late: a topic is created before [BadLog.init] or after
+ * [BadLog.finishInitialization], or the latter is called twice. Never thrown by the functions that a robot calls in
+ * its loop.
  */
 public class InvalidModeException internal constructor(message: String?) : RuntimeException(message) {
     public constructor() : this(null)

@@ -8,13 +8,13 @@ import java.util.zip.Deflater
 
 /** Where the bytes of a bag go. */
 internal interface BagOutput {
-    /** How long the file is by now, in bytes. */
+    /** The current length of the file in bytes. */
     val length: Long
 
-    /** @throws IOException if the bytes could not be written; then the file is as it was before. */
+    /** @throws IOException if the bytes could not be written; the file is then unchanged. */
     fun append(bytes: ByteArray, size: Int)
 
-    /** Writes what the end of a file needs. */
+    /** Writes what belongs at the end of the file. */
     fun finish()
 
     /** Waits until everything is on the disk. */
@@ -23,7 +23,7 @@ internal interface BagOutput {
     fun close()
 }
 
-/** A bag as it is. */
+/** An uncompressed bag. */
 internal class PlainOutput(private val file: AppendFile) : BagOutput {
     override val length: Long get() = file.length
 
@@ -38,7 +38,7 @@ internal class PlainOutput(private val file: AppendFile) : BagOutput {
 
 /**
  * A gzipped bag. Each [append] ends on a byte's boundary (zlib's sync flush), so that everything appended can be
- * inflated from a file that has been cut anywhere behind it.
+ * inflated from a file that was cut anywhere after it.
  */
 internal class GzipOutput(private val file: AppendFile) : BagOutput {
     private val deflater = Deflater(Deflater.DEFAULT_COMPRESSION, true)
@@ -80,7 +80,7 @@ internal class GzipOutput(private val file: AppendFile) : BagOutput {
         try {
             file.append(packed, packedSize)
         } catch (failure: IOException) {
-            // What follows must not refer back to what is not in the file. The stream goes on where it was.
+            // What follows must not refer back to bytes that are not in the file. The stream continues from the last success.
             deflater.reset()
             throw failure
         }
@@ -111,19 +111,19 @@ internal class GzipOutput(private val file: AppendFile) : BagOutput {
 }
 
 /**
- * A file that only grows, by one `write` for each [append]. A failed [append] leaves nothing behind.
+ * A file that only grows, by one `write` for each [append]. A failed [append] leaves the file unchanged.
  *
- * A [RandomAccessFile] because a thread that is interrupted does not close it, as it does a channel; and because up to
- * 8 kB go through the stack, without a buffer being made.
+ * It uses a [RandomAccessFile] because interrupting a thread does not close it, unlike a channel, and because it
+ * writes up to 8 kB via the stack, without allocating a buffer.
  *
- * @param file created or emptied; its folders are created.
+ * @param file created or truncated; missing folders are created.
  * @throws IOException if that fails.
  */
 internal class AppendFile(file: File) {
     private val access: RandomAccessFile
     private var isTorn = false
 
-    /** How many bytes were appended. */
+    /** The number of bytes appended. */
     var length: Long = 0
         private set
 
@@ -133,12 +133,12 @@ internal class AppendFile(file: File) {
         try {
             access.setLength(0)
         } catch (failure: IOException) {
-            // Not a regular file, such as a pipe: it has no length to set.
+            // Not a regular file, such as a pipe: it has no length to reset.
             if (file.isFile) throw failure
         }
     }
 
-    /** @throws IOException if not all bytes could be written; then none are, and the next call may try again. */
+    /** @throws IOException if not all bytes could be written; then none are in the file, and the next call may try again. */
     fun append(bytes: ByteArray, size: Int) {
         if (isTorn) cutTornEnd()
         try {
@@ -148,14 +148,14 @@ internal class AppendFile(file: File) {
             try {
                 cutTornEnd()
             } catch (_: IOException) {
-                // Tried again before the next row; a file that has vanished cannot be cut.
+                // Tried again before the next row; a file that has disappeared cannot be truncated.
             }
             throw failure
         }
         length += size
     }
 
-    /** Waits until everything is on the disk. To be called by no thread that has anything else to do. */
+    /** Waits until everything is on the disk. Only for a thread that has nothing else to do. */
     fun sync() = access.fd.sync()
 
     fun close() = access.close()

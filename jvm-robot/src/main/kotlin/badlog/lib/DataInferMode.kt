@@ -1,10 +1,10 @@
 package badlog.lib
 
-/** What a subscriber topic's cell holds when nothing was published since the last [BadLog.updateTopics]. */
+/** What a subscriber topic's cell holds if nothing was published since the last [BadLog.updateTopics]. */
 public enum class DataInferMode {
     /** The default, [BadLog.DEFAULT_DATA]. */
     DEFAULT,
 
-    /** What was published last; the default before anything was. */
+    /** The last published value; the default until there is one. */
     LAST,
 }

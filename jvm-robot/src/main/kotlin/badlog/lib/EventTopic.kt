@@ -4,7 +4,7 @@ import badlog.bag.BagTopic
 import badlog.bag.RowWriter
 import java.util.concurrent.atomic.AtomicLong
 
-/** A topic of events: each row takes all that happened since the row before, however often the topics were updated. */
+/** A topic of events: each row has all events since the previous row, however often the topics were updated. */
 internal class EventTopic(name: String, override val texts: EventTexts) :
     Topic(BagTopic(name, attributes = listOf("log"))),
     EventSink {
@@ -19,15 +19,15 @@ internal class EventTopic(name: String, override val texts: EventTexts) :
     }
 }
 
-/** A column into which the log itself can write what went wrong. */
+/** A column in which the log itself can note what went wrong. */
 internal interface EventSink {
-    /** What waits for the next row that has room. */
+    /** The texts that wait for the next row that has room. */
     val texts: EventTexts
 }
 
 /**
- * Events that wait for a row, and those a row took that is not written yet: they come back if it cannot be. Safe for
- * use by several threads.
+ * Events that wait for a row, and those of rows that are not written yet: if writing fails, they wait again.
+ * Thread-safe.
  */
 internal class EventTexts(private val dropped: AtomicLong) {
     private val waiting = StringBuilder()
@@ -35,7 +35,7 @@ internal class EventTexts(private val dropped: AtomicLong) {
     private var eventsWaiting = 0L
     private var eventsTaken = 0L
 
-    // Read without the lock in each row, so that rows without events cost nothing.
+    // Each row reads this without the lock, so that rows without events cost nothing.
     @Volatile
     private var isWaiting = false
 
@@ -54,7 +54,7 @@ internal class EventTexts(private val dropped: AtomicLong) {
         }
     }
 
-    /** All that waited, as the text of one cell, or null. A reader never takes it for a number. */
+    /** Takes all waiting events and returns them as the text of one cell, or null if there are none. The text never looks like a number. */
     fun take(): String? {
         if (!isWaiting) return null
         val text = synchronized(this) {
@@ -70,12 +70,12 @@ internal class EventTexts(private val dropped: AtomicLong) {
         return if (isReadAsEvent(text)) text else "event $text"
     }
 
-    /** Says that the rows which took events are written. */
+    /** Marks the rows that took events as written. */
     fun written() {
         if (isTaken) synchronized(this) { forgetTaken() }
     }
 
-    /** Says that the rows which took events are lost: the events wait again. */
+    /** Marks the rows that took events as lost: their events wait again. */
     fun restore() {
         if (!isTaken) return
         synchronized(this) {
@@ -87,7 +87,7 @@ internal class EventTexts(private val dropped: AtomicLong) {
         }
     }
 
-    /** Counts what still waits: no row will take it. */
+    /** Counts the events that still wait as dropped, since no row will take them. */
     fun end() {
         synchronized(this) {
             dropped.addAndGet(eventsWaiting)

@@ -1,10 +1,10 @@
 package badlog.lib
 
-/** An event log, created by [BadLog.createEvents]. Safe for use by several threads. */
+/** An event log, created by [BadLog.createEvents]. Thread-safe. */
 public class Events internal constructor(private val topic: EventTopic, private val faults: Faults) {
     /**
-     * Logs that something happened. It stands in the next row; several events of one row stand in it together, in
-     * order, with `; ` between them. Never throws; null and texts without anything in them are ignored.
+     * Logs that something happened. The event is in the next row; several events of one row are joined in order by
+     * `; `. Never throws; null and blank texts are ignored.
      */
     public fun event(text: String?) {
         if (text.isNullOrBlank()) {

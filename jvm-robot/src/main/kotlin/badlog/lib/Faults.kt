@@ -3,13 +3,13 @@ package badlog.lib
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * Where everything goes that went wrong in a robot's loop: counted each time, said once by [StandardError], and noted as
- * an event in the log if that has [room] for events. Never throws.
+ * Handles everything that goes wrong in a robot's loop: each fault is counted every time, reported once by
+ * [StandardError], and noted as an event in the log if that has [room] for events. Never throws.
  *
- * Texts are made only when they are said: what goes wrong in each loop is not to make garbage in each.
+ * Messages are built only when they are reported, so that a fault in each loop does not produce garbage in each.
  */
 internal class Faults(val counters: Counters) {
-    // Three, because the names that a program makes up must neither meet each other nor the log's own subjects.
+    // Three sets, because names that a program makes up must not clash with each other or with the log's own subjects.
     private val said = ConcurrentHashMap.newKeySet<String>()
     private val ignoredCalls = ConcurrentHashMap.newKeySet<String>()
     private val ignoredNames = ConcurrentHashMap.newKeySet<String>()
@@ -18,7 +18,7 @@ internal class Faults(val counters: Counters) {
     @Volatile
     var room: EventSink? = null
 
-    /** The cell of [topic] stays empty in this row. */
+    /** Handles a fault of [topic]: its cell stays empty in this row. */
     fun cellMissed(topic: Topic, cause: Throwable) = cellMissed(topic) { "threw ${describe(cause)}" }
 
     inline fun cellMissed(topic: Topic, what: () -> String) {
@@ -28,22 +28,22 @@ internal class Faults(val counters: Counters) {
         say("The topic \"${topic.name}\" ${what()}, so its cell is empty. Further gaps of this topic are only counted.")
     }
 
-    /** A call was not followed. [about] tells apart what is said once each. */
+    /** Handles a call that is ignored. Each different [about] is reported once. */
     inline fun callIgnored(about: String, why: () -> String) {
         if (isNewCall(about)) say(why())
     }
 
-    /** What was published to [name] was not taken. */
+    /** Handles something published to [name] that is ignored. */
     inline fun publishIgnored(name: String?, why: () -> String) {
         if (isNewName(name ?: "")) say(why())
     }
 
-    /** Says [message], unless something was said about [about] before: one of the log's own few subjects. */
+    /** Reports [message], unless something was already reported about [about], which is one of the log's own few subjects. */
     inline fun sayOnce(about: String, message: () -> String) {
         if (isNew(about)) say(message())
     }
 
-    /** Keeps [text] for the next row that has room. May be called by any thread. */
+    /** Keeps [text] for the next row that has room. May be called from any thread. */
     fun note(text: String) {
         room?.texts?.add(text)
     }
@@ -65,12 +65,12 @@ internal class Faults(val counters: Counters) {
     }
 
     private companion object {
-        // A program that makes up names must not fill the memory with them.
+        // A limit, so that a program that makes up names cannot fill the memory with them.
         const val MAX_MESSAGES = 100
     }
 }
 
-/** [cause] in one line. Its own text may throw, too. */
+/** Returns [cause] as one line. Catches errors, as its own text may also throw. */
 internal fun describe(cause: Throwable): String = try {
     cause.toString()
 } catch (_: Throwable) {

@@ -3,19 +3,20 @@ package badlog.lib
 import java.util.concurrent.atomic.AtomicLong
 
 /**
- * What a log has been through since [BadLog.init], at one moment.
+ * What a log has written, lost and ignored since [BadLog.init], as of one moment.
  *
- * @property rowsWritten rows that were handed to the operating system, and not into a file known to be deleted.
- * @property rowsMissed rows that were lost because they could not be written, or because the file is known to be
- *   deleted, which is noticed half a second later at most.
- * @property bytesWritten how long the file is, in bytes.
- * @property slowestRowNanos the longest that one call of [BadLog.log] took, in nanoseconds.
- * @property slowWrites writes that took more than 5 ms, also those that failed.
- * @property failedSyncs times that the operating system could not bring the file to the disk.
- * @property cellsMissed cells left empty because a supplier threw or gave null.
- * @property callsIgnored calls that could not be followed, such as publishing to a name that was never created.
- * @property eventsDropped events that no row took: they came faster than rows, or the log ended before one could be
- *   written.
+ * @property rowsWritten rows that were passed to the operating system, except those written to a file known to be
+ * deleted.
+ * @property rowsMissed rows that were lost because they could not be written, or because the file was deleted,
+ *   which is noticed after at most half a second.
+ * @property bytesWritten the length of the file in bytes.
+ * @property slowestRowNanos the longest time that one call of [BadLog.log] took, in nanoseconds.
+ * @property slowWrites writes that took more than 5 ms, including failed ones.
+ * @property failedSyncs how often the operating system could not sync the file to the disk.
+ * @property cellsMissed cells left empty because a supplier threw or returned null.
+ * @property callsIgnored calls that were ignored, such as publishing to a name that was never created.
+ * @property eventsDropped events that are in no row: they came faster than rows, or the log ended before one could
+ *   be written.
  */
 public class LogCounters internal constructor(
     public val rowsWritten: Long,
@@ -34,7 +35,7 @@ public class LogCounters internal constructor(
             "$callsIgnored calls ignored; $eventsDropped events dropped"
 }
 
-/** The counters while they count. Atomic because any thread reads them, and a robot's CPU may tear a plain long. */
+/** The live counters. Atomic because any thread may read them, and on a robot's CPU a plain long is not read in one step. */
 internal class Counters {
     private val rowsWritten = AtomicLong()
     private val bytesWritten = AtomicLong()

@@ -9,19 +9,19 @@ import kotlin.random.Random
 
 /** The file of a log. */
 internal class LogFile(path: File, val output: BagOutput) {
-    /** Where it is; changes when it is renamed. */
+    /** Its path; changes when it is renamed. */
     @Volatile
     var path: File = path
         private set
 
-    /** Whether it is there no more, though it can still be written to. */
+    /** Whether the file no longer exists, although it can still be written to. */
     @Volatile
     var isMissing: Boolean = false
 
-    /** Gives it another name; false, and nothing changed, if that fails. */
+    /** Renames it. Returns false, with nothing changed, if that fails. */
     fun rename(to: File): Boolean = path.renameTo(to).also { if (it) path = to }
 
-    /** Closes it; said if that fails, for a disk may be gone by then. */
+    /** Closes it. Reports a failure, since the disk may be gone by then. */
     fun close(faults: Faults) {
         try {
             output.close()
@@ -40,7 +40,7 @@ internal class LogFile(path: File, val output: BagOutput) {
     }
 
     companion object {
-        /** Creates or empties the file at [path]; null, said once, if that is impossible. */
+        /** Creates or truncates the file at [path]. Returns null, and reports it once, if that is impossible. */
         fun open(path: File, isCompressed: Boolean, faults: Faults): LogFile? = try {
             val file = AppendFile(path)
             LogFile(path, if (isCompressed) GzipOutput(file) else PlainOutput(file))
@@ -66,10 +66,10 @@ internal object LogName {
     private val LOG = Regex("FRC_.*\\.bag(\\.gz)?")
     private val TIME = DateTimeFormatter.ofPattern("yyyyMMdd_HHmmss").withZone(ZoneOffset.UTC)
 
-    /** A name for a log whose time is unknown. */
+    /** Returns a name for a log whose time is unknown. */
     fun provisional(): String = PROVISIONAL + Random.nextLong().toULong().toString(16).padStart(16, '0')
 
-    /** The name of a log that began at [time]; [event] and [match] may be empty. */
+    /** Returns the name of a log that began at [time]; [event] and [match] may be empty. */
     fun of(time: Instant, event: String, match: String): String =
         listOf("FRC", TIME.format(time), safe(event), safe(match)).filter { it.isNotEmpty() }.joinToString("_")
 
@@ -77,7 +77,7 @@ internal object LogName {
 
     fun isProvisional(name: String): Boolean = name.startsWith(PROVISIONAL)
 
-    /** A file of that [name] in [folder] that does not exist. */
+    /** Returns a file with that [name] in [folder], numbered if necessary, that does not exist. */
     fun free(folder: File, name: String, ending: String): File {
         var file = File(folder, name + ending)
         var number = 1
@@ -85,20 +85,20 @@ internal object LogName {
         return file
     }
 
-    // The field's system names events; that it will not contain a slash is no reason to believe it.
+    // The event's name comes from the field's system; do not rely on it having no slash.
     private fun safe(text: String) = text.filter { it.isLetterOrDigit() || it == '-' }
 }
 
-/** The folder in which a robot's logs lie: which one, and what is deleted there when space is short. */
+/** The folder of a robot's logs: how it is chosen, and what is deleted there when space runs out. */
 internal class LogFolder(val path: File, private val freeBytes: (File) -> Long) {
     /** Whether there is too little space to log at all. */
-    // What is not there, such as a stick that was pulled out, has no space either, but is not full.
+    // A folder that is gone, such as on a stick that was pulled out, has no space either, but is not full.
     val isFull: Boolean get() = path.isDirectory && freeBytes(path) < STOP_BYTES
 
-    /** Deletes the oldest logs until there is space enough, but keeps ten. Returns what it deleted. */
+    /** Deletes the oldest logs until there is enough space, but keeps ten. Returns the deleted files. */
     fun makeSpace(): List<File> {
         val logs = path.listFiles { file -> LogName.isLog(file.name) }.orEmpty()
-            // Those that never got a name first: nobody was there when they were written.
+            // First those that never got a final name: nobody was there when they were written.
             .sortedWith(compareByDescending<File> { LogName.isProvisional(it.name) }.thenBy { it.lastModified() })
         val deleted = ArrayList<File>()
         for (log in logs.dropLast(KEPT_LOGS)) {
@@ -117,7 +117,7 @@ internal class LogFolder(val path: File, private val freeBytes: (File) -> Long) 
         private val STICK = File("/u")
         private val HOMES = listOf("/home/lvuser", "/home/systemcore").map(::File)
 
-        /** The folder that was [wanted], or the best there is. */
+        /** Returns the folder that was [wanted], or else the best available one. */
         fun choose(wanted: File?, stick: File = STICK, homes: List<File> = HOMES): File {
             if (wanted != null) return wanted
             val places = (listOf(stick) + homes).filter { it.isDirectory && it.canWrite() }

@@ -4,7 +4,10 @@ import java.io.File
 import java.time.Instant
 import java.util.function.Supplier
 
-/** Does with files what a robot's loop must not wait for: opens, renames, makes space, and stops when there is none. */
+/**
+ * Does the work with files that a robot's loop must not wait for: opens and renames the log, frees space, and stops the log when there is
+ * none.
+ */
 internal class LogKeeper(private val session: LogSession, private val options: RobotLogOptions) : Thread("badlog keeper") {
     private val faults = session.faults
     private val folder = LogFolder(LogFolder.choose(options.folder), options.freeBytes)
@@ -24,7 +27,7 @@ internal class LogKeeper(private val session: LogSession, private val options: R
         isDaemon = true
     }
 
-    /** Says that all topics were created, and whether there [isReason] to begin at once. */
+    /** Marks the topics as complete. [isReason] says whether there is a reason to begin at once. */
     fun mayBegin(isReason: Boolean) {
         if (isReason) isAwaited = true
         hasLooped = true
@@ -54,10 +57,10 @@ internal class LogKeeper(private val session: LogSession, private val options: R
     private fun begin() {
         val deleted = folder.makeSpace()
         if (deleted.isNotEmpty()) sayDeleted(deleted)
-        // Before the first log there is no folder, and what is not there has no space.
+        // Before the first log there is no folder, and a missing folder has no space.
         folder.path.mkdirs()
         if (folder.isFull) return stopLogging()
-        // Asks the robot's code, which may close the log meanwhile.
+        // Calls the robot's code, which may close the log meanwhile.
         learn()
         if (session.state == LogState.CLOSED) return
         addValues()
@@ -74,7 +77,7 @@ internal class LogKeeper(private val session: LogSession, private val options: R
             "Logging stopped: less than 5 MiB are free in ${folder.path}. " +
                 "Copy old logs to a laptop, then delete them here."
         }
-        // With it, because no other row may come.
+        // Writes a row with it, because there may be no other.
         if (session.state != LogState.SETTING_UP) session.log()
         session.close()
     }
@@ -91,7 +94,7 @@ internal class LogKeeper(private val session: LogSession, private val options: R
         if (match.isNotEmpty()) faults.note("Match $event $match")
     }
 
-    /** Asks for what is not known yet; true if any of it is known now. */
+    /** Asks for what is not known yet. Returns whether any of it is known now. */
     private fun learn(): Boolean {
         val before = Triple(time, event, match)
         if (time == null && ask("isClockSet") { options.isClockSet.asBoolean } == true) time = Instant.now()
@@ -115,9 +118,9 @@ internal class LogKeeper(private val session: LogSession, private val options: R
         try {
             session.addValue(name, text)
         } catch (_: DuplicateNameException) {
-            // The program says it itself.
+            // The program itself creates this value.
         } catch (_: InvalidModeException) {
-            // The log was closed meanwhile.
+            // The log was closed in the meantime.
         }
     }
 

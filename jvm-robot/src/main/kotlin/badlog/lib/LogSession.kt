@@ -4,10 +4,11 @@ import java.io.File
 import java.util.concurrent.atomic.AtomicBoolean
 
 /**
- * One log from its set-up to its end. Set-up mistakes are exceptions; [update], [log] and [publishing] never throw.
+ * One log from setup to end. Mistakes during setup are exceptions; [update], [log] and [publishing] never throw.
  *
- * Two locks, so that nobody waits who need not: [lock] is held while a row is put together and written, each
- * [SubscribedTopic] has its own for what is published to it, and none is held while suppliers are asked.
+ * There are two kinds of locks, so that no thread waits unnecessarily: [lock] is held while a row is built and
+ * written, and each [SubscribedTopic] has its own for what is published to it. None is held while suppliers are
+ * called.
  */
 internal class LogSession(private val flushesEachRow: Boolean) {
     private val lock = Any()
@@ -19,19 +20,19 @@ internal class LogSession(private val flushesEachRow: Boolean) {
     private var syncThread: SyncThread? = null
     private var syncs = true
 
-    /** Whether a row is being put together: who calls then, holding the lock, is the program's own formatter. Guarded by the lock. */
+    /** Whether a row is being built: a caller that then holds the lock is the program's own formatter. Guarded by the lock. */
     private var isInRow = false
     private var closesAfterRow = false
 
     val faults: Faults = Faults(Counters())
     val text: NumberText = NumberText(faults)
 
-    /** The file, or null as long as there is none. */
+    /** The file, or null while there is none. */
     @Volatile
     var file: LogFile? = null
         private set
 
-    // Not known before the set-up is finished, so that publishing needs no lock.
+    // Empty until the setup is finished, so that publishing needs no lock.
     @Volatile
     private var subscribers: Map<String, SubscribedTopic> = emptyMap()
 
@@ -41,12 +42,12 @@ internal class LogSession(private val flushesEachRow: Boolean) {
     val state: LogState
         get() = if (phase == LogState.LOGGING && !isWritable()) LogState.FAILING else phase
 
-    /** Creates the file; said once if that fails. */
+    /** Creates the file. Reports it once if that fails. */
     fun open(path: File, isCompressed: Boolean) {
         LogFile.open(path, isCompressed, faults)?.let(::logTo)
     }
 
-    /** Logs to [opened], unless the log was closed while that was opened. */
+    /** Logs to [opened], unless the log was closed while the file was being opened. */
     fun logTo(opened: LogFile) {
         synchronized(lock) {
             if (phase != LogState.SETTING_UP) return opened.discard(faults)
@@ -56,9 +57,9 @@ internal class LogSession(private val flushesEachRow: Boolean) {
         }
     }
 
-    /** Creates the file and ends the set-up, or does neither, if the log is closed meanwhile. */
+    /** Creates the file and ends the setup, or does neither if the log is closed in the meantime. */
     fun begin(path: File, isCompressed: Boolean) {
-        // Not under the lock, which who publishes may want, because a disk may be slow.
+        // Not under the lock, which publishers may need, because a disk may be slow.
         val opened = LogFile.open(path, isCompressed, faults)
         synchronized(lock) {
             opened?.let(::logTo)
@@ -99,7 +100,7 @@ internal class LogSession(private val flushesEachRow: Boolean) {
 
     fun update() {
         if (phase != LogState.LOGGING) return ignored("updateTopics()")
-        // The suppliers' code may take locks of its own, or call this again. A thread that comes second finds its work
+        // The suppliers' code may take locks of its own, or call this again. For a second thread, the work is already
         // being done.
         if (!isSampling.compareAndSet(false, true)) return
         try {
@@ -133,7 +134,7 @@ internal class LogSession(private val flushesEachRow: Boolean) {
             isInRow = false
             sink.endRow(began)
         } catch (failure: Throwable) {
-            // Such as too little memory for a text: this row is lost, the robot goes on.
+            // For example, too little memory for a text: this row is lost, but the robot keeps running.
             isInRow = false
             sink.dropRow()
             faults.sayOnce("row") { "A row of the log was lost: ${describe(failure)}." }
@@ -146,7 +147,7 @@ internal class LogSession(private val flushesEachRow: Boolean) {
         }
     }
 
-    /** The topic to publish to, or null if the call is to be ignored. */
+    /** Returns the topic to publish to, or null if the call is to be ignored. */
     fun publishing(name: String?, isNull: Boolean): SubscribedTopic? {
         val topic = subscribers[name] ?: earlySubscriber(name)
         if (topic != null && !isNull) return topic
@@ -160,7 +161,7 @@ internal class LogSession(private val flushesEachRow: Boolean) {
         return null
     }
 
-    /** What is published while a log is set up is kept for its first row: a [RobotLog] may be set up for long. */
+    /** Returns what is published during setup is kept for the first row, because the setup of a [RobotLog] may take long. */
     private fun earlySubscriber(name: String?): SubscribedTopic? {
         if (phase != LogState.SETTING_UP) return null
         return synchronized(lock) { namespace.topics.firstOrNull { it.name == name } as? SubscribedTopic }
@@ -222,11 +223,11 @@ internal class LogSession(private val flushesEachRow: Boolean) {
     }
 }
 
-/** Closes a log when its program ends in an orderly way, so that rows that wait are written. */
+/** Closes a log when its program ends normally, so that buffered rows are written. */
 internal class CloseOnExit(private val session: LogSession) : Thread("badlog close") {
     override fun run() {
         session.close()
-        // A program that ends because of what is said should not take it along.
+        // If the program ends because of a reported fault, the report should still be printed.
         StandardError.awaitSaid(SAID_MILLIS)
     }
 

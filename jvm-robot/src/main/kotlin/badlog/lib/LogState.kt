@@ -8,9 +8,9 @@ public enum class LogState {
     /** Rows are being written. */
     LOGGING,
 
-    /** Rows cannot be written at the moment, or end up in a file that was deleted; they are lost, and counted. */
+    /** Rows cannot currently be written, or go to a file that was deleted; they are lost and counted. */
     FAILING,
 
-    /** It was closed; calls are ignored. */
+    /** The log was closed; calls are ignored. */
     CLOSED,
 }

@@ -5,7 +5,7 @@ import badlog.bag.BagValue
 import badlog.bag.RowWriter
 import badlog.recording.Value
 
-/** The topics and values of a log while it is set up, each under a name of its own. Guarded by the log's lock. */
+/** The topics and values of a log during setup, each with a unique name. Guarded by the log's lock. */
 internal class Namespace {
     private val names = HashSet<String>()
     private val values = ArrayList<BagValue>()
@@ -23,7 +23,7 @@ internal class Namespace {
         values.add(BagValue(Value(name, text)))
     }
 
-    /** Line 1 and line 2 of the file. */
+    /** Returns lines 1 and 2 of the file. */
     fun headerLines(): ByteArray {
         val lines = RowWriter().header(BagHeader(topics.map { it.description }, values), asOriginal = true)
         return lines.bytes.copyOf(lines.size)

@@ -4,15 +4,15 @@ import badlog.bag.RowWriter
 import java.util.function.Function
 
 /**
- * How a log's numbers become text: by core's formatter, or by the program's own [function] once it is set. A number
- * keeps the function that was set when it was asked for or published.
+ * Converts a log's numbers to text: by core's formatter, or by the program's own [function] once it is set. A
+ * number is converted by the function that was set when it was supplied or published.
  */
 internal class NumberText(private val faults: Faults) {
     /** The program's own function, if any, for numbers from now on. */
     @Volatile
     var function: Function<in Double, out String?>? = null
 
-    /** What [function] was when the current values were asked for. Guarded by the log's lock. */
+    /** The value of [function] when the current values were supplied. Guarded by the log's lock. */
     var current: Function<in Double, out String?>? = null
         private set
 

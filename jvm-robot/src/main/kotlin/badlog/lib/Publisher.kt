@@ -1,16 +1,16 @@
 package badlog.lib
 
 /**
- * Publishes to one subscriber topic, without looking its name up. Created by [BadLog.createPublisher]. Safe for use by
- * several threads; never throws and never waits for a file.
+ * Publishes to one subscriber topic without looking up its name. Created by [BadLog.createPublisher]. Thread-safe;
+ * never throws, and never waits for a file.
  */
 public class Publisher internal constructor(private val topic: SubscribedTopic, private val faults: Faults) {
-    /** Makes [value] what the next [BadLog.updateTopics] finds; the last one published counts. */
+    /** Publishes [value] for the next [BadLog.updateTopics]; the last one published counts. */
     public fun publish(value: Double) {
         topic.publish(value)
     }
 
-    /** Makes [value] what the next [BadLog.updateTopics] finds; the last one published counts. Null is ignored. */
+    /** Publishes [value] for the next [BadLog.updateTopics]; the last one published counts. Null is ignored. */
     public fun publish(value: String?) {
         if (value == null) faults.publishIgnored(topic.name) { nullPublished(topic.name) } else topic.publish(value)
     }

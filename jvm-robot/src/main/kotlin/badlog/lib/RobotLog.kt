@@ -4,13 +4,13 @@ import java.io.File
 import java.util.function.BooleanSupplier
 
 /**
- * A log that looks after its files by itself: where they are, what they are called, and how much space they take.
- * Between [start] and the first [periodic] the robot's code creates topics and values by the functions of [BadLog]; it
- * calls neither [BadLog.finishInitialization] nor [BadLog.updateTopics] nor [BadLog.log].
+ * A log that manages its own files: their folder, names and disk space. Between [start] and the first [periodic], the
+ * robot's code creates topics and values with the functions of [BadLog]. It must not call
+ * [BadLog.finishInitialization], [BadLog.updateTopics] or [BadLog.log].
  *
- * Nothing is written before a driver station is there or the robot is enabled (or a minute has passed), so that a robot
- * that was only switched on leaves no file. The file is then opened by a thread of the log's own, a tenth of a second
- * later at most, and later renamed by it as time, event and match become known.
+ * Nothing is written until a driver station is connected, the robot is enabled, or a minute has passed, so that a robot
+ * that was only switched on leaves no file. At most a tenth of a second later, the log's own thread opens the file. It
+ * renames the file as time, event and match become known.
  */
 public class RobotLog private constructor(
     /** The log itself, for its counters and settings. */
@@ -26,10 +26,10 @@ public class RobotLog private constructor(
     /** Whether the robot was enabled in the last [periodic]. */
     private var isEnabled = false
 
-    /** The file that is written, under its name of the moment; null as long as there is none. */
+    /** The file being written, with its current name; null while there is none. */
     public val file: File? get() = session.file?.path
 
-    /** Logs what is to be logged now. To be called in each of the robot's loops, last; never throws. */
+    /** Logs what is due. Call it at the end of each loop of the robot; it never throws. */
     public fun periodic() {
         isEnabled = ask(options.isEnabled, "isEnabled")
         if (session.state == LogState.SETTING_UP) {
@@ -69,7 +69,7 @@ public class RobotLog private constructor(
         @JvmStatic
         public fun start(): RobotLog = start(RobotLogOptions())
 
-        /** Starts a log; if there is one already, it is closed first. See [RobotLog]. */
+        /** Starts a log; if there already is one, it is closed first. See [RobotLog]. */
         @JvmStatic
         public fun start(options: RobotLogOptions): RobotLog {
             val session = LogSession(flushesEachRow = true)

@@ -4,9 +4,9 @@ import badlog.bag.RowWriter
 import java.io.IOException
 
 /**
- * Takes rows and writes them: each at once, or several together, but none later than a quarter of a second after the
- * write before. Rows that cannot be written are lost and counted; it then waits a little before it tries again, because
- * a disk that is full or gone may be slow to say so. Guarded by the log's lock.
+ * Writes rows: each at once, or several together, but at most a quarter of a second after the previous write. Rows that
+ * cannot be written are lost and counted. After a failure it waits a little before it tries again, because a disk that
+ * is full or gone may be slow to report it. Guarded by the log's lock.
  */
 internal class RowSink(private val file: LogFile, private val flushesEachRow: Boolean, private val faults: Faults) {
     private val output = file.output
@@ -17,10 +17,10 @@ internal class RowSink(private val file: LogFile, private val flushesEachRow: Bo
     private var lastWrite = System.nanoTime()
     private var rowsLost = 0L
 
-    /** Where the next row's cells are to be written. */
+    /** The writer for the next row's cells. */
     val row = RowWriter()
 
-    /** Whether the last try to write failed. */
+    /** Whether the last attempt to write failed. */
     @Volatile
     var isFailing: Boolean = false
         private set
@@ -29,20 +29,20 @@ internal class RowSink(private val file: LogFile, private val flushesEachRow: Bo
     @Volatile
     var isDirty: Boolean = false
 
-    /** Writes [lines] before any row. The rows will take [events]. */
+    /** Writes [lines] before any row. Rows will take texts from [events]. */
     fun begin(lines: ByteArray, events: Array<EventTexts>) {
         this.events = events
         header = lines
         write(System.nanoTime())
     }
 
-    /** Whether a row begun at [now] would be lost. It is better not begun then, so that it takes no events with it. */
+    /** Returns whether a row begun at [now] would be lost. It should then not be begun, so that no events are lost with it. */
     fun isRefusing(now: Long): Boolean = isWaitingToRetry(now) && (flushesEachRow || row.size >= BATCH_BYTES)
 
     /** Counts a row that was not begun. */
     fun missRow() = lose(1)
 
-    /** Ends the row in [row], whose writing began at [began] of [System.nanoTime]. */
+    /** Ends the row in [row], which was begun at [began], a time of [System.nanoTime]. */
     fun endRow(began: Long) {
         row.endRow()
         rowsWaiting++
@@ -51,25 +51,25 @@ internal class RowSink(private val file: LogFile, private val flushesEachRow: Bo
         counters.rowTook(System.nanoTime() - began)
     }
 
-    /** Forgets the row that was begun. */
+    /** Discards the row that was begun. */
     fun dropRow() {
         row.dropRow()
         counters.rowsMissed.incrementAndGet()
-        // With those of rows that wait: to have an event in two rows is better than in none.
+        // This includes the events of buffered rows: an event in two rows is better than in none.
         for (texts in events) texts.restore()
     }
 
-    /** Writes all rows that wait. */
+    /** Writes all buffered rows. */
     fun flush() {
         if (rowsWaiting > 0 || header != null) write(System.nanoTime())
     }
 
-    /** Does what [flush] does, unless that failed a moment ago. */
+    /** Does the same as [flush], unless that failed a moment ago. */
     fun flushWaiting() {
         if (!isWaitingToRetry(System.nanoTime())) flush()
     }
 
-    /** Writes what waits and what the end of the file needs. */
+    /** Writes what is buffered and what belongs at the end of the file. */
     fun finish() {
         flush()
         try {
@@ -91,7 +91,7 @@ internal class RowSink(private val file: LogFile, private val flushesEachRow: Bo
                 header = null
             }
             if (rowsWaiting > 0) timed { output.append(row.bytes, row.size) }
-            // A deleted file takes rows without a word; it may be back, if it was only moved for a while.
+            // Writing to a deleted file succeeds silently; the file may come back, if it was only moved for a while.
             if (file.isMissing) counters.rowsMissed.addAndGet(rowsWaiting.toLong()) else counters.wrote(rowsWaiting)
             counters.grewTo(output.length)
             isDirty = true
@@ -107,7 +107,7 @@ internal class RowSink(private val file: LogFile, private val flushesEachRow: Bo
         }
     }
 
-    /** In `finally`, because a disk that fails is slow above all. */
+    /** In `finally`, because a failing disk is usually a slow one. */
     private inline fun timed(write: () -> Unit) {
         val began = System.nanoTime()
         try {
@@ -139,7 +139,7 @@ internal class RowSink(private val file: LogFile, private val flushesEachRow: Bo
     }
 
     private companion object {
-        // What RandomAccessFile.write takes without making a buffer, less a long row.
+        // What RandomAccessFile.write takes without allocating a buffer, minus a long row.
         const val BATCH_BYTES = 6 * 1024
         const val MAX_WAIT_NANOS = 250_000_000L
         const val RETRY_NANOS = 250_000_000L

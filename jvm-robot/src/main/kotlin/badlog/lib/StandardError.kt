@@ -4,8 +4,8 @@ import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.atomic.AtomicInteger
 
 /**
- * Says what went wrong on standard error, by a thread of its own: where that is a pipe that nobody reads, writing to it may never
- * return, and a robot's loop cannot wait for that. Messages that come while too many wait are left out. Never throws.
+ * Reports what went wrong on standard error, on a thread of its own: if that is a pipe that nobody reads, writing to it may never
+ * return, and a robot's loop cannot wait for that. Messages that arrive while too many are waiting are dropped. Never throws.
  */
 internal object StandardError : Thread("badlog messages") {
     private const val MAX_WAITING = 400
@@ -17,7 +17,7 @@ internal object StandardError : Thread("badlog messages") {
         isDaemon = true
     }
 
-    /** Says [message] soon, as badlog's. */
+    /** Prints [message] soon, marked as badlog's. */
     fun say(message: String) {
         unsaid.incrementAndGet()
         if (!waiting.offer(message)) unsaid.decrementAndGet()
@@ -25,13 +25,13 @@ internal object StandardError : Thread("badlog messages") {
         try {
             start()
         } catch (_: IllegalThreadStateException) {
-            // Another thread was quicker.
+            // Another thread was faster.
         } catch (_: OutOfMemoryError) {
             // The system has no thread for this; the next message tries again.
         }
     }
 
-    /** Waits until all is said, but not longer than about [millis]; whether it is. */
+    /** Waits until all messages are printed, for at most about [millis] ms. Returns whether they are. */
     fun awaitSaid(millis: Int): Boolean {
         var left = millis
         while (unsaid.get() > 0 && left-- > 0) sleep(1)
@@ -44,7 +44,7 @@ internal object StandardError : Thread("badlog messages") {
                 val message = waiting.take()
                 System.err.println("badlog: $message")
             } catch (_: Throwable) {
-                // A program may have put a stream of its own there, and that may throw what it likes.
+                // The program may have set a stream of its own, which may throw anything.
             }
             unsaid.decrementAndGet()
         }

@@ -5,8 +5,8 @@ import badlog.bag.RowWriter
 import java.util.function.Function
 
 /**
- * A topic whose value the robot's code publishes, from any thread, at any time. A lock of its own, held for a few
- * nanoseconds, keeps publishers from ever waiting for a write. One that is an event log has room for the log's own
+ * A topic whose value the robot's code publishes, from any thread, at any time. It has its own lock, held for a
+ * few nanoseconds, so that publishers never wait for a write. If it is an event log, it has room for the log's own
  * events in rows in which it has no new text.
  */
 internal class SubscribedTopic(
@@ -16,7 +16,7 @@ internal class SubscribedTopic(
     override val texts: EventTexts,
 ) : Topic(description),
     EventSink {
-    /** Whether it can take the log's own events. */
+    /** Whether it can hold the log's own events. */
     val isEventLog: Boolean = "log" in description.attributes
 
     private var isPublished = false

@@ -8,12 +8,12 @@ import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 
 /**
- * Four times a second, writes the rows that wait and brings what was written to the disk, so that a cut of power takes
- * no more than that. It holds no lock while it waits for a sync. It also notices when the file was deleted. At last it
+ * Four times a second, writes the buffered rows and syncs the file to the disk, so that a loss of power costs no more
+ * than that time. It holds no lock while it waits for a sync. It also notices if the file was deleted. At the end, it
  * closes the file.
  *
- * @param syncs whether it brings rows to the disk; it does the rest anyway.
- * @param flush writes the rows that wait.
+ * @param syncs whether to sync the file to the disk; the rest is always done.
+ * @param flush writes the buffered rows.
  */
 internal class SyncThread(
     private val file: LogFile,
@@ -45,17 +45,17 @@ internal class SyncThread(
     /** Ends the thread soon, without waiting for it. */
     fun finish() = stopped.countDown()
 
-    /** Waits a while; false when it is time to end. */
+    /** Waits a while. Returns false when it is time to end. */
     private fun pause(): Boolean = try {
         !stopped.await(INTERVAL_MILLIS, TimeUnit.MILLISECONDS)
     } catch (_: InterruptedException) {
-        // Not the way to end this thread; it just looks a little earlier.
+        // An interrupt does not end this thread; it only does its work a little earlier.
         true
     }
 
     private fun sync() {
         if (!syncs || !sink.isDirty) return
-        // Before the sync, so that what is written meanwhile is not missed.
+        // Before the sync, so that anything written in the meantime is not missed.
         sink.isDirty = false
         try {
             file.output.sync()
@@ -68,7 +68,7 @@ internal class SyncThread(
         }
     }
 
-    /** Once is not enough: it may be on its way to another name. */
+    /** Checking once is not enough: the file may just be being renamed. */
     private fun lookForFile() {
         timesMissing = if (file.path.exists()) 0 else timesMissing + 1
         val isMissing = timesMissing > 1
@@ -78,7 +78,7 @@ internal class SyncThread(
                     "data is lost; restart the robot program to start a new log."
             }
         }
-        // Said before it is seen: who sees the log fail can read why.
+        // Reported before the state changes, so that whoever sees the log fail can read why.
         file.isMissing = isMissing
     }
 
@@ -87,11 +87,11 @@ internal class SyncThread(
     }
 }
 
-/** Brings the names of [folder]'s files to the disk: without this, a cut of power could take a new file's very name. */
+/** Syncs the names of [folder]'s files to the disk: without this, after a loss of power a new file could be missing from its folder. */
 internal fun syncFolder(folder: File) {
     try {
         FileChannel.open(folder.toPath(), StandardOpenOption.READ).use { it.force(true) }
     } catch (_: IOException) {
-        // Not every system lets one open a folder; those that do not keep names safe by themselves.
+        // Not every system allows opening a folder; those that do not, keep names safe by themselves.
     }
 }

@@ -8,17 +8,17 @@ import java.util.function.LongSupplier
 import java.util.function.Supplier
 
 /**
- * One column. A row is made in three steps: [sample] asks the robot's code, without any lock held, because that code
- * may do what it likes; [commit] makes all samples the current ones at once, and [write] writes those, both under the
+ * One column. A row is made in three steps: [sample] calls the robot's code, without holding any lock, because that
+ * code may do anything; [commit] makes all samples the current ones at once, and [write] writes those, both under the
  * log's lock.
  */
 internal abstract class Topic(val description: BagTopic) {
     val name: String get() = description.name
 
-    /** Whether it is the x of all other topics and so needs more digits than they. */
+    /** Whether it is the x axis of all other topics, and so needs more digits than they do. */
     val isXAxis: Boolean = "xaxis" in description.attributes
 
-    /** Whether it was said that this topic leaves gaps. Saying it twice, when two threads race, does no harm. */
+    /** Whether it was reported that this topic has gaps. Reporting it twice, when two threads race, does no harm. */
     @Volatile
     var isFaultSaid: Boolean = false
 
@@ -29,12 +29,12 @@ internal abstract class Topic(val description: BagTopic) {
     abstract fun write(row: RowWriter)
 }
 
-/** A topic whose value the log asks the robot's code for. A question that fails leaves a gap. */
+/** A topic whose value comes from a supplier in the robot's code. A failing supplier leaves a gap. */
 internal abstract class QueriedTopic(description: BagTopic, private val faults: Faults) : Topic(description) {
     private var isSampleMissing = true
     private var isGap = true
 
-    /** Asks for the value; false when there is none. */
+    /** Calls the supplier. Returns false if there is no value. */
     protected abstract fun query(): Boolean
 
     /** Makes the value of the last [query] the current one. */
@@ -44,7 +44,7 @@ internal abstract class QueriedTopic(description: BagTopic, private val faults: 
     protected abstract fun writeValue(row: RowWriter)
 
     final override fun sample() {
-        // Errors, too: a class that fails to load is as much a supplier's private trouble as an exception is.
+        // Errors are caught, too: a class that fails to load is the supplier's own problem, just like an exception.
         isSampleMissing = try {
             val found = query()
             if (!found) faults.cellMissed(this) { "gave null" }
@@ -83,7 +83,7 @@ internal class NumberTopic(description: BagTopic, faults: Faults, private val su
     override fun writeValue(row: RowWriter) = text.write(current, text.current, this, row)
 }
 
-/** A queried topic of numbers that come in boxes; the only garbage is the supplier's. */
+/** A queried topic of boxed numbers; the only garbage is the supplier's. */
 internal class BoxedNumberTopic(
     description: BagTopic,
     faults: Faults,

@@ -8,8 +8,9 @@ import java.util.function.DoubleSupplier
 import java.util.function.Supplier
 
 /**
- * What WPILib knows about the robot, found at run time, because its classes move: to season 2026 they are under
- * `edu.wpi.first`, from 2027 on under `org.wpilib`. What is not found is answered as if all were well.
+ * What WPILib knows about the robot, found at run time, because its classes move: up to season 2026 they are under
+ * `edu.wpi.first`, from 2027 on under `org.wpilib`. For anything that is not found, the answer is that of a robot
+ * without trouble.
  */
 internal class Wpilib private constructor(private val loader: ClassLoader?) {
     val isEnabled: BooleanSupplier = truth("isEnabled", DRIVER_STATION) ?: BooleanSupplier { true }
@@ -39,7 +40,7 @@ internal class Wpilib private constructor(private val loader: ClassLoader?) {
         if (letter == null || letter !in "PQE" || number == null) "" else "$letter${number.invoke()}"
     }
 
-    /** The static method of that name without parameters, in the first of [classes] that has it. */
+    /** Returns the static method of that name without parameters, in the first of [classes] that has it. */
     private fun handle(method: String, classes: List<String>): MethodHandle? {
         for (name in classes) {
             try {
@@ -48,7 +49,7 @@ internal class Wpilib private constructor(private val loader: ClassLoader?) {
             } catch (_: ReflectiveOperationException) {
                 // Another season's name.
             } catch (_: LinkageError) {
-                // There, but broken: as good as absent.
+                // Present but broken: treated as absent.
             }
         }
         return null
@@ -70,10 +71,10 @@ internal class Wpilib private constructor(private val loader: ClassLoader?) {
             "org.wpilib.system.RobotController",
         )
 
-        // The start of 2025, in which nothing ran this: a clock that is behind it was never set.
+        // The start of 2025, before this program existed: a clock that shows an earlier time was never set.
         private const val LONG_AGO_MILLIS = 1_735_689_600_000L
 
-        /** Looks in [loader]; initializes no class. */
+        /** Searches [loader] without initializing any class. */
         fun find(loader: ClassLoader?): Wpilib = Wpilib(loader)
     }
 }
