@@ -36,9 +36,9 @@ internal class LogOpener(
         loader.open(file)
     }
 
-    /** Asks for a folder and opens it. */
-    fun askForFolder() {
-        files.folder("Open a folder of logs", library.state.folder)?.let { library.open(it) }
+    /** Asks for a folder, under [title], and opens it. */
+    fun askForFolder(title: String = "Open a folder of logs") {
+        files.folder(title, library.state.folder)?.let { library.open(it) }
     }
 
     /** Asks for a log and opens it, and its folder where there is none yet. */

@@ -58,6 +58,8 @@ import badlog.viewer.video.LogVideo
 import badlog.viewer.video.isVideo
 import badlog.viewer.video.unpackFfmpegInto
 import badlog.viewer.view.AxisView
+import badlog.viewer.welcome.SampleLog
+import badlog.viewer.welcome.WelcomeActions
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.launch
 import java.nio.file.Path
@@ -72,7 +74,7 @@ import java.nio.file.Path
  */
 internal class Viewer(
     val scope: CoroutineScope,
-    folders: UserFolders,
+    private val folders: UserFolders,
     kept: Settings = Settings(),
     val files: FileChoice = SystemFileChoice,
     val notices: Notices = Notices(),
@@ -150,6 +152,7 @@ internal class Viewer(
         askForLog = opener::askForLog,
         toggleTable = { panels.change { toggled(MainView.LOGS) } },
     )
+    val welcome = WelcomeActions(::openSample, { opener.askForFolder() }, opener::askForLog, ::askForRobot)
     val keyboard = Keyboard()
 
     /** All that the keyboard does, in the order of the help sheet. */
@@ -247,6 +250,21 @@ internal class Viewer(
 
     private suspend fun awaitDrawn() {
         if (panels.state.main == MainView.GRAPHS) graphs.awaitDrawn()
+    }
+
+    /** Whether nothing but an invitation can be shown: there is no log, and none on its way. */
+    val isWithoutLogs: Boolean get() = current.recording == null && !loader.isReading && library.state.isWithoutLogs
+
+    /** Without its folder, which is no place for a person's own logs. */
+    private fun openSample() {
+        tasks.run("Opening the sample match", { SampleLog.unpackInto(folders.cache) }, loader::open)
+    }
+
+    private fun askForRobot() {
+        if (library.state.folder == null) opener.askForFolder("Select a folder for the robot’s logs")
+        if (library.state.folder == null) return
+        panels.change { copy(library = true, main = MainView.GRAPHS, front = FrontPart.LOGS) }
+        robot.change { copy(isShown = true, isAsked = true) }
     }
 
     private fun isInUse() = !layouts.isUntouched || player.state.isPlaying || panels.state.main != MainView.GRAPHS

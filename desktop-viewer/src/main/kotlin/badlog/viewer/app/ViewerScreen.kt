@@ -35,6 +35,7 @@ import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.PaneDivider
 import badlog.viewer.theme.ViewerTheme
 import badlog.viewer.topic.TopicPane
+import badlog.viewer.welcome.Welcome
 
 /** All of the window's content, of the parts that [viewer] has built. */
 @Composable
@@ -49,7 +50,7 @@ internal fun ViewerScreen(viewer: Viewer) = with(viewer) {
                         ExportMenu(current, library, compared, board, view, pages, figures, cuts)
                     }
                     Box(Modifier.weight(1f).fillMaxWidth()) {
-                        Body(panels.state, isNarrow, settings, this@BoxWithConstraints.maxWidth, panesOf(viewer))
+                        Body(panels.state, isNarrow, isWithoutLogs, settings, this@BoxWithConstraints.maxWidth, panesOf(viewer))
                         val open = current.recording
                         val sheet = formulas.sheet
                         if (open != null && sheet != null) FormulaDialog(formulas, sheet, open, Modifier.align(Alignment.TopCenter))
@@ -85,10 +86,11 @@ private fun panesOf(viewer: Viewer) = with(viewer) {
 }
 
 @Composable
-private fun Body(panels: Panels, isNarrow: Boolean, settings: SettingsStore, width: Dp, panes: Panes) {
+private fun Body(panels: Panels, isNarrow: Boolean, isWithoutLogs: Boolean, settings: SettingsStore, width: Dp, panes: Panes) {
     val all = Modifier.fillMaxSize()
     when {
-        !isNarrow -> WideBody(panels, settings, width, panes)
+        // Topics come with a log.
+        !isNarrow -> WideBody(panels.copy(topics = panels.topics && !isWithoutLogs), settings, width, panes)
 
         panels.main != MainView.GRAPHS -> panes.main(all)
 
@@ -137,9 +139,13 @@ private fun MainPane(viewer: Viewer, modifier: Modifier) = with(viewer) {
     val showGraphs = { panels.change { copy(main = MainView.GRAPHS) } }
     Box(modifier) {
         when (panels.state.main) {
-            MainView.GRAPHS -> Column(Modifier.fillMaxSize()) {
-                CompareBar(current, compared)
-                GraphPane(graphs, Modifier.weight(1f).fillMaxWidth(), loader.isReading)
+            MainView.GRAPHS -> if (isWithoutLogs) {
+                Welcome(welcome, Modifier.fillMaxSize())
+            } else {
+                Column(Modifier.fillMaxSize()) {
+                    CompareBar(current, compared)
+                    GraphPane(graphs, Modifier.weight(1f).fillMaxWidth(), loader.isReading)
+                }
             }
 
             MainView.LOGS -> LogTable(library, settings, shownLogs(), logActions, Modifier.fillMaxSize())

@@ -47,6 +47,9 @@ internal data class LibraryState(
             return logs.filter { !it.isGray }.maxWithOrNull(AGE) ?: logs.maxWithOrNull(AGE)
         }
 
+    /** Whether it is certain that there is no log to show: no folder, or one without logs. */
+    val isWithoutLogs: Boolean get() = folder == null || (hasLooked && reading == null && listing.size == 0)
+
     /** Another [folder], of which nothing is known yet, listed as this one was. */
     fun opening(folder: Path): LibraryState = LibraryState(
         folder,

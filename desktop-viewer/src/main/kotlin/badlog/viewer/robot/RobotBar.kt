@@ -9,12 +9,15 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.material3.LinearProgressIndicator
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.FocusRequester
+import androidx.compose.ui.focus.focusRequester
 import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.input.key.KeyEventType
 import androidx.compose.ui.input.key.key
@@ -40,7 +43,13 @@ internal fun RobotBar(link: RobotLink, settings: SettingsStore) {
     val robot = settings.state.robot
     Column(Modifier.fillMaxWidth().padding(start = 8.dp, end = 8.dp, bottom = 6.dp), verticalArrangement = Arrangement.spacedBy(4.dp)) {
         Row(verticalAlignment = Alignment.CenterVertically) {
-            val onEnter = Modifier.weight(1f).entering { if (robot.isNotBlank()) link.connect(robot) }
+            val focus = remember { FocusRequester() }
+            LaunchedEffect(state.isAsked) {
+                if (!state.isAsked) return@LaunchedEffect
+                focus.requestFocus()
+                link.change { copy(isAsked = false) }
+            }
+            val onEnter = Modifier.weight(1f).focusRequester(focus).entering { if (robot.isNotBlank()) link.connect(robot) }
             SearchField(robot, "Team number or address", onEnter, Icons.Robot) { typed -> settings.change { copy(robot = typed) } }
             if (state.isOn) {
                 ToolButton("Disconnect from the robot", text = "Disconnect") { link.disconnect() }

@@ -21,6 +21,7 @@ internal data class ComingLog(val name: String, val share: Float)
  * The connection to a robot, as the window shows it.
  *
  * @property isShown whether the connection is shown.
+ * @property isAsked whether the keyboard is to go to the field of the robot's number as soon as that is there.
  * @property isOn whether the robot is looked for, again and again.
  * @property status how things stand, in a sentence; empty before anything was tried.
  * @property isTrouble whether that hinders logs from coming.
@@ -30,6 +31,7 @@ internal data class ComingLog(val name: String, val share: Float)
  */
 internal data class RobotLinkState(
     val isShown: Boolean = false,
+    val isAsked: Boolean = false,
     val isOn: Boolean = false,
     val status: String = "",
     val isTrouble: Boolean = false,

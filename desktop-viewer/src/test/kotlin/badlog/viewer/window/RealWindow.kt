@@ -36,12 +36,12 @@ import kotlin.math.roundToInt
  * told, so a test says what it clicks.
  *
  * @param home where the user's settings and cache are.
- * @param opened the folder or file it is started on.
+ * @param opened the folder or file it is started on, null for none.
  */
 @OptIn(ExperimentalComposeUiApi::class, ComposeToolingApi::class)
 internal class RealWindow(
     home: Path,
-    opened: Path,
+    opened: Path?,
     width: Int = 1400,
     height: Int = 860,
     robots: (String) -> List<RobotAddress> = { RobotAddress.of(it) },
@@ -64,7 +64,7 @@ internal class RealWindow(
         application(exitProcessOnExit = false) {
             ViewerWindow(
                 folders = UserFolders(settings = home, cache = home),
-                start = { StartPlace.of(opened.toString(), it.settings.state, samples = null) },
+                start = { StartPlace.of(opened?.toString(), it.settings.state, samples = null) },
                 robots = robots,
             ) { viewer ->
                 state = viewer
@@ -74,7 +74,7 @@ internal class RealWindow(
     }
 
     init {
-        await("the window") { shown != null }
+        await("the window") { shown?.isShowing == true }
     }
 
     /** The state of the window. To be read through [look]. */
@@ -180,6 +180,13 @@ internal class RealWindow(
         for (letter in text) press(KeyEvent.getExtendedKeyCodeForChar(letter.code))
     }
 
+    /** Presses Tab until what is described by [text] has the keyboard. */
+    fun tabTo(text: String) = await("the keyboard at “$text”") {
+        press(KeyEvent.VK_TAB)
+        Thread.sleep(POLL_MILLIS)
+        isFocused(text)
+    }
+
     /** Waits until every graph in sight is drawn. */
     fun awaitGraphs() = awaitState("the graphs") { it.graphs.plots.areReady(it.compared.drawn, it.view.viewport.visible) }
 
@@ -201,6 +208,15 @@ internal class RealWindow(
         SwingUtilities.invokeLater { window.dispatchEvent(WindowEvent(window, WindowEvent.WINDOW_CLOSING)) }
         application.join(WAIT_MILLIS)
         check(!application.isAlive) { "The window does not close." }
+    }
+
+    private fun isFocused(text: String): Boolean {
+        var isSo = false
+        SwingUtilities.invokeAndWait {
+            val node = window.semanticsOwners.firstNotNullOfOrNull { find(it.unmergedRootSemanticsNode, text) }
+            isSo = node?.config?.getOrNull(SemanticsProperties.Focused) == true
+        }
+        return isSo
     }
 
     private fun placeOf(text: String): Rectangle? {
