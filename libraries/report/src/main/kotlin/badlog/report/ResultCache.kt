@@ -125,7 +125,7 @@ internal class ResultCache<R : Any>(
 
     private companion object {
         /** To be raised when the same file and question may come to something else than before. */
-        const val VERSION = 15
+        const val VERSION = 16
         val DEFAULT_PAUSE = 10.seconds
         const val PREFIX = "report-"
         const val SUFFIX = ".cache"

@@ -36,14 +36,23 @@ internal class RuleRun(view: LogView, private val file: String, private val isEv
         // Most rules find nothing in most logs, and the smallest and the largest samples say so.
         if (!question.expression.mayHold(signals::bounds)) return emptyList()
         val answer = question.expression.answerIfHolds(signals) ?: return emptyList()
-        val texts = textsOf(question, signals)
-        if (!rule.isForEachText || texts == null || answer.spans.isEmpty()) {
-            return listOf(finding(rule, question, answer, answer.spans, answer.times, texts, signals))
+        val messages = messagesOf(question, signals)
+        if (!rule.isForEachText || messages == null || answer.spans.isEmpty()) {
+            val textAt = { time: Double -> messages?.at(time)?.first().orEmpty() }
+            return listOf(finding(rule, question, answer, answer.spans, answer.times, textAt, signals))
         }
-        // What differs in its numbers alone says the same.
-        val alike = answer.spans.groupBy { span -> texts.at(span.from).map { if (it.isDigit()) '0' else it }.joinToString("") }
-        return alike.values.take(MAX_TEXTS).map { finding(rule, question, answer, it, it.size, texts, signals) }
+        val alike = LinkedHashMap<String, MutableList<Span>>()
+        // Of what is said at the same time, each message has a finding of its own.
+        for (span in answer.spans.distinctBy { it.from }) {
+            messages.at(span.from).mapTo(LinkedHashSet(), ::withoutNumbers).forEach { alike.getOrPut(it, ::ArrayList) += span }
+        }
+        return alike.entries.take(MAX_TEXTS).map { (kind, spans) ->
+            finding(rule, question, answer, spans, spans.size, { time -> messages.at(time).first { withoutNumbers(it) == kind } }, signals)
+        }
     }
+
+    /** What differs in its numbers alone says the same. */
+    private fun withoutNumbers(text: String) = text.map { if (it.isDigit()) '0' else it }.joinToString("")
 
     private fun finding(
         rule: Rule,
@@ -51,7 +60,7 @@ internal class RuleRun(view: LogView, private val file: String, private val isEv
         answer: Answer,
         found: List<Span>,
         times: Int,
-        texts: Texts?,
+        textAt: (time: Double) -> String,
         signals: Signals,
     ): Finding {
         // What is said of the whole recording holds from its start to its end.
@@ -65,7 +74,7 @@ internal class RuleRun(view: LogView, private val file: String, private val isEv
             rule.severity,
             question.topic,
             texted.text(
-                value = answer.quantities.firstOrNull()?.let(::textOf) ?: texts?.at(at).orEmpty(),
+                value = answer.quantities.firstOrNull()?.let(::textOf) ?: textAt(at),
                 time = time,
                 count = if (whole == null) times else whole.size,
                 length = spans.sumOf { it.width },
@@ -76,15 +85,15 @@ internal class RuleRun(view: LogView, private val file: String, private val isEv
             answer.timeUnit,
             evidence = question.evidence,
             next = rule.next,
-            texts = if (isEverywhere && found.size > 1) textsOf(found.take(Finding.MAX_PLACES), answer, texts, texted) else emptyList(),
+            texts = if (isEverywhere && found.size > 1) textsOf(found.take(Finding.MAX_PLACES), answer, textAt, texted) else emptyList(),
         )
     }
 
-    private fun textsOf(spans: List<Span>, answer: Answer, texts: Texts?, texted: TextedRule): List<String> {
+    private fun textsOf(spans: List<Span>, answer: Answer, textAt: (Double) -> String, texted: TextedRule): List<String> {
         val all = answer.quantities.firstOrNull()?.let(::textOf)
         val own = answer.firstQuantityOver(spans)
         return spans.mapIndexed { i, span ->
-            val value = own[i]?.let(::textOf) ?: all ?: texts?.at(span.from).orEmpty()
+            val value = own[i]?.let(::textOf) ?: all ?: textAt(span.from)
             texted.text(value, span.from, count = 1, span.width).replace(ONCE, "")
         }
     }
@@ -93,25 +102,13 @@ internal class RuleRun(view: LogView, private val file: String, private val isEv
     private fun textOf(quantity: Quantity) =
         (if (quantity.unit == FRACTION) quantity.copy(value = PERCENT * quantity.value, unit = "%") else quantity).text
 
-    /** The texts of the first topic of [question] that has some, or null. */
-    private fun textsOf(question: RuleProgram.Question, signals: Signals): Texts? {
+    /** The messages of the first topic of [question] that has some, or null. */
+    private fun messagesOf(question: RuleProgram.Question, signals: Signals): Messages? {
         val name = question.expression.topics.firstOrNull { topic ->
             val kind = signals.vocabulary.signals.first { it.name == topic }.kind
             kind == SignalKind.EVENT || kind == SignalKind.STATE
         }
-        return name?.let { Texts(signals, it) }
-    }
-
-    private class Texts(private val signals: Signals, private val name: String) {
-        private val series = signals.series(name)
-
-        /** What was said last at [time]; empty before the first. */
-        fun at(time: Double): String {
-            var found = if (series.isOrdered) series.firstAfter(time) - 1 else series.x.indexOfLast { it <= time }
-            while (found >= 0 && series.y[found].isNaN()) found--
-            val text = if (found < 0) "" else signals.states(name)[series.y[found].toInt()].trim()
-            return if (text.length > MAX_LETTERS) text.take(MAX_LETTERS) + "…" else text
-        }
+        return name?.let { Messages(question, signals, it) }
     }
 
     private companion object {
@@ -121,8 +118,5 @@ internal class RuleRun(view: LogView, private val file: String, private val isEv
         /** So many different texts of a topic are listed for a rule. */
         const val MAX_TEXTS = 20
         const val PERCENT = 100.0
-
-        /** What is longer, such as a stack trace, is read where it was logged. */
-        const val MAX_LETTERS = 300
     }
 }

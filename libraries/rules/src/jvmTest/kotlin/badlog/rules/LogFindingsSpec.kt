@@ -55,6 +55,44 @@ class LogFindingsSpec : FunSpec({
         skipped.message.lines()[0].contains("4") shouldBe true
     }
 
+    fun messages(vararg said: Pair<Double, String>) = Topic(
+        "messages",
+        "",
+        listOf("log"),
+        DoubleArray(said.size) { Double.NaN },
+        TextColumn(IntArray(said.size) { it }, IntArray(said.size) { it }, said.map { it.second }),
+        CellCounts(0, 0, 0, said.size, 0, 0),
+        DoubleArray(said.size) { said[it].first },
+    )
+
+    fun loggedIn(said: Topic): List<String> {
+        val log = Recording(RecordingFormat.WPILOG, null, emptyList(), listOf(said), 0, emptyList())
+        return RuleSet.BUILT_IN.over(LogView.of(log), "a.wpilog", isEverywhere = true).findings.filter { it.rule == "Error logged" }
+            .flatMap { found -> listOf(found.text) + found.texts }
+    }
+
+    test("of messages that share a time, or a row's cell, the finding is about the error, not about what was logged with it") {
+        loggedIn(messages(1.0 to "loop overrun in robotPeriodic", 1.0 to "Shooter.periodic(): 0.9 ms", 2.0 to "ready")) shouldBe
+            listOf("messages at 1 s (1×): loop overrun in robotPeriodic")
+        loggedIn(messages(1.0 to "CAN timeout; Elevator (ID 5)", 4.0 to "Arm.periodic(): 0.0003 s; ".repeat(20) + "loop overrun in teleop")) shouldBe listOf(
+            "messages at 1 s (1×): CAN timeout; Elevator (ID 5)",
+            "messages at 4 s (1×): loop overrun in teleop",
+        )
+    }
+
+    test("errors that differ in their stack traces alone are the same error, and are named by their first line") {
+        loggedIn(
+            messages(
+                1.0 to "ERROR -200 CTR: no response from Talon FX\n\tat a.B.c(B.java:12)",
+                2.0 to "ERROR -200 CTR: no response from Talon FX\n Stack Trace not received",
+                3.0 to "Error:\n  java.lang.NullPointerException\n\tat frc.robot.Arm",
+            ),
+        ).filter { "×" in it } shouldBe listOf(
+            "messages at 1 s (2×): ERROR -200 CTR: no response from Talon FX",
+            "messages at 3 s (1×): Error:\n  java.lang.NullPointerException",
+        )
+    }
+
     fun ownTimes(name: String, vararg times: Double) = Topic(
         name,
         "",

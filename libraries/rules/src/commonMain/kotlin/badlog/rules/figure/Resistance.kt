@@ -8,7 +8,8 @@ internal class Resistance(val milliohms: Double, val uncertainty: Double)
 
 /**
  * The slope of [volts] against [amps], and within what it is known: from how much it changes when each 10 s in turn are left out,
- * since samples that follow each other say nearly the same. Null where the current hardly changes, or for too short.
+ * since samples that follow each other say nearly the same. Null where the current hardly changes, or for too short, or where it
+ * comes out as uncertain as a guess.
  *
  * @param end when the last samples end, in seconds as all times.
  */
@@ -38,8 +39,8 @@ internal fun resistanceOf(volts: Series, amps: Series, end: Double): Resistance?
     val mean = slopes.average()
     val error = sqrt((slopes.size - 1.0) / slopes.size * slopes.sumOf { (it - mean) * (it - mean) })
     return Resistance(-MILLI * all.slope, 2 * MILLI * error).takeIf {
-        it.milliohms.isFinite() && it.milliohms > 0 &&
-            it.uncertainty.isFinite()
+        it.milliohms.isFinite() &&
+            it.uncertainty < it.milliohms * MOST_UNCERTAINTY
     }
 }
 
@@ -80,6 +81,9 @@ private const val LEAST_BLOCKS = 4
 
 /** What is not logged for so long is not known. */
 private const val LONGEST_HOLD = 1.0
+
+/** A share of the resistance: what is known within no less is no measurement. */
+private const val MOST_UNCERTAINTY = 0.5
 
 /** So much the current has to vary, in amperes. */
 private const val LEAST_DEVIATION = 15.0

@@ -39,6 +39,13 @@ class ResistanceSpec : FunSpec({
         rows.milliohms shouldBe (20.0 plusOrMinus 0.01)
     }
 
+    test("there is none where it is known within half of it at best") {
+        val rows = 2500
+        val uneven = DoubleArray(rows) { 12.6 - (if (times[it] in 20.0..30.0) 0.08 else 0.0) * amps[it] }
+        val x = times.copyOf(rows)
+        resistanceOf(Series(x, uneven), Series(x, amps.copyOf(rows)), x.last()).shouldBeNull()
+    }
+
     test("there is none where the current hardly changes, for a few seconds, and of no voltage") {
         resistanceOf(Series(times, volts(0.05)), Series(times, DoubleArray(times.size) { 5 + it % 3.0 }), times.last()).shouldBeNull()
         val few = DoubleArray(500) { times[it] }

@@ -1,0 +1,56 @@
+package badlog.rules
+
+import badlog.analysis.Series
+import badlog.expression.signals.Signals
+
+/**
+ * What the state or event topic [name] of [signals] says where [question] found something in it.
+ *
+ * Several messages may share a time, as those of a Driver Station log do, or a cell, where rows were made of them: then it is the ones
+ * that the question is about, not those that happened to be logged with them.
+ */
+internal class Messages(private val question: RuleProgram.Question, private val signals: Signals, private val name: String) {
+    private val series = signals.series(name)
+    private val texts = signals.states(name)
+    private val isAsked = HashMap<String, Boolean>()
+
+    // A question about other topics, too, cannot be asked of a text alone.
+    private val canAsk = question.expression.topics.size == 1
+
+    /** What was said last at [time], without the stack traces of errors; a single empty text before the first. */
+    fun at(time: Double): List<String> {
+        var last = if (series.isOrdered) series.firstAfter(time) - 1 else series.x.indexOfLast { it <= time }
+        while (last >= 0 && series.y[last].isNaN()) last--
+        if (last < 0) return listOf("")
+        var first = last
+        while (first > 0 && series.x[first - 1] == series.x[last]) first--
+        val said = (first..last).filter { !series.y[it].isNaN() }.map { texts[series.y[it].toInt()] }
+        val asked = if (said.size > 1 && canAsk) said.filter(::isAsked) else said
+        return asked.ifEmpty { said }.map(::shortened).distinct()
+    }
+
+    private fun isAsked(text: String) = isAsked.getOrPut(text) {
+        val alone = object : Signals by signals {
+            override fun series(name: String) = Series(doubleArrayOf(0.0), doubleArrayOf(0.0))
+
+            override fun states(name: String) = listOf(text)
+        }
+        question.expression.answerIfHolds(alone) != null
+    }
+
+    /** [text] without what is read where it was logged, such as a stack trace: its first line, or more where that says little. */
+    private fun shortened(text: String): String {
+        val message = if (text.length > MAX_LETTERS && canAsk) text.split(BETWEEN).firstOrNull(::isAsked) ?: text else text
+        var end = message.indexOf('\n')
+        while (end in 0 until FEW_LETTERS) end = message.indexOf('\n', end + 1)
+        val head = (if (end < 0) message else message.take(end)).trim()
+        return if (head.length > MAX_LETTERS) head.take(MAX_LETTERS) + "…" else head
+    }
+
+    private companion object {
+        /** What joins messages that share a cell; a message may have it, too. */
+        const val BETWEEN = "; "
+        const val FEW_LETTERS = 20
+        const val MAX_LETTERS = 300
+    }
+}
