@@ -25,13 +25,13 @@ import kotlinx.browser.window
 import org.w3c.dom.Element
 import org.w3c.dom.HTMLElement
 
-/** Brings the page up: reads the recording, shows it, or says why it cannot be shown. Never leaves an empty page. */
+/** Starts the page: reads the recording and shows it, or says why it cannot be shown. Never leaves an empty page. */
 internal class Startup {
     private val root = checkNotNull(document.getElementById("page")).unsafeCast<HTMLElement>()
     private val theme = ThemeSwitch { page?.repaint() }
     private var page: LogPage? = null
 
-    /** Does it. */
+    /** Starts the page. */
     fun run() {
         setPageState("loading")
         guarded(::begin)
@@ -43,9 +43,9 @@ internal class Startup {
         failUnexpectedly(problem)
     }
 
-    /** Reads a large recording while it arrives, any other when the page has been loaded. */
+    /** Reads a large recording while it arrives, any other once the page has been loaded. */
     private fun begin() {
-        // Before the look: what arrives after it is looked for again.
+        // Read before looking: what arrives later is looked for again.
         val isLoaded = document.asDynamic().readyState != "loading"
         val element = document.getElementById("recording")
         val loading = element?.let { LoadingScreen(it.getAttribute("data-name").orEmpty()) }
@@ -54,7 +54,7 @@ internal class Startup {
             reading != null -> {
                 show(checkNotNull(loading).element)
                 val additions = findAdditions()
-                // Whatever was wrong with the parts shows when the whole stream is read.
+                // Anything wrong with the parts will show when the whole stream is read.
                 reading.then({ read ->
                     show(read, additions, checkNotNull(About.find()), element)
                 }, { whenLoaded(::readWhole) }).catch(::failUnexpectedly)
@@ -84,7 +84,7 @@ internal class Startup {
         val loading = LoadingScreen(about.name)
         show(loading.element)
         val reading = Reading(about, recording, loading::show).start()
-        // While a worker reads.
+        // Meanwhile, a worker is reading.
         val additions = findAdditions()
         reading.then { show(it, additions, about, recording) }
             .catch(::failUnexpectedly)
@@ -100,7 +100,7 @@ internal class Startup {
         val signals = (additions?.rules ?: RuleSet.NONE).signals
         val layout = GivenLayout.of(additions?.layout)
         val given = joined(layout.formulas, additions?.virtualTopics.orEmpty())
-        // What a hook found stands where it was found, over the axis of the exporter.
+        // The findings of a hook have the x axis of the exporter.
         val hasFound = additions != null && (additions.hooks.isNotEmpty() || additions.findings.isNotEmpty())
         val axis = AxisChoice(read, about.fileKey, mayAsk = !hasFound)
         val formulas = Formulas(LogView.of(axis.recording).withSignals(signals), signals, given, about.fileKey)
@@ -109,7 +109,7 @@ internal class Startup {
         show(shown.element)
         shown.start()
         window.performance.asDynamic().mark("badlog-first-graphs")
-        // After the browser's next picture.
+        // After the browser's next frame.
         window.requestAnimationFrame {
             window.setTimeout({
                 guarded {
@@ -137,7 +137,7 @@ internal class Startup {
     }
 
     private companion object {
-        /** Milliseconds until the page is asked again what has arrived. */
+        /** Milliseconds until the page is checked again for what has arrived. */
         const val PAUSE = 5
     }
 }

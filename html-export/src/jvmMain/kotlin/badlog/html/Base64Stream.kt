@@ -4,8 +4,8 @@ import java.io.OutputStream
 import java.util.Base64
 
 /**
- * Writes what it is given to [out] as base64, however it is cut into pieces: the one or two bytes that fill no group of three wait for
- * the next piece, so that padding stands at the end of a line only. Lines end where they are told to, and nowhere else.
+ * Writes bytes to [out] as base64, however they are split into pieces: one or two bytes that do not fill a group of three wait for the
+ * next piece, so that padding is only at the end of a line. Lines end only where [endLine] is called.
  */
 internal class Base64Stream(private val out: OutputStream) {
     private val encoder = Base64.getEncoder()
@@ -28,13 +28,13 @@ internal class Base64Stream(private val out: OutputStream) {
         }
     }
 
-    /** Ends a line, which can be decoded without the others. */
+    /** Ends a line, so that it can be decoded without the others. */
     fun endLine() {
         finish()
         out.write('\n'.code)
     }
 
-    /** Writes what is held, with its padding. To be called once, last; does not close the stream under it. */
+    /** Writes the rest, with its padding. Call it once, last; it does not close [out]. */
     fun finish() {
         out.write(encoder.encode(source.copyOf(held)))
         held = 0

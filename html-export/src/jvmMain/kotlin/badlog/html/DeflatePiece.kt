@@ -5,11 +5,12 @@ import java.util.concurrent.Future
 import java.util.zip.Deflater
 
 /**
- * One piece of a file on its way into a gzip stream. It is deflated without its neighbors, so several are at a time,
- * but knows the bytes before it as a dictionary and ends on a byte, so the pieces one after another are one deflate
- * stream but for its [END]. A piece that knows none begins a part of the stream that can be inflated by itself.
+ * One piece of a file on its way into a gzip stream. It is deflated independently of its neighbors, so that several
+ * can be deflated in parallel. But it uses the bytes before it as a dictionary, and ends on a byte boundary, so that
+ * the pieces in sequence are one deflate stream, except for its [END]. A piece without a dictionary begins a part of
+ * the stream that can be inflated by itself.
  *
- * Made once and filled again and again: its buffers are what an export costs in memory.
+ * Created once and reused: its buffers are the memory that an export needs.
  */
 internal class DeflatePiece {
     private val deflater = Deflater(LEVEL, true)
@@ -19,23 +20,23 @@ internal class DeflatePiece {
     var beginsPart = true
         private set
 
-    /** The dictionary, then the piece's own bytes, which stand in [[from], [until]). */
+    /** The dictionary, then the piece's own bytes, which are in [[from], [until]). */
     val bytes = ByteArray(DICTIONARY + SIZE)
     val from: Int get() = dictionarySize
     var until = 0
         private set
     val isLast: Boolean get() = until - from < SIZE
 
-    /** What [deflate] made, in [[0], [deflatedSize]). */
+    /** The result of [deflate], in [[0], [deflatedSize]). */
     var deflated = ByteArray(SIZE / 2)
         private set
     var deflatedSize = 0
         private set
 
-    /** The work on this piece that other threads do. */
+    /** The work on this piece in other threads. */
     var work: List<Future<*>> = emptyList()
 
-    /** Takes the next bytes of [source], which follow those of [before]; null begins a new part. */
+    /** Reads the next bytes of [source], which follow those of [before]; null begins a new part. */
     fun fill(source: InputStream, before: DeflatePiece?) {
         beginsPart = before == null
         dictionarySize = 0
@@ -64,10 +65,10 @@ internal class DeflatePiece {
     companion object {
         const val SIZE = 1 shl 19
 
-        /** An empty block that is the last one, and so ends the stream. */
+        /** An empty last block, which ends the stream. */
         val END = byteArrayOf(3, 0)
 
-        /** As far back as deflate ever looks. */
+        /** The maximum distance to which deflate looks back. */
         private const val DICTIONARY = 1 shl 15
 
         private const val LEVEL = 4

@@ -3,15 +3,15 @@ package badlog.html
 import java.io.IOException
 import java.nio.file.Path
 
-/** Why no page was made. The message is one sentence for the person who asked: what, where, and what to do. */
+/** Thrown if no page was made. The message is one sentence for the user: what, where, and what to do. */
 public sealed class ExportException(message: String, cause: Throwable? = null) : IOException(message, cause) {
     /** The [file] to read is missing, is not a file, or cannot be read. */
     public class Unreadable internal constructor(public val file: Path, message: String, cause: Throwable? = null) :
         ExportException(message, cause)
 
-    /** The [input] holds neither a bag, nor CSV, nor another log that this version reads. */
+    /** The [input] is neither a bag, nor CSV, nor another log that this version reads. */
     public class NotARecording internal constructor(public val input: Path, message: String) : ExportException(message)
 
-    /** The [page] cannot be written: no permission, a full disk, or a folder of its name. */
+    /** The [page] cannot be written: no permission, a full disk, or a folder of that name. */
     public class Unwritable(public val page: Path, message: String, cause: Throwable? = null) : ExportException(message, cause)
 }

@@ -14,10 +14,10 @@ internal class ExportThreads : AutoCloseable {
     /** Runs [work] on any core. */
     fun deflate(work: () -> Unit): Future<*> = deflaters.submit(work)
 
-    /** Runs [work] after all that was given here before. */
+    /** Runs [work] after all work that was submitted here before. */
     fun parse(work: () -> Unit): Future<*> = parser.submit(work)
 
-    /** Drops what has not begun, and waits for what has. */
+    /** Drops work that has not begun, and waits for work that has. */
     override fun close() {
         deflaters.shutdownNow()
         parser.shutdownNow()
@@ -28,7 +28,7 @@ internal class ExportThreads : AutoCloseable {
     companion object {
         val CORES = Runtime.getRuntime().availableProcessors()
 
-        /** Waits for [work]; throws what it threw. */
+        /** Waits for [work]; throws what it throws. */
         fun await(work: Future<*>) {
             try {
                 work.get()

@@ -3,5 +3,7 @@ package badlog.html
 import badlog.plot.path.FieldFile
 import java.nio.file.Path
 
-/** The field on which a page of [log] draws paths: that of the file [selected], or else the one beside the log, see [FieldFile.of]. */
+/**
+ * Returns the field on which a page of [log] draws paths: that of the file [selected], or else the one beside the log, see [FieldFile.of].
+ */
 public fun fieldFor(log: Path, selected: Path? = null): FieldFile = selected?.let(FieldFile::read) ?: FieldFile.of(log)

@@ -9,7 +9,7 @@ import java.io.InputStream
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** A stream of [file] whose failures say that it is this file that cannot be read. */
+/** A stream of [file] whose failures name this file as the one that cannot be read. */
 internal class ReadGuard(private val file: Path, stream: InputStream) : FilterInputStream(stream) {
     override fun read(bytes: ByteArray, from: Int, size: Int): Int = reading(file) { super.read(bytes, from, size) }
 }
@@ -17,7 +17,7 @@ internal class ReadGuard(private val file: Path, stream: InputStream) : FilterIn
 /** Runs [work], which reads [file]; its failures become [ExportException.Unreadable]. */
 internal fun <T> reading(file: Path, work: () -> T): T = refusing { badlog.file.reading(file, work) }
 
-/** Runs [work]; a file that it cannot read or write is an [ExportException]. */
+/** Runs [work]; if it cannot read or write a file, throws an [ExportException]. */
 internal fun <T> refusing(work: () -> T): T = try {
     work()
 } catch (e: UnreadableFileException) {
@@ -35,10 +35,10 @@ internal fun <T> writing(page: Path, work: () -> T): T = try {
     refusing { badlog.file.writing(page) { throw e } }
 }
 
-/** Looks before any work whether [file] is there and is a file. */
+/** Checks, before any work, that [file] exists and is a file. */
 internal fun checkReadable(file: Path) = refusing { requireRegularFile(file) }
 
-/** Looks before any work whether [page] may be written while [files] are read. */
+/** Checks, before any work, that [page] can be written while [files] are read. */
 internal fun checkWritable(page: Path, files: List<Path>) {
     if (Files.isDirectory(page)) {
         throw ExportException.Unwritable(page, "$page is a folder; give the page another name, or put it inside.")

@@ -10,16 +10,16 @@ import badlog.recording.ProblemKind
  * What the first bytes of a file show before the rest is read.
  *
  * @property isGzip whether the file is compressed.
- * @property hasLines whether it is a text of lines.
- * @property title the match, from the values in the header, or null where they name none.
- * @property refusal why the file is certainly no recording, whatever follows; null when it may be one.
+ * @property hasLines whether it is text in lines.
+ * @property title the match, from the values in the header, or null if they name none.
+ * @property refusal why the file is certainly not a recording, whatever follows; null if it may be one.
  */
 internal class FileHead private constructor(val isGzip: Boolean, val hasLines: Boolean, val title: String?, val refusal: String?) {
     companion object {
-        /** How many bytes [of] wants to see; fewer are a shorter file. */
+        /** The number of bytes that [of] needs; pass fewer only if the file is shorter. */
         const val BYTES = 1 shl 18
 
-        /** Looks at the beginning of a file. */
+        /** Examines the beginning of a file. */
         fun of(bytes: ByteArray): FileHead {
             val isGzip = GzipReader.isGzip(bytes)
             val parser = RecordingParser(LOG_FORMATS, keepSamples = false)
@@ -30,7 +30,7 @@ internal class FileHead private constructor(val isGzip: Boolean, val hasLines: B
                 parser.accept(bytes)
             }
             val recording = parser.finish()
-            // Without rows it was the bytes that the parser gave up on. A text of rows may yet have numbers further down.
+            // Without rows, the parser rejected the bytes themselves. Text in rows may still have numbers further down.
             val refusal = recording.problems
                 .firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING && parser.rowCount == 0 }
                 ?.message

@@ -4,7 +4,7 @@ import badlog.file.GzipReader
 import java.io.InputStream
 import java.util.concurrent.Future
 
-/** Embeds a file that is gzip already: its very bytes, which are inflated only to be parsed. */
+/** Embeds a file that is already gzip: its exact bytes, which are inflated only for parsing. */
 internal class GzipEmbedding(
     private val threads: ExportThreads,
     private val out: Base64Stream,
@@ -19,7 +19,7 @@ internal class GzipEmbedding(
     private val inFlight = ArrayDeque<Piece>()
     private var done = 0L
 
-    /** Embeds [source] to its end; [progress] hears how many bytes are done. */
+    /** Embeds [source] to its end; [progress] receives the number of bytes done. */
     fun embed(source: InputStream, progress: (Long) -> Unit): EmbeddedFile = reader.use {
         do {
             val piece = if (inFlight.size < IN_FLIGHT) Piece() else awaitFirst()

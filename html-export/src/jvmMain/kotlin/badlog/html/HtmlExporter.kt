@@ -20,25 +20,24 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * Turns recordings into HTML pages that need nothing else: each holds the file's very bytes, and the program that shows
- * them. Works on all cores, in memory that does not grow with the file. May be used for any number of exports, also at
- * a time.
+ * Turns recordings into HTML pages that need nothing else: each contains the file's exact bytes, and the program that
+ * shows them. Works on all cores, in memory that does not grow with the file. Reusable for any number of exports, also
+ * concurrently.
  *
  * @param attachments files to put into every page beside the recording.
  * @param parts the program and the styles of the pages.
  */
 public class HtmlExporter(private val attachments: List<Path> = emptyList(), private val parts: PageParts = PageParts.bundled()) {
     /**
-     * Makes the page [output] of the log [input], a bag, a CSV file, a WPILOG or a Driver Station log, perhaps compressed with gzip;
-     * of a log of two files the page has both. Whatever is wrong
-     * in it is listed in the report and on the page. [output] is replaced only by a whole page; its folder is made if
-     * need be.
+     * Makes the page [output] from the log [input]: a bag, a CSV file, a WPILOG or a Driver Station log, optionally compressed with
+     * gzip. If a log has two files, the page contains both. Problems are listed in the report and on the page. [output] is replaced
+     * only by a complete page; its folder is created if necessary.
      *
      * To cancel, interrupt the calling thread or throw from [progress].
      *
-     * @param additions what the page shows besides the recording, and besides the notes that stand beside [input].
-     * @throws ExportException when there is nothing to show, or a file cannot be read or written.
-     * @throws InterruptedException when the thread was interrupted.
+     * @param additions what the page shows besides the recording and the notes in the file beside [input].
+     * @throws ExportException if there is nothing to show, or a file cannot be read or written.
+     * @throws InterruptedException if the thread was interrupted.
      */
     public fun export(
         input: Path,
@@ -75,7 +74,7 @@ public class HtmlExporter(private val attachments: List<Path> = emptyList(), pri
         }
     }
 
-    /** [first], the bytes of the first of [logParts], and then those of the others. */
+    /** Returns [first], the bytes of the first of [logParts], followed by those of the others. */
     private fun withOthers(first: InputStream, logParts: List<Path>): InputStream = logParts.drop(1).fold(first) { before, part ->
         SequenceInputStream(before, ReadGuard(part, reading(part) { Files.newInputStream(part) }))
     }
@@ -107,7 +106,7 @@ public class HtmlExporter(private val attachments: List<Path> = emptyList(), pri
             writer.begin(head.title ?: logParts.drop(1).firstNotNullOfOrNull(::titleIn) ?: name, additions.video != null)
             writer.program(additions)
             val embedded = ExportThreads().use { threads ->
-                // Only so long a file is worth the work of several workers, and of the page while it is still being loaded.
+                // Only a large file is worth several workers, and reading while the page is still being loaded.
                 val lineBytes = total.takeIf { head.hasLines && !head.isGzip && it > MANY_BYTES }
                 val embedded = writer.recording(name, lineBytes) { out ->
                     val heard: (Long) -> Unit = { progress.advanced(it, total) }

@@ -4,12 +4,12 @@ import java.io.ByteArrayOutputStream
 import java.util.zip.Deflater
 import java.util.zip.GZIPOutputStream
 
-/** Stands between the style sheet and the program where they are packed; no style sheet may have it. */
+/** Separates the style sheet from the program in the packed text; no style sheet may contain it. */
 internal const val SEPARATOR = '\u0000'
 
 /**
- * The [text] of a style sheet, [SEPARATOR] and a program as a page carries it: a gzip stream in [base122], less than half its size.
- * [UNPACKING] makes a style sheet and a script of it again.
+ * Returns [text], which is a style sheet, [SEPARATOR] and a program, in the form embedded in a page: a gzip stream in [base122],
+ * less than half its size. [UNPACKING] turns it back into a style sheet and a script.
  */
 internal fun packed(text: String): ByteArray {
     val gzip = ByteArrayOutputStream()
@@ -23,8 +23,8 @@ internal fun packed(text: String): ByteArray {
 }
 
 /**
- * [bytes] as text that may stand in a page: 81 characters for 70 bytes, where base64 has 94. It is made in the way of basE91, with more
- * digits: 13 bits of the bytes, lowest first, are a number of two [DIGITS], the lower one first; 14 bits where they leave room for one
+ * Returns [bytes] as text that is safe in a page: 81 characters for 70 bytes, compared with 94 for base64. It works like basE91, with
+ * more digits: 13 bits of the bytes, lowest first, are a number of two [DIGITS], the lower one first; 14 bits if there is room for one
  * more.
  */
 internal fun base122(bytes: ByteArray): ByteArray {
@@ -49,9 +49,10 @@ internal fun base122(bytes: ByteArray): ByteArray {
 }
 
 /**
- * ASCII without what HTML changes or ends a text with: U+0000 and the carriage return, which become others, and `<`. A line feed stays one,
- * even where a program that copies the page puts a carriage return before it. Form feed, U+001A and escape are left out for other
- * readers of text files: paging, the end of a file under DOS, commands to a terminal. Those three cost 1.6 kB of a page.
+ * ASCII without the characters that HTML changes, U+0000 and the carriage return, and without `<`, which could end the text. A line feed is
+ * safe, even if a program that copies the page puts a carriage return before it. Form feed, U+001A and escape are excluded because of other
+ * readers of text files: they mean a new page, the end of a file under DOS, and commands to a terminal. Excluding those three costs 1.6 kB
+ * of a page.
  */
 private val DIGITS: List<Int> = (1..127) - listOf(0x0c, '\r'.code, 0x1a, 0x1b, '<'.code)
 
@@ -59,8 +60,8 @@ private const val BASE = 122
 private const val SURE_BITS = 13
 
 /**
- * The one script that a page has in plain text. The policy knows the hashes of program and style, so the browser takes what this
- * unpacks only while it is the very text that the exporter packed.
+ * The only script that a page has in plain text. The policy contains the hashes of program and style, so the browser accepts
+ * what this unpacks only if it is exactly the text that the exporter packed.
  */
 internal val UNPACKING: String = """/* Unpacks the program of this page; the licenses of what it holds stand in it. */
 (() => {

@@ -5,12 +5,13 @@ import java.util.Base64
 import java.util.zip.GZIPInputStream
 
 /**
- * What is the same in all pages: the program that reads and draws the recording, and its styles.
+ * The parts that all pages share: the program that reads and draws the recording, and its styles.
  *
  * @param program the text of one classic script.
- * @param style the text of the program's style sheet; it comes with the program.
- * @param waitingStyle the text of the style sheet for what a page shows before its program runs, or instead.
- * @throws IllegalArgumentException when one of them cannot stand in a page as it is.
+ * @param style the text of the program's style sheet; it is packed with the program.
+ * @param waitingStyle the text of the style sheet for what a page shows before its program runs, or if it does not
+ * run.
+ * @throws IllegalArgumentException if one of them cannot be embedded in a page unchanged.
  */
 public class PageParts private constructor(
     private val program: String,
@@ -29,12 +30,12 @@ public class PageParts private constructor(
         require(SEPARATOR !in style) { "The page's style has a character U+0000." }
     }
 
-    /** The program and its style as they stand in a page. */
+    /** The program and its style in the form embedded in a page. */
     internal val packedProgram: ByteArray = gzip?.let(::base122) ?: packed(style + SEPARATOR + program)
 
     /**
-     * The Content-Security-Policy of a page with these parts: nothing from the network, no other script or style. A video is one that the
-     * reader opens, or where the page [hasVideo] also one from where the page itself is.
+     * Returns the Content-Security-Policy of a page with these parts: nothing from the network, and no other script or style. A video may
+     * be one that the reader opens or, if [hasVideo], one from the page's own location.
      */
     internal fun policy(hasVideo: Boolean): String =
         "default-src 'none'; script-src '${hash(UNPACKING)}' '${hash(program)}'; worker-src blob:; " +
@@ -42,9 +43,9 @@ public class PageParts private constructor(
             "img-src data: blob:; media-src blob:${if (hasVideo) " 'self'" else ""}; base-uri 'none'; form-action 'none'"
 
     public companion object {
-        /** The page that is built into this version of badlog. */
+        /** Returns the parts that are built into this version of badlog. */
         public fun bundled(): PageParts {
-            // The build packs it more tightly than there is time for here.
+            // The build compresses it better than would be fast enough here.
             val gzip = resource("page.gz")
             val text = GZIPInputStream(gzip.inputStream()).use { it.readBytes().decodeToString() }
             val waitingStyle = resource("waiting.css").decodeToString()
@@ -57,7 +58,7 @@ public class PageParts private constructor(
             return stream.use { it.readBytes() }
         }
 
-        // A browser reads every end of line as LF, and takes its hash of that.
+        // A browser reads every line end as LF before it calculates the hash.
         private fun lines(text: String) = text.replace("\r\n", "\n").replace('\r', '\n')
 
         private fun hash(text: String): String {

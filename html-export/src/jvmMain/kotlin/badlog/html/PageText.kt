@@ -1,9 +1,9 @@
 package badlog.html
 
-/** What every page begins with, in ASCII. */
+/** The beginning of every page, in ASCII. */
 internal const val PAGE_START = "<!DOCTYPE html"
 
-/** [text] as it may stand between HTML tags, or in an attribute in double quotes, and nowhere become a tag. */
+/** Returns [text] escaped for use between HTML tags or in a double-quoted attribute. */
 internal fun escapeHtml(text: String): String = text
     .replace("&", "&amp;")
     .replace("<", "&lt;")

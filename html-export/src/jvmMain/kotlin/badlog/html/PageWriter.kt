@@ -6,9 +6,9 @@ import badlog.html.protocol.toJson
 import badlog.json.quotedJson
 import java.io.OutputStream
 
-/** Writes a page from its beginning to its end; the functions are to be called in their order here. */
+/** Writes a page from beginning to end. Call the functions in the order in which they are declared. */
 internal class PageWriter(private val out: OutputStream, private val parts: PageParts) {
-    /** Everything before the recording. Whether it [hasVideo] beside it is a part of its policy. */
+    /** Writes everything before the recording. [hasVideo], whether there is a video beside the page, affects its policy. */
     fun begin(title: String, hasVideo: Boolean = false) {
         text(
             """
@@ -34,7 +34,7 @@ internal class PageWriter(private val out: OutputStream, private val parts: Page
         )
     }
 
-    /** What the page shows besides the recording, no byte when that is nothing; then the program, which runs while the rest is loaded. */
+    /** Writes what the page shows besides the recording, if anything, then the program, which runs while the rest is loaded. */
     fun program(additions: PageAdditions) {
         val json = additions.toJson()
         if (json != NO_ADDITIONS) {
@@ -48,21 +48,21 @@ internal class PageWriter(private val out: OutputStream, private val parts: Page
     }
 
     /**
-     * The recording that came from the file [name]; [embed] gives its gzip stream to the base64 stream.
+     * Writes the recording from the file [name]; [embed] passes its gzip stream to the base64 stream.
      *
-     * @param lineBytes how long the file is, where each line of the base64 but the first and the last holds some of its rows, which can
-     *   be read before the others are there; else null.
+     * @param lineBytes the length of the file, if each line of the base64, except the first and the last, holds some of its rows that
+     *   can be read before the others have arrived; otherwise null.
      */
     fun <T> recording(name: String, lineBytes: Long?, embed: (Base64Stream) -> T): T {
         val bytes = if (lineBytes == null) "" else " data-bytes=\"$lineBytes\""
         return base64("id=\"recording\" data-name=\"${escapeHtml(name)}\"$bytes", embed)
     }
 
-    /** An attached file with its [name]; [embed] as in [recording]. */
+    /** Writes an attached file with its [name]; [embed] as in [recording]. */
     fun <T> attachment(name: String, embed: (Base64Stream) -> T): T =
         base64("class=\"attachment\" data-name=\"${escapeHtml(name)}\"", embed)
 
-    /** The end, about the recording that came from the file [name], and [second]. A page without it was cut. */
+    /** Writes the end, with facts about the recording from the file [name], and [second]. A page without it is incomplete. */
     fun end(name: String, file: EmbeddedFile, isGzip: Boolean, second: SecondPart? = null) {
         val cut = if (file.isCut) ",\"cut\":true" else ""
         val more = if (second == null) "" else ",\"second\":${inScript(quotedJson(second.name))},\"firstBytes\":${second.from}"
@@ -87,7 +87,7 @@ internal class PageWriter(private val out: OutputStream, private val parts: Page
     private companion object {
         val NO_ADDITIONS = PageAdditions().toJson()
 
-        // Until the program runs, or instead.
+        // Shown until the program runs, or if it does not run.
         const val WAITING = "Loading… If this stays, the file is incomplete: copy it again."
         const val NO_SCRIPT = "This page needs JavaScript to draw its log: allow scripts for this file, or open it in another browser."
     }

@@ -2,10 +2,10 @@ package badlog.html
 
 import badlog.terminal.Progress
 
-/** Carries what an [Progress] threw past all that would take it for a failure of a file. */
+/** Carries an exception thrown by a [Progress] past all code that would take it for a failure of a file. */
 private class ProgressFailure(override val cause: Throwable) : RuntimeException(cause)
 
-/** Runs [work], to which it gives [progress]; throws what that throws as it is. */
+/** Runs [work] with [progress]; rethrows exceptions of [progress] unchanged. */
 internal fun <T> passingOn(progress: Progress, work: (Progress) -> T): T = try {
     work { done, total ->
         try {

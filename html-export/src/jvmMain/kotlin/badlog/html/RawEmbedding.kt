@@ -7,8 +7,8 @@ import java.util.zip.CRC32
 
 /**
  * Embeds a file that is not compressed: deflates it piece by piece on all cores, into one gzip member. Each part that can be inflated
- * by itself is a line of the text, between a line with the member's header and one with its end. The calling thread reads and writes;
- * only so many pieces are in flight, which bounds the memory whatever the file's size.
+ * by itself is one line of the text, between a line with the member's header and one with its end. The calling thread reads and
+ * writes. The number of pieces in progress is limited, which bounds the memory whatever the file's size.
  */
 internal class RawEmbedding(
     private val threads: ExportThreads,
@@ -21,7 +21,7 @@ internal class RawEmbedding(
     private var read = 0L
     private var done = 0L
 
-    /** Embeds [source] to its end; [progress] hears how many bytes are done. */
+    /** Embeds [source] to its end; [progress] receives the number of bytes done. */
     fun embed(source: InputStream, progress: (Long) -> Unit = {}): EmbeddedFile {
         out.write(HEADER)
         try {
@@ -74,13 +74,13 @@ internal class RawEmbedding(
     private companion object {
         const val TRAILER_SIZE = 8
 
-        /** The first piece is a part of its own, since all others wait for the header in it. */
+        /** The first piece is a separate part, since all others wait for the header in it. */
         const val PIECES_OF_PART = 4
 
         /** Deflate, no name, no time, unknown system. */
         val HEADER = byteArrayOf(0x1F, 0x8B.toByte(), 8, 0, 0, 0, 0, 0, 0, -1)
 
-        /** So many pieces besides those being deflated: read ahead, or waiting to be written in their turn. */
+        /** The number of pieces besides those being deflated: read ahead, or waiting for their turn to be written. */
         const val SPARE = 4
     }
 }

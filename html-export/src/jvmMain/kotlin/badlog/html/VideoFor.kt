@@ -3,9 +3,10 @@ package badlog.html
 import java.nio.file.Path
 
 /**
- * The name by which [page] shows the file [video]: as seen from the folder of the page, in which the video is, or in a folder of that.
+ * Returns the name by which [page] refers to the file [video], relative to the folder of the page. The video must be in that folder or
+ * below it.
  *
- * @throws ExportException when the video is missing, or is elsewhere, where the page may not look for it.
+ * @throws ExportException if the video is missing, or is elsewhere, where the page is not allowed to find it.
  */
 public fun videoFor(page: Path, video: Path): String {
     checkReadable(video)

@@ -5,7 +5,7 @@ private val SOURCE: String by lazy {
     checkNotNull(script) { "axe-core is not among the resources of the tests." }.readText()
 }
 
-/** What axe-core finds serious or worse in the page as it is now: each rule with the elements that break it. */
+/** Returns what axe-core considers serious or worse in the current page: each rule with the elements that break it. */
 internal fun OpenPage.seriousForReaders(): List<String> {
     driver.executeScript(SOURCE)
     val found = driver.executeAsyncScript(

@@ -8,13 +8,13 @@ import java.io.File
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** The one Chromium that all page tests share, started when the first of them needs it. */
+/** The Chromium that all page tests share, started when the first of them needs it. */
 internal object Chromium {
     private val program = onPath("chromium", "chromium-browser", "google-chrome")
     private val driverProgram = onPath("chromedriver")
     private val isRequired = System.getenv("BADLOG_BROWSER") == "required"
 
-    /** Whether page tests run here, and if not, why; said once for all of them, in a line that the build passes on. */
+    /** Whether page tests can run here, and if not, why; printed once for all of them, in a line that the build passes on. */
     val enabled: Enabled by lazy {
         val missing = listOfNotNull(
             "Chromium".takeIf { program == null },
@@ -65,7 +65,7 @@ internal object Chromium {
         return driver
     }
 
-    // The browser writes for a moment after it has said that it is over.
+    // The browser still writes for a moment after it has reported its end.
     private fun delete(folder: Path) {
         var tries = 0
         while (!folder.toFile().deleteRecursively() && tries++ < MAX_TRIES) Thread.sleep(PAUSE_MILLISECONDS)

@@ -6,8 +6,8 @@ import java.util.Base64
 import kotlin.math.roundToInt
 
 /**
- * A WebM video whose pictures count its frames, as white squares for the ones of a binary number: the first at the left is worth 1.
- * Chromium draws the pictures, for a lossy WebP picture is a key frame of VP8.
+ * A WebM video whose pictures show the number of their frame in binary, as white squares for the ones: the leftmost is worth 1.
+ * Chromium encodes the pictures, since a lossy WebP picture is a key frame of VP8.
  */
 internal object CountedVideo {
     const val FRAMES_PER_SECOND = 30
@@ -20,7 +20,7 @@ internal object CountedVideo {
 
     val bytes: ByteArray by lazy { webm(pictures().map(::keyFrame)) }
 
-    /** JavaScript that puts the video into the page's file input, as a reader does who picks it. */
+    /** JavaScript that puts the video into the page's file input, as if a reader had selected it. */
     val pick: String by lazy {
         val base64 = Base64.getEncoder().encodeToString(bytes)
         """
@@ -68,7 +68,7 @@ internal object CountedVideo {
         """.trimIndent(),
     ) as List<String>
 
-    /** The key frame in a WebP picture, which stands in one of its chunks. */
+    /** Returns the key frame in a WebP picture, which is in one of its chunks. */
     private fun keyFrame(base64: String): ByteArray {
         val webp = Base64.getDecoder().decode(base64)
         var at = FIRST_CHUNK
@@ -101,7 +101,7 @@ internal object CountedVideo {
             first to element(0x1F43B675, number(0xE7, first), *blocks.toTypedArray())
         }
 
-        // Every number has four bytes, so that where the clusters are does not change the length of what says so.
+        // Every number has four bytes, so that the positions of the clusters do not affect the length of the cues.
         fun cues(start: Int): ByteArray {
             var at = start
             val points = clusters.map { (time, cluster) ->

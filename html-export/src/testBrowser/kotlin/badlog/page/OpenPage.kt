@@ -17,31 +17,31 @@ import java.time.Duration
 internal class OpenPage private constructor(val driver: ChromeDriver, private val before: String) : AutoCloseable {
     private val logs = PageLogs(driver)
 
-    /** What the page says of itself. */
+    /** The state that the page reports. */
     val state: String? get() = script("return document.documentElement.dataset.state") as String?
 
-    /** Waits until the page says that it is ready, or failed. */
+    /** Waits until the page reports [state]. */
     fun awaitState(state: String) {
         await("the page's state $state") { this.state == state || this.state == "failed" }
         withClue(text) { this.state shouldBe state }
         settle()
     }
 
-    /** All that can be read on the page. */
+    /** All text on the page. */
     val text: String get() = script("return document.body.innerText") as String
 
-    /** The first element that [selector] finds. */
+    /** Returns the first element that [selector] finds. */
     fun element(selector: String): WebElement = driver.findElement(By.cssSelector(selector))
 
     /** All elements that [selector] finds. */
     fun elements(selector: String): List<WebElement> = driver.findElements(By.cssSelector(selector))
 
-    /** The texts of the elements that [selector] finds, as they are in the page, seen or not. */
+    /** Returns the texts of the elements that [selector] finds, visible or not. */
     fun texts(selector: String): List<String> = strings(
         script("return [...document.querySelectorAll(arguments[0])].map(e => e.textContent)", selector),
     )
 
-    /** The names of all graphs that are not hidden, in their order. */
+    /** The names of all visible graphs, in order. */
     val graphNames: List<String>
         get() = strings(
             script(
@@ -50,7 +50,7 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
             ),
         )
 
-    /** From where to where the page says that it shows x. */
+    /** The range of x that the page says it shows. */
     val visibleRange: ClosedFloatingPointRange<Double>
         get() {
             val said = texts(".range-readout").single()
@@ -59,7 +59,7 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
             return from.toDouble()..to.toDouble()
         }
 
-    /** The color that the style sheet calls [name] in the theme of now. */
+    /** Returns the color that the style sheet calls [name] in the current theme. */
     fun color(name: String): Int {
         val style = "getComputedStyle(document.documentElement).getPropertyValue(arguments[0])"
         return (script("return $style.trim()", name) as String).removePrefix("#").toInt(radix = 16)
@@ -68,10 +68,10 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
     /** Runs JavaScript. */
     fun script(code: String, vararg arguments: Any?): Any? = driver.executeScript(code, *arguments)
 
-    /** The result of JavaScript that is a number. */
+    /** Returns the result of JavaScript that is a number. */
     fun number(code: String, vararg arguments: Any?): Double = (script(code, *arguments) as Number).toDouble()
 
-    /** Waits until what was just done is on the screen, and beside it: the page draws that a frame later. */
+    /** Waits until the last action is drawn, on the screen and outside it, which the page draws a frame later. */
     fun settle() {
         driver.executeAsyncScript(
             """
@@ -83,7 +83,7 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
         )
     }
 
-    /** Waits for [what]; how long is only to end a test that has failed. */
+    /** Waits for [what]; the limit only serves to end a failed test. */
     fun await(what: String, isSo: () -> Boolean) {
         val end = System.nanoTime() + PATIENCE_NANOSECONDS
         while (!isSo()) {
@@ -92,7 +92,7 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
         }
     }
 
-    /** Mouse and keys, as the browser's own driver makes them. */
+    /** Performs mouse and key actions with the browser's own driver. */
     fun act(steps: Actions.() -> Actions) {
         Actions(driver, Duration.ofMillis(POINTER_MILLISECONDS)).steps().perform()
         settle()
@@ -101,7 +101,7 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
     /** Types [keys] where the focus is. */
     fun press(vararg keys: CharSequence) = act { sendKeys(*keys) }
 
-    /** Clicks what [selector] finds. */
+    /** Clicks the element that [selector] finds. */
     fun click(selector: String) {
         element(selector).click()
         settle()
@@ -138,13 +138,13 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
         awaitState("ready")
     }
 
-    /** What the page wrote to the console: warnings and errors. */
+    /** Returns what the page wrote to the console: warnings and errors. */
     fun consoleMessages(): List<String> = logs.messages()
 
-    /** The addresses that the page asked for. */
+    /** Returns the addresses that the page requested. */
     fun requests(): List<String> = logs.requests()
 
-    /** Keeps a picture of the page, for a person to look at. */
+    /** Saves a screenshot of the page, for people to look at. */
     fun keepScreenshot(name: String) {
         val file = Path.of("build", "screenshots", "$name.png")
         Files.createDirectories(file.parent)
@@ -152,7 +152,7 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
     }
 
     override fun close() {
-        // All pages on a disk share what the browser keeps.
+        // All pages on a disk share the browser's storage.
         driver.executeScript("try { localStorage.clear() } catch { }")
         driver.close()
         driver.switchTo().window(before)

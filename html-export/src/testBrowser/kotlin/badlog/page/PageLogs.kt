@@ -5,20 +5,20 @@ import org.openqa.selenium.json.Json
 import org.openqa.selenium.logging.LogType
 import java.util.logging.Level
 
-/** What the browser notes about a page. */
+/** What the browser logs about a page. */
 internal class PageLogs(private val driver: ChromeDriver) {
-    /** Drops what was noted so far. */
+    /** Drops what was logged so far. */
     fun forget() {
         entries(LogType.BROWSER)
         entries(LogType.PERFORMANCE)
     }
 
-    /** The console's warnings and errors since the last look, those of the browser itself among them. */
+    /** Returns the console's warnings and errors since the last call, including those of the browser itself. */
     fun messages(): List<String> = entries(LogType.BROWSER)
         .filter { it.level.intValue() >= Level.WARNING.intValue() }
         .map { it.message }
 
-    /** The addresses asked for since the last look. */
+    /** Returns the addresses requested since the last call. */
     fun requests(): List<String> = entries(LogType.PERFORMANCE).mapNotNull { entry ->
         val event = member(Json().toType<Map<String, Any?>>(entry.message, Json.MAP_TYPE), "message")
         if (event["method"] != "Network.requestWillBeSent") return@mapNotNull null

@@ -5,13 +5,13 @@ import java.nio.file.Path
 import java.util.zip.GZIPInputStream
 import kotlin.io.path.readText
 
-/** What [page] carries besides the log, as JSON; empty for nothing. */
+/** Returns what [page] carries besides the log, as JSON; empty for nothing. */
 internal fun additionsIn(page: Path): String = page.readText().substringAfter("id=\"packed-additions\">", "").substringBefore('<').let { if (it.isEmpty()) "" else unpacked(it) }
 
-/** What the page's own script makes of [text]: the text of a gzip stream to the base 122. */
+/** Returns what the page's own script makes of [text]: the text of a gzip stream to the base 122. */
 internal fun unpacked(text: String): String = GZIPInputStream(ofBase122(text).inputStream()).readAllBytes().decodeToString()
 
-/** The bytes that [text] has to the base 122, read the way of the page's own script. */
+/** Returns the bytes that [text] has to the base 122, read the way of the page's own script. */
 internal fun ofBase122(text: String): ByteArray {
     val digits = text.map { VALUES.getValue(it.code) }
     val bytes = ByteArrayOutputStream()

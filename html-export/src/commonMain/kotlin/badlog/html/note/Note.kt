@@ -7,9 +7,9 @@ import badlog.json.quotedJson
 /**
  * What a person wrote about a moment of a log.
  *
- * @property x where, in the unit of the log's x axis; finite.
- * @property text what; not blank, at most [MAX_TEXT] characters.
- * @throws IllegalArgumentException when [x] or [text] is another.
+ * @property x the moment, in the unit of the log's x axis; finite.
+ * @property text the text; not blank, at most [MAX_TEXT] characters.
+ * @throws IllegalArgumentException if [x] or [text] is invalid.
  */
 public data class Note(public val x: Double, public val text: String) {
     init {
@@ -18,26 +18,26 @@ public data class Note(public val x: Double, public val text: String) {
     }
 
     public companion object {
-        /** So many characters a note has at most. */
+        /** The maximum number of characters in a note. */
         public const val MAX_TEXT: Int = 2000
 
-        /** So many notes a log has at most. */
+        /** The maximum number of notes for a log. */
         public const val MAX_NOTES: Int = 1000
     }
 }
 
-/** Why a text is not the notes of a log, as a sentence; or why they could not be read. */
+/** Says in a sentence why a text is not a log's notes, or why they could not be read. */
 public class NotesException(message: String) : Exception(message)
 
-/** These notes in the order of x, as JSON: `{"version":1,"notes":[{"x":93.7,"text":"…"}]}`. Keys may be added, never removed. */
+/** Returns these notes in the order of x, as JSON: `{"version":1,"notes":[{"x":93.7,"text":"…"}]}`. Keys may be added, never removed. */
 public fun List<Note>.toJson(): String = sortedBy { it.x }.joinToString(",\n", "{\"version\":$VERSION,\"notes\":[\n", "\n]}\n") {
     "{\"x\":${it.x},\"text\":${quotedJson(it.text)}}"
 }
 
 /**
- * The notes that [text] is of, in the order of x, see [toJson]. Keys that are not known are passed over.
+ * Returns the notes in [text], in the order of x; see [toJson]. Unknown keys are ignored.
  *
- * @throws NotesException when it is of none, or of more than there may be.
+ * @throws NotesException if it has none, or too many.
  */
 public fun notesOfJson(text: String): List<Note> {
     val members = JsonReader.readObject(text) ?: throw NotesException("This is not an object of JSON.")

@@ -3,12 +3,12 @@ package badlog.html.protocol
 import badlog.json.JsonMember
 import badlog.json.JsonValue
 
-/** Text that is not what the other side of the protocol writes. */
+/** Thrown for text that the other side of the protocol does not write. */
 internal class MalformedException : Exception()
 
 internal fun malformed(): Nothing = throw MalformedException()
 
-/** What [read] reads, or null where that meets what it does not expect. */
+/** Returns the result of [read], or null if it finds something unexpected. */
 internal fun <T> unlessMalformed(read: () -> T): T? = try {
     read()
 } catch (_: MalformedException) {
@@ -19,7 +19,7 @@ internal fun <T> unlessMalformed(read: () -> T): T? = try {
     null
 }
 
-/** The members of an object that has to be there. */
+/** The members of a required object. */
 internal class JsonFields(members: List<JsonMember>?) {
     private val values = (members ?: malformed()).associate { it.key to it.value }
 
@@ -36,15 +36,15 @@ internal val JsonValue.number: Double get() = json.toDoubleOrNull() ?: malformed
 
 internal val JsonValue.boolean: Boolean get() = json.toBooleanStrictOrNull() ?: malformed()
 
-/** An object of those [members] whose JSON is not null. */
+/** Returns an object of those [members] whose JSON is not null. */
 internal fun jsonObject(vararg members: Pair<String, String?>): String =
     members.filter { it.second != null }.joinToString(",", "{", "}") { "\"${it.first}\":${it.second}" }
 
 internal fun <T> array(items: List<T>, json: (T) -> String): String = items.joinToString(",", "[", "]", transform = json)
 
 /**
- * [json] as it can stand in a script element: without any `<` it neither ends nor comments it out. Half of a surrogate pair alone
- * cannot be written as UTF-8, so all are escaped.
+ * Returns [json] in a form that is safe in a script element: without any `<`, it can neither end the element nor begin a comment.
+ * Half of a surrogate pair cannot be written as UTF-8, so all surrogates are escaped.
  */
 internal fun inScript(json: String): String {
     if (json.none { it == '<' || it.isSurrogate() }) return json

@@ -9,7 +9,7 @@ import badlog.rules.Finding
 import badlog.rules.LogFindings
 import badlog.rules.SkippedRule
 
-/** These findings as JSON, as the page's worker hands them over. */
+/** Returns these findings as JSON, the form in which the page's worker passes them on. */
 internal fun LogFindings.toJson(): String = jsonObject(
     "findings" to array(findings, ::findingJson),
     "skipped" to array(skipped) {
@@ -22,7 +22,7 @@ internal fun LogFindings.toJson(): String = jsonObject(
     },
 )
 
-/** The findings that [text] is of, or null when [LogFindings.toJson] did not write it. */
+/** Returns the findings in [text], or null if [LogFindings.toJson] did not write it. */
 internal fun logFindingsOf(text: String): LogFindings? = unlessMalformed {
     val json = JsonFields(JsonReader.readObject(text))
     LogFindings(
@@ -34,7 +34,7 @@ internal fun logFindingsOf(text: String): LogFindings? = unlessMalformed {
     )
 }
 
-/** [finding] as JSON. Times that are not finite are left out, and read as NaN. */
+/** Returns [finding] as JSON. Times that are not finite are omitted, and read back as NaN. */
 internal fun findingJson(finding: Finding): String = jsonObject(
     "rule" to quotedJson(finding.rule),
     "severity" to quotedJson(finding.severity.name.lowercase()),

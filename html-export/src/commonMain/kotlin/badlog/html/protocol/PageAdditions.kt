@@ -9,20 +9,19 @@ import badlog.rules.RuleSet
 /**
  * What a page shows besides the recording itself.
  *
- * @property virtualTopics definitions of topics that are calculated from others, as `Power [W] = Voltage * Current`. The page
- *   evaluates them when it opens, and reports what is wrong with one there.
- * @property rules what the page looks for in the recording once its graphs are drawn, and what topics are called.
- * @property rulesProblem why these are not the rules that were meant, as a sentence, perhaps with the line of a mistake below it; null
- *   when all is well.
- * @property findings what was found in another way than by [rules], as by a comparison with other logs.
- * @property hooks what programs that looked at the recording returned, one for each program.
- * @property differences what was different from the team's other logs, the most different first, of which incidents say what has to
- *   do with them.
- * @property layout what a layout file says, with whose graphs the page begins; null for none. The page says what is wrong with it.
+ * @property virtualTopics formulas: definitions of topics that are calculated from others, such as `Power [W] = Voltage * Current`. The
+ *   page evaluates them when it opens, and reports mistakes in them.
+ * @property rules what the page looks for in the recording once its graphs are drawn, and the names of signals' topics.
+ * @property rulesProblem why these are not the intended rules, as a sentence, with the line of a mistake below it if there is one; null if
+ *   all is well.
+ * @property findings what was found by other means than [rules], such as a comparison with other logs.
+ * @property hooks the results of programs that examined the recording, one for each program.
+ * @property differences how the log differs from the team's other logs, greatest difference first; incidents mention those related to them.
+ * @property layout the text of a layout file with whose graphs the page begins; null for none. The page reports mistakes in it.
  * @property notes what people wrote about moments of the recording.
- * @property notesProblem why there are none of them, though a file has some, as a sentence; null when all is well.
- * @property field the field on which paths are drawn, its picture in it, as `FieldFile` has it; null for a plain one.
- * @property video the name of a video of the match that lies beside the page, or in a folder there: `match.mp4`, `video/match.mp4`; null for none.
+ * @property notesProblem why there are no notes although a file has some, as a sentence; null if all is well.
+ * @property field the field on which paths are drawn, including its picture, in the form of `FieldFile`; null for a plain one.
+ * @property video the name of a video of the match beside the page, or in a folder there: `match.mp4`, `video/match.mp4`; null for none.
  */
 public class PageAdditions(
     public val virtualTopics: List<String> = emptyList(),
@@ -37,7 +36,7 @@ public class PageAdditions(
     public val field: String? = null,
     public val video: String? = null,
 ) {
-    /** The same with [notes], and why there are none, if that is so. */
+    /** Returns the same with [notes], and with [problem] if there should be notes but are none. */
     internal fun withNotes(notes: List<Note>, problem: String?): PageAdditions =
         PageAdditions(virtualTopics, rules, rulesProblem, findings, hooks, differences, layout, notes, problem, field, video)
 
@@ -46,12 +45,12 @@ public class PageAdditions(
 }
 
 /**
- * What a program that looked at a recording returned. Its page shows it in a section that says where it comes from.
+ * The result of a program that examined a recording. The page shows it in a section that names the program.
  *
- * @property name the program, as a person calls it.
- * @property error why it returned nothing, or not everything; null when it did what it should.
- * @property values what it calculated, in its order.
- * @property findings what it found; their [rule][Finding.rule] is usually [name].
+ * @property name the program's name for people.
+ * @property error why it returned nothing, or not everything; null if it succeeded.
+ * @property values the values it calculated, in its order.
+ * @property findings the findings; their [rule][Finding.rule] is usually [name].
  * @property series the lines that it calculated.
  * @property figures the pictures that it drew.
  */
@@ -67,19 +66,19 @@ public class HookPart(
 /**
  * A line that was calculated from a recording.
  *
- * @property name its name; `/` makes folders within its hook's.
+ * @property name its name; `/` makes folders within the hook's folder.
  * @property unit its unit, empty for none.
- * @property data its samples over the recording's x; x never goes back, a y may be NaN.
+ * @property data its samples over the recording's x axis; x never decreases, and y may be NaN.
  */
 public class PageSeries(public val name: String, public val unit: String, public val data: Series)
 
 /**
  * A picture that was made from a recording. A page shows it as an image, in which no script can run.
  *
- * @property title what stands above it.
+ * @property title the heading above it.
  * @property mediaType `image/svg+xml` or `image/png`.
  * @property base64 the bytes of the picture, in the standard alphabet with padding.
- * @throws IllegalArgumentException when [mediaType] is another.
+ * @throws IllegalArgumentException if [mediaType] is something else.
  */
 public class PageFigure(public val title: String, public val mediaType: String, public val base64: String) {
     init {

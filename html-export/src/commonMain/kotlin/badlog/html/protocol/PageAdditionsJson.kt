@@ -13,8 +13,8 @@ import badlog.rules.fromJson
 import badlog.rules.toJson
 
 /**
- * These additions as JSON that can stand in a script element. Samples are the base64 of their doubles, which is exact and a third as
- * long as digits.
+ * Returns these additions as JSON that is safe in a script element. Samples are written as base64 of their doubles, which is exact
+ * and a third as long as digits.
  */
 public fun PageAdditions.toJson(): String = inScript(
     jsonObject(
@@ -32,7 +32,7 @@ public fun PageAdditions.toJson(): String = inScript(
     ),
 )
 
-/** The additions that [text] is of, or null when [PageAdditions.toJson] did not write it. */
+/** Returns the additions in [text], or null if [PageAdditions.toJson] did not write it. */
 public fun PageAdditions.Companion.fromJson(text: String): PageAdditions? = unlessMalformed {
     val json = JsonFields(JsonReader.readObject(text))
     PageAdditions(
@@ -96,8 +96,8 @@ private fun hookOf(value: JsonValue): HookPart {
     )
 }
 
-/** The base64 of [numbers] as doubles, little end first. */
+/** Returns the base64 of [numbers] as little-endian doubles. */
 internal expect fun base64OfDoubles(numbers: DoubleArray): String
 
-/** The doubles of which [base64OfDoubles] made [base64]. */
+/** Returns the doubles from which [base64OfDoubles] made [base64]. */
 internal expect fun doublesOfBase64(base64: String): DoubleArray

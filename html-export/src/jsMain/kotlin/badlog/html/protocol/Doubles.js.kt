@@ -5,7 +5,7 @@ import org.khronos.webgl.Uint8Array
 import org.khronos.webgl.get
 import org.khronos.webgl.set
 
-// Every machine that runs a browser has the little end first.
+// Every machine that runs a browser is little-endian.
 internal actual fun base64OfDoubles(numbers: DoubleArray): String {
     val doubles = numbers.unsafeCast<Float64Array>()
     val bytes = Uint8Array(doubles.buffer, doubles.byteOffset, doubles.byteLength)

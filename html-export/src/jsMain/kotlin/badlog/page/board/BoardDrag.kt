@@ -16,8 +16,8 @@ import org.w3c.dom.pointerevents.PointerEvent
 import kotlin.math.abs
 
 /**
- * Drags a graph by its title, with a mouse: on a graph, to draw both in one; between those of the board, to put it there. Fingers and keys
- * have the menus for that.
+ * Drags a graph by its title with a mouse: onto another graph, to combine the two; or between those of the board, to put it there. Touch
+ * and keyboard users have the menus for that.
  */
 internal class BoardDrag(private val board: PageBoard, private val graphs: VisibleGraphs, private val section: BoardSection) {
     private var dragged: GraphCard? = null
@@ -62,7 +62,7 @@ internal class BoardDrag(private val board: PageBoard, private val graphs: Visib
         aim(card, y, document.elementFromPoint(x, y))
     }
 
-    /** Finds out what letting go would do, and shows it. */
+    /** Finds out what dropping the graph here would do, and shows it. */
     private fun aim(card: GraphCard, y: Double, below: Element?) {
         drop = null
         val own = section.itemOf(card.element)

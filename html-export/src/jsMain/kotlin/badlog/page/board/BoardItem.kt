@@ -13,20 +13,20 @@ import badlog.plot.search.Query
 import org.w3c.dom.HTMLElement
 
 /**
- * A graph of the board: a card for its numbers and one for its states, as far as it has both.
+ * A graph of the board: a card for its numbers and one for its states, if it has them.
  *
- * @param onMenu is called with the button of its menu.
+ * @param onMenu called with the button of its menu.
  */
 internal class BoardItem(spec: BoardGraph, private val scene: Scene, private val onMenu: (BoardItem, HTMLElement) -> Unit) {
     private val lines: BoardLines = scene.board.lines
 
-    /** What it shows now. */
+    /** The graph that it currently shows. */
     var spec: BoardGraph = spec
         private set
 
     private lateinit var menuButton: HTMLElement
 
-    /** What draws it. */
+    /** The cards that draw it. */
     val cards: List<GraphCard> = graphsOf(spec, lines).map { (graph, names) ->
         GraphCard(graph, scene, look = spec, lines = names) { look -> scene.board.change { with(look) } }
     }
@@ -43,18 +43,18 @@ internal class BoardItem(spec: BoardGraph, private val scene: Scene, private val
         }
     }
 
-    /** Opens what may be done with it. */
+    /** Opens the menu of actions. */
     fun openMenu() = onMenu(this, menuButton)
 
-    /** Whether it can show [other] without being made anew. */
+    /** Returns whether it can show [other] without being recreated. */
     fun fits(other: BoardGraph): Boolean = lines === scene.board.lines &&
         seenOtherwise(other) == seenOtherwise(spec)
 
-    /** The same but for what can change while it is drawn. */
+    /** Returns [graph] without the properties that can change while it is drawn. */
     private fun seenOtherwise(graph: BoardGraph) =
         graph.copy(xRange = null, yRange = null, rightYRange = null, sharesY = false, hidden = emptySet())
 
-    /** Shows of it what [query] finds. */
+    /** Shows the part of it that [query] finds. */
     fun filter(query: Query) {
         for (card in cards) card.element.isHidden = !card.filter(query)
         element.isHidden = cards.all { it.element.isHidden }

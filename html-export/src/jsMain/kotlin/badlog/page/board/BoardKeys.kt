@@ -8,9 +8,9 @@ import badlog.plot.board.GraphHeight
 import badlog.plot.gesture.Action
 import kotlinx.browser.document
 
-/** What keys do with the board, and with the graph that has the focus of the keys or is below the mouse. */
+/** What keys do with the board, and with the graph that has the keyboard focus or is under the mouse. */
 internal class BoardKeys(private val board: PageBoard, private val graphs: VisibleGraphs, private val section: BoardSection) {
-    /** Does what [action] asks for, where it is about the board. */
+    /** Performs [action] if it concerns the board. */
     fun perform(action: Action) {
         when (action) {
             Action.PIN -> graph()?.let(::pin)

@@ -8,7 +8,10 @@ import badlog.plot.path.FieldOrigin
 import badlog.plot.path.xyLabelOf
 import badlog.rules.path.Pose
 
-/** What may be done with [graph], one of those of [board], which [item] shows; [topics] may be added to it. The log has these [poses]. */
+/**
+ * Returns the menu entries for [graph], one of those of [board], which [item] shows; [topics] can be added to it. The log has these
+ * [poses].
+ */
 internal fun boardMenu(board: PageBoard, graph: BoardGraph, item: BoardItem, topics: TopicDialog, poses: List<Pose>): List<MenuEntry> {
     val id = graph.id
     val others = board.now.graphs.filter { it.id != id }

@@ -19,9 +19,9 @@ import kotlinx.browser.document
 import org.w3c.dom.HTMLElement
 
 /**
- * The graphs that the reader put together, and what may be done with all of them.
+ * The graphs that the reader put together, and actions for all of them.
  *
- * @param layouts are the buttons that save it and open another one.
+ * @param layouts the buttons that save the board and open another one.
  */
 internal class BoardSection(
     private val scene: Scene,
@@ -63,25 +63,28 @@ internal class BoardSection(
         show()
     }
 
-    /** All its graphs, in their order. */
+    /** All its cards, in order. */
     val cards: List<GraphCard> get() = items.flatMap { it.cards }
 
-    /** The graph of the board in which [part] of the page is; null for none. */
+    /** Returns the graph of the board that contains [part] of the page; null for none. */
     fun itemOf(part: HTMLElement): BoardItem? = items.find { it.element.contains(part) }
 
-    /** The graph of the board at the height [y] of the window, and how far below its top that is, as a share; null for none. */
+    /**
+     * Returns the graph of the board at height [y] in the window, and how far below its top that is, as a fraction of its height; null for
+     * none.
+     */
     fun itemAt(y: Double): Pair<BoardItem, Double>? = items.firstNotNullOfOrNull { item ->
         val box = item.element.getBoundingClientRect()
         if (y in box.top..box.bottom) item to (y - box.top) / box.height else null
     }
 
-    /** The graph after [item]; null for none. */
+    /** Returns the graph after [item]; null for none. */
     fun after(item: BoardItem): Int? = items.getOrNull(items.indexOf(item) + 1)?.spec?.id
 
-    /** Gives the keys to the graph with the id [id], else to the button that adds some. */
+    /** Gives the keyboard focus to the graph with the id [id], or else to the button that adds graphs. */
     fun focus(id: Int?) = items.find { it.spec.id == id }?.cards?.first()?.focus() ?: add.focus()
 
-    /** Shows of its graphs those that [query] finds. */
+    /** Shows only those of its graphs that [query] finds. */
     fun filter(query: Query) {
         this.query = query
         showFound()
@@ -101,7 +104,7 @@ internal class BoardSection(
         items += shown
         shown.forEachIndexed { i, item ->
             item.show(wanted[i])
-            // What is moved loses the focus.
+            // An element that is moved loses the focus.
             val here = body.children.item(i)
             if (here != item.element) body.insertBefore(item.element, here)
         }

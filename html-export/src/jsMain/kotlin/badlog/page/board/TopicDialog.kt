@@ -13,7 +13,7 @@ import badlog.plot.text.unitText
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLInputElement
 
-/** Where a person puts any topics of the log on the board, or into one of its graphs, by their names. */
+/** The dialog in which a person adds topics of the log by name to the board, or to one of its graphs. */
 internal class TopicDialog(private val scene: Scene) {
     private val board = scene.board
     private lateinit var heading: HTMLElement
@@ -48,7 +48,7 @@ internal class TopicDialog(private val scene: Scene) {
         input.addEventListener("input", { list() })
     }
 
-    /** Shows it, for the graph of the board with the id [graph], or for new graphs. */
+    /** Opens it for the graph of the board with the id [graph], or for new graphs. */
     fun open(graph: Int? = null) {
         if (element.hasAttribute("open")) return
         this.graph = graph
@@ -108,7 +108,7 @@ internal class TopicDialog(private val scene: Scene) {
     }
 
     private companion object {
-        /** So many names are listed at once. */
+        /** The maximum number of names listed at once. */
         const val MOST = 100
     }
 }

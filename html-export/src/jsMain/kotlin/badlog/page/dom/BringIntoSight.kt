@@ -5,8 +5,8 @@ import kotlinx.browser.window
 import org.w3c.dom.Element
 
 /**
- * Scrolls to this element. What lies between is laid out only as it comes near, and may turn out taller than it was taken for, so
- * this is done again once it is. Scrolls the page alone, and no other that shows this one in a frame.
+ * Scrolls to this element. Anything in between is laid out only when it comes near, and may turn out taller than estimated, so
+ * this is repeated once it is laid out. Scrolls only this page, not another one that shows it in a frame.
  */
 internal fun Element.bringIntoSight() {
     fun scroll() {

@@ -4,7 +4,7 @@ import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
-/** Whether the screen is one of the narrow ones, as the style sheet has it. */
+/** Whether the screen is narrow, as defined by the style sheet. */
 internal val isNarrow: Boolean get() = window.innerWidth <= 760
 
 /** Makes an element. [text] becomes a text node, so that nothing in a file can become markup. */
@@ -31,31 +31,31 @@ internal fun HTMLElement.addButton(className: String, text: String, hint: String
         addEventListener("click", { onClick() })
     }
 
-/** Makes a button that shows only an icon; [hint] is its name for those who do not see it. */
+/** Makes a button that shows only an icon; [hint] is its accessible name. */
 internal fun HTMLElement.addIconButton(className: String, icon: Icon, hint: String, onClick: () -> Unit): HTMLElement =
     addButton("icon-button $className", "", hint, onClick).apply {
         setAttribute("aria-label", hint)
         appendChild(icon.draw())
     }
 
-/** Takes an element out of sight and out of the tab order, or puts it back. */
+/** Whether the element is invisible and not in the tab order. */
 internal var HTMLElement.isHidden: Boolean
     get() = hasAttribute("hidden")
     set(value) {
-        // The browser styles again after each write, even of what was there.
+        // The browser recalculates styles after each write, even of the same value.
         if (value != isHidden) {
             if (value) setAttribute("hidden", "") else removeAttribute("hidden")
         }
     }
 
-/** Whether a button cannot be pressed now. */
+/** Whether a button cannot currently be pressed. */
 internal var HTMLElement.isDisabled: Boolean
     get() = hasAttribute("disabled")
     set(value) {
         if (value) setAttribute("disabled", "") else removeAttribute("disabled")
     }
 
-/** Replaces the text, but only where it differs: the browser lays out again after each change. */
+/** Replaces the text, but only if it differs, because the browser repeats its layout after each change. */
 internal fun HTMLElement.showText(text: String) {
     if (textContent != text) textContent = text
 }

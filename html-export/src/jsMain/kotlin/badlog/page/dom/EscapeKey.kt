@@ -4,7 +4,7 @@ import kotlinx.browser.document
 import org.w3c.dom.events.Event
 import org.w3c.dom.events.KeyboardEvent
 
-/** Gives the Escape key to one thing alone while it goes on: [cancel] ends that. */
+/** Reserves the Escape key for one activity while it lasts: the key calls [cancel], which ends the activity. */
 internal class EscapeKey(private val cancel: () -> Unit) {
     private val listener: (Event) -> Unit = { event ->
         if (event.unsafeCast<KeyboardEvent>().key == "Escape") {
@@ -13,9 +13,9 @@ internal class EscapeKey(private val cancel: () -> Unit) {
         }
     }
 
-    /** Takes the key. */
+    /** Reserves the key. */
     fun take() = document.addEventListener("keydown", listener, true)
 
-    /** Gives it back. */
+    /** Releases the key. */
     fun giveBack() = document.removeEventListener("keydown", listener, true)
 }

@@ -3,7 +3,7 @@ package badlog.page.dom
 import kotlinx.browser.document
 import org.w3c.dom.Element
 
-/** The icons of buttons, as strokes in a square of 16. */
+/** The icons of buttons, as strokes in a 16 by 16 square. */
 internal enum class Icon(private val path: String) {
     DOWNLOAD("M8 2v8M4.5 7 8 10.5 11.5 7M2.5 13.5h11"),
     TABLE("M2.5 3.5h11v9h-11zM2.5 6.5h11M6.5 6.5v6"),
@@ -44,7 +44,7 @@ internal enum class Icon(private val path: String) {
         picture
     }
 
-    /** A new picture of this icon, in the color of the text around it. */
+    /** Returns a new picture of this icon, in the color of the text around it. */
     fun draw(): Element = picture.cloneNode(true).unsafeCast<Element>()
 
     private companion object {

@@ -3,22 +3,23 @@ package badlog.page.dom
 import kotlinx.browser.localStorage
 
 /**
- * What the browser keeps between two visits. Pages on a disk may be forbidden to keep anything: then nothing is kept.
+ * What the browser stores between visits. Pages on a disk may not be allowed to store anything: then nothing is
+ * stored.
  */
 internal object LocalStorage {
-    /** What was kept under [key], or null. */
+    /** Returns what was stored under [key], or null. */
     operator fun get(key: String): String? = try {
         localStorage.getItem("badlog:$key")
     } catch (_: Throwable) {
         null
     }
 
-    /** Keeps [text] under [key], if it may. */
+    /** Stores [text] under [key], if that is allowed. */
     operator fun set(key: String, text: String) {
         try {
             localStorage.setItem("badlog:$key", text)
         } catch (_: Throwable) {
-            // Forbidden, or full: a page that forgets is still a page.
+            // Forbidden, or full: the page works without storage.
         }
     }
 }

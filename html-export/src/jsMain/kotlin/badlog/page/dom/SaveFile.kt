@@ -6,7 +6,7 @@ import org.w3c.dom.HTMLAnchorElement
 import org.w3c.dom.url.URL
 import org.w3c.files.Blob
 
-/** Hands [content] to the person as a download named [name]. */
+/** Offers [content] as a download named [name]. */
 internal fun saveFile(content: Blob, name: String) {
     val link = document.createElement("a").unsafeCast<HTMLAnchorElement>()
     link.href = URL.createObjectURL(content)
@@ -14,7 +14,7 @@ internal fun saveFile(content: Blob, name: String) {
     document.body?.appendChild(link)
     link.click()
     link.remove()
-    // The browser reads the bytes after the click; there is no event for when it is done.
+    // The browser reads the bytes after the click; no event says when it is done.
     window.setTimeout({ URL.revokeObjectURL(link.href) }, SAVING_MILLISECONDS)
 }
 

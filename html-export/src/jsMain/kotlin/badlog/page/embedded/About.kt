@@ -3,14 +3,14 @@ package badlog.page.embedded
 import kotlinx.browser.document
 
 /**
- * What the page knows about the file it carries.
+ * What the page knows about its embedded file.
  *
  * @property name the file's name.
  * @property isCompressed whether the file itself is a gzip stream, possibly a cut one.
- * @property inflatedBytes how many bytes can be inflated from what the page carries.
- * @property isCut whether something of that gzip stream is missing.
+ * @property inflatedBytes the number of bytes that can be inflated from the embedded file.
+ * @property isCut whether part of that gzip stream is missing.
  * @property version the version of badlog that made the page.
- * @property second the name of the log's second file, whose bytes stand behind the first [firstBytes]; null where it is one file.
+ * @property second the name of the log's second file, whose bytes follow the first [firstBytes]; null if the log is one file.
  */
 internal class About(
     val name: String,
@@ -21,11 +21,11 @@ internal class About(
     val second: String?,
     val firstBytes: Int?,
 ) {
-    /** Tells this file from others, for what the browser remembers of it. */
+    /** Identifies this file for what the browser remembers about it. */
     val fileKey: String get() = "$name:$inflatedBytes"
 
     companion object {
-        /** Reads it from the page, or null when the page was cut before its end. */
+        /** Reads it from the page. Returns null if the page is incomplete. */
         fun find(): About? {
             val text = document.getElementById("about")?.textContent ?: return null
             val json = try {

@@ -4,7 +4,10 @@ import badlog.html.protocol.PageAdditions
 import badlog.html.protocol.fromJson
 import kotlinx.browser.document
 
-/** What the page carries besides the recording; null when this browser cannot read it, as when it is longer than a text may be. */
+/**
+ * Returns what the page contains besides the recording; null if this browser cannot read it, for example because it is too long for a
+ * string.
+ */
 internal fun findAdditions(): PageAdditions? {
     val element = document.getElementById("additions") ?: return PageAdditions()
     return try {

@@ -3,7 +3,7 @@ package badlog.page.embedded
 import org.khronos.webgl.Int8Array
 import org.khronos.webgl.Uint8Array
 
-/** Base64 of the standard alphabet (RFC 4648), with padding only at its end. */
+/** Base64 with the standard alphabet (RFC 4648), with padding only at the end. */
 internal object Base64 {
     private val digits = IntArray(128).also { table ->
         val alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"
@@ -11,7 +11,8 @@ internal object Base64 {
     }
 
     /**
-     * The bytes of [text], a whole number of groups of four characters; what a cut left over after those is dropped.
+     * Returns the bytes of [text]. Only whole groups of four characters are decoded; the rest of a cut text is
+     * dropped.
      */
     fun decode(text: String): ByteArray {
         val native = js("Uint8Array")
@@ -20,7 +21,7 @@ internal object Base64 {
         return Int8Array(bytes.buffer, bytes.byteOffset, bytes.length).unsafeCast<ByteArray>()
     }
 
-    /** The same without the browser's help, which browsers before 2025 do not give. */
+    /** Returns the same without the browser's decoder, which browsers before 2025 do not have. */
     fun decodeByTable(text: String): ByteArray {
         var characters = text.length
         while (characters > 0 && text[characters - 1] == '=') characters--

@@ -5,20 +5,20 @@ import org.w3c.dom.Node
 import org.w3c.dom.Text
 
 /**
- * The base64 text of an [element], piece by piece. It can be hundreds of megabytes, in one text node or in thousands, so
- * it is never put together. More of it may arrive while the page is being loaded.
+ * The base64 text of an [element], piece by piece. It can be hundreds of megabytes long, in one text node or in
+ * thousands, so it is never concatenated. More of it may arrive while the page is being loaded.
  */
 internal class Base64Text(private val element: Element) {
     private var node: Node? = null
     private var offset = 0
 
-    /** Whether the last piece was the end of a line, which can be decoded without those before it. */
+    /** Whether the last piece ended a line. Each line can be decoded without the lines before it. */
     var endedLine = false
         private set
 
     /**
-     * The next piece of a line: all of it, but at most so many characters that it takes no long time; a multiple of four of them,
-     * where no more arrives. Null when there is no more, or not yet.
+     * Returns the next piece of a line: all of it, but not so many characters that it would take long; a multiple of four
+     * characters, if more may follow. Null if there is no more, or not yet.
      */
     fun next(): String? {
         var piece = ""
@@ -26,7 +26,7 @@ internal class Base64Text(private val element: Element) {
         while (piece.length < PIECE && hasMore()) {
             val text = node.unsafeCast<Text>()
             val isAll = offset == 0 && text.length <= PIECE - piece.length
-            // The text of a whole node is not copied.
+            // Avoids copying the text of a whole node.
             val taken = if (isAll) text.data else text.substringData(offset, minOf(PIECE - piece.length, text.length - offset))
             val end = taken.indexOf('\n')
             if (end < 0) {
@@ -45,7 +45,7 @@ internal class Base64Text(private val element: Element) {
         val text = node ?: element.firstChild ?: return false
         node = text
         if (offset < text.unsafeCast<Text>().length) return true
-        // The last one may still grow.
+        // The last node may still grow.
         node = text.nextSibling ?: return false
         offset = 0
         return hasMore()

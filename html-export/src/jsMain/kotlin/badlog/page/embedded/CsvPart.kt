@@ -1,12 +1,12 @@
 package badlog.page.embedded
 
-/** Takes the JSON line off the chunks of a bag, which leaves its CSV part. Blank lines before it go with it. */
+/** Removes the JSON line from the chunks of a bag, which leaves its CSV part. Blank lines before it are removed, too. */
 internal class CsvPart(private val hasHeaderLine: Boolean) {
     private var isInHeader = hasHeaderLine
     private var sawHeader = false
     private var sawReturn = false
 
-    /** What of [chunk], the next one of the file, belongs to the CSV part. */
+    /** Returns the part of [chunk], the next one of the file, that belongs to the CSV part. */
     fun filter(chunk: ByteArray): ByteArray {
         if (!isInHeader && !sawReturn) return chunk
         var at = 0

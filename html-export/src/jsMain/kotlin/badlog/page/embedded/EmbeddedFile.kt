@@ -6,9 +6,9 @@ import org.w3c.dom.Element
 import org.w3c.files.Blob
 import kotlin.js.Promise
 
-/** A file that the page carries as base64 in a script element. */
+/** A file embedded in the page as base64 in a script element. */
 internal class EmbeddedFile(private val element: Element) {
-    /** The bytes as the page carries them: a gzip stream. */
+    /** Returns the bytes as they are in the page: a gzip stream. */
     fun compressed(): Blob {
         val parts = BlobParts()
         val text = Base64Text(element)
@@ -16,7 +16,7 @@ internal class EmbeddedFile(private val element: Element) {
         return parts.toBlob()
     }
 
-    /** The bytes that the page's gzip stream inflates to; [filter] may take some of a chunk's away. */
+    /** Returns the bytes that the page's gzip stream inflates to; [filter] may remove some of each chunk. */
     fun inflated(
         expectedBytes: Double = Double.POSITIVE_INFINITY,
         isWhole: Boolean = true,
@@ -33,7 +33,7 @@ internal class EmbeddedFile(private val element: Element) {
         return inflation.finished.then { parts.toBlob() }
     }
 
-    /** Gathers bytes, handing them to the browser's blob store every now and then, which may be on disk. */
+    /** Collects bytes, and from time to time passes them to the browser's blob store, which may be on disk. */
     private class BlobParts {
         private var blob = Blob()
         private var parts = ArrayList<Any>()

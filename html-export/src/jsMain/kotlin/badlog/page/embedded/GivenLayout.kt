@@ -8,12 +8,12 @@ import badlog.plot.board.boardLayoutOf
  * The layout that the page begins with.
  *
  * @property board its graphs; null for none.
- * @property formulas the definitions that it has.
- * @property problem why it is not what it was meant to be, as a sentence; null when all is well.
+ * @property formulas its formulas.
+ * @property problem why it is not the intended layout, as a sentence; null if all is well.
  */
 internal class GivenLayout private constructor(val board: Board?, val formulas: List<String>, val problem: String?) {
     companion object {
-        /** What [text], a layout file, says; null for no layout. */
+        /** Returns the layout in [text], a layout file; null for no layout. */
         fun of(text: String?): GivenLayout = try {
             val layout = text?.let { boardLayoutOf("The layout of this page", it) }
             GivenLayout(layout?.board, layout?.formulas.orEmpty(), null)

@@ -3,13 +3,13 @@ package badlog.page.embedded
 /**
  * A canonical Huffman code (RFC 1951, 3.2.2).
  *
- * @param lengths for each symbol how many bits it takes, 0 for one that does not occur.
+ * @param lengths the number of bits of each symbol, 0 for one that does not occur.
  */
 internal class HuffmanCode(lengths: ByteArray) {
-    /** For each length, up to [MAX_LENGTH], how many symbols have it. */
+    /** The number of symbols of each length, up to [MAX_LENGTH]. */
     val counts: IntArray = IntArray(MAX_LENGTH + 1)
 
-    /** The symbols, by length, then by number. */
+    /** The symbols, ordered by length, then by number. */
     val symbols: IntArray = IntArray(lengths.size)
 
     init {
@@ -24,7 +24,7 @@ internal class HuffmanCode(lengths: ByteArray) {
     }
 
     companion object {
-        /** The most bits a symbol can take. */
+        /** The maximum number of bits of a symbol. */
         const val MAX_LENGTH: Int = 15
     }
 }

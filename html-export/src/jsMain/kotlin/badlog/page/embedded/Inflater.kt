@@ -1,10 +1,10 @@
 package badlog.page.embedded
 
 /**
- * Inflates gzip as RFC 1951 and 1952 describe it, for what the browser's `DecompressionStream` cannot do: streams of
- * several members, and what can still be read of cut ones. Needs the whole compressed file in memory.
+ * Inflates gzip as RFC 1951 and 1952 describe it, for what the browser's `DecompressionStream` cannot read: streams
+ * of several members, and the readable part of cut ones. Needs the whole compressed file in memory.
  *
- * @param sink is given the inflated bytes, in pieces.
+ * @param sink receives the inflated bytes, in pieces.
  */
 internal class Inflater(private val input: ByteArray, private val sink: (ByteArray) -> Unit) {
     private class DamageException : Exception()
@@ -28,7 +28,7 @@ internal class Inflater(private val input: ByteArray, private val sink: (ByteArr
     )
     private val fixedDistances = HuffmanCode(ByteArray(30) { 5 })
 
-    /** Inflates all that can be read. */
+    /** Inflates everything that can be read. */
     fun run() {
         try {
             while (at < input.size && skipHeader()) {
@@ -36,7 +36,7 @@ internal class Inflater(private val input: ByteArray, private val sink: (ByteArr
                 at += TRAILER
             }
         } catch (_: DamageException) {
-            // What came before the cut, or before what is not deflate, is good.
+            // Everything before the cut, or before the invalid data, is good.
         }
         give()
     }
@@ -68,7 +68,7 @@ internal class Inflater(private val input: ByteArray, private val sink: (ByteArr
                 else -> throw DamageException()
             }
         } while (!isLast)
-        // Whole bytes that were taken too early belong to what follows.
+        // Whole bytes that were read ahead belong to what follows.
         at -= bitCount / 8
     }
 
@@ -180,7 +180,7 @@ internal class Inflater(private val input: ByteArray, private val sink: (ByteArr
     }
 
     private companion object {
-        /** At least the 32 kB that a match may reach back. */
+        /** At least the 32 kB that a match may refer back to. */
         const val PIECE = 1 shl 16
         const val TRAILER = 8
         const val CHECKSUM = 2
@@ -191,7 +191,7 @@ internal class Inflater(private val input: ByteArray, private val sink: (ByteArr
         val LENGTH_BITS = IntArray(29) { if (it < 8 || it == 28) 0 else it / 4 - 1 }
         val DISTANCE_BITS = IntArray(30) { if (it < 4) 0 else it / 2 - 1 }
 
-        // Each code begins where the one before ends; only the last length, the longest, has a code beside that order.
+        // Each code begins where the previous one ends; only the last length, the longest, has a code outside this scheme.
         val LENGTHS = startsOf(LENGTH_BITS, 3).also { it[28] = 258 }
         val DISTANCES = startsOf(DISTANCE_BITS, 1)
 

@@ -7,31 +7,31 @@ import kotlin.js.Promise
 /**
  * Inflates a gzip stream that is pushed to it in pieces, with the browser's own `DecompressionStream`.
  *
- * Reads while it writes and never needs a clean end: the streams of robots are never closed, and a stream that is
- * closed too early throws away what it holds. What the browser leaves of a stream of several members is left to
- * [Inflater].
+ * Reads while it writes, and never needs a clean end: the streams of robots are never closed, and a stream that is
+ * closed too early discards what it holds. If the browser stops within a stream of several members, [Inflater]
+ * does the rest.
  *
- * @param expectedBytes how many bytes there are to inflate; reading stops there.
- * @param isWhole whether the stream is known to be a single, whole member, so that it may be closed.
- * @param sink is given the inflated bytes.
+ * @param expectedBytes the number of bytes to inflate; reading stops there.
+ * @param isWhole whether the stream is known to be a single, complete member, so that it may be closed.
+ * @param sink receives the inflated bytes.
  */
 internal class Inflation(private val expectedBytes: Double, private val isWhole: Boolean, private val sink: (ByteArray) -> Unit) {
     private val stream: dynamic = js("new DecompressionStream('gzip')")
     private val writer: dynamic = stream.writable.getWriter()
     private val reader: dynamic = stream.readable.getReader()
 
-    // Kept of streams that the browser may not read to their end; those are the small ones, as robots write them.
+    // Kept for streams that the browser may not read to their end; those are the small ones that robots write.
     private val pieces = ArrayList<ByteArray>()
     private var hasEnded = false
     private var hasStopped = false
     private lateinit var finish: () -> Unit
     private lateinit var fail: (Throwable) -> Unit
 
-    /** How many bytes have been inflated so far. */
+    /** The number of bytes inflated so far. */
     var inflatedBytes = 0.0
         private set
 
-    /** Fulfilled when there is nothing more to inflate; rejected only when [sink] throws. */
+    /** Fulfilled when there is nothing more to inflate; rejected only if [sink] throws. */
     val finished: Promise<Unit> = Promise { resolve, reject ->
         finish = { resolve(Unit) }
         fail = reject
@@ -41,7 +41,7 @@ internal class Inflation(private val expectedBytes: Double, private val isWhole:
         if (expectedBytes <= 0.0) stop() else read()
     }
 
-    /** Takes the next piece of the stream; the promise is fulfilled when there is room for another. */
+    /** Accepts the next piece of the stream. The promise is fulfilled when there is room for another. */
     fun accept(compressed: ByteArray): Promise<Unit> = Promise { resolve, _ ->
         if (!isWhole) pieces += compressed
         if (hasStopped) {
@@ -51,7 +51,7 @@ internal class Inflation(private val expectedBytes: Double, private val isWhole:
         }
     }
 
-    /** Says that there are no more pieces. To be called when the last one has been taken. */
+    /** Marks the end of the pieces. Call it when the last one has been accepted. */
     fun end() {
         hasEnded = true
         when {
@@ -84,7 +84,7 @@ internal class Inflation(private val expectedBytes: Double, private val isWhole:
         sink(bytes)
     }
 
-    // A cut stream never says that it is over: it is when nothing comes for a while after its last piece.
+    // A cut stream never signals its end: it is over when nothing comes for a while after its last piece.
     private fun waitForQuiet(bytes: Double) {
         js("setTimeout")({
             if (inflatedBytes == bytes) stop() else waitForQuiet(inflatedBytes)

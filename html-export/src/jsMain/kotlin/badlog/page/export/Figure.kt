@@ -8,8 +8,8 @@ import badlog.plot.figure.FigureNotes
 import badlog.plot.text.countText
 
 /**
- * Draws a figure that explains itself: above the [parts], which draw themselves one below the other, which log it is, the visible range and the
- * cursor; below them what was found in that range.
+ * Draws a self-explanatory figure: at the top the log's name, the visible range and the cursor; then the [parts], which draw themselves one
+ * below the other; at the bottom the findings in that range.
  */
 internal fun Sheet.figure(scene: Scene, parts: List<(Sheet) -> Unit>) {
     val notes = scene.figureNotes
@@ -29,11 +29,11 @@ internal fun Sheet.figure(scene: Scene, parts: List<(Sheet) -> Unit>) {
     text("${countText(notes.moreFindings, "more finding")} in this range", LETTERS)
 }
 
-/** What a figure of what is visible says besides its graphs. */
+/** The texts of a figure of the visible range. */
 internal val Scene.figureNotes: FigureNotes
     get() = FigureNotes.of(if (view.title == null) "" else fileName, xAxis, range.now, cursor.now, clocks, findings)
 
-/** What saves the [parts] as a picture whose file is called by [name]. */
+/** Returns menu entries that save the [parts] as a picture whose file is named after [name]. */
 internal fun imageEntries(scene: Scene, name: String, parts: () -> List<(Sheet) -> Unit>): List<MenuEntry> = listOf(
     MenuEntry("$name as an image (PNG)") {
         Sheet.png(WIDTH, scene.palette, { figure(scene, parts()) }) { saveFile(it, fileNameOf(scene, name, ".png")) }
@@ -43,10 +43,10 @@ internal fun imageEntries(scene: Scene, name: String, parts: () -> List<(Sheet) 
     },
 )
 
-/** The name of a file with [part] of a log. */
+/** Returns the name of a file with [part] of a log. */
 internal fun fileNameOf(scene: Scene, part: String, ending: String): String {
     val stem = scene.fileName.removeSuffix(".gz").substringBeforeLast('.')
-    // Slashes make folders, and some systems allow none of the others in a name.
+    // Slashes make folders, and some systems do not allow the others in a name.
     return "$stem $part".map { if (it < ' ' || it in "\\/:*?\"<>|") '_' else it }.joinToString("").take(MAX_NAME_LENGTH).trim() + ending
 }
 

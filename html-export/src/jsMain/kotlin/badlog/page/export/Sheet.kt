@@ -10,10 +10,10 @@ import org.w3c.files.Blob
 import org.w3c.files.BlobPropertyBag
 
 /**
- * What a figure is drawn on from top to bottom, in the colors of paper.
+ * The sheet on which a figure is drawn from top to bottom, in the colors of paper.
  *
- * @property width how wide it is, in CSS pixels.
- * @property context the pen; [ratio] of its units are a CSS pixel.
+ * @property width the width in CSS pixels.
+ * @property context the pen; [ratio] of its units are one CSS pixel.
  */
 internal class Sheet private constructor(val width: Int, val context: CanvasRenderingContext2D, private val palette: Palette) {
     val ratio: Double = window.devicePixelRatio
@@ -21,16 +21,16 @@ internal class Sheet private constructor(val width: Int, val context: CanvasRend
     /** Where the next part begins, in CSS pixels from the top. */
     var top: Double = 0.0
 
-    /** Where [text] stands next in a line, in CSS pixels from the left. */
+    /** Where the next [text] in a line begins, in CSS pixels from the left. */
     var left: Double = MARGIN
 
-    /** Begins a line, so many CSS pixels [high]. */
+    /** Begins a line that is [high] CSS pixels high. */
     fun line(high: Int) {
         top += high
         left = MARGIN
     }
 
-    /** Writes [text] where the line has got to, in letters so many CSS pixels high, cut off where the sheet ends. */
+    /** Writes [text] at the current place in the line, with a font size of [letters] CSS pixels, clipped at the edge of the sheet. */
     fun text(text: String, letters: Int, color: String = palette[Shade.MUTED], isBold: Boolean = false) {
         context.save()
         context.font = "${if (isBold) "600 " else ""}${letters * ratio}px system-ui, sans-serif"
@@ -43,20 +43,20 @@ internal class Sheet private constructor(val width: Int, val context: CanvasRend
         context.restore()
     }
 
-    /** How wide [text] would be, in CSS pixels. */
+    /** Returns the width that [text] would have, in CSS pixels. */
     fun widthOf(text: String, letters: Int): Double {
         context.font = "${letters * ratio}px system-ui, sans-serif"
         return context.measureText(text).width / ratio
     }
 
-    /** Draws a square in [color] before what is written next. */
+    /** Draws a square in [color] before the next text. */
     fun swatch(color: String) {
         context.fillStyle = color
         context.fillRect(left * ratio, (top - SWATCH) * ratio, SWATCH * ratio, SWATCH * ratio)
         left += SWATCH + GAP / 2
     }
 
-    /** Draws a part [high] CSS pixels high by [draw], to which the sheet begins where this one has got to. */
+    /** Draws a part that is [high] CSS pixels high with [draw], whose origin is the current place on the sheet. */
     fun part(high: Int, draw: () -> Unit) {
         context.save()
         context.translate(0.0, top * ratio)
@@ -66,14 +66,14 @@ internal class Sheet private constructor(val width: Int, val context: CanvasRend
     }
 
     internal companion object {
-        /** So wide is a page of paper between its margins. */
+        /** The width of a page of paper between its margins. */
         const val PAPER = 720
 
         private const val MARGIN = 12.0
         private const val GAP = 8.0
         private const val SWATCH = 10.0
 
-        /** What [draw] draws as SVG. */
+        /** Returns what [draw] draws as SVG. */
         fun svg(width: Int, palette: Palette, draw: Sheet.() -> Unit): String = onPaper(palette) {
             val svg = SvgContext(width * window.devicePixelRatio)
             val sheet = Sheet(width, svg.context, palette)
@@ -81,20 +81,20 @@ internal class Sheet private constructor(val width: Int, val context: CanvasRend
             svg.document((sheet.top + GAP) * sheet.ratio, sheet.ratio)
         }
 
-        /** The same in a file. */
+        /** Returns the same as a file. */
         fun svgFile(width: Int, palette: Palette, draw: Sheet.() -> Unit): Blob =
             Blob(arrayOf(svg(width, palette, draw)), BlobPropertyBag("image/svg+xml"))
 
-        /** The same as PNG, as fine as the screen; [onReady] gets it. */
+        /** Draws the same as PNG, in the resolution of the screen, and passes it to [onReady]. */
         fun png(width: Int, palette: Palette, draw: Sheet.() -> Unit, onReady: (Blob) -> Unit) = onPaper(palette) {
-            // How high it becomes shows when it is drawn.
+            // Its height is known only after drawing.
             val trial = Sheet(width, SvgContext(width * window.devicePixelRatio).context, palette).apply(draw)
             val canvas = document.createElement("canvas").unsafeCast<HTMLCanvasElement>()
             canvas.width = (width * trial.ratio).toInt()
             canvas.height = ((trial.top + GAP) * trial.ratio).toInt()
             val context = canvas.getContext("2d").unsafeCast<CanvasRenderingContext2D>()
             Sheet(width, context, palette).draw()
-            // Last: lanes clear what is below them.
+            // The background comes last, because lanes clear what is below them.
             context.asDynamic().globalCompositeOperation = "destination-over"
             context.fillStyle = palette[Shade.SURFACE]
             context.fillRect(0.0, 0.0, canvas.width.toDouble(), canvas.height.toDouble())

@@ -7,10 +7,10 @@ import org.w3c.dom.HTMLCanvasElement
 import kotlin.math.round
 
 /**
- * Writes SVG of what is drawn with [context], a pen as canvases have it, as far as the graphs of a page use one: paths, rectangles, text,
- * moved and clipped by a rectangle. So what stands on the screen is drawn for a file by the same functions.
+ * Writes what is drawn with [context] as SVG. [context] is a pen like that of a canvas, with what the graphs of a page use: paths,
+ * rectangles, text, translation, and clipping by a rectangle. So the same functions draw on the screen and for a file.
  *
- * @param width how wide the drawing is, in the units of the pen.
+ * @param width the width of the drawing, in the units of the pen.
  */
 internal class SvgContext(private val width: Double) {
     private val body = StringBuilder()
@@ -41,7 +41,7 @@ internal class SvgContext(private val width: Double) {
         "lineTo" to { x: Double, y: Double -> add(if (path.isEmpty()) "M" else "L", x, y) },
         "closePath" to { path.append("z") },
         "rect" to ::addRect,
-        // All circles of a page are whole.
+        // A page only has full circles.
         "arc" to { x: Double, y: Double, radius: Double ->
             add("M", x + radius, y)
             for (way in listOf(-2, 2)) path.append("a${number(radius)} ${number(radius)} 0 1 0 ${number(way * radius)} 0")
@@ -57,7 +57,7 @@ internal class SvgContext(private val width: Double) {
             addRect(x, y, w, h)
             write("fill")
         },
-        // What is cleared is to be covered again, by what lets the ground through.
+        // A cleared area is covered again by something translucent, so it gets the background color.
         "clearRect" to { x: Double, y: Double, w: Double, h: Double ->
             path = StringBuilder()
             addRect(x, y, w, h)
@@ -75,13 +75,13 @@ internal class SvgContext(private val width: Double) {
     /** The pen. */
     val context: CanvasRenderingContext2D get() = pen.unsafeCast<CanvasRenderingContext2D>()
 
-    /** The drawing as a document, of which [height] is to be seen; a pixel of a style sheet is [ratio] of its units. */
+    /** Returns the drawing as a document with the visible [height]; a CSS pixel is [ratio] of its units. */
     fun document(height: Double, ratio: Double): String =
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"${number(width / ratio)}\" height=\"${number(height / ratio)}\" " +
             "viewBox=\"0 0 ${number(width)} ${number(height)}\" font-family=\"system-ui, sans-serif\">" +
             "<path fill=\"#ffffff\" d=\"M0 0H${number(width)}V${number(height)}H0z\"/>$body</svg>\n"
 
-    // While the pen is made there is none.
+    // Does not exist yet while the pen is being made.
     private fun pen(): dynamic = pen
 
     private fun add(step: String, x: Double, y: Double) {
@@ -134,20 +134,20 @@ internal class SvgContext(private val width: Double) {
         const val MIDDLE = 0.35
         const val TOP = 0.8
 
-        /** The length of a color without its opacity. */
+        /** The length of a color that has no opacity. */
         const val SOLID = 7
 
-        /** One page may show several drawings, and their parts must not share names. */
+        /** A page may show several drawings, and the names of their parts must differ. */
         var clips = 0
     }
 }
 
-/** Whether [context] writes SVG: whole pictures cannot be put on it. */
+/** Returns whether [context] writes SVG: bitmaps cannot be drawn on it. */
 internal fun isSvg(context: CanvasRenderingContext2D): Boolean = context.asDynamic().isSvg == true
 
 private fun number(value: Double) = (round(value * 100) / 100).toString()
 
 private val NOT_XML = Regex("[\\x00-\\x1f\\ud800-\\udfff\\ufffe\\uffff]")
 
-/** [text] as XML has it, which knows no control characters and no halves of pairs. */
+/** Returns [text] as XML, which allows neither control characters nor halves of surrogate pairs. */
 private fun escaped(text: String) = text.replace(NOT_XML, "\uFFFD").replace("&", "&amp;").replace("<", "&lt;")

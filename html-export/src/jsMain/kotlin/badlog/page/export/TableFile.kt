@@ -12,12 +12,12 @@ import kotlin.js.Date
 import kotlin.js.Promise
 
 /**
- * [table] as a file. It is made in slices, so that the page goes on meanwhile: where one is not enough, [notice] says how much is done, and whoever
- * closes that cancels, which gives null.
+ * Promises [table] as a file. It is made in slices, so that the page stays responsive: if one slice is not enough, [notice] shows the
+ * progress. Closing the notice cancels the work; the result is then null.
  */
 internal fun fileOf(table: CsvTable, notice: Notice): Promise<Blob?> = Promise { resolve, _ -> TableSlices(table, notice, resolve).next() }
 
-/** Saves [table], which is called [name], and says how its rows came about where the log has none. */
+/** Saves [table] under [name], and says how its rows were made if the log has none. */
 internal fun saveTable(scene: Scene, name: String, table: CsvTable) {
     if (table.rowCount == 0) return scene.notice.say("There are no samples in the visible range; show a part of the log that has some.")
     fileOf(table, scene.notice).then { file ->
@@ -31,14 +31,14 @@ private class TableSlices(private val table: CsvTable, private val notice: Notic
     private val parts = arrayListOf(Blob(arrayOf(table.header)))
     private var row = 0
 
-    /** How many rows are made at a time: one may have a cell, or thousands. */
+    /** The number of rows made at a time: a row may have one cell, or thousands. */
     private var rows = 1
     private var isCancelled = false
 
     fun next() {
         if (isCancelled) return done(null)
         val texts = ArrayList<String>()
-        // A browser wakes a page that nobody sees only once a second.
+        // A browser runs the timers of a hidden page only once a second.
         val end = Date.now() + if (document.asDynamic().hidden == true) HIDDEN_SLICE else SLICE
         do {
             val begin = Date.now()
@@ -58,7 +58,7 @@ private class TableSlices(private val table: CsvTable, private val notice: Notic
     }
 
     private companion object {
-        /** In ms. */
+        /** In milliseconds. */
         const val SLICE = 40
         const val HIDDEN_SLICE = 800
         const val FEW = 5

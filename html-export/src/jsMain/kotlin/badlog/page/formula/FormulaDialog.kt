@@ -15,11 +15,11 @@ import org.w3c.dom.HTMLInputElement
 import org.w3c.dom.events.KeyboardEvent
 
 /**
- * Where a person adds formulas, changes them and takes them away.
+ * The dialog in which a person adds, changes and removes formulas.
  *
- * @param onAdd is called with a definition that has no mistake.
- * @param onChange is called with one of the person's definitions, and with what takes its place.
- * @param onRemove is called with one of the person's definitions, which no other uses.
+ * @param onAdd called with a definition that has no mistake.
+ * @param onChange called with one of the person's definitions, and its replacement.
+ * @param onRemove called with one of the person's definitions that no other one uses.
  */
 internal class FormulaDialog(
     private val formulas: Formulas,
@@ -34,7 +34,7 @@ internal class FormulaDialog(
     private lateinit var own: HTMLElement
     private lateinit var submitButton: HTMLElement
 
-    /** The definition that is being changed; null while one is added. */
+    /** The definition that is being changed; null while a new one is added. */
     private var changed: String? = null
 
     val element: HTMLElement = element("dialog", "help formula-dialog") {
@@ -70,14 +70,14 @@ internal class FormulaDialog(
         input.addEventListener("input", { check(isFinal = false) })
         input.addEventListener("keydown", { event ->
             if (event.unsafeCast<KeyboardEvent>().key == "Enter") {
-                // Else the button that has the focus once this is closed would be pressed as well.
+                // Otherwise the button that has the focus once this is closed would also be pressed.
                 event.preventDefault()
                 submit()
             }
         })
     }
 
-    /** Shows it. */
+    /** Opens it. */
     fun open() {
         if (element.hasAttribute("open")) return
         element.asDynamic().showModal()
@@ -111,23 +111,23 @@ internal class FormulaDialog(
         if (replaced == null) onAdd(text) else onChange(replaced, text)
     }
 
-    /** Tells what is wrong, quietly while the person may still be typing it, and whether nothing is. */
+    /** Shows what is wrong, unobtrusively while the person may still be typing. Returns whether there is no mistake. */
     private fun check(isFinal: Boolean): Boolean {
-        // What spaces there are before it are not to move the mark.
+        // Leading spaces must not move the mark.
         val text = input.value.trim()
         val mistake = if (text.isEmpty() && !isFinal) null else formulas.mistakeIn(text, changed)
         val orphans = if (mistake == null) orphansOf(text) else emptyList()
         show(mistake?.message ?: needed(orphans), isFinal)
         pointer.showText(mistake?.pointed()?.substringAfter('\n').orEmpty())
         pointer.isHidden = mistake == null
-        // A long one does not fit, and its mistake mostly is at its end.
+        // A long formula does not fit, and its mistake is mostly at its end.
         pointer.scrollLeft = maxOf(0, (mistake?.from ?: 0) - LETTERS_BEFORE) * LETTER_WIDTH
         suggest()
         if (isFinal) input.focus()
         return mistake == null && orphans.isEmpty() && text.isNotEmpty()
     }
 
-    /** What could no longer be calculated if [text] took the place of what is being changed. */
+    /** Returns what could no longer be calculated if [text] replaced the definition that is being changed. */
     private fun orphansOf(text: String): List<String> = changed?.takeIf { nameIn(it) != nameIn(text) }?.let(formulas::usersOf).orEmpty()
 
     private fun needed(users: List<String>) =

@@ -13,12 +13,12 @@ import badlog.rules.signal.SignalVocabulary
 import badlog.rules.withVirtualTopics
 
 /**
- * The topics of the page that are calculated from others: those it came with, and those of the person who reads it, which the
- * browser remembers for the file.
+ * The topics of the page that are calculated from others: those it was made with, and those of its reader, which the browser
+ * remembers for the file.
  *
- * @property logged the recording as it is.
- * @param signals what topics are called; formulas may name them.
- * @param given the definitions that the page came with.
+ * @property logged the recording as it was logged.
+ * @param signals the vocabulary of signals; formulas may use them.
+ * @param given the definitions that the page was made with.
  * @param fileKey identifies the file.
  */
 internal class Formulas(val logged: LogView, private val signals: SignalVocabulary, given: List<String>, fileKey: String) {
@@ -32,17 +32,17 @@ internal class Formulas(val logged: LogView, private val signals: SignalVocabula
 
     private var named: Pair<LogView, Vocabulary>? = null
 
-    /** What the recording's topics and the calculated ones are called in formulas. Found out when somebody asks: that takes a while. */
+    /** The names of the recording's topics and the calculated ones in formulas. Worked out on demand, because it takes a while. */
     val vocabulary: Vocabulary
         get() {
             val known = named?.takeIf { it.first === view } ?: (view to view.namesWith(signals).vocabulary).also { named = it }
             return known.second
         }
 
-    /** Why some of what was given or remembered could not be calculated. */
+    /** Why some of the given or remembered formulas could not be calculated. */
     val errors: List<ExpressionError>
 
-    /** The recording with the topics of the definitions that the page came with. */
+    /** The recording with the topics of the definitions that the page was made with. */
     val given: LogView
 
     init {
@@ -51,22 +51,22 @@ internal class Formulas(val logged: LogView, private val signals: SignalVocabula
         errors = ofPage + extend(persons)
     }
 
-    /** The person's definitions and those of links, in the order in which they came. */
+    /** The person's definitions and those of links, in order of arrival. */
     val own: List<String> get() = persons
 
-    /** Whether [definition] is one of the page, or of the person. */
+    /** Returns whether [definition] is one of the page, or of the person. */
     fun has(definition: String): Boolean = formulas.any { it.definition == definition }
 
-    /** The names of the topics that are calculated. */
+    /** The names of the calculated topics. */
     val names: Set<String> get() = formulas.mapNotNullTo(HashSet()) { it.topic?.name }
 
-    /** The formula that [graph] is calculated by, or null when it was logged. */
+    /** Returns the formula that calculates [graph], or null if it was logged. */
     fun formulaOf(graph: Graph): String? = formulas.find { it.topic?.name == graph.name }?.definition
 
-    /** The name of the topic that [definition], one of [own], makes; null when it makes none. */
+    /** Returns the name of the topic that [definition], one of [own], defines; null if it defines none. */
     fun nameOf(definition: String): String? = formulas.find { it.definition == definition }?.topic?.name
 
-    /** Those of [own] that cannot be calculated without the topic of [definition], in their order. */
+    /** Returns those of [own] that cannot be calculated without the topic of [definition], in order. */
     fun usersOf(definition: String): List<String> {
         val needed = hashSetOf(nameOf(definition) ?: return emptyList())
         return formulas.filter { formula ->
@@ -75,7 +75,7 @@ internal class Formulas(val logged: LogView, private val signals: SignalVocabula
         }.map { it.definition }
     }
 
-    /** Why [text] is not a definition, in the place of [replaced] where that is not null; null when it is one. */
+    /** Returns why [text] is not a valid definition, as a replacement of [replaced] unless that is null; null if it is valid. */
     fun mistakeIn(text: String, replaced: String? = null): ExpressionError? {
         val known = if (replaced ==
             null
@@ -87,7 +87,7 @@ internal class Formulas(val logged: LogView, private val signals: SignalVocabula
         return VirtualTopic.parse(text, known) as? ExpressionError
     }
 
-    /** Calculates [definition], which has no mistake, and remembers it, if it [isRemembered], with all others. Returns its graph. */
+    /** Calculates [definition], which must have no mistake. If [isRemembered], it is remembered with all others. Returns its graph. */
     fun add(definition: String, isRemembered: Boolean = true): Graph {
         extend(listOf(definition))
         persons += definition
@@ -100,13 +100,13 @@ internal class Formulas(val logged: LogView, private val signals: SignalVocabula
         LocalStorage[key] = own.joinToString("\n")
     }
 
-    /** Forgets [definition], which no other uses. */
+    /** Removes [definition], which no other one uses. */
     fun remove(definition: String) = change(persons - definition)
 
-    /** Calculates [definition], which has no mistake, in the place of [replaced], and those that use it again. */
+    /** Calculates [definition], which must have no mistake, in place of [replaced], and recalculates those that use it. */
     fun replace(replaced: String, definition: String) = change(persons.map { if (it == replaced) definition else it })
 
-    /** The graph of [definition], which makes one. */
+    /** Returns the graph of [definition], which must define one. */
     fun graphOf(definition: String): Graph {
         val name = nameOf(definition)
         return view.folders.flatMap { it.graphs }.first { it.name == name }

@@ -16,7 +16,7 @@ internal fun drawAxes(context: CanvasRenderingContext2D, frame: PlotFrame, scene
     val y = if (axis == null) null else Ticks.ofY(content.limits[0], frame.height / ratio)
     val rows = if (y == null) DoubleArray(0) else placesOf(y, frame.scaleOf(content.limits[0]))
 
-    // In the middle of a pixel a line of one is sharp.
+    // A line of one pixel is sharp in the middle of a pixel.
     val middle = ratio % 2 / 2
     context.strokeStyle = scene.palette[Shade.GRID]
     context.lineWidth = ratio
@@ -42,7 +42,7 @@ internal fun drawAxes(context: CanvasRenderingContext2D, frame: PlotFrame, scene
 
 private fun placesOf(ticks: Ticks, scale: Scale) = DoubleArray(ticks.values.size) { round(scale.placeOf(ticks.values[it])) }
 
-/** Draws the numbers of the x axis, which are the same below all graphs of a screen: letters take longer than all else. */
+/** Draws the numbers of the x axis, which are the same below all graphs of a screen: drawing text takes longer than all else. */
 private fun drawXNumbers(context: CanvasRenderingContext2D, frame: PlotFrame, ticks: Ticks, scene: Scene) {
     val ratio = window.devicePixelRatio
     val width = context.canvas.width.toDouble()
@@ -57,13 +57,13 @@ private fun drawXNumbers(context: CanvasRenderingContext2D, frame: PlotFrame, ti
     }
 }
 
-/** One for all plots. Made when the first is drawn: workers have no canvas. */
+/** Shared by all plots. Created when the first is drawn, because workers have no canvas. */
 private val xNumbers by lazy { KeptPictures() }
 
-/** The font of the numbers of axes, in pixels of a canvas. */
+/** Returns the font of the numbers of axes, in pixels of a canvas. */
 internal fun axisFont(ratio: Double): String = "${AXIS_LETTERS * ratio}px system-ui, -apple-system, \"Segoe UI\", Roboto, sans-serif"
 
-/** How high the letters of axes are, in CSS pixels. */
+/** The font size of axes, in CSS pixels. */
 internal const val AXIS_LETTERS = 11.0
 
 private const val GAP = 6

@@ -10,7 +10,7 @@ import badlog.plot.color.LINE_COLORS
 import badlog.plot.cursor.dotAt
 import org.w3c.dom.HTMLElement
 
-/** The cursors over one plot: their lines, a dot on each curve where values are read, and the event and the finding pointed at. */
+/** The cursors over one plot: their lines, a dot on each curve where values are read, and the event and finding under the cursor. */
 internal class CursorOverlay(
     private val graph: Graph,
     private val scene: Scene,
@@ -24,7 +24,7 @@ internal class CursorOverlay(
     private val findingLabel = plot.over.add("div", "finding-label")
     private val dots = graph.series.indices.map { plot.over.add("div", "cursor-dot line-${it % LINE_COLORS}") }
 
-    /** Puts everything where the cursors are now. */
+    /** Moves everything to where the cursors are now. */
     fun update() {
         val cursors = scene.cursor.now
         val width = plot.frameWidth

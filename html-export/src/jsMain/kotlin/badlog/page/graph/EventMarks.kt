@@ -49,7 +49,7 @@ internal fun drawEventMarks(context: CanvasRenderingContext2D, frame: PlotFrame,
     context.restore()
 }
 
-/** One for all plots, which are drawn one after another. */
+/** Shared by all plots, which are drawn one after another. */
 private val marks = EventMarks()
 
 private const val HEAD = 3.5

@@ -10,8 +10,8 @@ import org.w3c.dom.CanvasRenderingContext2D
 import kotlin.math.PI
 
 /**
- * Draws the marks of the findings of [span] at the foot of a plot, where no event has its: a glyph below a dashed line, and a band over
- * what lasts.
+ * Draws the marks of the findings of [span] at the bottom of a plot, where there are no marks of events: a glyph below a dashed line,
+ * and a band for findings that last.
  */
 internal fun drawFindingMarks(context: CanvasRenderingContext2D, frame: PlotFrame, scene: Scene, span: Span = scene.range.now) {
     if (scene.findings.places.isEmpty()) return
@@ -80,7 +80,7 @@ private fun drawGlyph(context: CanvasRenderingContext2D, glyph: FindingGlyph, x:
     context.stroke()
 }
 
-/** One for all plots, which are drawn one after another. Made when the first is drawn: workers have no canvas. */
+/** Shared by all plots, which are drawn one after another. Created when the first is drawn, because workers have no canvas. */
 private val picture by lazy { MarksPicture() }
 
 private const val FOOT = 3.0

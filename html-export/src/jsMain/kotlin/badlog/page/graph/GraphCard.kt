@@ -27,13 +27,14 @@ import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
 /**
- * A graph with its title, legend and tools. It is drawn while it is near the screen, and its samples are not touched
- * before: derived ones are calculated when they are first looked at.
+ * A graph with its title, legend and tools. It is drawn while it is near the screen. Its samples are not touched before that:
+ * derived ones are calculated on first use.
  *
- * @param origin what calculated it, where that was not the recording's own attributes; else empty.
- * @param look how it is looked at to begin with: which lines are hidden, which part of y is shown, how high it is.
- * @param lines what a board calls the lines of [graph], in their order.
- * @param onLook is called with how a person wants to look at it, for whoever keeps that and calls [show]; null where nobody does.
+ * @param origin what calculated it, if that was not the recording's own attributes; otherwise empty.
+ * @param look its initial settings: which lines are hidden, which part of y is shown, and its height.
+ * @param lines the board's names for the lines of [graph], in order.
+ * @param onLook called with the settings that a person wants; the receiver stores them and calls [show]. Null if nobody stores
+ * them.
  */
 internal class GraphCard(
     val graph: Graph,
@@ -43,7 +44,7 @@ internal class GraphCard(
     private val lines: List<String> = graph.lineNames,
     private val onLook: ((BoardGraph) -> Unit)? = null,
 ) {
-    /** How it is looked at now. */
+    /** Its current settings. */
     var look: BoardGraph = look
         private set
 
@@ -71,16 +72,16 @@ internal class GraphCard(
     private var pinButton: HTMLElement? = null
     private var addButton: HTMLElement? = null
 
-    /** Where buttons stand that do something with it. */
+    /** The element for its buttons. */
     lateinit var tools: HTMLElement
         private set
 
     private val isDrawn get() = plot != null || xy?.canvas != null
 
-    /** Whether what is drawn is not what should be seen. */
+    /** Whether the picture is out of date. */
     private var isStale = false
 
-    /** Whether it was drawn since its cursors were placed. */
+    /** Whether it was drawn after its cursors were placed. */
     private var isMisplaced = false
 
     val element: HTMLElement = element("section", "graph card") {
@@ -120,10 +121,10 @@ internal class GraphCard(
         updatePin()
     }
 
-    /** Puts it on the board, or takes it off there. */
+    /** Puts it on the board, or removes it. */
     fun pin() = scene.board.change { withToggled(look) }
 
-    /** Offers the graphs of the board, to draw this one in one of them, too. */
+    /** Offers the graphs of the board, so that this one can be added to one of them. */
     private fun addToGraph() {
         val button = addButton ?: return
         val graphs = scene.board.now.graphs.filterNot { it.lines.containsAll(look.lines) }.take(PageBoard.MOST_OFFERED)
@@ -134,12 +135,12 @@ internal class GraphCard(
         openMenu(button, element.parentElement.unsafeCast<HTMLElement>(), entries)
     }
 
-    /** Shows whether it is on the board. */
+    /** Updates the button that shows whether it is on the board. */
     fun updatePin() {
         pinButton?.setAttribute("aria-pressed", scene.board.now.has(look).toString())
     }
 
-    /** Looks at it as [wanted] says. */
+    /** Shows it with the settings [wanted]. */
     fun show(wanted: BoardGraph) {
         look = wanted
         for (i in isShown.indices) isShown[i] = lines[i] !in wanted.hidden && found?.get(i) != false
@@ -153,13 +154,13 @@ internal class GraphCard(
     private fun toggle(names: List<String>) =
         change(look.copy(hidden = if (names.any { it in look.hidden }) look.hidden - names.toSet() else look.hidden + names))
 
-    /** Shows from now on only what is between [from] and [to], shares of what is shown now from its top. */
+    /** Zooms y to the part between [from] and [to], as fractions of what is shown now, measured from the top. */
     fun zoomY(from: Double, to: Double) {
         val parts = shown?.limits.orEmpty().map { Span(it.to - to * it.width, it.to - from * it.width) }
         if (to > from && parts.isNotEmpty()) change(look.copy(yRange = parts[0], rightYRange = parts.getOrNull(1), sharesY = false))
     }
 
-    /** Returns whether [query] finds it; draws of several lines only those that are found by themselves, where some are. */
+    /** Returns whether [query] finds it; of several lines, draws only those that are found by themselves, if there are any. */
     fun filter(query: Query): Boolean {
         val lines = searched.linesFoundBy(query)
         val wanted = lines.takeIf { found -> found.any { it } && !found.all { it } }
@@ -171,13 +172,13 @@ internal class GraphCard(
         return searched.isFoundBy(query)
     }
 
-    /** Gives it the keys. */
+    /** Gives it the keyboard focus. */
     fun focus() = host.focus()
 
-    /** How much room there is to draw it, in CSS pixels. */
+    /** The width available for drawing it, in CSS pixels. */
     val room: Int get() = host.clientWidth
 
-    /** Makes room for the picture if it is not drawn, [width] pixels wide; [refresh] and [placeCursors] are to follow. */
+    /** If it is not drawn, creates its picture, [width] CSS pixels wide. Call [refresh] and [placeCursors] afterwards. */
     fun approach(width: Int = room) {
         if (isDrawn || width == 0) return
         if (xy != null && !xy.isEmpty) {
@@ -213,7 +214,7 @@ internal class GraphCard(
         LineContent(graph, scene, isShown) { look }
     }
 
-    /** Draws it on [sheet], as it is looked at now and with the values at the cursor, whether or not it is near the screen. */
+    /** Draws it on [sheet], with its current settings and the values at the cursor, whether or not it is near the screen. */
     fun drawOn(sheet: Sheet) {
         legend.update(scene.cursor, scene.xAxis.unit)
         val paths = xy?.takeIf { !it.isEmpty }?.apply { list() }
@@ -221,7 +222,7 @@ internal class GraphCard(
         if (paths != null) paths.drawOn(sheet) else drawGraphPlot(sheet, graph, newContent(), scene)
     }
 
-    /** Gives back what drawing takes. */
+    /** Releases the resources for drawing. */
     fun leave() {
         if (xy?.canvas != null) {
             resizing?.disconnect()
@@ -239,7 +240,7 @@ internal class GraphCard(
 
     private fun resetY() = change(look.copy(yRange = null, rightYRange = null))
 
-    /** Draws the graph again with the colors of now. */
+    /** Draws the graph again with the current colors. */
     fun repaint() {
         if (!isDrawn) return
         leave()
@@ -247,7 +248,7 @@ internal class GraphCard(
         redraw()
     }
 
-    /** Whether some of it is on the screen. */
+    /** Whether part of it is on the screen. */
     val isOnScreen: Boolean
         get() {
             if (!isDrawn) return false
@@ -255,13 +256,13 @@ internal class GraphCard(
             return box.bottom > 0 && box.top < window.innerHeight
         }
 
-    /** Says that the visible range has changed. */
+    /** Marks it as out of date because the visible range has changed. */
     fun outdate() {
         isStale = isDrawn
         if (!statistics.element.isHidden) updateStatisticsSoon()
     }
 
-    /** Draws what is visible now, if that is not drawn already. */
+    /** Draws what is visible now, unless it is up to date. */
     fun refresh() {
         if (!isStale) return
         isStale = false
@@ -270,13 +271,13 @@ internal class GraphCard(
         plot?.redraw()
     }
 
-    /** Puts the cursors where they are in what was drawn. */
+    /** Puts the cursors at their places in the drawn picture. */
     fun placeCursors() {
         if (isMisplaced) overlay?.update()
         isMisplaced = false
     }
 
-    /** Shows the cursor and the values where it is. */
+    /** Shows the cursor and the values at it. */
     fun updateCursor() {
         if (!statistics.element.isHidden && statistics.isOutdated) updateStatisticsSoon()
         xy?.updateCursor()
@@ -284,7 +285,7 @@ internal class GraphCard(
         legend.update(scene.cursor, scene.xAxis.unit)
     }
 
-    /** Draws again what is drawn, as it is now. */
+    /** Redraws it if it is drawn. */
     fun redraw() {
         isStale = true
         refresh()
@@ -322,10 +323,10 @@ internal class GraphCard(
     }
 }
 
-/** What stands beside its title; empty for lines of several units, of which the legend says which is whose. */
+/** The unit beside its title; empty if its lines have several units, which the legend then shows for each line. */
 internal val Graph.titleUnit: String get() = if (series.all { it.unit == unit }) unitText(unit) else ""
 
-/** The whole name, and what the file says of the topic besides. */
+/** Returns the full name, and what else the file says about the topic. */
 private fun hintOf(graph: Graph): String {
     val topic = graph.series[0].topic
     return listOf(graph.name, topic.type, topic.metadata).filter { it.isNotEmpty() }.joinToString("\n")

@@ -12,7 +12,7 @@ import org.w3c.dom.HTMLElement
 import org.w3c.dom.asList
 import kotlin.math.PI
 
-/** Writes the title of [graph] and what its [legend] says now of the lines that are drawn. */
+/** Writes the title of [graph], and what its [legend] currently says about the drawn lines. */
 internal fun drawGraphHead(sheet: Sheet, graph: Graph, legend: HTMLElement, scene: Scene) {
     sheet.line(HEADING)
     val unit = graph.titleUnit

@@ -7,13 +7,13 @@ import org.w3c.dom.CanvasRenderingContext2D
 import org.w3c.dom.HTMLCanvasElement
 import kotlin.math.ceil
 
-/** A picture that many graphs show, kept for each of the few widths that they have until another one is asked for. */
+/** A picture shared by many graphs, cached for each of the few widths that they have, until a different one is needed. */
 internal class KeptPictures {
     private val kept = ArrayList<KeptPicture>()
 
     /**
-     * Puts the foot of the picture of [subject] on [target]: [width] by [height] of its pixels from [left] and [top] on. Where need be,
-     * [draw] draws it, as high as the last parameter says.
+     * Copies the bottom of the picture of [subject] to [target]: [width] by [height] of its pixels, at [left] and [top]. If necessary,
+     * [draw] draws the picture first, as high as its last parameter says.
      */
     fun putOn(
         target: CanvasRenderingContext2D,
@@ -40,7 +40,7 @@ internal class KeptPictures {
     }
 
     private companion object {
-        /** The graphs of the board, those of the folders, and the overview. */
+        /** One width each for the graphs of the board, those of the folders, and the overview. */
         const val MOST = 3
     }
 }
@@ -50,7 +50,7 @@ private class KeptPicture(val width: Double) {
     private val context = canvas.getContext("2d").unsafeCast<CanvasRenderingContext2D>()
     private var shown = emptyList<Any?>()
 
-    /** It only grows: another size takes longer than all that is drawn. */
+    /** It only grows: resizing takes longer than all of the drawing. */
     var height = 0.0
         private set
 

@@ -53,7 +53,7 @@ internal class LaneContent(private val graph: Graph, private val palette: Palett
         if (runs.size > 1) drawLaneNames(context, frame, lane)
     }
 
-    /** The names of the lanes in the room at their left, or as much as there is room for. */
+    /** Draws the names of the lanes at their left, or as much of them as fits. */
     private fun drawLaneNames(context: CanvasRenderingContext2D, frame: PlotFrame, lane: Double) {
         val ratio = window.devicePixelRatio
         val room = frame.left - 2 * LaneLook.MARGIN * ratio
@@ -75,7 +75,7 @@ internal class LaneContent(private val graph: Graph, private val palette: Palett
         val left = blocks.left[block]
         val width = blocks.right[block] - left
         val state = blocks.states[block]
-        // The quiet colors let through what is below them, as the longer block that a short one interrupts.
+        // The muted colors are translucent, so the longer block that a short one interrupts would show through.
         context.clearRect(left, top, width, height)
         context.fillStyle = when (LaneTone.of(names, state, width / window.devicePixelRatio)) {
             LaneTone.OFF -> palette[Shade.STATE_OFF]
@@ -98,7 +98,7 @@ internal class LaneContent(private val graph: Graph, private val palette: Palett
     }
 
     internal companion object {
-        /** How tall the plot of [graph] is with its axis, in CSS pixels. */
+        /** Returns the height of the plot of [graph] with its axis, in CSS pixels. */
         fun heightOf(graph: Graph): Int = LaneLook.HEIGHT * graph.series.size + Plot.MARGINS
 
         private const val GAP = 2

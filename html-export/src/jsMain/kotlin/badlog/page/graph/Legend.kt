@@ -20,13 +20,13 @@ import badlog.plot.text.unitText
 import org.w3c.dom.HTMLElement
 
 /**
- * The lines of a graph by name and color, each with its value at the cursor, read from the samples themselves.
+ * The lines of a graph by name and color, each with its value at the cursor, read from the original samples.
  *
- * @param statesOf says how long and how often a lane was in each state.
- * @param onToggle is called with the place of a line that a person wants to hide, or to see again.
+ * @param statesOf returns how long and how often a lane was in each state.
+ * @param onToggle called with the index of a line that a person wants to hide or show.
  */
 internal class Legend(private val graph: Graph, private val statesOf: (Int) -> String, private val onToggle: (Int) -> Unit) {
-    // The title says it already where a graph has but one line.
+    // If a graph has only one line, the title already names it.
     val element: HTMLElement = element("div", if (graph.series.size == 1) "legend is-single" else "legend")
     private val names = legendNames(graph)
     private val values = ArrayList<HTMLElement>()
@@ -45,13 +45,13 @@ internal class Legend(private val graph: Graph, private val statesOf: (Int) -> S
         }
     }
 
-    /** Says which lines are drawn, by [isShown] for each, and by which axis. */
+    /** Shows which lines are drawn, according to [isShown], and on which axis. */
     fun show(isShown: BooleanArray) {
         entries.forEachIndexed { index, entry -> entry.setAttribute("aria-pressed", isShown[index].toString()) }
         if (graph.showsStates) return
         val axes = graphAxes(graph.series.mapIndexed { index, series -> series.unit.takeIf { isShown[index] } })
         for (unit in units) unit.showText("")
-        // One unit stands above all of them.
+        // A single unit is in the title.
         if (axes.size == 1 && axes[0].unit == unitText(graph.unit)) return
         for (axis in axes) for (line in axis.lines) units[line].showText(axis.legend)
     }
@@ -76,5 +76,5 @@ internal class Legend(private val graph: Graph, private val statesOf: (Int) -> S
     private fun numberText(number: Double) = if (graph.isVirtual) roundedText(number) else exactText(number)
 }
 
-/** What the lines of [graph] are called where they stand together. */
+/** Returns the names of the lines of [graph] in a legend. */
 internal fun legendNames(graph: Graph): List<String> = shortNames(graph.series.map { if (it.isDerived) it.name else it.topic.name })

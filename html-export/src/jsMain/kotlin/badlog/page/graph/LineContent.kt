@@ -20,10 +20,10 @@ import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D
 
 /**
- * Numbers as lines over x, those of each unit by an axis of their own.
+ * Numbers as lines over x, with a separate axis for each unit.
  *
- * @param isShown for each series whether its line is to be drawn; the legend changes it.
- * @param look how the graph is looked at now.
+ * @param isShown for each series, whether its line is drawn; the legend changes it.
+ * @param look the current settings of the graph.
  */
 internal class LineContent(
     private val graph: Graph,
@@ -73,7 +73,7 @@ internal class LineContent(
                 drawAreas(context, strokes[index], frame.baselineOf(y))
             }
             context.strokeStyle = palette.line(index)
-            // Strokes of up to one pixel of the screen are many times as fast as wider ones.
+            // Strokes of up to one physical pixel are drawn many times faster than wider ones.
             context.lineWidth = if (curve.isDense) 1.0 else LINE_WIDTH * ratio
             drawLines(context, strokes[index])
         }

@@ -9,7 +9,7 @@ import badlog.plot.timeline.ModeBands
 import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D
 
-/** Shades where in [span] the robot was enabled, by its mode; to be called before what stands upon it is drawn. */
+/** Shades the parts of [span] in which the robot was enabled, by its mode. Call it before drawing anything on top. */
 internal fun drawModes(context: CanvasRenderingContext2D, frame: PlotFrame, scene: Scene, span: Span = scene.range.now) {
     if (scene.modes.spans.isEmpty()) return
     bands.place(scene.modes, span, frame.width)
@@ -22,7 +22,7 @@ internal fun drawModes(context: CanvasRenderingContext2D, frame: PlotFrame, scen
     context.restore()
 }
 
-/** The same, with the name of each mode where there is room. */
+/** Shades the same, with the name of each mode where there is room. */
 internal fun drawNamedModes(context: CanvasRenderingContext2D, frame: PlotFrame, scene: Scene, span: Span) {
     drawModes(context, frame, scene, span)
     if (scene.modes.spans.isEmpty()) return
@@ -41,7 +41,7 @@ internal fun drawNamedModes(context: CanvasRenderingContext2D, frame: PlotFrame,
     context.restore()
 }
 
-/** One for all plots, which are drawn one after another. */
+/** Shared by all plots, which are drawn one after another. */
 private val bands by lazy { ModeBands() }
 
 private const val LETTERS = 11.0

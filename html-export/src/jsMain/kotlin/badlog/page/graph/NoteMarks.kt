@@ -6,7 +6,7 @@ import badlog.plot.color.Shade
 import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D
 
-/** Draws a line and a flag where a person wrote a note, as far as that is in [span]. */
+/** Draws a line and a flag at each note in [span]. */
 internal fun drawNoteMarks(context: CanvasRenderingContext2D, frame: PlotFrame, scene: Scene, span: Span = scene.range.now) {
     if (scene.notes.isEmpty()) return
     val size = window.devicePixelRatio

@@ -4,12 +4,12 @@ import badlog.page.view.VisibleRange
 import org.w3c.dom.pointerevents.PointerEvent
 import kotlin.math.abs
 
-/** Two fingers that zoom: what was between them when they met stays between them. */
+/** Two fingers that zoom: what was between them when they touched the screen stays between them. */
 internal class Pinch(private val range: VisibleRange, private val xAt: (Double) -> Double) {
     private val fingers = LinkedHashMap<Int, Double>()
     private var isOn = false
 
-    /** A finger comes down; true when it is the second one. */
+    /** Handles a finger that comes down. Returns true if it is the second one. */
     fun press(event: PointerEvent): Boolean {
         fingers[event.pointerId] = event.clientX.toDouble()
         if (fingers.size == 2) {
@@ -19,7 +19,7 @@ internal class Pinch(private val range: VisibleRange, private val xAt: (Double) 
         return fingers.size >= 2
     }
 
-    /** A pointer moves; true when it is one of the fingers of a pinch. */
+    /** Handles a pointer that moves. Returns true if it is one of the fingers of a pinch. */
     fun move(event: PointerEvent): Boolean {
         val before = fingers[event.pointerId] ?: return false
         val x = event.clientX.toDouble()
@@ -32,7 +32,7 @@ internal class Pinch(private val range: VisibleRange, private val xAt: (Double) 
         return true
     }
 
-    /** A finger goes up; true while a pinch is not over, so that lifting its fingers is not a tap. */
+    /** Handles a finger that goes up. Returns true until the pinch is over, so that lifting its fingers is not a tap. */
     fun release(event: PointerEvent): Boolean {
         fingers.remove(event.pointerId)
         val wasOn = isOn
@@ -41,7 +41,7 @@ internal class Pinch(private val range: VisibleRange, private val xAt: (Double) 
     }
 
     private companion object {
-        /** Fingers nearer than so many pixels are one. */
+        /** Fingers closer than this many pixels count as one. */
         const val MIN_DISTANCE = 10.0
     }
 }

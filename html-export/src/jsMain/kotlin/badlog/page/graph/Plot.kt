@@ -22,10 +22,10 @@ internal class Plot(private val scene: Scene, private val content: PlotContent, 
     private var columns = PixelColumns(1)
     private lateinit var frame: PlotFrame
 
-    /** How wide the frame is, in CSS pixels. The browser would lay the whole page out to say it. */
+    /** The width of the frame in CSS pixels. Asking the browser for it would make it lay out the whole page. */
     val frameWidth: Double get() = frame.width / ratio
 
-    /** How high it is. */
+    /** Its height in CSS pixels. */
     val frameHeight: Double get() = frame.height / ratio
 
     init {
@@ -59,16 +59,17 @@ internal class Plot(private val scene: Scene, private val content: PlotContent, 
     }
 
     internal companion object {
-        // Every plot has the same margins, which the style sheet knows too, so that one place on x is one place on the screen in all of them.
+        // Every plot has the same margins, which the style sheet knows too, so that the same x is at the same place on the screen in all of
+        // them.
         const val GUTTER = 62
         const val RIGHT = 14
         const val TOP = 6
         private const val MIN_WIDTH = 100
 
-        /** How much room the numbers of x have below the frame, in CSS pixels. */
+        /** The height of the x axis' numbers below the frame, in CSS pixels. */
         const val X_AXIS_HEIGHT = 26
 
-        /** How much of a plot's height is above and below its frame. */
+        /** The part of a plot's height above and below its frame. */
         const val MARGINS = TOP + X_AXIS_HEIGHT
     }
 }

@@ -5,7 +5,7 @@ import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D
 import kotlin.math.round
 
-/** Where a plot [width] by [height] CSS pixels large has its frame. */
+/** Returns the frame of a plot of [width] by [height] CSS pixels. */
 internal fun plotFrame(width: Int, height: Int): PlotFrame {
     val ratio = window.devicePixelRatio
     val left = round(Plot.GUTTER * ratio)

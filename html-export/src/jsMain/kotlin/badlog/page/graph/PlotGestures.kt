@@ -18,11 +18,11 @@ import org.w3c.dom.pointerevents.PointerEvent
 import kotlin.math.abs
 
 /**
- * What a mouse or fingers do over a plot: those of [DragKind], [Wheel] and [Cursors]. Fingers pin the cursor, drag, and pinch; one that rests is
- * a click with Shift; a vertical swipe is the browser's, and scrolls the page.
+ * What a mouse or fingers do over a plot: the gestures of [DragKind], [Wheel] and [Cursors]. Fingers pin the cursor, drag, and pinch. A
+ * long press is a click with Shift; a vertical swipe is left to the browser, and scrolls the page.
  *
- * @param onZoomY hears which part of the plot's height is to fill it, as shares from its top; null where y means nothing.
- * @param onReset hears that everything is to be shown.
+ * @param onZoomY called with the part of the plot's height that is to fill it, as fractions from its top; null if y means nothing.
+ * @param onReset called when everything is to be shown.
  */
 internal class PlotGestures(
     private val over: HTMLElement,
@@ -53,20 +53,20 @@ internal class PlotGestures(
         on("pointerup") { release(it.unsafeCast<PointerEvent>()) }
         on("pointerleave") { if (drag == null) scene.cursor.change { left() } }
         on("pointercancel") { cancel(it.unsafeCast<PointerEvent>()) }
-        // Else a finger that rests opens the browser's menu.
+        // Otherwise a long press opens the browser's menu.
         on("contextmenu") { if (it.asDynamic().pointerType == TOUCH) it.preventDefault() }
         on("wheel") { wheel(it.unsafeCast<WheelEvent>()) }
     }
 
     private fun on(type: String, listener: (Event) -> Unit) = over.addEventListener(type, listener)
 
-    /** Where the pixel [clientX] is on x, or would be if the plot went on beside its frame. */
+    /** Returns the x at the pixel [clientX], extrapolated beyond the frame. */
     private fun xAt(clientX: Double): Double {
         val box = over.getBoundingClientRect()
         return range.now.from + (clientX - box.left) / box.width * range.now.width
     }
 
-    /** The same within the frame: a drag ends at its edge. */
+    /** Returns the same, limited to the frame: a drag ends at its edge. */
     private fun xWithin(clientX: Double): Double = xAt(clientX).coerceIn(range.now.from, range.now.to)
 
     private fun press(event: PointerEvent) {
@@ -76,7 +76,7 @@ internal class PlotGestures(
             stop()
             return
         }
-        // A finger moves what it touches, as on a map; a mouse draws a frame around it.
+        // A finger moves what it touches, as on a map; a mouse draws a selection frame.
         val kind = if (event.pointerType == TOUCH) DragKind.of(range.isZoomed, alt = false) else DragKind.of(event.shiftKey, event.altKey)
         drag = if (kind == DragKind.ZOOM_Y && onZoomY == null) DragKind.ZOOM else kind
         startX = event.clientX.toDouble()
@@ -90,7 +90,7 @@ internal class PlotGestures(
         if (isFinger) resting = window.setTimeout({ rest() }, REST_MILLISECONDS)
     }
 
-    /** The finger has not moved for a while. */
+    /** Handles a long press: the finger has not moved for a while. */
     private fun rest() {
         if (drag == null || hasMoved) return
         isShifted = true
@@ -146,7 +146,7 @@ internal class PlotGestures(
         selection.style.height = "${(yWithin(maxOf(startY, y)) - top) * height}px"
     }
 
-    /** Where the pixel [clientY] is, as a share of the plot's height from its top. */
+    /** Returns where the pixel [clientY] is, as a fraction of the plot's height from its top. */
     private fun yWithin(clientY: Double): Double {
         val box = over.getBoundingClientRect()
         return ((clientY - box.top) / box.height).coerceIn(0.0, 1.0)
@@ -168,7 +168,7 @@ internal class PlotGestures(
             isShifted -> scene.cursor.change { shiftClicked(xAt(x), reach) }
 
             taps.isSecond(x, window.performance.now()) -> {
-                // The first of the two was no click of its own.
+                // The first click of a double click does not count by itself.
                 scene.cursor.change { beforeTap }
                 range.change { reset() }
                 onReset()

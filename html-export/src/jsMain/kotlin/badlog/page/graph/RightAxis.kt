@@ -9,8 +9,8 @@ import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D
 
 /**
- * Draws the numbers of [axis] along the right edge of [frame], within it: beside it they would take from all graphs, whose x must stand at
- * one place, what few graphs need.
+ * Draws the numbers of [axis] along the right edge of [frame], within it: beside it they would take width from all graphs, whose x axes
+ * must be aligned, although only a few graphs need it.
  */
 internal fun drawRightAxis(context: CanvasRenderingContext2D, frame: PlotFrame, axis: GraphAxis, shown: Span, palette: Palette) {
     val ratio = window.devicePixelRatio
@@ -25,7 +25,7 @@ internal fun drawRightAxis(context: CanvasRenderingContext2D, frame: PlotFrame, 
     context.strokeStyle = palette[Shade.SURFACE]
     context.fillStyle = axisColor(axis, palette)
     ticks.texts.forEachIndexed { i, number ->
-        // The unit stands once, at the top.
+        // The unit is shown once, at the top.
         val text = if (i == ticks.texts.lastIndex && axis.unit.isNotEmpty()) "$number ${axis.unit}" else number
         val half = AXIS_LETTERS / 2 * ratio
         val middle = y.placeOf(ticks.values[i]).coerceIn(frame.top + half, frame.bottom - half)
@@ -35,7 +35,7 @@ internal fun drawRightAxis(context: CanvasRenderingContext2D, frame: PlotFrame, 
     context.restore()
 }
 
-/** The color of the numbers of [axis], one of several: that of its line, where it has but one. */
+/** Returns the color of the numbers of [axis], one of several: that of its line, if it has only one. */
 internal fun axisColor(axis: GraphAxis, palette: Palette): String = axis.lines.singleOrNull()?.let(palette::line) ?: palette[Shade.MUTED]
 
 private const val HALO = 3.0

@@ -15,7 +15,7 @@ import badlog.plot.statistics.timesOf
 import badlog.plot.text.countText
 import org.w3c.dom.HTMLElement
 
-/** What each line of a graph does between the cursors A and B, or else over the visible part of x, in figures. */
+/** Statistics of each line of a graph between the cursors A and B, or else over the visible range. */
 internal class StatisticsTable(private val graph: Graph, private val scene: Scene) {
     val element: HTMLElement = element("div", "statistics")
 
@@ -24,10 +24,10 @@ internal class StatisticsTable(private val graph: Graph, private val scene: Scen
 
     private val wanted get() = scene.cursor.now.between ?: scene.range.now
 
-    /** Whether the figures are those of another part of x. */
+    /** Whether the statistics are those of another range. */
     val isOutdated: Boolean get() = shown != wanted
 
-    /** Calculates the figures for now. */
+    /** Calculates the current statistics. */
     fun update() {
         val now = wanted
         shown = now
@@ -65,13 +65,13 @@ internal class StatisticsTable(private val graph: Graph, private val scene: Scen
         }
     }
 
-    /** How long and how often the lane [index] was in each state over what is looked at, line by line. */
+    /** Returns, line by line, how long and how often the lane [index] was in each state over the current range. */
     fun hintOf(index: Int): String = timesOf(index, wanted).joinToString("\n") { it.text(scene.xAxis) }
 
     private fun timesOf(index: Int, span: Span): List<StateTime> =
         runs[index].timesOf(graph.series[index].states.orEmpty(), span.from, span.to).take(StateTime.MOST)
 
-    /** How long and how often each lane was in each state. */
+    /** Adds how long and how often each lane was in each state. */
     private fun HTMLElement.addStates(now: Span) {
         add("thead").add("tr") { for (title in StateTime.TITLES) add("th", "", title) }
         add("tbody") {

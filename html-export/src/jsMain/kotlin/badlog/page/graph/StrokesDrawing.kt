@@ -28,7 +28,7 @@ private inline fun addPaths(context: CanvasRenderingContext2D, strokes: Strokes,
     for (i in 0 until strokes.count) {
         val start = strokes.startOf(i)
         val size = strokes.endOf(i)
-        // One that stands alone is a dot.
+        // An isolated sample is a dot.
         if (size - start == 2) continue
         context.moveTo(points[start], points[start + 1])
         for (at in start + 2 until size step 2) context.lineTo(points[at], points[at + 1])

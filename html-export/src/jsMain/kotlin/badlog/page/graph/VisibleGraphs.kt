@@ -9,14 +9,15 @@ import kotlinx.browser.window
 import org.w3c.dom.Element
 
 /**
- * All graphs of the page: draws those near the screen, and lets all of them follow the visible range and the cursor.
+ * All graphs of the page: draws those near the screen, and makes all of them follow the visible range and the
+ * cursor.
  */
 internal class VisibleGraphs(private val scene: Scene) {
     private val cardOf = HashMap<Element, GraphCard>()
     private val near = LinkedHashSet<GraphCard>()
     private val observer = IntersectionObserver({ entries ->
         val isNear = LinkedHashMap<GraphCard, Boolean>()
-        // One that was removed may still be reported, and one that comes and goes twice.
+        // A removed element may still be reported, and one that comes and goes may be reported twice.
         for (entry in entries) cardOf[entry.target]?.let { isNear[it] = entry.isIntersecting }
         val (coming, going) = isNear.keys.partition { isNear[it] == true }
         for (card in going) part(card)
@@ -37,7 +38,7 @@ internal class VisibleGraphs(private val scene: Scene) {
         followDensity()
     }
 
-    /** Draws what of [cards] is on the screen at once, and from now on whatever comes near it. */
+    /** Draws those of [cards] that are on the screen at once, and later all that come near it. */
     fun start(cards: List<GraphCard>) {
         meet(
             cards.filter { card ->
@@ -48,40 +49,40 @@ internal class VisibleGraphs(private val scene: Scene) {
         for (card in cards) add(card)
     }
 
-    /** Draws [card] from now on whenever it comes near the screen. */
+    /** Adds [card], which is drawn whenever it comes near the screen. */
     fun add(card: GraphCard) {
         cardOf[card.element] = card
         observer.observe(card.element)
     }
 
-    /** Forgets [card]. */
+    /** Removes [card]. */
     fun remove(card: GraphCard) {
         observer.unobserve(card.element)
         cardOf.remove(card.element)
         part(card)
     }
 
-    /** What draws [element]; null where that is not a graph. */
+    /** Returns the card of [element]; null if that is not a graph. */
     fun cardAt(element: Element): GraphCard? = cardOf[element]
 
-    /** Shows of each graph whether it is on the board. */
+    /** Updates the pin button of each graph. */
     fun updatePins() {
         for (card in near) card.updatePin()
     }
 
-    /** Draws everything again where it is. */
+    /** Redraws everything. */
     fun redraw() {
         for (card in near) card.outdate()
         draw(near)
     }
 
-    /** Draws everything again with the colors and the screen of now. */
+    /** Redraws everything with the current colors, for the current screen. */
     fun repaint() {
         for (card in near) card.repaint()
     }
 
     private fun meet(cards: List<GraphCard>) {
-        // All widths are read before anything is drawn: the browser lays out the page for each that is read after something was written.
+        // Reads all widths before anything is drawn: after each write, reading one makes the browser lay out the page.
         val widths = cards.map { it.room }
         cards.forEachIndexed { i, card ->
             near += card
@@ -93,11 +94,11 @@ internal class VisibleGraphs(private val scene: Scene) {
 
     private fun draw(cards: Collection<GraphCard>) {
         for (card in cards) card.refresh()
-        // Last: the browser works out the page's style anew for the first letters that are drawn after something was written to it.
+        // Last, because after each write to the page, the browser recalculates its style for the first text that is drawn.
         for (card in cards) card.placeCursors()
     }
 
-    /** Draws again when the window moves to a screen of another density, or is zoomed. */
+    /** Redraws when the window moves to a screen of another density, or is zoomed. */
     private fun followDensity() {
         val ratio = window.devicePixelRatio
         val isSame = "(min-resolution: ${ratio - ROUNDING}dppx) and (max-resolution: ${ratio + ROUNDING}dppx)"
@@ -123,13 +124,13 @@ internal class VisibleGraphs(private val scene: Scene) {
         restFrame.ask()
     }
 
-    // What is beside the screen can wait for a picture of its own.
+    // Draws, in a later frame, what is outside the screen.
     private fun drawRest() = draw(near)
 
     private companion object {
         const val MARGIN = "300px 0px"
 
-        /** So exactly do browsers compare densities. */
+        /** The precision with which browsers compare densities. */
         const val ROUNDING = 0.001
     }
 }

@@ -12,11 +12,11 @@ import kotlin.js.Promise
 /**
  * The messages between the page and a worker about one part of a recording, see [PartsReading].
  *
- * The page sends the base64 and, once it knows them, the columns. The worker answers with what it inflates to and, where it knows the
- * columns, with the rows that are complete in it; or with a failure.
+ * The page sends the base64 and, once it knows them, the columns. The worker answers with the inflated bytes and, if it knows the
+ * columns, with the complete rows in them; or with a failure.
  */
 internal object PartMessage {
-    /** The part number [part] for the worker, and the columns once they are known. */
+    /** Returns the message with part number [part] for the worker, and the columns once they are known. */
     fun of(part: Int, base64: String, readsDecimalComma: BooleanArray?): dynamic {
         val message = js("({})")
         message.part = part
@@ -25,7 +25,7 @@ internal object PartMessage {
         return message
     }
 
-    /** Whether [message], from the page, is a part. */
+    /** Returns whether [message], from the page, is a part. */
     fun isPart(message: dynamic): Boolean = message != null && message.part != undefined
 
     /** Does the worker's work for the part [message]. */
@@ -37,7 +37,7 @@ internal object PartMessage {
         }
     }
 
-    /** Gives what the worker answered to [parser], behind the parts before it; returns how many bytes it was. */
+    /** Passes the worker's answer to [parser], after the previous parts. Returns the number of bytes. */
     fun take(message: dynamic, parser: BagParser): Int {
         val bytes = message.bytes.unsafeCast<ByteArray>()
         val from = message.from as Int
@@ -61,7 +61,7 @@ internal object PartMessage {
     private fun inflate(base64: String): Promise<ByteArray> {
         val stream: dynamic = js("new DecompressionStream('deflate-raw')")
         val writer = stream.writable.getWriter()
-        // A part ends in a flush; an empty last block makes a whole stream of it. The reader below gets the same failures.
+        // A part ends in a flush; an empty last block makes it a complete stream. The reader below gets the same failures.
         writer.write(Base64.decode(base64)).then({}, {})
         writer.write(Uint8Array(arrayOf<Byte>(3, 0))).then({}, {})
         writer.close().then({}, {})
@@ -83,7 +83,7 @@ internal object PartMessage {
     }
 
     private fun joined(chunks: List<Uint8Array>): ByteArray {
-        // Mostly it is one.
+        // Usually there is only one.
         val all = chunks.singleOrNull { it.length > 0 } ?: Uint8Array(chunks.sumOf { it.length }).apply {
             var at = 0
             for (chunk in chunks) {
@@ -94,7 +94,7 @@ internal object PartMessage {
         return Int8Array(all.buffer, all.byteOffset, all.length).unsafeCast<ByteArray>()
     }
 
-    /** Puts what is in [bytes] into [message]; returns the buffers that change their owner. */
+    /** Puts the content of [bytes] into [message]. Returns the buffers to transfer. */
     private fun read(message: dynamic, bytes: ByteArray): Array<dynamic> {
         message.base64 = null
         message.bytes = bytes
@@ -103,7 +103,7 @@ internal object PartMessage {
         val buffer = bytes.asDynamic().buffer
         val columns = message.columns.unsafeCast<IntArray?>() ?: return arrayOf(buffer)
         val batch = parserFor(columns).parse(bytes, message.from as Int, message.until as Int) ?: return arrayOf(buffer)
-        // All in one: each buffer that changes its owner takes time.
+        // All in one buffer, because transferring each buffer takes time.
         val count = batch.rowCount
         val numbers = DoubleArray(count * columns.size)
         batch.numbers.forEachIndexed { column, samples -> samples.copyInto(numbers, column * count, 0, count) }
@@ -113,7 +113,7 @@ internal object PartMessage {
         return arrayOf(buffer, numbers.asDynamic().buffer)
     }
 
-    // One for all parts, which have the same columns.
+    // Shared by all parts, which have the same columns.
     private var rows: RowBatchParser? = null
 
     private fun parserFor(columns: IntArray) = rows ?: RowBatchParser(BooleanArray(columns.size) { columns[it] != 0 }).also { rows = it }

@@ -13,8 +13,8 @@ import org.w3c.dom.Worker
 import kotlin.js.Promise
 
 /**
- * Reads a recording in the parts that its exporter deflated apart from each other, a line of base64 each, as they arrive while the page
- * is being loaded: several workers inflate them and read their rows, the page puts these together in their order.
+ * Reads a recording in the parts that its exporter deflated independently, one line of base64 each, as they arrive while the page is
+ * being loaded. Several workers inflate them and read their rows, and the page joins these in order.
  */
 internal class PartsReading private constructor(
     private val expectedBytes: Double,
@@ -26,7 +26,7 @@ internal class PartsReading private constructor(
     private val parser = BagParser(expectedBytes.toLong())
     private val answers = HashMap<Int, dynamic>()
 
-    /** Those with room for one more part, once for each. */
+    /** The workers that can take another part, once for each such part. */
     private val ready = ArrayDeque<Worker>()
     private var line = ""
     private var sent = BEFORE_PARTS
@@ -44,7 +44,7 @@ internal class PartsReading private constructor(
             worker.onerror = { fail("A worker cannot run.") }
             worker.onmessage = { event: MessageEvent -> guarded { answered(worker, event.data) } }
         }
-        // The header is in the first part, and nobody can read rows without it.
+        // The header is in the first part, and rows cannot be read without it.
         ready += workers[0]
         send()
     }
@@ -56,9 +56,9 @@ internal class PartsReading private constructor(
     }
 
     private fun send() {
-        // What fast workers read waits for the slowest, and takes memory.
+        // The results of fast workers wait for the slowest one, and take memory.
         while (ready.isNotEmpty() && sent - taken < workers.size * MAX_AHEAD) {
-            // Before the look: what arrives after it is looked at again.
+            // Read before looking: what arrives later is looked at again.
             val isLoaded = document.asDynamic().readyState != "loading"
             val part = nextLine()
             if (part == null) {
@@ -78,7 +78,7 @@ internal class PartsReading private constructor(
         if (isAllSent && taken == sent) finish()
     }
 
-    /** The next line that has arrived to its end. */
+    /** Returns the next line that has arrived completely. */
     private fun nextLine(): String? {
         while (true) {
             line += text.next() ?: return null
@@ -116,17 +116,17 @@ internal class PartsReading private constructor(
         /** The first line is the header of the gzip stream. */
         private const val BEFORE_PARTS = -1
 
-        /** Milliseconds until the page is asked again what has arrived. */
+        /** Milliseconds until the page is checked again for what has arrived. */
         private const val PAUSE = 5
 
-        /** So many parts are on their way to each worker. */
+        /** The number of parts that are sent ahead to each worker. */
         private const val AHEAD = 2
 
-        /** So many parts for each worker are on their way, or wait for those before them. */
+        /** The maximum number of parts per worker that are in progress, or wait for earlier ones. */
         private const val MAX_AHEAD = 4
         private const val MAX_WORKERS = 4
 
-        /** Starts, and promises the recording; null where it has no parts, or the browser cannot read them at a time. */
+        /** Starts, and promises the recording. Returns null if it has no parts, or the browser cannot read them in parallel. */
         fun start(element: Element, onProgress: (Double) -> Unit): Promise<Recording>? {
             val bytes = element.getAttribute("data-bytes")?.toDoubleOrNull() ?: return null
             val cores = minOf(window.navigator.hardwareConcurrency.toInt(), MAX_WORKERS)

@@ -13,9 +13,9 @@ import org.w3c.dom.Worker
 import kotlin.js.Promise
 
 /**
- * Reads the recording that the page carries, in a worker where there may be one, else on the page in slices.
+ * Reads the embedded recording, in a worker if the browser allows one, otherwise on the page in slices.
  *
- * @param onProgress receives the share of the bytes that has been read.
+ * @param onProgress receives the fraction of the bytes that has been read, 0 to 1.
  */
 internal class Reading(private val about: About, private val element: Element, private val onProgress: (Double) -> Unit) {
     /** Starts, and promises the recording. */
@@ -25,7 +25,7 @@ internal class Reading(private val about: About, private val element: Element, p
         if (worker == null) readHere(finish, reject) else readIn(worker, finish, reject)
     }
 
-    // Only the exporter, which inflated the file to its end, knows whether that was the stream's.
+    // Only the exporter, which inflated the file to its end, knows whether the stream was complete.
     private fun withCut(recording: Recording): Recording {
         if (!about.isCut) return recording
         val text = "The compressed file is cut off or damaged; the ${about.inflatedBytes} bytes before that were read."
@@ -69,7 +69,7 @@ internal class Reading(private val about: About, private val element: Element, p
             if (piece == null) {
                 reader.end()
             } else {
-                // A timer between two pieces lets the page draw and answer.
+                // A timer between two pieces lets the page draw and react.
                 reader.accept(piece).then({ window.setTimeout({ feed() }, 0) }, reject)
             }
         }
@@ -78,5 +78,5 @@ internal class Reading(private val about: About, private val element: Element, p
     }
 }
 
-/** This recording with one more problem, which its bytes alone do not show. */
+/** Returns this recording with one more problem, which its bytes alone do not show. */
 internal operator fun Recording.plus(problem: Problem): Recording = copy(problems = problems + problem)

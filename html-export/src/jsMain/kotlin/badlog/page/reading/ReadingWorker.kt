@@ -5,17 +5,17 @@ import org.w3c.dom.DedicatedWorkerGlobalScope
 import org.w3c.dom.MessageEvent
 
 /**
- * The worker that reads the recording, so that the page stays alive meanwhile. Its script is the page's own.
+ * The worker that reads the recording, so that the page stays responsive. Its script is the page's own.
  *
  * The page sends an object with `expectedBytes` and `isWhole`, then strings of base64, one for each `"more"` it
- * receives, then null. The worker answers with `"more"`, numbers (the share that is done), an object with `failure`, or
- * the recording. To parts of a recording it answers as [PartMessage] says.
+ * receives, then null. The worker answers with `"more"`, numbers (the fraction that is done), an object with `failure`,
+ * or the recording. It answers to parts of a recording as described in [PartMessage].
  */
 internal object ReadingWorker {
     /** Whether this script runs in the worker. */
     val isHere: Boolean get() = js("typeof document === 'undefined'").unsafeCast<Boolean>()
 
-    /** What the page sends first. */
+    /** Returns what the page sends first. */
     fun greeting(about: About): dynamic {
         val message = js("({})")
         message.expectedBytes = about.inflatedBytes
@@ -57,6 +57,6 @@ internal object ReadingWorker {
         page.postMessage(message)
     }
 
-    /** What the worker says when it has room for another piece. */
+    /** The worker's message when it has room for another piece. */
     const val MORE: String = "more"
 }

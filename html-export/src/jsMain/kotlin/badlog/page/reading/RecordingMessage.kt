@@ -10,11 +10,11 @@ import badlog.recording.Topic
 import badlog.recording.Value
 
 /**
- * A recording as it travels between the worker and the page: plain arrays and objects, which the browser can copy, with
- * the samples in buffers that change their owner instead of being copied.
+ * A recording as a message between the worker and the page: plain arrays and objects, which the browser can copy, with
+ * the samples in buffers that are transferred instead of copied.
  */
 internal object RecordingMessage {
-    /** [recording] as a message. */
+    /** Returns [recording] as a message. */
     fun of(recording: Recording): dynamic {
         val message = js("({})")
         message.format = recording.format.ordinal
@@ -27,9 +27,9 @@ internal object RecordingMessage {
         return message
     }
 
-    /** The buffers of [recording] that change their owner. */
+    /** Returns the buffers of [recording] to transfer. */
     fun buffersOf(recording: Recording): Array<dynamic> {
-        // Topics may share their times, and empty columns share one array: no buffer may be handed over twice.
+        // Topics may share their times, and empty columns share one array: no buffer may be transferred twice.
         val buffers = js("new Set()")
         for (topic in recording.topics) {
             for (array in arrayOf<dynamic>(topic.samples, topic.times, topic.texts.rows, topic.texts.ids)) {
@@ -39,7 +39,7 @@ internal object RecordingMessage {
         return js("Array").from(buffers).unsafeCast<Array<dynamic>>()
     }
 
-    /** The recording that [message] is of. */
+    /** Returns the recording in [message]. */
     fun read(message: dynamic): Recording = Recording(
         format = RecordingFormat.entries[message.format as Int],
         headerLine = message.headerLine as String?,

@@ -11,23 +11,22 @@ import badlog.recording.Recording
 import kotlin.js.Promise
 
 /**
- * Makes a recording of the pieces of base64 that a page carries. Used in the worker, or on the page where there is
- * none.
+ * Makes a recording from the pieces of base64 in a page. Used in the worker, or on the page if there is none.
  *
- * @param onProgress receives, now and then, the share of the bytes that has been read.
+ * @param onProgress receives, from time to time, the fraction of the bytes that has been read.
  */
 internal class RecordingReader(private val expectedBytes: Double, isWhole: Boolean, private val onProgress: (Double) -> Unit) {
     private val parser = RecordingParser(LOG_FORMATS, expectedBytes.toLong())
     private var reported = 0.0
     private val inflation = Inflation(expectedBytes, isWhole, ::read)
 
-    /** The recording, when everything has been read. */
+    /** The recording, once everything has been read. */
     val recording: Promise<Recording> = inflation.finished.then { build() }
 
-    /** Takes the next piece; the promise is fulfilled when there is room for another. */
+    /** Accepts the next piece. The promise is fulfilled when there is room for another. */
     fun accept(base64: String): Promise<Unit> = inflation.accept(Base64.decode(base64))
 
-    /** Says that there are no more pieces. */
+    /** Marks the end of the pieces. */
     fun end() = inflation.end()
 
     private fun read(bytes: ByteArray) {

@@ -9,13 +9,13 @@ import badlog.rules.RuleProgram
 import badlog.rules.RuleSet
 import kotlinx.browser.window
 
-/** Looks for what [rules] find in [view], which was read from a file called [file]: in a worker where there may be one. */
+/** Runs [rules] on [view], which was read from a file called [file]: in a worker if the browser allows one. */
 internal class RuleSearch(private val view: LogView, private val rules: RuleSet, private val file: String) {
     /** Starts; then one of [onFindings] and [onFailure] is called. */
     fun start(onFindings: (LogFindings) -> Unit, onFailure: (String) -> Unit) =
         RulesWorker.ask(view, rules, file, onFindings, onFailure, onForbidden = { runHere(onFindings, onFailure) })
 
-    /** One rule after the other on the page itself; a timer between two lets it draw and answer. */
+    /** Runs one rule after another on the page itself; a timer in between lets it draw and react. */
     private fun runHere(onFindings: (LogFindings) -> Unit, onFailure: (String) -> Unit) {
         val asked = try {
             RuleProgram(rules, LogShape.of(view)).run(view, file, isEverywhere = true).iterator()
@@ -40,8 +40,8 @@ internal class RuleSearch(private val view: LogView, private val rules: RuleSet,
 }
 
 /**
- * The recording of [view] with the samples alone that [rules] look at: they are copied on their way to the worker, and all of a large
- * log would need its memory twice. Of a small one it takes longer to find out which these are.
+ * Returns the recording of [view] with only the samples that [rules] need: they are copied for the worker, and a large log would need
+ * twice its memory. For a small log, it takes longer to find out which these are.
  */
 internal fun samplesFor(rules: RuleSet, view: LogView): Recording {
     if (view.recording.topics.sumOf { it.samples.size } < FEW_SAMPLES) return view.recording

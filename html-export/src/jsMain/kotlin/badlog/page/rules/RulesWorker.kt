@@ -15,7 +15,7 @@ import org.w3c.dom.DedicatedWorkerGlobalScope
 import org.w3c.dom.MessageEvent
 
 /**
- * The worker that runs rules, so that the page stays alive meanwhile. Its script is the page's own; its name identifies it.
+ * The worker that runs rules, so that the page stays responsive. Its script is the page's own; its name identifies it.
  *
  * The page sends an object with `recording`, `rules` as JSON, and `file`. The worker answers with the findings as JSON, or with an
  * object that has a `failure`.
@@ -29,9 +29,9 @@ internal object RulesWorker {
     /**
      * Starts it for [view], which was read from a file called [file].
      *
-     * @param onFindings gets what [rules] found.
-     * @param onFailure gets why there is nothing.
-     * @param onForbidden is called where no worker can do it, as on pages on a disk in some browsers.
+     * @param onFindings receives what [rules] found.
+     * @param onFailure receives the reason why there is nothing.
+     * @param onForbidden called if no worker can do it, as for pages on a disk in some browsers.
      */
     fun ask(
         view: LogView,
@@ -56,7 +56,7 @@ internal object RulesWorker {
             val recording = RecordingMessage.of(samplesFor(rules, view))
             worker.postMessage(json("recording" to recording, "rules" to rules.toJson(), "file" to file))
         } catch (_: Throwable) {
-            // There is no room for a copy; the page itself needs none.
+            // There is not enough memory for a copy; the page itself needs none.
             worker.terminate()
             onForbidden()
         }

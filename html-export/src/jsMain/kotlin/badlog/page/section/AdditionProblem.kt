@@ -5,14 +5,17 @@ import badlog.page.embedded.GivenLayout
 import badlog.page.formula.Formulas
 
 /**
- * What is wrong with something that the page shows besides the recording; nothing of the recording is lost by it.
+ * What is wrong with something that the page shows besides the recording; the recording itself is complete.
  *
  * @property message a sentence.
- * @property pointer lines that point at the mistake, one character as wide as another, or null.
+ * @property pointer lines in a fixed-width font that point at the mistake, or null.
  */
 internal class AdditionProblem(val message: String, val pointer: String? = null)
 
-/** All that is wrong with [additions], which are null when they cannot be read, with [layout], and with what [formulas] were to calculate. */
+/**
+ * Returns everything that is wrong with [additions], which are null if they cannot be read, with [layout], and with the definitions of
+ * [formulas].
+ */
 internal fun additionProblems(formulas: Formulas, additions: PageAdditions?, layout: GivenLayout): List<AdditionProblem> {
     val problems = ArrayList<AdditionProblem>()
     if (additions == null) {

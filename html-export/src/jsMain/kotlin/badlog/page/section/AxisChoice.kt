@@ -12,21 +12,20 @@ import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
 /**
- * Over what a log is drawn that names no x axis: its rows, or its column of the time, as the person says. The browser remembers it for the
- * file.
+ * The choice of the x axis for a log that names none: its rows, or its time column. The browser remembers it for the file.
  *
  * @param fileKey identifies the file.
- * @param mayAsk whether the page can be drawn over another axis than its exporter had.
+ * @param mayAsk whether the page can be drawn over a different axis than its exporter used.
  */
 internal class AxisChoice(read: Recording, fileKey: String, mayAsk: Boolean) {
     private val key = "x:$fileKey"
     private val column = if (mayAsk) read.timeColumn() else null
     private val chosen = LocalStorage[key]
 
-    /** The log over what was chosen. */
+    /** The log over the selected axis. */
     val recording: Recording = if (column != null && chosen == TIME) read.over(column) else read
 
-    /** Asks, or says what was chosen; null where there is nothing to choose. */
+    /** The element that asks, or says what was selected; null if there is nothing to select. */
     val element: HTMLElement? = if (column == null || chosen == ROWS) {
         null
     } else {
@@ -39,7 +38,7 @@ internal class AxisChoice(read: Recording, fileKey: String, mayAsk: Boolean) {
         }
     }
 
-    // All of the page is made for its axis.
+    // The whole page depends on its axis, so it is loaded again.
     private fun choose(what: String) {
         val isShown = recording.timeColumn() != null
         LocalStorage[key] = what

@@ -22,10 +22,10 @@ import badlog.plot.text.withUnit
 import org.w3c.dom.HTMLElement
 
 /**
- * The values of many topics at the cursor, what just changed first. Whether it is open is remembered.
+ * The values of many topics at the cursor, most recently changed first. Whether it is open is remembered.
  *
- * @param shown the lines of the graphs that a person looks at.
- * @param all those that a search may find.
+ * @param shown the lines of the graphs on the screen.
+ * @param all the lines that a search may find.
  */
 internal class CursorPanel(private val scene: Scene, private val shown: () -> List<GraphSeries>, private val all: () -> List<GraphSeries>) {
     private lateinit var place: HTMLElement
@@ -64,7 +64,7 @@ internal class CursorPanel(private val scene: Scene, private val shown: () -> Li
         scene.cursor.onChange { if (!element.isHidden) frame.ask() }
     }
 
-    /** Opens it, or closes it. */
+    /** Opens or closes it. */
     fun toggle() {
         setOpen(element.isHidden)
         refresh()
@@ -77,7 +77,7 @@ internal class CursorPanel(private val scene: Scene, private val shown: () -> Li
         refresh()
     }
 
-    /** Looks again which topics there are. */
+    /** Lists the current topics again. */
     fun refresh() {
         if (element.isHidden) return
         lines =
@@ -138,7 +138,7 @@ internal class CursorPanel(private val scene: Scene, private val shown: () -> Li
             called = line.called
             name.showText(called)
             name.title = called
-            // What an attribute derives may have its name in its graph alone.
+            // The name of a topic derived by an attribute may exist only in its graph.
             pin.isHidden = scene.board.lines[called] == null
             pin.setAttribute("aria-pressed", isPinned.toString())
             val text = line.textOf(line.indexAt(x)) { withUnit(if (line.isDerived) roundedText(it) else exactText(it), line.unit) }
@@ -152,7 +152,7 @@ internal class CursorPanel(private val scene: Scene, private val shown: () -> Li
     private companion object {
         const val KEY = "values"
 
-        /** So many rows are shown; nobody reads more while the cursor moves. */
+        /** The maximum number of rows; nobody reads more while the cursor moves. */
         const val MOST = 200
     }
 }

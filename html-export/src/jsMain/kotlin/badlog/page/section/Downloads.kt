@@ -21,14 +21,14 @@ import org.w3c.files.Blob
 import kotlin.js.Promise
 
 /**
- * The buttons that give files back: the original, byte for byte, its samples as CSV, and whatever else the page carries.
+ * The buttons that save files: the original, byte for byte, its samples as CSV, and whatever else is in the page.
  *
- * @param read what the file was read as.
+ * @param read the recording read from the file.
  */
 internal class Downloads(private val about: About, recording: Element, private val read: Recording) {
     private val file = EmbeddedFile(recording)
 
-    /** Says how far what takes longer is. */
+    /** Shows the progress of longer work. */
     val notice: Notice = Notice()
 
     val element: HTMLElement = element("div", "downloads") {
@@ -53,13 +53,13 @@ internal class Downloads(private val about: About, recording: Element, private v
         }
     }
 
-    /** What the two files of one log differ in: `.dslog` and `.dsevents`. */
+    /** Returns the ending, in which the two files of one log differ: `.dslog` and `.dsevents`. */
     private fun ending(name: String): String = ".${name.removeSuffix(".gz").substringAfterLast('.')}"
 
     private fun original(): Promise<Blob> =
         if (about.isCompressed) Promise.resolve(file.compressed()) else file.inflated(about.inflatedBytes)
 
-    /** Of a whole file of rows its own text; of others what was read, so that what is damaged is left out or mended. */
+    /** For an undamaged file with rows, its own text; for others what was read, so that damaged parts are left out or repaired. */
     private fun csv(): Promise<Blob?> = if (read.isSalvaged || !read.format.hasRows) {
         fileOf(CsvTable.ofAll(LogView.of(read)), notice)
     } else {
@@ -82,7 +82,7 @@ internal class Downloads(private val about: About, recording: Element, private v
         button.add("span", "", text)
         button.addEventListener("click", {
             button.setAttribute("aria-busy", "true")
-            // Begun in a promise, so that what fails at once is reported as well.
+            // Started in a promise, so that an immediate failure is reported, too.
             Promise.resolve(Unit).then { content() }
                 .then { if (it != null) saveFile(it, name) }
                 .catch { button.textContent = "Could not be saved: ${it.message}" }

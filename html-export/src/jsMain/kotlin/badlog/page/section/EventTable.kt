@@ -18,7 +18,7 @@ import badlog.plot.text.decimalsFor
 import badlog.plot.text.fixedText
 import org.w3c.dom.HTMLElement
 
-/** An event log as a table of times and texts. An event takes the cursor to its time, and zooms there when asked to. */
+/** An event log as a table of times and texts. Selecting an event moves the cursor to its time, and zooms there if requested. */
 internal class EventTable(private val log: EventLog, private val scene: Scene) {
     private val haystacks = log.events.map { "${log.name} ${it.text}".lowercase() }
     private val decimals = decimalsFor(scene.range.full.width)
@@ -56,10 +56,10 @@ internal class EventTable(private val log: EventLog, private val scene: Scene) {
         showFound()
     }
 
-    /** How many events there are, or were found. */
+    /** The number of events, or of those found. */
     val foundCount: Int get() = found.size
 
-    /** Lets the keys scroll it. */
+    /** Gives it the keyboard focus, so that keys scroll it. */
     fun focus() = scroll.asDynamic().focus(json("preventScroll" to true)).unsafeCast<Unit>()
 
     /** Shows the events that [query] finds, and returns their number. */
@@ -99,7 +99,7 @@ internal class EventTable(private val log: EventLog, private val scene: Scene) {
     }
 
     private companion object {
-        /** So many rows are made at a time; a browser lays out more than some thousands only slowly. */
+        /** The number of rows created at a time; a browser is slow with more than a few thousand. */
         const val PAGE = 300
         val EVENT = setOf(Trait.EVENT)
     }

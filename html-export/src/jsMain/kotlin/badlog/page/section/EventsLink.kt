@@ -7,7 +7,7 @@ import badlog.page.dom.showText
 import badlog.plot.text.countText
 import org.w3c.dom.HTMLElement
 
-/** The way to what explains a recording, which stands far below its graphs: the first event log. */
+/** The link to the first event log, which explains a recording but is far below its graphs. */
 internal class EventsLink(private val folders: FolderList) {
     private lateinit var count: HTMLElement
 
@@ -23,7 +23,7 @@ internal class EventsLink(private val folders: FolderList) {
         update()
     }
 
-    /** Tells how many events are to be found now. */
+    /** Shows the current number of events. */
     fun update() {
         val found = folders.sections.sumOf { section -> section.tables.sumOf { it.foundCount } }
         element.isHidden = found == 0

@@ -30,7 +30,7 @@ import org.w3c.dom.HTMLElement
  * One place of a finding: what was found there, what to look at next, and the graphs that show it, together on a screen. Hidden until
  * a person goes to one.
  *
- * @param onStep is called when a person wants to see another place of the same finding, so many further on.
+ * @param onStep called when a person wants to see another place of the same finding, with the number of places to advance.
  */
 internal class EvidenceSection(
     private val scene: Scene,
@@ -73,10 +73,10 @@ internal class EvidenceSection(
         isHidden = true
     }
 
-    /** The graphs that it shows. */
+    /** The cards of the graphs that it shows. */
     val cards: List<GraphCard> get() = drawn
 
-    /** Shows what was found at [place], and of [incident], where it is a part of one, all that shows it. */
+    /** Shows what was found at [place]; if it is part of [incident], also all evidence of that. */
     fun show(place: FindingPlace<Finding>, incident: Incident?) {
         val finding = place.finding
         val places = scene.findings.placesOf(finding)
@@ -94,7 +94,7 @@ internal class EvidenceSection(
         element.bringIntoSight()
     }
 
-    /** Takes it off the page. */
+    /** Hides it. */
     fun close() {
         draw(Board())
         element.isHidden = true

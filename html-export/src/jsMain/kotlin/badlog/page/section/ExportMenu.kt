@@ -13,7 +13,7 @@ import badlog.page.view.Scene
 import badlog.plot.table.CsvTable
 import org.w3c.dom.HTMLElement
 
-/** The menu of what can be taken out of the page: on paper, as pictures, as tables. [board] is the graphs of the board. */
+/** The menu of what can be exported: on paper, as pictures, as tables. [board] has the graphs of the board. */
 internal class ExportMenu(private val scene: Scene, private val printing: Printing, private val board: () -> List<GraphCard>) {
     val element: HTMLElement = element("div", "export") {
         val button = addButton("", "", "Print, pictures and tables") {}

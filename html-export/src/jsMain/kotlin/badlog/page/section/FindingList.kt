@@ -24,11 +24,11 @@ import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
 /**
- * What was found in the recording: incidents, then all findings, the worst first: a few at once, all when asked for. A finding takes the
- * cursor to its time, and shows what is around it. Hidden while there is nothing to show.
+ * What was found in the recording: incidents, then all findings, the worst first; a few at first, all on request. Selecting a finding
+ * moves the cursor to its time, and shows what is around it. Hidden while there is nothing to show.
  *
- * @param onVisit is called when a person was taken to a place, perhaps as a part of an incident.
- * @param onPin is called when a person wants to keep the graphs that show a finding.
+ * @param onVisit called when a person goes to a place, with the incident if it is part of one.
+ * @param onPin called when a person wants to keep the graphs that show a finding.
  */
 internal class FindingList(
     private val scene: Scene,
@@ -84,13 +84,13 @@ internal class FindingList(
         show()
     }
 
-    /** Says that rules are still running, unless they end soon. */
+    /** Shows that rules are still running, unless they end soon. */
     fun wait() {
         isSearching = true
         window.setTimeout({ if (isSearching) showFound() }, PATIENCE)
     }
 
-    /** Shows the findings of the scene, which may be others than before, the [incidents] they make, and which rules were skipped or are wrong. */
+    /** Shows the current findings of the scene, their [incidents], and which rules were skipped or are wrong. */
     fun show(skippedRules: List<SkippedRule> = emptyList(), incidents: List<Incident> = emptyList()) {
         this.incidents = incidents
         isSearching = false
@@ -107,7 +107,7 @@ internal class FindingList(
         filter(query)
     }
 
-    /** Says that the rules could not be run, because of [reason]. */
+    /** Shows that the rules could not be run, because of [reason]. */
     fun fail(reason: String) {
         isSearching = false
         addProblem("The rules could not be run (${reason.trimEnd('.')}); reload the page, or run badlog report on the file.")
@@ -127,23 +127,23 @@ internal class FindingList(
         showFound()
     }
 
-    /** Lists for paper, where nothing unfolds, more than for the screen. */
+    /** Lists more on paper, where nothing can be unfolded, than on the screen. */
     fun print(isOnPaper: Boolean) {
         list(if (isOnPaper) PAGE else FEW)
     }
 
-    /** Goes to the next finding after the cursor, or the one before it when [steps] is negative. */
+    /** Goes to the next finding after the cursor, or to the one before it if [steps] is negative. */
     fun step(steps: Int) {
         scene.findings.beside(current, scene.cursor.x, steps)?.let { visit(it) }
     }
 
-    /** Goes to the place of the same finding that is [steps] further on, or back where that is negative. */
+    /** Goes [steps] places forward within the same finding, or back if [steps] is negative. */
     fun stepWithin(steps: Int) {
         val visited = scene.visited ?: return
         scene.findings.within(visited.finding, visited.span.from, steps)?.let { visit(it) }
     }
 
-    /** Goes to the finding that begins at [x] and is called [name], or else the worst there; returns whether there is one. */
+    /** Goes to the finding that begins at [x] and is called [name], or else to the worst one there. Returns whether there is one. */
     fun visitAt(x: Double, name: FindingName?): Boolean {
         val place = scene.findings.placeAt(x) { name?.isOf(it) == true } ?: return false
         visit(place)
@@ -190,7 +190,7 @@ internal class FindingList(
     }
 
     private fun list(wanted: Int) {
-        // Nobody unfolds a list for two lines more.
+        // Nobody unfolds a list for two more lines.
         val until = if (found.size <= wanted + 2) found.size else wanted
         if (until < listed || wanted == FEW) {
             body.textContent = ""
@@ -208,7 +208,7 @@ internal class FindingList(
         more.showText(if (left > PAGE) "Show more (${countText(left)} left)" else "Show all ${countText(found.size)}")
         val isLong = listed > FEW + 2
         fewer.isHidden = !isLong
-        // What scrolls has to answer to the keys.
+        // Anything that scrolls must react to keys.
         if (isLong) list.setAttribute("tabindex", "0") else list.removeAttribute("tabindex")
         list.classList.toggle("is-long", isLong)
         mark()
@@ -231,7 +231,7 @@ internal class FindingList(
         for ((finding, row) in rows) row.markCurrent(finding == current)
         for ((incident, row) in incidentRows) row.markCurrent(current?.let { it in incident } == true)
         val row = rows[current] ?: return
-        // Only the list: what is above and below it stays where it is.
+        // Scrolls only the list: everything above and below it stays where it is.
         if (list.classList.contains("is-long")) list.scrollTop = (row.offsetTop - list.offsetTop - list.clientHeight / 2).toDouble()
     }
 
@@ -240,13 +240,13 @@ internal class FindingList(
     }
 
     private companion object {
-        /** So many stand on the page before a person asks for more. */
+        /** The number of findings shown until a person asks for more. */
         val FEW = if (isNarrow) 3 else 5
 
-        /** So many rows are made at a time. */
+        /** The number of rows created at a time. */
         const val PAGE = 300
 
-        /** Milliseconds for which nothing is said of rules that run. */
+        /** Milliseconds before running rules are mentioned. */
         const val PATIENCE = 400
     }
 }

@@ -14,10 +14,10 @@ import badlog.rules.Finding
 import org.w3c.dom.HTMLElement
 
 /**
- * One finding as a row: its severity, its time with so many [decimals], what found it, and its text.
+ * One finding as a row: its severity, its time with [decimals] decimals, the rule, and its text.
  *
- * @param pin is called when a person wants to keep the graphs that show it.
- * @param go is called when a person wants to see the place.
+ * @param pin called when a person wants to keep the graphs that show it.
+ * @param go called when a person wants to see the place.
  */
 internal fun findingRow(finding: Finding, decimals: Int, pin: (Finding) -> Unit, go: (Finding) -> Unit): HTMLElement =
     element("li", "finding") {

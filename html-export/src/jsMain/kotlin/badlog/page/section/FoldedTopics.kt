@@ -20,11 +20,11 @@ import badlog.plot.text.countText
 import org.w3c.dom.HTMLElement
 
 /**
- * What of a large log no graph shows: what never changes as a table of names and values, and the names of topics without samples. Each
- * list opens when a person asks for it, or when a search finds something in it.
+ * The topics of a large log that no graph shows: constant ones as a table of names and values, and the names of topics without
+ * samples. Each list opens when a person opens it, or when a search finds something in it.
  *
  * @param draw adds a graph to its folder.
- * @param onDraw is called with each that was added.
+ * @param onDraw called with each graph that was added.
  */
 internal class FoldedTopics(outline: LogOutline, private val scene: Scene, draw: (Graph) -> GraphCard, onDraw: (GraphCard) -> Unit) {
     private val constants = FoldedList("Never change", "constants") {

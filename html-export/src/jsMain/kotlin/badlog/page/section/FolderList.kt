@@ -14,12 +14,13 @@ import badlog.plot.search.Query
 import org.w3c.dom.HTMLElement
 
 /**
- * All folders, the root folder first, then one for each hook. Which ones are closed is remembered for the file.
+ * All folders, the root folder first, then one for each hook. The page remembers for the file which ones are closed.
  *
  * @param fileKey identifies the file.
- * @param outline what is drawn at first, and what is only listed.
- * @param onDraw is called with each graph that is drawn because a person asked for it, [onLeave] with each that goes.
- * @param origin what calculated a graph, if it was not logged; else empty.
+ * @param outline what is drawn initially, and what is only listed.
+ * @param onDraw called with each graph that is drawn because a person asked for it, [onLeave] with each that is
+ * removed.
+ * @param origin what calculated a graph, if it was not logged; otherwise empty.
  */
 internal class FolderList(
     outline: LogOutline,
@@ -50,7 +51,9 @@ internal class FolderList(
         appendChild(folded.element)
     }
 
-    /** Lays out the folders with the first [graphs] graphs, not those below: all that it lays out keeps the browser from showing the first. */
+    /**
+     * Lays out the folders with the first [graphs] graphs, but not those below: everything laid out delays the display of the first ones.
+     */
     fun layOut(graphs: Int) {
         var above = 0
         for (section in sections) {
@@ -67,14 +70,14 @@ internal class FolderList(
 
     /** Shows what [query] finds. */
     fun filter(query: Query): Hits {
-        // A few are drawn at once, many stay a list to select from.
+        // A few are drawn at once; many remain a list to select from.
         val drawsListed = sections.sumOf { it.countListed(query) } <= FEW
         var hits = folded.filter(query)
         for (section in sections) hits += section.filter(query, drawsListed)
         return hits
     }
 
-    /** Adds [graph] to its folder, which is made if need be, and where it [isWanted] now opens that and brings it into sight. */
+    /** Adds [graph] to its folder, which is created if necessary. If [isWanted], opens the folder and scrolls to the graph. */
     fun add(graph: Graph, isWanted: Boolean = true): GraphCard {
         for (section in own) {
             val there = section.cards.find { it.graph === graph } ?: continue
@@ -87,7 +90,7 @@ internal class FolderList(
         return card
     }
 
-    /** Takes away the graph called [name], and its folder if that is empty then. */
+    /** Removes the graph called [name], and its folder if that is then empty. */
     fun remove(name: String): GraphCard? {
         val section = own.find { section -> section.cards.any { it.graph.name == name } } ?: return null
         val card = section.cards.first { it.graph.name == name }
@@ -124,7 +127,7 @@ internal class FolderList(
     }
 
     private companion object {
-        /** So many graphs that are only listed are drawn when a search finds them. */
+        /** Up to this many graphs that are only listed are drawn when a search finds them. */
         const val FEW = 12
     }
 }

@@ -13,7 +13,7 @@ import badlog.plot.text.countText
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLSelectElement
 
-/** The ways to the folders: a tree beside them on a wide screen, a choice in the bar on a narrow one. */
+/** Navigation between the folders: a tree beside them on a wide screen, a drop-down in the bar on a narrow one. */
 internal class FolderNavigation(private val folders: FolderList) {
     private val links = ArrayList<Pair<HTMLElement, FolderSection>>()
     private val counts = ArrayList<Pair<HTMLElement, FolderSection>>()
@@ -43,7 +43,7 @@ internal class FolderNavigation(private val folders: FolderList) {
         list()
     }
 
-    /** Lists the folders that there are now. */
+    /** Lists the current folders. */
     fun list() {
         tree.textContent = ""
         links.clear()
@@ -56,7 +56,7 @@ internal class FolderNavigation(private val folders: FolderList) {
         for (folder in FolderTree.of(folders.sections)) tree.addFolder(folder, isOpen)
     }
 
-    /** Shows only the ways to folders that are shown themselves, and how much is in them; opens all where [isSearching]. */
+    /** Shows only links to folders that are visible themselves, and how much is in them; opens all if [isSearching]. */
     fun update(isSearching: Boolean) {
         for ((link, section) in links) link.isHidden = section.element.isHidden
         for ((count, section) in counts) count.showText(countText(section.count))

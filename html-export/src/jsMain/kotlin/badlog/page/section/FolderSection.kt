@@ -22,11 +22,11 @@ import org.w3c.dom.HTMLElement
 /**
  * A folder: its values, its event logs, its graphs. All but the root folder can be closed.
  *
- * @param origin what calculated a graph, if it was not logged; else empty.
- * @param listed graphs of it that are drawn when somebody asks for them; [onDraw] is called with each then, [onLeave] with each that goes.
- * @param hook the program that all in it comes from; null for a folder of the recording.
- * @param isClosed whether it is closed to begin with.
- * @param onToggle is called when a person opens or closes it.
+ * @param origin what calculated a graph, if it was not logged; otherwise empty.
+ * @param listed its graphs that are drawn only on request; [onDraw] is then called with each, [onLeave] with each that is removed.
+ * @param hook the program that made everything in it; null for a folder of the recording.
+ * @param isClosed whether it is initially closed.
+ * @param onToggle called when a person opens or closes it.
  */
 internal class FolderSection(
     val folder: Folder,
@@ -54,19 +54,19 @@ internal class FolderSection(
     /** The graphs, in their order. */
     val cards: List<GraphCard> get() = drawn + undrawn.mapNotNull { it.card }
 
-    /** What it is called. */
+    /** Its heading. */
     val caption: String =
         if (hook == null) folder.name.split('/').joinToString(" / ").ifEmpty { "Top level" } else folder.name
 
-    /** The same where there is little room. */
+    /** A shorter heading for little room. */
     val shortCaption: String get() = if (hook == null) caption else "Hook ${hook.name}"
 
-    /** The names of the folders that it lies in, and its own. */
+    /** The names of the folders that contain it, then its own. */
     val path: List<String> get() = if (hook == null && folder.name.isNotEmpty()) folder.name.split('/') else listOf(shortCaption)
 
     private val size get() = cards.size + undrawn.count { it.card == null } + tables.size + (hook?.figures?.size ?: 0)
 
-    /** How much there is in it; while something is searched for, how much of that. */
+    /** The number of items in it; during a search, the number of those found. */
     var count: Int = size
         private set(value) {
             field = value
@@ -99,10 +99,10 @@ internal class FolderSection(
         showOpenness()
     }
 
-    /** How many graphs that are not drawn yet [query] finds. */
+    /** Returns how many graphs that are not drawn yet [query] finds. */
     fun countListed(query: Query): Int = undrawn.count { it.isFoundBy(query) }
 
-    /** Shows what [query] finds in it, opened while something is searched for; [drawsListed] draws what is else only listed. */
+    /** Shows what [query] finds in it, and opens it during a search. With [drawsListed], graphs that are normally only listed are drawn. */
     fun filter(query: Query, drawsListed: Boolean): Hits {
         isSearching = !query.isEmpty
         var graphs = 0
@@ -118,7 +118,7 @@ internal class FolderSection(
         return hits
     }
 
-    /** Opens it and brings [part] of it into sight. */
+    /** Opens it and scrolls to [part] of it. */
     fun reveal(part: HTMLElement = element) {
         if (isClosed) {
             isClosed = false
@@ -127,14 +127,14 @@ internal class FolderSection(
         part.bringIntoSight()
     }
 
-    /** Adds [card] below its others. */
+    /** Adds [card] below the others. */
     fun add(card: GraphCard) {
         drawn += card
         body.appendChild(card.element)
         count = size
     }
 
-    /** Takes [card] away. */
+    /** Removes [card]. */
     fun remove(card: GraphCard) {
         drawn -= card
         card.element.remove()

@@ -3,11 +3,11 @@ package badlog.page.section
 /**
  * A folder in the tree of all folders.
  *
- * @property title what it is called there; of folders that hold nothing but one folder, both names.
- * @property section what is in it; null where only its folders have something.
+ * @property title its name in the tree; for a folder that contains only one folder, both names.
+ * @property section its content; null if only its folders have any.
  */
 internal class FolderTree private constructor(val title: String, val section: FolderSection?, val folders: List<FolderTree>) {
-    /** What is in it and in its folders. */
+    /** Its own section and those of its folders. */
     val sections: List<FolderSection> get() = listOfNotNull(section) + folders.flatMap { it.sections }
 
     private class Draft(val title: String) {
@@ -23,7 +23,7 @@ internal class FolderTree private constructor(val title: String, val section: Fo
     }
 
     companion object {
-        /** The folders of [sections], in their order; what a hook made stands by itself. */
+        /** Returns the folders of [sections], in order; the folder of a hook is separate. */
         fun of(sections: List<FolderSection>): List<FolderTree> {
             val root = Draft("")
             for (section in sections) {

@@ -15,7 +15,7 @@ internal class HelpOverlay {
     val element: HTMLElement = element("dialog", "help") {
         id = "help"
         setAttribute("aria-label", "Keys and gestures")
-        // A click on the dialog itself is one beside its content.
+        // A click on the dialog itself is outside its content.
         addEventListener("click", { if (it.target == this) close() })
     }
 
@@ -36,7 +36,7 @@ internal class HelpOverlay {
         add("dd", "", line.meaning)
     }
 
-    /** Shows it, or takes it away. */
+    /** Opens or closes it. */
     fun toggle() {
         if (element.firstChild == null) element.addContent()
         if (element.hasAttribute("open")) close() else element.asDynamic().showModal()

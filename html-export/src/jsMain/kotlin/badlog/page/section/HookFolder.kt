@@ -15,7 +15,7 @@ import badlog.recording.RecordingFormat
 import badlog.recording.TextColumn
 import badlog.recording.Topic
 
-/** What [hook] calculated, as a folder of its own. */
+/** Returns what [hook] calculated, as a separate folder. */
 internal fun folderOf(hook: HookPart): Folder = Folder(
     "From the hook ${hook.name}",
     hook.values,
@@ -23,10 +23,10 @@ internal fun folderOf(hook: HookPart): Folder = Folder(
     hook.series.map { Graph(it.name, it.unit, isVirtual = true, isFilled = false, includesZero = false, listOf(lineOf(it))) },
 )
 
-/** Whether [hook] returned something that has a section. */
+/** Returns whether [hook] returned something that has a section. */
 internal fun hasSection(hook: HookPart): Boolean = hook.values.isNotEmpty() || hook.series.isNotEmpty() || hook.figures.isNotEmpty()
 
-/** A calculated line: unlike a logged topic with times of its own, it goes straight from one sample to the next. */
+/** Returns a calculated line: unlike a logged topic with times of its own, it is interpolated from one sample to the next. */
 private fun lineOf(series: PageSeries): GraphSeries {
     val samples = series.data.y
     val values = samples.count { it.isFinite() }

@@ -5,10 +5,10 @@ import badlog.page.dom.add
 import badlog.page.dom.element
 import org.w3c.dom.HTMLElement
 
-/** A picture that a hook drew, below its title. */
+/** Returns a picture that a hook drew, below its title. */
 internal fun hookPicture(figure: PageFigure): HTMLElement = element("figure", "picture card") {
     add("figcaption", "picture-title", figure.title)
-    // As an image, whatever scripts or addresses stand in it stay without effect.
+    // In an image element, any scripts or addresses in it have no effect.
     val image = add("img")
     image.setAttribute("alt", figure.title)
     image.addEventListener("error", {

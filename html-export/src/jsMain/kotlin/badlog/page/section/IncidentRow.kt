@@ -12,11 +12,11 @@ import badlog.rules.incident.Incident
 import org.w3c.dom.HTMLElement
 
 /**
- * An incident as a row: how bad it is, then each of its sentences with the time of what shows it, with so many [decimals], and what to
- * look at next.
+ * Returns an incident as a row: its severity, then each of its sentences with the time of its evidence, with [decimals] decimals, and
+ * what to look at next.
  *
- * @param pin is called when a person wants to keep the graphs that show it.
- * @param go is called when a person wants to see the place of a finding.
+ * @param pin called when a person wants to keep the graphs that show it.
+ * @param go called when a person wants to see the place of a finding.
  */
 internal fun incidentRow(incident: Incident, decimals: Int, pin: () -> Unit, go: (Finding) -> Unit): HTMLElement =
     element("li", "incident") {

@@ -11,7 +11,7 @@ import badlog.recording.RecordingFormat
 import badlog.recording.Severity
 import org.w3c.dom.HTMLElement
 
-/** The plain facts of the file of [view], whose topics are those of [recording], and its header as it stands there. */
+/** Returns the facts about the file of [view], whose topics are those of [recording], and its original header. */
 internal fun infoSection(view: LogView, recording: Recording, about: About): HTMLElement = element("section", "info card") {
     id = "info"
     add("h2", "", "Info")
@@ -54,7 +54,7 @@ private fun problemsOf(view: LogView): String {
 private fun HTMLElement.addHeader(line: String) {
     add("details") {
         add("summary", "", "Header of the file (JSON)")
-        // Filled when it is opened: of a thousand topics it is a long text to lay out.
+        // Filled when it is opened: for a thousand topics, it is a long text to lay out.
         addEventListener("toggle", {
             if (querySelector("pre") == null) add("pre", "header-json", indented(line)).setAttribute("tabindex", "0")
         })

@@ -82,7 +82,7 @@ internal class Keyboard(
     }
 
     private companion object {
-        /** What stands on keys that a browser calls otherwise. */
+        /** The labels of keys that have other names in browsers. */
         val LABELS = mapOf("ArrowLeft" to "←", "ArrowRight" to "→", "ArrowUp" to "↑", "ArrowDown" to "↓", "=" to "+", "−" to "-")
         val TYPING = setOf("INPUT", "SELECT", "TEXTAREA")
     }

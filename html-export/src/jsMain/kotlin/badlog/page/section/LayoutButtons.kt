@@ -18,12 +18,13 @@ import org.w3c.files.File
 import kotlin.js.Promise
 
 /**
- * The buttons that save the board to a layout file and open one, which the window knows, too. One that is dropped on the page is opened.
+ * The buttons that save the board to a layout file and open one; the window uses the same files. A layout file dropped on the page is
+ * opened, too.
  *
- * @param name what the log is called.
- * @param layoutNow what is to be saved.
- * @param onOpen is called with what was opened.
- * @param openOther opens a file that was dropped and is not a layout; false where it is nothing that it knows.
+ * @param name the log's name.
+ * @param layoutNow returns what to save.
+ * @param onOpen called with the opened layout.
+ * @param openOther opens a dropped file that is not a layout; returns false if it cannot.
  */
 internal class LayoutButtons(
     private val name: String,

@@ -14,19 +14,19 @@ import badlog.plot.search.Query
 import org.w3c.dom.HTMLElement
 
 /**
- * A graph that is only listed until a person asks for it, or searches for it.
+ * A graph that is only listed until a person selects it, or searches for it.
  *
- * @param make gives it as it is drawn.
+ * @param make creates its card.
  */
 internal class ListedGraph(private val graph: Graph, private val scene: Scene, private val make: (Graph) -> GraphCard) {
     private val searched = SearchedGraph(graph, scene)
     private var isWanted = false
     private lateinit var row: HTMLElement
 
-    /** Is told of each card that comes or goes. */
+    /** Called with each card that is created or removed. */
     var onChange: (GraphCard) -> Unit = {}
 
-    /** It as it is drawn; null while it is not. */
+    /** Its card; null while it is not drawn. */
     var card: GraphCard? = null
         private set
 
@@ -44,10 +44,10 @@ internal class ListedGraph(private val graph: Graph, private val scene: Scene, p
         }
     }
 
-    /** Whether [query] finds it while it is not drawn. */
+    /** Returns whether [query] finds it while it is not drawn. */
     fun isFoundBy(query: Query): Boolean = !isWanted && searched.isFoundBy(query)
 
-    /** Shows it where [query] finds it, drawn where [draws] says so, and returns whether it is found. */
+    /** Shows it if [query] finds it, drawn if [draws]. Returns whether it was found. */
     fun filter(query: Query, draws: Boolean): Boolean {
         val isFound = searched.isFoundBy(query)
         element.isHidden = !isFound

@@ -44,7 +44,7 @@ import badlog.rules.incident.incidentsIn
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
-/** The page of a recording, put together. */
+/** Puts together the page of a recording. */
 internal class LogPage(
     private val formulas: Formulas,
     private val about: About,
@@ -144,7 +144,7 @@ internal class LogPage(
         Keyboard(scene, search, findings, evidence, BoardKeys(board, graphs, boardSection), values, formulaDialog, help, video)
     }
 
-    /** Goes to what the address names, and draws what is on the screen then; to be called when [element] is on the page. */
+    /** Goes to the place in the address, and then draws what is on the screen. Call it when [element] is on the page. */
     fun start() {
         link.start { asked ->
             board.begin(asked) { layout.board ?: boardAbove(view, signals) }
@@ -155,8 +155,8 @@ internal class LogPage(
     }
 
     /**
-     * Lays out all of the page, and runs the rules that it carries over [logged], the recording with the exporter's formulas; to be called when
-     * the first graphs are seen.
+     * Lays out the whole page, and runs its rules on [logged], the recording with the exporter's formulas. Call it when the first graphs
+     * are visible.
      */
     fun complete(logged: LogView) {
         folders.layOut(Int.MAX_VALUE)
@@ -168,11 +168,11 @@ internal class LogPage(
                 val incidents = additions.rules.incidentsIn(found.findings, additions.differences)
                 findings.show(found.skipped, incidents)
                 if (layout.board == null) board.beginAgain(boardAbove(view, signals, firstEvidenceOf(incidents, scene.findings.worstFirst)))
-                // has:finding finds more now.
+                // `has:finding` now finds more.
                 search.again()
-                // What the address names is known only now.
+                // The place in the address is known only now.
                 link.followAgain()
-                // Into the graphs that are there: somebody may be dragging over one.
+                // Draws into the existing graphs, since somebody may be dragging over one.
                 if (found.findings.isNotEmpty()) {
                     graphs.redraw()
                     zoomBar.repaint()
@@ -186,7 +186,7 @@ internal class LogPage(
         )
     }
 
-    /** Draws everything that has colors of its own again. */
+    /** Redraws everything that has its own colors. */
     fun repaint() {
         graphs.repaint()
         zoomBar.repaint()
@@ -200,14 +200,14 @@ internal class LogPage(
         navigation.update(isSearching = !query.isEmpty)
         eventsLink.update()
         values.filter(query)
-        // What was found begins above the screen when the page was scrolled before, and below it when a board stands above.
+        // The findings begin above the screen if the page was scrolled before, and below it if there is a board above.
         val top = content.getBoundingClientRect().top
         val isBelow = top > window.innerHeight / 2 && !inFolders.isEmpty
         if (!query.isEmpty && (top < 0 || isBelow)) content.bringIntoSight()
         return hits
     }
 
-    /** Those of the board and the evidence, or where there is neither, all of the log. */
+    /** Returns the lines of the board and the evidence, or, if there is neither, all of the log. */
     private fun linesShown() = (boardSection.cards + evidence.cards).ifEmpty { folders.cards }.flatMap { it.graph.series }
 
     private fun allLines() = folders.cards.flatMap { it.graph.series } +
@@ -222,7 +222,7 @@ internal class LogPage(
         navigation.list()
     }
 
-    /** Adds those of [definitions], which a link or a layout has, that can be calculated here, and says in sentences why others cannot. */
+    /** Adds those of [definitions], from a link or a layout, that can be calculated here. Returns sentences that say why others cannot. */
     private fun addFormulas(definitions: List<String>, isRemembered: Boolean): List<String> {
         val problems = ArrayList<String>()
         for (definition in definitions.filter { !formulas.has(it) }) {
@@ -268,7 +268,7 @@ internal class LogPage(
         for (definition in users + from) takeAway(definition)
         formulas.replace(from, to)
         for (definition in users + to) graphs.add(folders.add(formulas.graphOf(definition)))
-        // Before the old name is unknown: what nothing draws is not on the board.
+        // Before the old name becomes unknown, because the board drops what nothing draws.
         nameIn(to)?.let { name -> board.change { renamed(nameIn(from).orEmpty(), name) } }
         board.lines = linesNow()
         navigation.list()
@@ -299,7 +299,7 @@ internal class LogPage(
         first.focus()
     }
 
-    /** Scrolls to the first graph where none is on the screen, so that the cursor is seen. */
+    /** Scrolls to the first graph if none is on the screen, so that the cursor is visible. */
     private fun showAnyGraph() {
         val boxes = (boardSection.cards + folders.cards).map { it.element to it.element.getBoundingClientRect() }.filter {
             it.second.height >
@@ -310,10 +310,10 @@ internal class LogPage(
     }
 
     private companion object {
-        /** So many pixels of a graph are enough to see its cursor. */
+        /** The number of pixels of a graph that are enough to see its cursor. */
         const val MIN_VISIBLE = 120
 
-        /** Hardly a graph is less high, in pixels. */
+        /** Hardly any graph is lower than this, in pixels. */
         const val LOWEST = 100
     }
 }

@@ -12,7 +12,7 @@ import badlog.plot.text.decimalsFor
 import badlog.plot.text.fixedText
 import org.w3c.dom.HTMLElement
 
-/** What people wrote about moments of the recording, each with the way there; hidden where there is nothing. */
+/** The notes about moments of the recording, each with a link to the moment; hidden if there are none. */
 internal class NoteList(scene: Scene) {
     private val notes = scene.notes
     private val rows = ArrayList<HTMLElement>()

@@ -21,8 +21,8 @@ import org.w3c.dom.HTMLElement
 import org.w3c.dom.pointerevents.PointerEvent
 
 /**
- * The whole recording as a strip, with its modes, events and findings and the part that is visible; dragging moves
- * that part or one of its edges, or chooses one.
+ * The whole recording as a strip, with its modes, events and findings, and the visible part. Dragging moves that
+ * part or one of its edges, or selects a new part.
  */
 internal class Overview(private val scene: Scene) {
     private lateinit var marks: HTMLCanvasElement
@@ -53,7 +53,7 @@ internal class Overview(private val scene: Scene) {
         update()
     }
 
-    /** Draws the marks of the events and findings, in the colors of now. */
+    /** Draws the marks of the events and findings, in the current colors. */
     fun drawMarks() {
         val ratio = window.devicePixelRatio
         val width = element.clientWidth * ratio
@@ -129,10 +129,10 @@ internal class Overview(private val scene: Scene) {
     }
 
     private companion object {
-        /** The pointer over each grip. */
+        /** The mouse pointer over each handle. */
         val CURSORS = listOf("ew-resize", "ew-resize", "grab", "crosshair")
 
-        /** Which part of the strip may lie between the pointer and a mark that it points at. */
+        /** The maximum distance between the pointer and a mark that it points at, as a fraction of the strip. */
         const val REACH = 0.005
     }
 }

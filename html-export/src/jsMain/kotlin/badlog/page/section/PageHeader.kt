@@ -13,7 +13,7 @@ import badlog.plot.text.withUnit
 import badlog.recording.Recording
 import org.w3c.dom.HTMLElement
 
-/** What file this is, with what was [logged], and what can be done with it. */
+/** Returns the header: the file, what was [logged], and what can be done with it. */
 internal fun pageHeader(scene: Scene, about: About, logged: Recording, tools: List<HTMLElement>): HTMLElement =
     element("header", "page-head") {
         val view = scene.view
@@ -39,7 +39,7 @@ private fun factsOf(view: LogView, logged: Recording, about: About): List<String
     return facts
 }
 
-/** How many samples there are, as `7,500 samples each` where all topics share rows. */
+/** Returns the number of samples as text, such as `7,500 samples each` if all topics share rows. */
 internal fun samplesText(recording: Recording): String = if (recording.format.hasRows) {
     countText(recording.rowCount, "sample") + " each"
 } else {

@@ -17,11 +17,11 @@ import org.w3c.dom.HTMLTextAreaElement
 import kotlin.js.Promise
 
 /**
- * What the page's address asks for, see [PageAddress]: done when the page opens, and when the address changes. And the button that copies an
- * address that asks for what is seen now.
+ * Follows the page's address, see [PageAddress], when the page opens and when the address changes. Also has the button that copies an
+ * address for the current view.
  *
- * @param onFormulas is called with the formulas of an address, and says in sentences what is wrong with some of them.
- * @param onJump is called when the cursor and the board are where the address asks for them.
+ * @param onFormulas called with the formulas of an address; returns sentences about mistakes in them.
+ * @param onJump called when the cursor and the board are as the address demands.
  */
 internal class PageLink(
     private val scene: Scene,
@@ -30,14 +30,14 @@ internal class PageLink(
     private val onFormulas: (List<String>) -> List<String>,
     private val onJump: (PageAddress) -> Unit,
 ) {
-    /** What was asked for, for as long as the reader has not looked elsewhere. */
+    /** The address that was followed, until the reader looks elsewhere. */
     private var followed: PageAddress? = null
 
     val element: HTMLElement = element("div", "copy-link") {
         addIconButton("", Icon.LINK, "Copy a link to this time, range and board") { copy() }.id = "copy-link"
     }
 
-    /** Begins to follow the address; [begin] is called with the board that it asks for. */
+    /** Starts following the address; [begin] is called with the board in it. */
     fun start(begin: (Board?) -> Unit) {
         follow(begin)
         window.addEventListener("hashchange", { follow { asked -> asked?.let(scene.board::visit) } })
@@ -45,8 +45,8 @@ internal class PageLink(
     }
 
     /**
-     * Makes the board and the formulas of a link the reader's own, who is changing one of them. Else they would come back when the page is
-     * loaded again, in the place of what the reader made of them.
+     * Makes the board and the formulas of a link the reader's own, because the reader is changing one of them. Otherwise they would return
+     * when the page is loaded again, and replace the reader's changes.
      */
     fun leave() {
         val hash = window.location.hash
@@ -54,7 +54,7 @@ internal class PageLink(
         if ("f=" in hash || "board=" in hash) showAddress("")
     }
 
-    /** Goes where the address goes once more, unless the reader has looked elsewhere: what is found there is known only now. */
+    /** Follows the address again, unless the reader has looked elsewhere: the findings there are known only now. */
     fun followAgain() {
         val address = followed ?: return
         val isThere = if (address.visible == null) !scene.range.isZoomed else address.visible == scene.range.now
@@ -101,7 +101,7 @@ internal class PageLink(
             }
     }
 
-    /** Lets the page's address end with [end], which is not followed. */
+    /** Makes the page's address end with [end], without following it. */
     private fun showAddress(end: String) {
         try {
             window.history.replaceState(null, "", window.location.href.substringBefore('#') + end)
@@ -110,7 +110,7 @@ internal class PageLink(
         }
     }
 
-    /** As pages can that may not use the clipboard. */
+    /** Copies in a way that works for pages that may not use the clipboard. */
     private fun copyBySelection(link: String): Boolean {
         val area = element("textarea").unsafeCast<HTMLTextAreaElement>()
         area.value = link

@@ -2,12 +2,12 @@ package badlog.page.section
 
 import kotlinx.browser.document
 
-/** Says in the page, for whoever drives it, how far the rules are: `done` or `failed`. */
+/** Records in the page, for programs that control it, the state of the rules: `done` or `failed`. */
 internal fun setRulesState(state: String) {
     document.documentElement?.setAttribute("data-rules", state)
 }
 
-/** Says in the page, for whoever drives it, how far it is. */
+/** Records in the page, for programs that control it, the state of loading. */
 internal fun setPageState(state: String) {
     document.documentElement?.setAttribute("data-state", state)
 }

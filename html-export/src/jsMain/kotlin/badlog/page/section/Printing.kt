@@ -11,12 +11,12 @@ import org.w3c.dom.Element
 import org.w3c.dom.HTMLElement
 
 /**
- * Puts the page on paper: in light colors, findings and the graphs of the board first, drawn anew as wide as the paper and none cut
- * between two pages; the other graphs, where a person asks for them, or the board is empty.
+ * Prints the page: in light colors, findings and the graphs of the board first, redrawn for the width of the paper, and none split
+ * between two pages. The other graphs follow on request, or if the board is empty.
  *
  * @param first the graphs of board and evidence.
- * @param others those of the folders.
- * @param onPrint is called with whether the page is on paper, before it is and after.
+ * @param others the graphs of the folders.
+ * @param onPrint called before and after printing, with whether the page is laid out for paper.
  */
 internal class Printing(
     private val scene: Scene,
@@ -28,7 +28,7 @@ internal class Printing(
     private var isWhole = false
     private var wasDark = false
 
-    /** Says what of the log is on the paper. */
+    /** Says which part of the log is on the paper. */
     val element: HTMLElement = element("p", "paper unit")
 
     init {
@@ -36,7 +36,7 @@ internal class Printing(
         window.addEventListener("afterprint", { end() })
     }
 
-    /** Opens the browser's dialog, for all graphs where it [isWhole]. */
+    /** Opens the browser's print dialog, for all graphs if [isWhole]. */
     fun open(isWhole: Boolean) {
         this.isWhole = isWhole
         window.print()

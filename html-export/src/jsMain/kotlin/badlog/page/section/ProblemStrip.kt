@@ -13,9 +13,9 @@ import badlog.recording.Severity
 import org.w3c.dom.HTMLElement
 
 /**
- * What was wrong in the file: one line that says how much, which unfolds to a list. What is lost is listed at once.
+ * What was wrong in the file: a summary line that unfolds to a list. Lost data is listed at once.
  *
- * @param additions what is wrong with what the page shows besides, which is listed at once, too.
+ * @param additions problems with what else the page shows, which are also listed at once.
  */
 internal class ProblemStrip(private val view: LogView, private val additions: List<AdditionProblem> = emptyList()) {
     private val errors = view.count(Severity.ERROR)

@@ -5,7 +5,7 @@ import badlog.page.dom.element
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
-/** What the page shows while the log is read. */
+/** What the page shows while the log is being read. */
 internal class LoadingScreen(name: String) {
     private lateinit var bar: HTMLElement
 
@@ -16,11 +16,11 @@ internal class LoadingScreen(name: String) {
     }
 
     init {
-        // Most files are read before anyone could read this.
+        // Most logs are loaded before anyone could read this.
         window.setTimeout({ element.classList.add("is-slow") }, PATIENCE_MILLISECONDS)
     }
 
-    /** Shows that [share] of the work is done. */
+    /** Shows that [share] of the work is done, 0 to 1. */
     fun show(share: Double) {
         bar.style.width = "${share * 100}%"
     }
@@ -30,7 +30,7 @@ internal class LoadingScreen(name: String) {
     }
 }
 
-/** What the page shows instead of a log that cannot be shown. */
+/** Returns what the page shows instead of a log that cannot be shown. */
 internal fun failureScreen(title: String, explanation: String, tools: HTMLElement? = null): HTMLElement = element("div", "screen failure") {
     setAttribute("role", "alert")
     add("p", "screen-title", title)

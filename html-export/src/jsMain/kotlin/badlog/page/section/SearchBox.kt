@@ -12,7 +12,7 @@ import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLInputElement
 import org.w3c.dom.events.KeyboardEvent
 
-/** The search box. [search] is called for each change, and returns what was found. */
+/** The search box. [search] is called after each change, and returns what was found. */
 internal class SearchBox(private val search: (Query) -> Hits) {
     private lateinit var input: HTMLInputElement
     private lateinit var count: HTMLElement
@@ -42,7 +42,7 @@ internal class SearchBox(private val search: (Query) -> Hits) {
         })
     }
 
-    /** Lets the person type. */
+    /** Gives it the keyboard focus. */
     fun focus() {
         input.focus()
         input.select()
@@ -55,7 +55,7 @@ internal class SearchBox(private val search: (Query) -> Hits) {
         run()
     }
 
-    /** Searches again where what was found by rules is asked for. */
+    /** Repeats the search if it depends on findings. */
     fun again() {
         if (Query(input.value).asksFor(Trait.FINDING)) run()
     }
@@ -68,7 +68,7 @@ internal class SearchBox(private val search: (Query) -> Hits) {
     }
 
     private companion object {
-        /** From this width of the window on, in CSS pixels, the style sheet gives the box more room. */
+        /** From this window width on, in CSS pixels, the style sheet gives the box more room. */
         const val SHORT_WIDTH = 1100
     }
 }

@@ -8,7 +8,7 @@ import badlog.page.view.Palette
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
-/** Light, dark, or as the system has it; remembered. [onChange] is called after each change of colors. */
+/** Light, dark, or the system's theme; remembered. [onChange] is called after each change of colors. */
 internal class ThemeSwitch(private val onChange: () -> Unit) {
     private enum class Theme(val icon: Icon, val text: String) {
         AUTO(Icon.AUTO, "Colors: as the system"),
@@ -16,7 +16,7 @@ internal class ThemeSwitch(private val onChange: () -> Unit) {
         DARK(Icon.MOON, "Colors: dark"),
     }
 
-    /** The colors of now. */
+    /** The current colors. */
     val palette: Palette = Palette()
 
     private var theme = Theme.entries.firstOrNull { it.name == LocalStorage["theme"] } ?: Theme.AUTO

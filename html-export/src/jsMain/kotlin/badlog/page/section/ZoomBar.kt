@@ -18,10 +18,10 @@ import badlog.plot.text.differenceText
 import org.w3c.dom.HTMLElement
 
 /**
- * What is visible, where the cursor is and what happened there, always in sight.
+ * The visible range, the cursor's place and what happened there, always on the screen.
  *
- * @param ways lead to parts of the page.
- * @param link copies a link to what is seen.
+ * @param ways links to parts of the page.
+ * @param link copies a link to the current view.
  */
 internal class ZoomBar(private val scene: Scene, ways: List<HTMLElement>, link: HTMLElement) {
     private val overview = Overview(scene)
@@ -71,10 +71,10 @@ internal class ZoomBar(private val scene: Scene, ways: List<HTMLElement>, link: 
         update()
     }
 
-    /** Draws what it draws with the colors of now. */
+    /** Redraws it with the current colors. */
     fun repaint() = overview.drawMarks()
 
-    /** A link to what is pinned; on the way to it the pointer moves over other times. */
+    /** Links to the pinned cursor, since the pointer passes over other times on its way to the link. */
     private fun showLink(pinned: Double?) {
         cursor.title = if (pinned == null) "Click a graph to pin the cursor, and link to its time" else "Link to this time"
         val link = pinned?.let { PageAddress(it, finding = scene.visitedAt(it)).toText() }
@@ -107,7 +107,7 @@ internal class ZoomBar(private val scene: Scene, ways: List<HTMLElement>, link: 
         clock.showText(scene.clocks.matchAt(x).orEmpty())
         val time = scene.clocks.dayAt(x).orEmpty()
         day.showText(time)
-        // On most screens there is no room for the time of day beside the others.
+        // Most screens have no room for the time of day beside the other times.
         clock.title = "Phase, and time since the robot was enabled" + if (time.isEmpty()) "" else "; time of day $time"
         showLink(scene.cursor.now.pinned)
         scene.cursor.now.second?.let { second.showText("B ${scene.xText(it)} · ${differenceText(x, it, scene.xAxis)}") }

@@ -23,10 +23,10 @@ import org.w3c.dom.url.URL
 import org.w3c.files.File
 
 /**
- * A video of the match beside its data. What the reader opens stays on the reader's machine.
+ * A video of the match beside its data. A video that the reader opens stays on the reader's machine.
  *
- * @param fileKey tells this log from others, for what the browser remembers.
- * @param beside the name of a video that lies beside the page, as a part of an address; null for none.
+ * @param fileKey identifies this log for what the browser remembers.
+ * @param beside the name of a video beside the page, as part of an address; null for none.
  */
 internal class VideoPanel(private val scene: Scene, fileKey: String, beside: String?) {
     private val key = "video:$fileKey"
@@ -38,7 +38,7 @@ internal class VideoPanel(private val scene: Scene, fileKey: String, beside: Str
     private val sync = VideoSync(video, scene, secondsOfX ?: 1.0)
     private var name = ""
 
-    /** Where a link has the video, until one is opened. */
+    /** The alignment from a link, until a video is opened. */
     private var linked: VideoAlignment? = null
     private lateinit var heading: HTMLElement
     private lateinit var hint: HTMLElement
@@ -92,7 +92,7 @@ internal class VideoPanel(private val scene: Scene, fileKey: String, beside: Str
         isHidden = true
     }
 
-    /** Opens it; hidden where x is not a time. */
+    /** Opens it; hidden if x is not a time. */
     val button: HTMLElement = element("div", "downloads") {
         addButton("", "") {
             if (name.isEmpty()) input.click() else element.isHidden = !element.isHidden
@@ -104,7 +104,7 @@ internal class VideoPanel(private val scene: Scene, fileKey: String, beside: Str
         isHidden = secondsOfX == null
     }
 
-    /** Where the video lies beside the log; null without one, or where nobody has said. */
+    /** How the video is aligned with the log; null if there is no video, or nobody has aligned it. */
     var alignment: VideoAlignment?
         get() = sync.alignment ?: linked
         set(value) {
@@ -116,7 +116,7 @@ internal class VideoPanel(private val scene: Scene, fileKey: String, beside: Str
 
     init {
         video.addEventListener("error", { if (name.isNotEmpty()) fail() })
-        // Of some files a browser plays the sound alone.
+        // For some files, a browser plays only the sound.
         video.addEventListener("loadedmetadata", { if (video.videoWidth == 0) fail() })
         if (beside != null &&
             secondsOfX != null
@@ -125,7 +125,7 @@ internal class VideoPanel(private val scene: Scene, fileKey: String, beside: Str
         }
     }
 
-    /** Shows [file] where it is a video; false for another. */
+    /** Shows [file] if it is a video. Returns false otherwise. */
     fun open(file: File): Boolean {
         val isVideo = file.type.startsWith("video/") || file.name.endsWith(".mkv")
         if (secondsOfX == null || !isVideo) return false
@@ -133,7 +133,7 @@ internal class VideoPanel(private val scene: Scene, fileKey: String, beside: Str
         return true
     }
 
-    /** Shows the frame [count] after this one, or before it when negative. */
+    /** Shows the frame [count] after this one, or before it if negative. */
     fun step(count: Int) {
         if (!element.isHidden) sync.step(count)
     }

@@ -8,40 +8,40 @@ import org.w3c.dom.HTMLVideoElement
 import kotlin.math.abs
 
 /**
- * Lets [video] move the cursor, and the cursor move the video, as soon as there is an [alignment].
+ * Makes [video] move the cursor, and the cursor move the video, as soon as there is an [alignment].
  *
- * @param secondsOfX how many seconds one x is.
+ * @param secondsOfX the number of seconds in one unit of x.
  */
 internal class VideoSync(private val video: HTMLVideoElement, private val scene: Scene, private val secondsOfX: Double) {
     private val clock = FrameClock()
 
-    /** When the frame that is shown begins, in seconds from the video's start. */
+    /** When the displayed frame begins, in seconds from the video's start. */
     private var frame = 0.0
 
-    /** From which frame how many steps are on their way. */
+    /** The frame from which steps are in progress, and their number. */
     private var from = Double.NaN
     private var steps = 0
 
-    /** Where to go when the video has arrived where it goes now. */
+    /** Where to seek next, once the current seek is done. */
     private var next = Double.NaN
     private var timer = 0
 
-    /** Whether the browser does not report which frame is shown after a jump. */
+    /** Whether the browser does not report which frame is shown after a seek. */
     private var isSilent = false
     private val isStale get() = abs(frame - video.currentTime) > FAR
     private var isOwnSeek = false
 
-    /** Whether the cursor led the video to where it is: it may stand between two frames, and stays. */
+    /** Whether the cursor moved the video to where it is: the cursor may be between two frames, and stays there. */
     private var isLed = false
     private var isLeading = false
     private var place = Double.NaN
 
-    /** Where the video lies beside the log; null where each goes its own way. */
+    /** How the video is aligned with the log; null if they are independent. */
     var alignment: VideoAlignment? = null
         set(value) {
             field = value
             place = Double.NaN
-            // The video goes to a cursor that is there, also where its first frame is drawn before that is done.
+            // The video goes to an existing cursor, even if its first frame is drawn before that.
             isLed = scene.cursor.isPlaced
         }
 
@@ -70,7 +70,7 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
         }
     }
 
-    /** Shows the frame [count] after the one that is shown, or before it when negative. */
+    /** Shows the frame [count] after the displayed one, or before it if negative. */
     fun step(count: Int) {
         video.pause()
         isLed = false
@@ -80,13 +80,13 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
         seek(clock.step(from, steps))
     }
 
-    /** What is shown now belongs to [x]. */
+    /** Aligns the displayed frame with [x]. */
     fun align(x: Double) {
         alignment = VideoAlignment.of(frame, x, secondsOfX)
         lead(frame)
     }
 
-    /** Goes where the cursor is. */
+    /** Seeks to the cursor. */
     fun follow() {
         val x = scene.cursor.x
         val aligned = alignment
@@ -97,7 +97,7 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
         seek(aligned.secondsAt(x, secondsOfX))
     }
 
-    /** The video is where it was to go, and stands. Where a step has not left its frame, tries a longer one, unless the video has nothing there. */
+    /** Handles the end of a seek. If a step did not leave its frame, tries a longer one, unless the video ends there. */
     private fun arrive() {
         if (video.seeking || !video.paused) return
         if (isStale) isSilent = true
@@ -128,7 +128,7 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
     }
 
     private fun show(time: Double) {
-        // What was on its way to the screen before the jump.
+        // A frame from before the seek.
         if (video.seeking && abs(time - video.currentTime) > clock.frameSeconds * 2) return
         if (steps != 0 && time == from) return
         clock.show(time, isNext = abs(steps) == 1 || (!video.paused && video.playbackRate <= 1))
@@ -147,10 +147,10 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
     }
 
     private companion object {
-        /** So many seconds beside where the video is, a frame is not the one that is shown. */
+        /** A frame this many seconds from the video's position is not the displayed one. */
         const val FAR = 0.25
 
-        /** Milliseconds after which a frame is on the screen that the video has gone to. */
+        /** Milliseconds after which a frame that the video has sought is on the screen. */
         const val PATIENCE = 150
     }
 }

@@ -5,8 +5,8 @@ import badlog.plot.board.BoardGraph
 import badlog.plot.board.BoardLines
 
 /**
- * The graphs that draw [spec], each with what a board calls its lines, as far as [lines] has them: numbers first, then states, which cannot
- * share a frame with them.
+ * Returns the graphs that draw [spec], each with the board's names for its lines, if [lines] has them: numbers first, then states, which
+ * cannot share a frame with them.
  */
 internal fun graphsOf(spec: BoardGraph, lines: BoardLines): List<Pair<Graph, List<String>>> {
     val found = spec.lines.mapNotNull { name -> lines[name]?.let { name to it } }

@@ -12,11 +12,11 @@ internal class Cursor(clocks: List<DoubleArray>) {
     private val steps = CursorSteps(clocks)
     private val listeners = ArrayList<() -> Unit>()
 
-    /** Where they stand. */
+    /** Their places. */
     var now: Cursors = Cursors()
         private set
 
-    /** Where values are read; NaN for nowhere. */
+    /** The x at which values are read; NaN for none. */
     val x: Double get() = now.x ?: Double.NaN
 
     val isPlaced: Boolean get() = now.x != null
@@ -26,18 +26,18 @@ internal class Cursor(clocks: List<DoubleArray>) {
         listeners += listener
     }
 
-    /** Puts them where [step] leads to. */
+    /** Changes their places by [step]. */
     fun change(step: Cursors.() -> Cursors) {
         val before = now
         now = before.step()
         if (now != before) announce()
     }
 
-    /** Lets what stands at the cursors be read again. */
+    /** Calls the listeners, so that the values at the cursors are read again. */
     fun announce() {
         for (listener in listeners) listener()
     }
 
-    /** Moves the one that keys move by [count] samples, back when negative; to the one nearest to [start] when it is nowhere. */
+    /** Moves the cursor that keys move by [count] samples, back if negative; if it has no place, to the sample nearest to [start]. */
     fun step(count: Int, start: Double) = change { moved(steps.nearest(start)) { steps.from(it, count) } }
 }

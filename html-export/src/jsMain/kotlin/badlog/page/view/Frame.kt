@@ -2,11 +2,11 @@ package badlog.page.view
 
 import kotlinx.browser.window
 
-/** Does [work] once before the browser's next picture, however often it is asked to. */
+/** Does [work] once before the browser's next frame, however often it is requested. */
 internal class Frame(private val work: () -> Unit) {
     private var isAsked = false
 
-    /** Asks for [work] to be done. */
+    /** Requests [work]. */
     fun ask() {
         if (isAsked) return
         isAsked = true

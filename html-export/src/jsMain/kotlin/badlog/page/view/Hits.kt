@@ -3,7 +3,7 @@ package badlog.page.view
 import badlog.plot.search.Query
 import badlog.plot.text.countText
 
-/** How much of the page a [Query] found. */
+/** How many things on the page a [Query] found. */
 internal class Hits(
     val graphs: Int = 0,
     val values: Int = 0,
@@ -14,7 +14,7 @@ internal class Hits(
 ) {
     val isEmpty: Boolean get() = sum == 0
 
-    /** How many there are in all. */
+    /** The total. */
     val sum: Int get() = graphs + values + events + findings + topics + notes
 
     operator fun plus(other: Hits): Hits = Hits(
@@ -26,7 +26,7 @@ internal class Hits(
         notes + other.notes,
     )
 
-    /** As a person reads it: `3 graphs, 1 event`. */
+    /** Returns the text for people: `3 graphs, 1 event`. */
     fun text(): String {
         val parts = listOf(
             "graph" to graphs,

@@ -8,7 +8,7 @@ import badlog.page.dom.showText
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
-/** A sentence about what was just done, over the page's lower edge; it goes by itself. */
+/** A sentence about what was just done, over the page's lower edge; it disappears by itself. */
 internal class Notice {
     private lateinit var text: HTMLElement
     private var timer = 0
@@ -23,7 +23,7 @@ internal class Notice {
         classList.add("is-empty")
     }
 
-    /** Says [sentences]. */
+    /** Shows [sentences]. */
     fun say(vararg sentences: String) {
         val said = sentences.joinToString(" ")
         if (said.isEmpty()) return
@@ -31,7 +31,7 @@ internal class Notice {
         timer = window.setTimeout(::hide, FIRST + said.length * PER_LETTER)
     }
 
-    /** Says [progress] of something until the next sentence; closing it calls [onCancel]. */
+    /** Shows [progress] until the next sentence; closing it calls [onCancel]. */
     fun show(progress: String, onCancel: () -> Unit) {
         cancel = onCancel
         text.showText(progress)
@@ -39,14 +39,14 @@ internal class Notice {
         window.clearTimeout(timer)
     }
 
-    /** Takes away what was said. */
+    /** Hides it. */
     fun hide() {
         element.classList.add("is-empty")
         text.showText("")
     }
 
     private companion object {
-        /** Milliseconds that every sentence stays, and that each of its letters takes to be read by somebody who reads slowly. */
+        /** Milliseconds for which every sentence stays, and additional ones for each character, for slow readers. */
         const val FIRST = 4000
         const val PER_LETTER = 80
     }

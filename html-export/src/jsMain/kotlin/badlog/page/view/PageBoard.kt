@@ -12,27 +12,27 @@ import badlog.plot.board.toJson
 /**
  * The graphs that the reader put together, which the browser remembers for the file.
  *
- * @param lines all that may be drawn.
+ * @param lines all lines that can be drawn.
  */
 internal class PageBoard(fileKey: String, lines: BoardLines) {
     private val key = "board:$fileKey"
     private var history = BoardHistory()
     private val listeners = ArrayList<() -> Unit>()
 
-    /** What it began with, unless the browser remembered one. */
+    /** The board it began with, unless the browser remembered one. */
     private var begun: BoardHistory? = null
 
-    /** Is called when the reader has changed it. */
+    /** Called when the reader has changed it. */
     var onKeep: () -> Unit = {}
 
-    /** All that may be drawn; others when formulas have changed. */
+    /** All lines that can be drawn; they change with the formulas. */
     var lines: BoardLines = lines
         set(value) {
             field = value
             show(history)
         }
 
-    /** What is shown: the board as far as there are lines for it. */
+    /** The displayed board: the part for which there are lines. */
     var now: Board = Board()
         private set
 
@@ -44,7 +44,10 @@ internal class PageBoard(fileKey: String, lines: BoardLines) {
         listeners += listener
     }
 
-    /** Begins with [visited], which somebody has sent; without it, and when that is undone, with what the browser remembers, else [board]. */
+    /**
+     * Begins with [visited], which somebody has sent. Without it, or when it is undone, the board is the one that the browser remembers, or
+     * else [board].
+     */
     fun begin(visited: Board?, board: () -> Board) {
         val own = remembered()
         val first = BoardHistory(own ?: board())
@@ -52,16 +55,18 @@ internal class PageBoard(fileKey: String, lines: BoardLines) {
         show(if (visited == null) first else first.changed(visited))
     }
 
-    /** Begins with [board] instead, unless the reader has another one already. */
+    /** Begins with [board] instead, unless the reader already has another one. */
     fun beginAgain(board: Board) {
         if (history !== begun || board.showsSame(history.now)) return
         begun = BoardHistory(board).also(::show)
     }
 
-    /** Does [step], which can be undone, and remembers what comes of it. */
+    /** Performs [step], which can be undone, and remembers the result. */
     fun change(step: Board.() -> Board) = keep(history.changed(now.step()))
 
-    /** Shows [board], which somebody else has sent: the reader's own comes back by undoing, and is remembered until something is changed. */
+    /**
+     * Shows [board], which somebody else has sent: undoing brings back the reader's own, which is remembered until something is changed.
+     */
     fun visit(board: Board) = show(history.changed(board))
 
     fun undo() = keep(history.undone())
@@ -88,7 +93,7 @@ internal class PageBoard(fileKey: String, lines: BoardLines) {
     }
 
     internal companion object {
-        /** So many graphs are offered to be added to: more would not fit the screen. */
+        /** The maximum number of graphs offered as targets: more would not fit on the screen. */
         const val MOST_OFFERED = 12
     }
 }

@@ -9,20 +9,20 @@ import badlog.recording.Severity
 import kotlinx.browser.document
 import org.w3c.dom.HTMLElement
 
-/** The colors of the theme of now, as canvases and the style sheet write them. */
+/** The colors of the current theme, in the notation of canvases and the style sheet. */
 internal class Palette(var isDark: Boolean = false) {
-    /** The color of line [index], from 0. */
+    /** Returns the color of line [index], from 0. */
     fun line(index: Int): String = cssColor(lineColor(index, isDark))
 
-    /** The color of a block in state [index], from 0: a line's color, quiet enough for text upon it. */
+    /** Returns the color of a block in state [index], from 0: a line's color, muted enough for text on top of it. */
     fun state(index: Int): String = cssColor(lineColor(index, isDark), stateOpacity(isDark))
 
-    /** The color of what is of [severity]. */
+    /** Returns the color of [severity]. */
     fun severity(severity: Severity): String = this[SEVERITIES[severity.ordinal]]
 
     operator fun get(shade: Shade): String = cssColor(shade.of(isDark))
 
-    /** Gives the colors to the style sheet. */
+    /** Passes the colors to the style sheet. */
     fun apply() {
         val root = document.documentElement.unsafeCast<HTMLElement>()
         root.setAttribute("data-theme", if (isDark) "dark" else "light")
@@ -34,7 +34,7 @@ internal class Palette(var isDark: Boolean = false) {
     private companion object {
         val SEVERITIES = listOf(Shade.MUTED, Shade.WARNING, Shade.ERROR)
 
-        /** How much of the accent lies over what is selected. */
+        /** The opacity of the accent color over a selection. */
         const val VEIL = 0.18
     }
 }

@@ -6,7 +6,7 @@ import badlog.recording.Severity
  * What a cursor points at.
  *
  * @property said the text of the note there, or else of the event; null for neither.
- * @property severity that of the first finding there; null for none.
- * @property found the text of the findings, empty for none.
+ * @property severity the severity of the first finding there; null for none.
+ * @property found the text of the findings; empty for none.
  */
 internal class Pointed(val said: String?, val severity: Severity?, val found: String)

@@ -25,35 +25,38 @@ import badlog.rules.path.Pose
 import badlog.rules.path.posesOf
 import kotlin.math.abs
 
-/** What all parts of the page share: the recording, what was found in it, what of it is seen, the cursor, and the [board]. */
+/** What all parts of the page share: the recording, the findings, the visible range, the cursor, and the [board]. */
 internal class Scene(val view: LogView, val fileName: String, val palette: Palette, val board: PageBoard, val notice: Notice) {
     val xAxis: XAxis = view.xAxis
     val events: EventTimeline = EventTimeline.of(view.folders.flatMap { it.eventLogs })
 
-    /** What was found so far. Whoever changes it draws again. */
+    /** The findings so far. Code that changes it must redraw. */
     var findings: FindingTimeline<Finding> = timelineOf(emptyList())
 
     private var searched: Pair<FindingTimeline<Finding>, Set<String>>? = null
 
-    /** What a search can ask of the topic [name] because of what was found. */
+    /** Returns the traits, for searches, that the topic [name] has because of the findings. */
     fun findingsTraits(name: String): Set<Trait> {
         val known = searched?.takeIf { it.first === findings }
             ?: (findings to findings.worstFirst.flatMapTo(HashSet()) { it.evidence }).also { searched = it }
         return if (name in known.second) setOf(Trait.FINDING) else emptySet()
     }
 
-    /** All that [query] can ask of [line]; nothing where it asks for names alone, for some of it takes a look at all samples. */
+    /**
+     * Returns all traits of [line] that [query] can search for; none if it only searches for names, because some traits need a look at all
+     * samples.
+     */
     fun traitsOf(line: GraphSeries, query: Query): Set<Trait> =
         if (Trait.entries.any(query::asksFor)) line.traits + findingsTraits(line.topic.name) else emptySet()
 
-    /** What people wrote about moments, in the order of x. */
+    /** The notes about moments, in the order of x. */
     var notes: List<Note> = emptyList()
 
-    /** Where a person went last to look at a finding; null before. */
+    /** The place of the last finding that a person went to; null if there was none. */
     var visited: FindingPlace<Finding>? = null
         set(value) {
             field = value
-            // Perhaps another one at the same place.
+            // It may be another finding at the same place.
             cursor.announce()
         }
 
@@ -64,13 +67,13 @@ internal class Scene(val view: LogView, val fileName: String, val palette: Palet
     val cursor: Cursor = Cursor(xAxis.clocks)
     val sharedY: SharedY = SharedY(board, range)
 
-    /** The poses that its topics tell. */
+    /** The poses in its topics. */
     val poses: List<Pose> by lazy { posesOf(view.recording.topics) }
 
     /** When the robot was enabled. */
     val enabled: List<EnabledSpan> by lazy { view.enabledSpans() }
 
-    /** The note that is pointed at when the cursor is at [x], or null. */
+    /** Returns the note under the cursor at [x], or null. */
     fun noteAt(x: Double): Note? = notes.minByOrNull { abs(it.x - x) }?.takeIf { abs(it.x - x) <= range.now.width * REACH }
 
     /** When it was in which mode. */
@@ -79,16 +82,16 @@ internal class Scene(val view: LogView, val fileName: String, val palette: Palet
     /** The clocks besides the x axis. */
     val clocks: Clocks by lazy { Clocks(view, modes) }
 
-    /** What the finding is called that a person went to at [x]; null where nobody did. */
+    /** Returns the name of the finding that a person went to at [x]; null if nobody did. */
     fun visitedAt(x: Double): FindingName? = visited?.takeIf { it.span.from == x }?.let { FindingName.of(it.finding) }
 
-    /** The event that is pointed at when the cursor is at [x], or null. */
+    /** Returns the event under the cursor at [x], or null. */
     fun eventAt(x: Double): Event? = events.nearest(x, range.now.width * REACH)
 
-    /** The last event at or before [x], as exactly as a pixel is; null before the first. */
+    /** Returns the last event at or before [x], with the precision of a pixel; null before the first. */
     fun lastEventAt(x: Double): Event? = events.lastBefore(x + range.now.width * ONE_PIXEL)
 
-    /** The findings that are pointed at when the cursor is at [x]: the one that it was taken to, then the worst first. */
+    /** Returns the findings under the cursor at [x]: first the one that it was moved to, then the worst. */
     fun findingsAt(x: Double): List<Finding> {
         val all = findings.at(x, range.now.width * REACH)
         val here = visited?.takeIf { it.span.from == x }?.finding ?: return all
@@ -97,7 +100,7 @@ internal class Scene(val view: LogView, val fileName: String, val palette: Palet
 
     private var pointed: Pair<List<Any?>, Pointed>? = null
 
-    /** What is pointed at when the cursor is at [x], worked out once for all graphs that show it. */
+    /** Returns what is under the cursor at [x], worked out once for all graphs that show it. */
     fun pointedAt(x: Double): Pointed {
         val asked = listOf(x, range.now, findings, visited)
         pointed?.takeIf { it.first == asked }?.let { return it.second }
@@ -106,14 +109,14 @@ internal class Scene(val view: LogView, val fileName: String, val palette: Palet
             .also { pointed = asked to it }
     }
 
-    /** Those of [findingsAt] that did not begin before the last event at or before [x]: that is the news then. */
+    /** Returns those of [findingsAt] that did not begin before the last event at or before [x], so that they are newer. */
     fun newsAt(x: Double): List<Finding> {
         val last = lastEventAt(x) ?: return findingsAt(x)
         val from = last.x - range.now.width * REACH
         return findingsAt(x).filter { finding -> finding.places.any { it.from >= from } }
     }
 
-    /** Takes the cursor to [x], and the view where that is out of sight. */
+    /** Moves the cursor to [x], and scrolls the visible range there if necessary. */
     fun goTo(x: Double) {
         if (!x.isFinite() || xAxis.range == null) return
         val place = x.coerceIn(range.full.from, range.full.to)
@@ -121,24 +124,24 @@ internal class Scene(val view: LogView, val fileName: String, val palette: Palet
         cursor.change { pinnedAt(place) }
     }
 
-    /** Shows what is around [from] to [to], and takes the cursor to [from]. */
+    /** Shows the surroundings of [from] to [to], and moves the cursor to [from]. */
     fun zoomTo(from: Double, to: Double) {
         if (!from.isFinite()) return
         range.change { around(from, to) }
         goTo(from)
     }
 
-    /** A place on the x axis as text, as exact as the screen is, with the unit of x. */
+    /** Returns a place on the x axis as text, with the precision of the screen and the unit of x. */
     fun xText(x: Double): String = withUnit(xNumber(x), xAxis.unit)
 
-    /** The same without the unit. */
+    /** Returns the same without the unit. */
     fun xNumber(x: Double): String = placeText(x, xAxis, range.now.width)
 
     private companion object {
-        /** Which part of the screen's width may lie between the cursor and what it points at. */
+        /** The maximum distance between the cursor and what it points at, as a fraction of the screen's width. */
         const val REACH = 0.008
 
-        /** The part of the screen's width that a mouse cannot do better than: else the last event could not be met. */
+        /** The precision of a mouse, as a fraction of the screen's width: without it, the last event could not be reached. */
         const val ONE_PIXEL = 0.002
     }
 }

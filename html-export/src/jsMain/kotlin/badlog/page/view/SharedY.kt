@@ -9,7 +9,7 @@ import badlog.plot.board.BoardLines
 import badlog.plot.curve.Curve
 import badlog.plot.text.unitText
 
-/** What is to be seen in all graphs of [board] that share their limits of y, on the screen or not. */
+/** What is visible in all graphs of [board] that share their y limits, on the screen or not. */
 internal class SharedY(private val board: PageBoard, private val range: VisibleRange) {
     private var lines: BoardLines? = null
     private val curves = HashMap<String, Curve>()
@@ -17,7 +17,7 @@ internal class SharedY(private val board: PageBoard, private val range: VisibleR
     private var seenOf: Pair<Board, Span>? = null
     private var seen = emptyMap<String, SeenOfUnit>()
 
-    /** What is to be seen of [unit] now; null for nothing. */
+    /** Returns what is currently visible of [unit]; null for nothing. */
     fun seen(unit: String): SeenOfUnit? {
         val now = board.now to range.now
         if (now != seenOf || lines !== board.lines) {

@@ -3,9 +3,9 @@ package badlog.page.view
 import badlog.analysis.Span
 import badlog.plot.range.Viewport
 
-/** The part of the x axis that every graph of the page shows; calls its listeners at each change. */
+/** The part of the x axis that every graph of the page shows; calls its listeners after each change. */
 internal class VisibleRange(viewport: Viewport) {
-    /** What is seen, and was seen before. */
+    /** The current and previous visible ranges. */
     var viewport: Viewport = viewport
         private set
 
@@ -21,7 +21,7 @@ internal class VisibleRange(viewport: Viewport) {
         listeners += listener
     }
 
-    /** Shows what [step] leads to. */
+    /** Changes the visible range by [step]. */
     fun change(step: Viewport.() -> Viewport) {
         val before = now
         viewport = viewport.step()

@@ -16,9 +16,9 @@ import org.w3c.dom.HTMLImageElement
 import kotlin.math.PI
 
 /**
- * A canvas with a frame in it, whose pixels are those of the screen.
+ * A canvas with a frame in it, in physical pixels of the screen.
  *
- * @param wide how wide it is, and [high] how high, in those pixels.
+ * @param wide its width, and [high] its height, in those pixels.
  */
 internal class XyCanvas(private val context: CanvasRenderingContext2D, wide: Double, high: Double) {
     /** What it draws on. */
@@ -26,10 +26,10 @@ internal class XyCanvas(private val context: CanvasRenderingContext2D, wide: Dou
 
     private val ratio = pixelRatio
 
-    /** How wide the frame is. */
+    /** The width of the frame. */
     val width: Double
 
-    /** How high it is. */
+    /** The height of the frame. */
     val height: Double
 
     init {
@@ -39,15 +39,15 @@ internal class XyCanvas(private val context: CanvasRenderingContext2D, wide: Dou
         context.font = "${LETTERS * ratio}px system-ui, sans-serif"
     }
 
-    /** Which share of the frame's width is at [clientX] of the window. */
+    /** Returns the fraction of the frame's width at [clientX] in the window. */
     fun shareX(clientX: Double): Double = ((clientX - canvas.getBoundingClientRect().left - LEFT) * ratio) / width
 
-    /** Which share of its height is at [clientY], from its top. */
+    /** Returns the fraction of the frame's height at [clientY] in the window, from its top. */
     fun shareY(clientY: Double): Double = ((clientY - canvas.getBoundingClientRect().top - TOP) * ratio) / height
 
     fun clear() = context.clearRect(-LEFT * ratio, -TOP * ratio, canvas.width.toDouble(), canvas.height.toDouble())
 
-    /** Draws from now on in [color]. */
+    /** Sets the [color] for what is drawn next. */
     fun color(color: String, opacity: Double = 1.0) {
         context.strokeStyle = color
         context.fillStyle = color
@@ -70,7 +70,7 @@ internal class XyCanvas(private val context: CanvasRenderingContext2D, wide: Dou
         for (i in 0 until strokes.dotsSize step 2) context.fillRect(strokes.dots[i] - size / 2, strokes.dots[i + 1] - size / 2, size, size)
     }
 
-    /** Draws what joins [places], x and y in turn. */
+    /** Draws the line that joins [places], which alternate x and y. */
     fun chain(places: DoubleArray, seen: Plane, isClosed: Boolean, isFilled: Boolean = false) = clipped {
         val x = seen.xScale(width)
         val y = seen.yScale(height)
@@ -92,7 +92,7 @@ internal class XyCanvas(private val context: CanvasRenderingContext2D, wide: Dou
         if (radius == null) context.fill() else context.stroke()
     }
 
-    /** Draws what is behind the traces, the [picture] of a field or a grid, and the numbers of both axes. */
+    /** Draws what is behind the traces: the [picture] of a field, or a grid, and the numbers of both axes. */
     fun drawGround(seen: Plane, plot: XyPlot, picture: HTMLImageElement?, palette: Palette) {
         val x = seen.xScale(width)
         val y = seen.yScale(height)
@@ -123,7 +123,7 @@ internal class XyCanvas(private val context: CanvasRenderingContext2D, wide: Dou
         up.values.forEachIndexed { i, value ->
             if (y.placeOf(value) > 2 * LETTERS * ratio) context.fillText(up.texts[i], -GAP * ratio, y.placeOf(value) + LETTERS / 3 * ratio)
         }
-        // A long title goes on over the frame.
+        // A long title extends over the frame.
         context.fillText(plot.yTitle, maxOf(-GAP * ratio, context.measureText(plot.yTitle).width - LEFT * ratio), LETTERS * ratio)
         if (!plot.isField) return
         chain(doubleArrayOf(0.0, 0.0, field.length, 0.0, field.length, field.width, 0.0, field.width), seen, isClosed = true)
@@ -137,7 +137,7 @@ internal class XyCanvas(private val context: CanvasRenderingContext2D, wide: Dou
         line(field.length, 0.0, field.length, field.width)
     }
 
-    /** Draws what [plot] comes to: where the robot left its plan, or the straight line through the samples with what it says. */
+    /** Draws the result of [plot]: where the robot departed from its plan, or the fitted line through the samples with its values. */
     fun drawNotes(seen: Plane, plot: XyPlot, departure: Departure?, scene: Scene) {
         plot.lineFit(scene.range.now)?.let { fit ->
             color(scene.palette[Shade.MUTED])
@@ -162,7 +162,7 @@ internal class XyCanvas(private val context: CanvasRenderingContext2D, wide: Dou
         )
     }
 
-    /** Covers the part of the frame between two places, in shares of it. */
+    /** Covers the part of the frame between two places, given as fractions of it. */
     fun cover(fromX: Double, fromY: Double, toX: Double, toY: Double, palette: Palette) = clipped {
         color(palette[Shade.ACCENT], FILL)
         context.fillRect(fromX * width, fromY * height, (toX - fromX) * width, (toY - fromY) * height)
@@ -189,7 +189,7 @@ internal class XyCanvas(private val context: CanvasRenderingContext2D, wide: Dou
     }
 
     internal companion object {
-        /** One over all of [host]. */
+        /** Creates one that covers [host]. */
         fun over(host: HTMLElement): XyCanvas {
             val canvas = host.add("canvas", "xy").unsafeCast<HTMLCanvasElement>()
             canvas.width = (host.clientWidth * pixelRatio).toInt()
@@ -198,13 +198,13 @@ internal class XyCanvas(private val context: CanvasRenderingContext2D, wide: Dou
             return XyCanvas(context, canvas.width.toDouble(), canvas.height.toDouble())
         }
 
-        // As other graphs have it.
+        // The same as in other graphs.
         private const val LEFT = 62
         private const val RIGHT = 14
         private const val TOP = 6
         private const val BOTTOM = 26
 
-        /** How high a canvas of so many CSS pixels is whose frame shows all of [plane], as long along x as along y. */
+        /** Returns the height of a canvas [width] CSS pixels wide whose frame shows all of [plane], with the same scale for x and y. */
         fun heightOf(plane: Plane, width: Int): Int = ((width - LEFT - RIGHT) * plane.y.width / plane.x.width).toInt() + TOP + BOTTOM
 
         private const val BASE = 18

@@ -28,9 +28,9 @@ import org.w3c.dom.HTMLImageElement
 /**
  * A graph of the board whose lines are drawn over each other, or as paths on a field.
  *
- * @param look how it is looked at now.
- * @param onToggle is called with the lines that a person wants to hide, or to see again.
- * @param onPlane is called with the part of the plane that a person has selected, once gestures have come to rest; null for all of it.
+ * @param look its current settings.
+ * @param onToggle called with the lines that a person wants to hide or show.
+ * @param onPlane called with the part of the plane that a person has selected, once gestures have ended; null for all of it.
  */
 internal class XyDrawing(
     private val scene: Scene,
@@ -38,7 +38,7 @@ internal class XyDrawing(
     private val onToggle: (List<String>) -> Unit,
     private val onPlane: (Plane?) -> Unit,
 ) {
-    /** What its traces are, each with where it is at the cursor. */
+    /** Its traces, each with its place at the cursor. */
     val legend: HTMLElement = element("div", "legend")
 
     private val plot: XyPlot? by lazy {
@@ -58,10 +58,10 @@ internal class XyDrawing(
     private var picture: XyCanvas? = null
     private var overlay: XyCanvas? = null
 
-    /** What is seen of the plane; null for all of it. */
+    /** The visible part of the plane; null for all of it. */
     private var plane: Plane? = null
 
-    /** What the board has of it. */
+    /** The part that the board has stored. */
     private var kept: Plane? = null
     private var timer = 0
 
@@ -98,7 +98,7 @@ internal class XyDrawing(
         }
     }
 
-    /** Gives back what drawing takes. */
+    /** Releases the resources for drawing. */
     fun leave(host: HTMLElement) {
         host.textContent = ""
         picture = null
@@ -129,7 +129,7 @@ internal class XyDrawing(
         canvas.drawNotes(seen, plot, departure, scene)
     }
 
-    /** Shows where everything is at the cursor. */
+    /** Shows everything at its place at the cursor. */
     fun updateCursor() {
         val canvas = overlay ?: return
         val plot = plot ?: return
@@ -147,7 +147,7 @@ internal class XyDrawing(
         drawPlaces(canvas, plot, scene.cursor.x, isSecond = false)
     }
 
-    /** Draws where everything is at [time]; at the second cursor as rings. */
+    /** Draws everything at its place at [time]; for the second cursor, as rings. */
     private fun drawPlaces(canvas: XyCanvas, plot: XyPlot, time: Double, isSecond: Boolean) {
         val seen = seen(canvas)
         for (mark in plot.marksAt(time, look().hidden)) {
@@ -183,7 +183,7 @@ internal class XyDrawing(
         timer = window.setTimeout({ onPlane(plane) }, REST_MILLISECONDS)
     }
 
-    /** Fills [legend]; the trace that matters most comes first. */
+    /** Fills [legend]; the most important trace comes first. */
     fun list() {
         val plot = plot ?: return
         if (legend.childElementCount > 0) return showValues(plot)
@@ -216,5 +216,5 @@ internal class XyDrawing(
     }
 }
 
-/** How many pixels of the screen one pixel of a style sheet is. */
+/** The number of physical pixels in one CSS pixel. */
 internal val pixelRatio: Double get() = window.devicePixelRatio

@@ -15,10 +15,10 @@ import kotlin.math.abs
 import kotlin.math.hypot
 
 /**
- * Lets the pointer put the cursor where the path passes it, zoom and pan, as over other graphs.
+ * Makes the pointer place the cursor where the path passes it, zoom and pan, as over other graphs.
  *
- * @param seen what is seen now.
- * @param onShow is called with what a person wants to see; null for all of it.
+ * @param seen returns what is visible now.
+ * @param onShow called with the part that a person wants to see; null for all of it.
  */
 internal class XyGestures(
     private val over: XyCanvas,
@@ -124,7 +124,7 @@ internal class XyGestures(
         onShow(plane.scaled(Wheel.factorOf(down), atX, plane.yAt(over.shareY(event.clientY.toDouble()))))
     }
 
-    // A finger moves what it touches, as on a map; a mouse draws a frame around it.
+    // A finger moves what it touches, as on a map; a mouse draws a selection frame.
     private fun isPan(start: PointerEvent) = start.shiftKey || isTouch(start)
 
     private fun isTouch(event: PointerEvent) = event.pointerType == "touch"
@@ -133,7 +133,7 @@ internal class XyGestures(
 
     private fun y(event: PointerEvent) = over.shareY(event.clientY.toDouble())
 
-    /** When the path passed where [event] is; null where it is not near. */
+    /** Returns when the path passed the place of [event]; null if it is not near. */
     private fun timeAt(event: PointerEvent): Double? {
         val plane = seen(over)
         val time = plot.timeAt(
@@ -149,7 +149,7 @@ internal class XyGestures(
     }
 
     private companion object {
-        /** So far beside the path the pointer still means it, in CSS pixels. */
+        /** The maximum distance from the path at which the pointer still selects it, in CSS pixels. */
         const val REACH = 60
         const val LINE = 16.0
     }

@@ -18,19 +18,19 @@ import com.github.ajalt.clikt.parameters.types.path
 
 /** Reads the command line. */
 internal class ArgumentParser {
-    /** What the command line asks for: to do something, or to say something and end. */
+    /** What the command line asks for: to do something, or to print something and exit. */
     sealed interface Result {
         /** Make pages. */
         class Run(val arguments: Arguments) : Result
 
-        /** Print [text], which was asked for. */
+        /** Print the requested [text]. */
         class Say(val text: String) : Result
 
-        /** Print why the arguments make no sense. */
+        /** Print why the arguments are invalid. */
         class Refuse(val text: String) : Result
     }
 
-    /** Reads [arguments]. */
+    /** Parses [arguments]. */
     fun parse(arguments: List<String>): Result {
         val command = Command()
         return try {
@@ -59,7 +59,7 @@ internal class ArgumentParser {
             .help("Open the page in the default browser; of several, the page of the newest log.")
 
         init {
-            // The original's flags go on working, though nothing is left for them to do.
+            // The flags of the original badlog are still accepted, although they no longer have an effect.
             registerPast("-t", "--trim-doubles", "Retry parsing doubles without whitespace; now always on.")
             registerPast("-c", "--csv", "Input is a CSV file; now detected from its content.")
             registerPast("-g", "--gzip", "Compress the embedded CSV file; now always on.")

@@ -5,13 +5,14 @@ import java.nio.file.Path
 /**
  * What the command line asks for.
  *
- * @property paths the inputs, and perhaps the output, in their order; at least one.
- * @property outFolder the folder for all pages, or null for beside their inputs.
+ * @property paths the inputs, and possibly the output, in order; at least one.
+ * @property outFolder the folder for all pages, or null to put them beside their inputs.
  * @property attachments files to put into each page.
- * @property hasRules whether the pages look for anything.
- * @property field the field of all pages, a file as WPILib's dashboards read it; null for those beside the logs.
- * @property video a video of the match that the only page shows; null for none.
- * @property opensPage whether to show a page in the browser.
+ * @property hasRules whether the pages run rules.
+ * @property field the field of all pages, a file in the format of WPILib's dashboards; null for those beside the
+ * logs.
+ * @property video a video of the match for the only page; null for none.
+ * @property opensPage whether to open a page in the browser.
  */
 internal class Arguments(
     val paths: List<Path>,

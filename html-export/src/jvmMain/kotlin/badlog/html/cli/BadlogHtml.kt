@@ -18,17 +18,17 @@ import java.io.PrintStream
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** Makes the page of an input, as [HtmlExporter.export] does. */
+/** Makes the page of an input, like [HtmlExporter.export]. */
 internal typealias Export = (input: Path, page: Path, additions: PageAdditions, progress: Progress) -> ExportReport
 
 /**
- * The command line: makes the pages that its arguments ask for, prints where they are, and says what went wrong.
+ * The command line: makes the requested pages, prints where they are, and reports what went wrong.
  *
- * @param out gets one line for each page: its absolute path.
- * @param err gets everything else that is to be read by a person.
- * @param isTerminal whether [err] is a terminal, which shows a progress bar.
- * @param exporterOf makes the function that exports, with these attachments in each page.
- * @param open shows a page in the browser; false when that did not work.
+ * @param out receives one line for each page: its absolute path.
+ * @param err receives all other messages for people.
+ * @param isTerminal whether [err] is a terminal, which can show a progress bar.
+ * @param exporterOf creates the function that exports, with these attachments in each page.
+ * @param open opens a page in the browser; returns false if that failed.
  */
 internal class BadlogHtml(
     private val out: PrintStream,
@@ -47,7 +47,7 @@ internal class BadlogHtml(
     private val rulesOfFolder = HashMap<Path, FolderRules>()
     private val problemsBeside = HashSet<String>()
 
-    /** Does what [arguments] ask for. To be called once. */
+    /** Does what [arguments] ask for. Call it once. */
     fun run(arguments: List<String>): ExitCode = when (val parsed = ArgumentParser().parse(arguments)) {
         is ArgumentParser.Result.Run -> export(parsed.arguments)
         is ArgumentParser.Result.Say -> ExitCode.WHOLE.also { out.println(parsed.text) }
@@ -95,7 +95,7 @@ internal class BadlogHtml(
         val field = fieldFor(job.input, arguments.field)
         for (problem in listOfNotNull(layout.problem, field.problem)) if (problemsBeside.add(problem)) err.println(printable(problem))
         return PageAdditions(
-            // A page without rules still has to know when the robot was enabled.
+            // A page without rules must still know when the robot was enabled.
             rules = if (arguments.hasRules) rules.rules else RuleSet.NONE.with(rules.rules.signals),
             rulesProblem = rules.problem.takeIf { arguments.hasRules },
             layout = layout.text,
@@ -119,7 +119,7 @@ internal class BadlogHtml(
         } catch (_: OutOfMemoryError) {
             fail("${job.input} has a header too large for the available memory; set JAVA_OPTS=-Xmx2g and try again.")
         } catch (e: Throwable) {
-            // Whatever it is, the other files shall have their pages.
+            // Whatever it is, the other files should still get their pages.
             val defect = e.toString().lineSequence().first()
             fail("${job.input} was not exported: this is a bug in badlog; report it with the file ($defect).")
         }

@@ -1,20 +1,20 @@
 package badlog.html.cli
 
 /**
- * How `badlog-html` ended, as scripts see it.
+ * How `badlog-html` ended, for scripts.
  *
- * @property code what the process returns.
+ * @property code the exit code of the process.
  */
 internal enum class ExitCode(val code: Int) {
-    /** Every input is whole and has its page. */
+    /** Every input is complete and has its page. */
     WHOLE(0),
 
-    /** There is not one page. */
+    /** No page was made. */
     NOTHING(1),
 
-    /** The arguments make no sense. */
+    /** The arguments are invalid. */
     USAGE(2),
 
-    /** There are pages, but something of the inputs is lost or has no page. */
+    /** Pages were made, but some inputs have lost data or no page. */
     SALVAGED(3),
 }

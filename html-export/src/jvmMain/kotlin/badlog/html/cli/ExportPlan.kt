@@ -15,9 +15,10 @@ internal class ExportPlan(private val arguments: Arguments) {
     private class Input(val file: Path, val isFound: Boolean)
 
     /**
-     * The pages to make, in the order of the arguments, and inside a folder in the order of its files' names.
+     * Returns the pages to make, in the order of the arguments, and within a folder in the order of its files'
+     * names.
      *
-     * @throws badlog.html.ExportException when a folder cannot be read.
+     * @throws badlog.html.ExportException if a folder cannot be read.
      */
     fun jobs(): List<ExportJob> {
         val paths = arguments.paths
@@ -31,8 +32,8 @@ internal class ExportPlan(private val arguments: Arguments) {
         return inputs.map { ExportJob(it.file, freePage(it.file, taken), it.isFound) }
     }
 
-    // A missing file that is named like a log is one whose name was mistyped.
-    // What exists without such a name is an output only as the page of an earlier run, so that a second one does the same.
+    // Returns whether [path] is the output. A missing file with a log's name is a mistyped input. An existing file without
+    // such a name is an output only if it is the page of an earlier run, so that a second run does the same.
     private fun isOutput(path: Path) = isPage(path) ||
         (
             !LogName.of(path.fileName?.toString().orEmpty()).mayBeLog &&
@@ -46,7 +47,7 @@ internal class ExportPlan(private val arguments: Arguments) {
     private fun beginsAsPage(path: Path) = try {
         Files.newInputStream(path).use { it.readNBytes(PAGE_START.length) }.decodeToString() == PAGE_START
     } catch (_: IOException) {
-        // As an input it gets the reason why it cannot be read.
+        // As an input, it is reported with the reason why it cannot be read.
         false
     }
 
@@ -61,7 +62,7 @@ internal class ExportPlan(private val arguments: Arguments) {
         return folder.resolve(freeName(name, ".html") { taken.add(keyOf(folder.resolve(it))) })
     }
 
-    // Most disks of laptops do not distinguish upper from lower case.
+    // Most laptops' file systems do not distinguish upper from lower case.
     private fun keyOf(path: Path) = path.toAbsolutePath().normalize().toString().lowercase()
 
     private companion object {

@@ -5,7 +5,7 @@ import kotlin.system.exitProcess
 
 /** The program `badlog-html`. */
 public fun main(arguments: Array<String>) {
-    // The start script can ask for it; Java could not until version 22.
+    // The start script can find this out; Java cannot before version 22.
     val isTerminal = System.getProperty("badlog.terminal")?.toBoolean() ?: (System.console() != null)
     val program = BadlogHtml(System.out, System.err, isTerminal, open = { openInBrowser(it) })
     exitProcess(program.run(arguments.toList()).code)

@@ -8,16 +8,16 @@ import java.nio.file.Path
 
 /** The file with the notes of one log, beside it: `q42.bag.notes.json` for `q42.bag`. */
 public object NotesFile {
-    /** Larger files are not the notes of a log. */
+    /** Larger files are not notes of a log. */
     private const val MAX_BYTES = 16L shl 20
 
-    /** Where the notes of [log] are, if it has any. */
+    /** Returns the path of the notes of [log], whether or not they exist. */
     public fun of(log: Path): Path = log.resolveSibling("${log.fileName}.notes.json")
 
     /**
-     * The notes of [log], in the order of x; none where it has no file of them.
+     * Returns the notes of [log], in the order of x; none if it has no such file.
      *
-     * @throws NotesException with a sentence for the person, when the file is damaged, or cannot be read.
+     * @throws NotesException with a sentence for the user, if the file is damaged or cannot be read.
      */
     public fun read(log: Path): List<Note> {
         val file = of(log)
@@ -35,9 +35,9 @@ public object NotesFile {
     }
 
     /**
-     * Keeps [notes] as those of [log]; the file goes with the last of them.
+     * Stores [notes] as those of [log]; the file is deleted with the last of them.
      *
-     * @throws IOException with a sentence for the person, when it cannot be written.
+     * @throws IOException with a sentence for the user, if it cannot be written.
      */
     public fun write(log: Path, notes: List<Note>) {
         val file = of(log)
