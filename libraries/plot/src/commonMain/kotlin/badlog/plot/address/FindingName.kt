@@ -5,25 +5,25 @@ import badlog.plot.text.nameOfAddress
 import badlog.rules.Finding
 
 /**
- * What tells a finding from others that begin at the same moment.
+ * Distinguishes a finding from others that begin at the same moment.
  *
  * @property rule the name of the rule or the hook that found it.
- * @property topic the topic it is about; null when there is none.
+ * @property topic the topic it is about; null if there is none.
  */
 public class FindingName(public val rule: String, public val topic: String?) {
-    /** Whether it is the name of [finding]. */
+    /** Returns whether it is the name of [finding]. */
     public fun isOf(finding: Finding): Boolean = finding.rule == rule && finding.topic == topic
 
-    /** It as an address has it: `Brownout;PDP/Voltage`. */
+    /** Returns its form in an address: `Brownout;PDP/Voltage`. */
     internal fun toText(): String = listOfNotNull(rule, topic).joinToString(";", transform = ::addressText)
 
     public companion object {
-        /** The name of [finding]. */
+        /** Returns the name of [finding]. */
         public fun of(finding: Finding): FindingName = FindingName(finding.rule, finding.topic)
     }
 }
 
-/** The name that [FindingName.toText] wrote as [text]; null for another text. */
+/** Returns the name that [FindingName.toText] wrote as [text]; null for any other text. */
 internal fun findingNameOf(text: String): FindingName? {
     val names = text.split(';').map { nameOfAddress(it) ?: return null }
     return if (names.size > 2) null else FindingName(names[0], names.getOrNull(1))

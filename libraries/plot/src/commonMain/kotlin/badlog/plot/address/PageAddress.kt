@@ -14,13 +14,13 @@ import badlog.plot.video.VideoAlignment
 /**
  * What the end of a page's address asks for: `#t=93.7&finding=Brownout;Voltage&x=90:100&board=Voltage;Mode&f=Power+~003d+Voltage*Current`.
  *
- * @property moment where the cursor is to go, in the unit of the x axis; null for nowhere.
- * @property finding the finding at [moment] that is meant; null for the worst one there.
- * @property visible the part of x to show; null for what suits the moment.
- * @property board the graphs to show together, by the names of their lines; null for those that there are.
+ * @property moment where the cursor goes, in the unit of the x axis; null for nowhere.
+ * @property finding the finding to show at [moment]; null for the worst one there.
+ * @property visible the part of x to show; null for a range around the moment.
+ * @property board the graphs to show together, by the names of their lines; null for the existing ones.
  * @property formulas the definitions of topics that are calculated from others, in addition to those of the page.
- * @property problems what of it is damaged, and is passed over: a sentence each.
- * @property video where the video lies beside the log that the reader opens or that the page has: `v=-3.5` where it begins 3.5 s before x is 0.
+ * @property problems a sentence for each damaged part, which is ignored.
+ * @property video the alignment of the video that the reader opens or the page has: `v=-3.5` if it begins 3.5 s before x is 0.
  */
 public class PageAddress(
     public val moment: Double? = null,
@@ -34,7 +34,7 @@ public class PageAddress(
     /** Whether it asks for nothing. */
     public val isEmpty: Boolean get() = moment == null && visible == null && board == null && formulas.isEmpty() && video == null
 
-    /** The end of the address, from the `#` on; empty where it asks for nothing. */
+    /** Returns the end of the address, from the `#` on; empty if it asks for nothing. */
     public fun toText(): String {
         val parts = listOfNotNull(
             moment?.takeIf { it.isFinite() }?.let { "t=" + numberText(it) },
@@ -49,12 +49,12 @@ public class PageAddress(
 }
 
 /**
- * What [text] asks for, the end of an address from the `#` on. Of what is not known, as a place on the page or what a newer badlog has
- * written, nothing is said.
+ * Returns what [text] asks for, the end of an address from the `#` on. Unknown parts, such as places on the page or those from a newer
+ * badlog, are ignored silently.
  */
 public fun pageAddressOf(text: String): PageAddress {
     val problems = ArrayList<String>()
-    // Programs that pass links on may write characters in their own way; of those that stand here, none needs it.
+    // Programs that pass links on may percent-encode any character, although none of these needs it.
     val parts = withoutPercents(text.removePrefix("#")).split('&').filter { '=' in it }
         .associate { it.substringBefore('=') to it.substringAfter('=') }
 
@@ -88,7 +88,7 @@ private fun formulasOrNull(text: String): List<String>? {
     return if (null in read) null else read.filterNotNull().distinct()
 }
 
-// Only what has one byte: other characters are never written here.
+// Only single-byte characters: others are never written here.
 private fun withoutPercents(text: String): String {
     val parts = text.split('%')
     return parts.drop(1).joinToString("", parts[0]) { part ->

@@ -10,8 +10,8 @@ import kotlin.math.pow
 import kotlin.math.round
 
 /**
- * What stands at the ticks [values] of an axis, [step] apart: no shorter than distinguishes them, and no longer than so
- * many [letters]. Of a number that cannot be that short, `…` stands for its beginning, which is the same at all ticks.
+ * Returns the labels of the ticks [values] of an axis, [step] apart: long enough to distinguish them, but at most
+ * [letters] characters. If a number cannot be that short, `…` replaces its beginning, which is the same at all ticks.
  */
 internal fun axisTexts(values: DoubleArray, step: Double, letters: Int): List<String> {
     var largest = 0.0
@@ -40,7 +40,7 @@ private fun longest(texts: List<String>): Int {
     return length
 }
 
-/** How many decimals a multiple of [step] needs, which has one or, as 2.5 has, two digits. */
+/** Returns how many decimals a multiple of [step] needs. A step has one digit, or two, such as 2.5. */
 internal fun decimalsOf(step: Double): Int {
     if (!(step > 0)) return 0
     val ofFirst = ceil(-log10(step) - ROUNDING).toInt().coerceIn(0, MAX_DECIMALS)

@@ -3,26 +3,26 @@ package badlog.plot.axis
 import badlog.analysis.Span
 import badlog.analysis.Units
 
-/** Where the numbers of a y axis stand. */
+/** Where the numbers of a y axis are. */
 public enum class AxisSide {
-    /** At the left of the graph. */
+    /** To the left of the graph. */
     LEFT,
 
-    /** At its right. */
+    /** To its right. */
     RIGHT,
 
-    /** Nowhere: a graph has two sides, so that lines of a third unit have a scale of their own, and their values in the legend alone. */
+    /** Nowhere: a graph has only two sides, so lines of a third unit have their own scale, but their values are only in the legend. */
     NONE,
 }
 
 /**
- * The y axis of the lines of a graph that have one unit.
+ * The y axis of the lines of a graph that share a unit.
  *
- * @property unit it; empty for none.
- * @property lines which lines of the graph it is of, by their places in it.
+ * @property unit the unit; empty for none.
+ * @property lines the indices of its lines in the graph.
  */
 public class GraphAxis(public val unit: String, public val side: AxisSide, public val lines: List<Int>) {
-    /** What a legend says of each of [lines]: the unit, and where its numbers stand if that is not at the left. */
+    /** What a legend says about each of [lines]: the unit, and where its numbers are, unless on the left. */
     public val legend: String
         get() = when (side) {
             AxisSide.LEFT -> unit
@@ -32,8 +32,8 @@ public class GraphAxis(public val unit: String, public val side: AxisSide, publi
 }
 
 /**
- * The y axes of a graph whose lines have [units], null for one that is not drawn: a line that is hidden gives its axis to another unit. The
- * first unit stands at the left, the second one at the right, further ones nowhere.
+ * Returns the y axes of a graph whose lines have [units], null for a line that is not drawn: a hidden line leaves its axis to another unit.
+ * The first unit is on the left, the second on the right; further ones have no numbers.
  */
 public fun graphAxes(units: List<String?>): List<GraphAxis> {
     val linesOf = LinkedHashMap<String, ArrayList<Int>>()
@@ -44,8 +44,9 @@ public fun graphAxes(units: List<String?>): List<GraphAxis> {
 }
 
 /**
- * What each of [axes] shows, given the [wholes] that would fit what is seen of them, see [limitsFor]. A person may have chosen what is shown
- * at the [left] and at the [right]; axes without a choice keep the same part of theirs as the left one, so that all lines move together.
+ * Returns what each of [axes] shows, given the [wholes] that would fit the visible samples, see [limitsFor]. A person may have selected the
+ * range on the [left] and on the [right]. Other axes show the same part of their whole range as the left one, so that all lines move
+ * together.
  */
 public fun axisLimits(axes: List<GraphAxis>, wholes: List<Span>, left: Span?, right: Span? = null): List<Span> {
     val first = wholes.firstOrNull() ?: return emptyList()
@@ -60,7 +61,7 @@ public fun axisLimits(axes: List<GraphAxis>, wholes: List<Span>, left: Span?, ri
     }
 }
 
-/** The part of [whole] that [chosen] is of [first]; null where numbers end. */
+/** Returns the part of [whole] that corresponds to [chosen] in [first]; null if numbers are too coarse. */
 private fun alike(chosen: Span, first: Span, whole: Span): Span? = Span(
     whole.from + (chosen.from - first.from) / first.width * whole.width,
     whole.from + (chosen.to - first.from) / first.width * whole.width,

@@ -1,15 +1,15 @@
 package badlog.plot.axis
 
 /**
- * What is to be seen of one unit in one graph.
+ * What is visible of one unit in one graph.
  *
- * @property unit it; empty for none.
+ * @property unit the unit; empty for none.
  * @property least the smallest value; NaN for none.
  * @property most the largest value; NaN for none.
  */
 public data class SeenOfUnit(public val unit: String, public val least: Double, public val most: Double)
 
-/** What is to be seen of each unit in all graphs that share their limits; [seen] has an entry for each of their axes. */
+/** Returns what is visible of each unit in all graphs that share their limits; [seen] has an entry for each of their axes. */
 public fun seenTogether(seen: List<SeenOfUnit>): Map<String, SeenOfUnit> {
     val together = HashMap<String, SeenOfUnit>()
     for (one in seen) {

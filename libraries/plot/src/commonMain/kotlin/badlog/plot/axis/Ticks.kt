@@ -9,29 +9,29 @@ import kotlin.math.pow
 /**
  * The places of an axis that are labeled: multiples of [step], which is 1, 2 or 5 times a power of ten.
  *
- * @property values them, ascending.
+ * @property values the places, ascending.
  */
 public class Ticks private constructor(public val values: DoubleArray, public val step: Double, private val letters: Int) {
     /**
-     * What stands at each of [values], no longer than there is room, and no two the same. Of a number that cannot be that short,
-     * `…` stands for its beginning, which is the same at all ticks.
+     * The label of each of [values], short enough for its space, with no two the same. If a number cannot be that short, `…`
+     * replaces its beginning, which is the same at all ticks.
      */
     public val texts: List<String> by lazy(LazyThreadSafetyMode.NONE) { axisTexts(values, step, letters) }
 
     public companion object {
-        /** The ticks of an x axis that shows [visible] on [width], in CSS pixels or dp. */
+        /** Returns the ticks of an x axis that shows [visible] on [width], in CSS pixels or dp. */
         public fun ofX(visible: Span, width: Double): Ticks = of(visible, (width / X_SPACE).toInt().coerceAtLeast(1), X_LETTERS)
 
-        /** The ticks of a y axis that shows [shown] on [height], in CSS pixels or dp. */
+        /** Returns the ticks of a y axis that shows [shown] on [height], in CSS pixels or dp. */
         public fun ofY(shown: Span, height: Double): Ticks = of(shown, (height / Y_SPACE).toInt().coerceIn(1, MAX_Y_TICKS), Y_LETTERS)
 
-        /** No more than [most] ticks in [shown], and one; none where that is not a range. */
+        /** Returns at most [most] + 1 ticks in [shown]; none if that is not a range. */
         internal fun of(shown: Span, most: Int, letters: Int): Ticks {
             val width = shown.width
             if (!(width > 0) || !width.isFinite() || most < 1) return Ticks(DoubleArray(0), 1.0, letters)
             val step = stepFor(width / most)
             val first = ceil(shown.from / step)
-            // Where neighboring numbers are further apart than the step, there is nothing to count.
+            // If neighboring doubles are further apart than the step, there is nothing to count.
             val count = (floor(shown.to / step) - first + 1).coerceIn(0.0, most + 1.0).toInt()
             return Ticks(DoubleArray(count) { (first + it) * step + 0.0 }, step, letters)
         }
@@ -50,7 +50,7 @@ public class Ticks private constructor(public val values: DoubleArray, public va
 
         private const val ROUNDING = 1e-9
 
-        // The widest text of so many letters, and some air.
+        // The width of the widest label, plus some space.
         private const val X_SPACE = 90
         private const val X_LETTERS = 12
         private const val Y_SPACE = 18

@@ -6,19 +6,21 @@ import badlog.recording.RecordingFormat
 import badlog.recording.Topic
 
 /**
- * The column that has the time of a recording that names no x axis: the first one called time or timestamp, if it has a number in each
- * row and never falls. Null where there is none, and where the recording has an x axis.
+ * Returns the time column of a recording that names no x axis: the first one called time or timestamp, if it has a number in each row
+ * and never decreases. Null if there is none, or if the recording has an x axis.
  */
 public fun Recording.timeColumn(): Topic? {
     if (rowCount == 0 || topics.any { X_AXIS in it.attributes }) return null
     return topics.firstOrNull { TIME.matches(PathName.baseNameOf(it.name)) && rises(it) }
 }
 
-/** This recording with [column], one of its topics, as x axis. */
+/** Returns this recording with [column], one of its topics, as its x axis. */
 public fun Recording.over(column: Topic): Recording =
     copy(topics = topics.map { if (it === column) it.copy(attributes = it.attributes + X_AXIS) else it })
 
-/** This recording over its [timeColumn] where it is plain CSV, which cannot name an x axis. Else the recording itself. */
+/**
+ * Returns this recording with its [timeColumn] as x axis if it is plain CSV, which cannot name an x axis. Otherwise the recording itself.
+ */
 public fun Recording.overItsTime(): Recording = (if (format == RecordingFormat.CSV) timeColumn() else null)?.let(::over) ?: this
 
 private fun rises(topic: Topic): Boolean {
@@ -29,5 +31,5 @@ private fun rises(topic: Topic): Boolean {
 
 private const val X_AXIS = "xaxis"
 
-// With its unit or without: Time, Timestamp, time_s, Time (s). On Node only an anchor makes a pattern look for a longer match.
+// With its unit or without: Time, Timestamp, time_s, Time (s). On Node, a pattern looks for a longer match only if it has an anchor.
 private val TIME = Regex("^(time|timestamp)([ _]?[(\\[]?(s|sec|seconds|ms)[)\\]]?)?$", RegexOption.IGNORE_CASE)

@@ -4,19 +4,18 @@ import badlog.analysis.Span
 import kotlin.math.abs
 
 /**
- * The limits of y that make room for [least] to [most], both NaN when there is nothing to see, and for 0 when it [includesZero]: what is
- * seen fills them.
+ * Returns the y limits that fit [least] to [most], both NaN if nothing is visible, and also 0 if [includesZero].
  */
 public fun limitsFor(least: Double, most: Double, includesZero: Boolean): Span {
     if (least.isNaN()) return Span(0.0, 1.0)
     val low = (if (includesZero) minOf(least, 0.0) else least).coerceIn(-MAX_MAGNITUDE, MAX_MAGNITUDE)
     val high = (if (includesZero) maxOf(most, 0.0) else most).coerceIn(-MAX_MAGNITUDE, MAX_MAGNITUDE)
     val isFlat = high - low <= abs(high) * FLAT
-    // Of the smallest numbers there are, a tenth is nothing.
+    // A tenth of the smallest double is 0.
     val margin = (if (isFlat) abs(high) * 0.1 else (high - low) * MARGIN).let { if (it == 0.0) 1.0 else it }
-    // A line of nothing but 0 would lie on the frame's edge.
+    // A line that is always 0 would be on the frame's edge.
     if (low == 0.0 && high == 0.0) return Span(-margin, margin)
-    // What never goes below 0 gets no room there: it would look as if it could.
+    // Values that are never below 0 get no margin there, which would look as if they could be.
     return Span(
         from = if (low >= 0.0 && low - margin < 0.0) 0.0 else low - margin,
         to = if (high <= 0.0 && high + margin > 0.0 && low < 0.0) 0.0 else high + margin,

@@ -5,9 +5,9 @@ import badlog.plot.path.FieldOrigin
 import badlog.plot.path.Plane
 
 /**
- * The graphs that a person put together, from top to bottom. Never changes; each transition gives a new one.
+ * The graphs that a person put together, from top to bottom. Immutable; each change returns a new board.
  *
- * @property graphs them.
+ * @property graphs the graphs.
  */
 public data class Board(public val graphs: List<BoardGraph> = emptyList()) {
     private val nextId: Int get() = (graphs.maxOfOrNull { it.id } ?: 0) + 1
@@ -18,52 +18,52 @@ public data class Board(public val graphs: List<BoardGraph> = emptyList()) {
         return withGraphs(listOf(BoardGraph(0, names.first(), names.distinct())), before)
     }
 
-    /** Adds [added], with ids of their own, at the end, or before the graph [before]. */
+    /** Adds [added], with new ids, at the end, or before the graph [before]. */
     public fun withGraphs(added: List<BoardGraph>, before: Int? = null): Board {
         val place = graphs.indexOfFirst { it.id == before }.let { if (it < 0) graphs.size else it }
         val first = nextId
         return copy(graphs = graphs.take(place) + added.mapIndexed { i, graph -> graph.copy(id = first + i) } + graphs.drop(place))
     }
 
-    /** Shows [graph] in the place of the one with its id. */
+    /** Replaces the graph that has the id of [graph]. */
     public fun with(graph: BoardGraph): Board = change(graph.id) { graph }
 
-    /** Adds the signal [name] to graph [id], where it is not there yet. */
+    /** Adds the signal [name] to graph [id], if it is not there yet. */
     public fun withLine(id: Int, name: String): Board = change(id) { if (name in it.lines) it else it.copy(lines = it.lines + name) }
 
     /** Adds those of the signals [names] to graph [id] that are not there yet. */
     public fun withLines(id: Int, names: List<String>): Board = names.fold(this) { board, name -> board.withLine(id, name) }
 
-    /** Adds the signals [names] to the last graph, or to a new one where there is none. */
+    /** Adds the signals [names] to the last graph, or to a new one if there is none. */
     public fun withLinesInLast(names: List<String>): Board {
         val last = graphs.lastOrNull() ?: return withGraph(names)
         return withLines(last.id, names)
     }
 
-    /** Adds a graph of the signal [name], as one of [lines], or takes those away that are there, of these or of it alone. */
+    /** Adds a graph of the signal [name], drawn as [lines], or removes existing graphs of these lines or of the signal alone. */
     public fun withOwnToggled(name: String, lines: List<String> = listOf(name)): Board {
         val own = graphs.filter { it.lines == listOf(name) || it.lines == lines }
         return if (own.isEmpty()) withGraph(lines) else own.fold(this) { board, graph -> board.without(graph.id) }
     }
 
-    /** Whether it has a graph that draws the same as [graph]. */
+    /** Returns whether it has a graph that draws the same as [graph]. */
     public fun has(graph: BoardGraph): Boolean = graphs.any { it.drawsAs(graph) }
 
-    /** Adds [graph] at the end, or takes those of the same lines away that are there. */
+    /** Adds [graph] at the end, or removes existing graphs with the same lines. */
     public fun withToggled(graph: BoardGraph): Board =
         if (has(graph)) copy(graphs = graphs.filterNot { it.drawsAs(graph) }) else withGraphs(listOf(graph))
 
-    /** Takes the signal [name] out of graph [id], which goes with its last line. */
+    /** Removes the signal [name] from graph [id]; a graph without lines is removed. */
     public fun withoutLine(id: Int, name: String): Board {
         val changed = change(id) { it.copy(lines = it.lines - name, hidden = it.hidden - name) }
         return changed.copy(graphs = changed.graphs.filter { it.lines.isNotEmpty() })
     }
 
-    /** Takes the signal [name] out of all graphs; those with no other line go with it. */
+    /** Removes the signal [name] from all graphs; graphs without lines are removed. */
     public fun withoutSignal(name: String): Board =
         graphs.fold(this) { board, graph -> if (name in graph.lines) board.withoutLine(graph.id, name) else board }
 
-    /** Draws the signal [name] where [before] was drawn. */
+    /** Replaces the signal [before] by [name] in all graphs. */
     public fun renamed(before: String, name: String): Board = copy(
         graphs = graphs.map { graph ->
             fun nameNow(line: String) = if (line == before) name else line
@@ -75,10 +75,10 @@ public data class Board(public val graphs: List<BoardGraph> = emptyList()) {
         },
     )
 
-    /** Takes graph [id] away. */
+    /** Removes graph [id]. */
     public fun without(id: Int): Board = copy(graphs = graphs.filterNot { it.id == id })
 
-    /** Moves graph [id] by [places], up when negative. */
+    /** Moves graph [id] by [places], up if negative. */
     public fun moved(id: Int, places: Int): Board {
         val from = graphs.indexOfFirst { it.id == id }
         if (from < 0) return this
@@ -95,7 +95,7 @@ public data class Board(public val graphs: List<BoardGraph> = emptyList()) {
         return copy(graphs = others.take(place) + graph + others.drop(place))
     }
 
-    /** Draws the lines of graph [other] in graph [id], too, and takes [other] away. */
+    /** Moves the lines of graph [other] to graph [id], and removes [other]. */
     public fun joined(id: Int, other: Int): Board {
         val added = graphs.find { it.id == other }
         if (added == null || id == other || graphs.none { it.id == id }) return this
@@ -104,7 +104,7 @@ public data class Board(public val graphs: List<BoardGraph> = emptyList()) {
         }
     }
 
-    /** Gives each line of graph [id] a graph of its own, in its place; the first one keeps what was chosen for it but y. */
+    /** Splits graph [id] into one graph for each line; the first one keeps all settings but y. */
     public fun separated(id: Int): Board {
         val first = nextId
         return copy(
@@ -133,64 +133,64 @@ public data class Board(public val graphs: List<BoardGraph> = emptyList()) {
         )
     }
 
-    /** Draws the lines of graph [id] over its first one, or as the paths of poses that they are; over the x axis again when it does not. */
+    /** With [isXy], draws the lines of graph [id] over its first one, or poses as paths; otherwise over the x axis again. */
     public fun withXy(id: Int, isXy: Boolean): Board = change(id) { it.copy(isXy = isXy, xRange = null, yRange = null) }
 
     /** Shows only [x] and [y] of the graph [id] of y over x; all of it for null. */
     public fun withPlane(id: Int, x: Span?, y: Span?): Board = change(id) { it.copy(xRange = x, yRange = y) }
 
-    /** Takes the poses of graph [id] as measured from [origin]. */
+    /** Treats the poses of graph [id] as measured from [origin]. */
     public fun withOrigin(id: Int, origin: FieldOrigin): Board = change(id) { it.copy(origin = origin) }
 
-    /** Shows only [range] of y in graph [id], and [right] of the axis at its right; all of it for null. What is fixed is not shared. */
+    /** Shows only [range] of y in graph [id], and [right] on its right axis; null for all of it. A fixed range is not shared. */
     public fun withYRange(id: Int, range: Span?, right: Span? = null): Board =
         change(id) { it.copy(yRange = range, rightYRange = right, sharesY = it.sharesY && range == null && right == null) }
 
-    /** Shows as much of y in graph [id] as all graphs that share it need for lines of the same unit, or no longer. */
+    /** Makes graph [id] share its y range with all other such graphs for lines of the same unit, or stops sharing. */
     public fun withSharedY(id: Int, shares: Boolean): Board = change(id) {
         if (shares) it.copy(sharesY = true, yRange = null, rightYRange = null) else it.copy(sharesY = false)
     }
 
-    /** Hides the line [name] of graph [id], or shows it again; the graph keeps it. */
+    /** Hides or shows the line [name] of graph [id]; a hidden line stays in the graph. */
     public fun withLineHidden(id: Int, name: String, isHidden: Boolean): Board =
         change(id) { if (name in it.lines) it.copy(hidden = if (isHidden) it.hidden + name else it.hidden - name) else it }
 
-    /** Gives graph [id] a height of its own, see [BoardGraph.height]; that of the others for null. */
+    /** Sets the height of graph [id], see [BoardGraph.height]; null for the default. */
     public fun resized(id: Int, height: Int?): Board = change(id) { it.copy(height = height?.coerceIn(BoardGraph.HEIGHTS)) }
 
-    /** For each signal that is drawn, the place of its line in the first graph that draws it. */
+    /** Returns, for each drawn signal, the index of its line in the first graph that draws it. */
     public fun placesOfLines(): Map<String, Int> {
         val places = HashMap<String, Int>()
         for (graph in graphs) graph.lines.forEachIndexed { place, line -> if (line !in places) places[line] = place }
         return places
     }
 
-    /** The same with ids from 1 on, as a board that was written and read again has them. */
+    /** Returns the same board with ids from 1 on, like those of a board that was written and read again. */
     public fun renumbered(): Board = Board(graphs.mapIndexed { i, graph -> graph.copy(id = i + 1) })
 
-    /** Whether it shows the same as [other], whatever the ids. */
+    /** Returns whether it shows the same as [other], regardless of the ids. */
     public fun showsSame(other: Board): Boolean = renumbered() == other.renumbered()
 
     private fun change(id: Int, to: (BoardGraph) -> BoardGraph) = copy(graphs = graphs.map { if (it.id == id) to(it) else it })
 }
 
 /**
- * What one graph shows, by names only: the same graph fits every recording of a robot.
+ * What one graph shows, by names only, so that the same graph fits every recording of a robot.
  *
  * @property id identifies it on its board; has no other meaning, and is not written.
- * @property title what stands above it.
- * @property lines the names of the signals it draws, each once; one that a recording lacks is left out there.
+ * @property title the heading above it.
+ * @property lines the names of the signals it draws, each once; those that a recording lacks are not shown for it.
  * @property isFilled whether the area below the lines is filled.
  * @property includesZero whether y must include 0.
- * @property yRange the part of y that a person selected, finite and wider than 0, or null for as much as the visible samples need; of the
- *   axis at the left, where there are two.
- * @property height how high it is in pixels as they look, one of [HEIGHTS]; null for as high as graphs are without a height. See [GraphHeight].
- * @property rightYRange the same as [yRange] of the axis at the right.
- * @property sharesY whether all graphs that share it show the same part of y of a unit; what is fixed by a range is not shared.
- * @property hidden those of [lines] that are not drawn now.
- * @property isXy whether the lines are not drawn over the common x: those of poses are paths on a field, others are drawn over the first one.
+ * @property yRange the part of y that a person selected, finite and wider than 0, or null for as much as the visible samples need; on the
+ *   left axis if there are two.
+ * @property height its height in density-independent pixels, within [HEIGHTS]; null for the default. See [GraphHeight].
+ * @property rightYRange the same as [yRange] for the right axis.
+ * @property sharesY whether all graphs that share it show the same part of y for each unit; a fixed range is not shared.
+ * @property hidden those of [lines] that are currently not drawn.
+ * @property isXy whether the lines are not drawn over the common x: poses are paths on a field, others are drawn over the first line.
  * @property xRange the part of x that a person selected of such a graph, with that of y in [yRange]; null for all of it.
- * @property origin from where the poses of such a graph are measured.
+ * @property origin the origin of the poses in such a graph.
  */
 public data class BoardGraph(
     public val id: Int,
@@ -207,7 +207,7 @@ public data class BoardGraph(
     public val xRange: Span? = null,
     public val origin: FieldOrigin = FieldOrigin.BLUE,
 ) {
-    /** The part of the plane that a person selected of a graph of y over x; null for all of it. */
+    /** The part of the plane that a person selected in a graph of y over x; null for all of it. */
     public val plane: Plane? get() = if (isXy && xRange != null && yRange != null) Plane(xRange, yRange) else null
 
     internal fun drawsAs(other: BoardGraph) = lines == other.lines && isXy == other.isXy
@@ -218,5 +218,5 @@ public data class BoardGraph(
     }
 }
 
-/** Why a text is not a board, as a sentence. */
+/** Says in a sentence why a text is not a board. */
 public class BoardException(message: String) : IllegalArgumentException(message)

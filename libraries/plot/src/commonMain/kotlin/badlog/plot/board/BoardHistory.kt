@@ -1,12 +1,12 @@
 package badlog.plot.board
 
 /**
- * A board, what it was before, and what undoing led away from. Never changes; each step gives a new one.
+ * A board with its undo and redo history. Immutable; each step returns a new one.
  *
  * @property now the board that is shown.
  */
 public class BoardHistory private constructor(public val now: Board, private val before: List<Board>, private val after: List<Board>) {
-    /** One that begins with [board]. */
+    /** Creates a history that begins with [board]. */
     public constructor(board: Board = Board()) : this(board, emptyList(), emptyList())
 
     /** Whether there is something to undo. */
@@ -15,14 +15,14 @@ public class BoardHistory private constructor(public val now: Board, private val
     /** Whether something undone can be done again. */
     public val canRedo: Boolean get() = after.isNotEmpty()
 
-    /** Shows [board]; nothing changes where that shows the same. */
+    /** Shows [board]; nothing changes if that shows the same. */
     public fun changed(board: Board): BoardHistory =
         if (board.showsSame(now)) this else BoardHistory(board, (before + now).takeLast(MAX_STEPS), emptyList())
 
-    /** Shows what was shown before. */
+    /** Undoes the last change. */
     public fun undone(): BoardHistory = if (canUndo) BoardHistory(before.last(), before.dropLast(1), after + now) else this
 
-    /** Shows again what [undone] led away from. */
+    /** Redoes what [undone] undid. */
     public fun redone(): BoardHistory = if (canRedo) BoardHistory(after.last(), before + now, after.dropLast(1)) else this
 
     private companion object {

@@ -7,9 +7,10 @@ import badlog.json.quotedJson
 import badlog.plot.path.FieldOrigin
 
 /**
- * A board as an object of JSON with the key `graphs`, which layout files have too. Each graph has a `title`, the names of its
- * `lines`, and where that was chosen `filled`, `zero`, `y` and `right` with `from` and `to`, `shared`, `height`, and the names of `hidden`
- * lines; `xy` where the lines are not drawn over the common x, with the visible range `x` and the `origin` of poses, `red` or `auto`. An older badlog passes over what it does not know.
+ * Returns the board as a JSON object with the key `graphs`, as in layout files. Each graph has a `title` and the names of its `lines`, and,
+ * if set, `filled`, `zero`, `y` and `right` with `from` and `to`, `shared`, `height`, and the names of `hidden` lines; `xy` if the lines
+ * are not drawn over the common x, with the visible range `x` and the `origin` of poses, `red` or `auto`. An older badlog ignores what it
+ * does not know.
  */
 public fun Board.toJson(): String = graphs.joinToString(",", "{\"graphs\":[", "]}") { graph ->
     buildString {
@@ -30,16 +31,17 @@ public fun Board.toJson(): String = graphs.joinToString(",", "{\"graphs\":[", "]
     }
 }
 
-/** Appends [span] as a member [key] of the object that is being written, where there is one that JSON can have. */
+/** Appends [span] as a member [key] of the object that is being written, unless it is null or JSON cannot hold it. */
 internal fun StringBuilder.appendSpan(key: String, span: Span?) {
     if (span == null || !isWritable(span)) return
     append(",\"").append(key).append("\":{\"from\":").append(span.from).append(",\"to\":").append(span.to).append('}')
 }
 
 /**
- * The board that the JSON object [text] has, see [toJson]; other keys, as of a layout file or of a newer badlog, are passed over.
+ * Returns the board in the JSON object [text], see [toJson]; other keys, such as those of a layout file or of a newer badlog, are
+ * ignored.
  *
- * @throws BoardException when it has none, or that is damaged.
+ * @throws BoardException if it has none, or the board is damaged.
  */
 public fun boardOfJson(text: String): Board {
     val members = JsonReader.readObject(text) ?: throw BoardException("This is not an object of JSON; select a file that badlog has saved.")
@@ -47,9 +49,9 @@ public fun boardOfJson(text: String): Board {
 }
 
 /**
- * The board that [graphs] is, the list of its graphs.
+ * Returns the board with the list [graphs].
  *
- * @param placeText says where in the text a mistake begins, with a space before.
+ * @param placeText returns where in the text a mistake begins, with a leading space.
  */
 internal fun boardOf(graphs: JsonValue?, placeText: (Int) -> String): Board = try {
     val items = graphs?.items ?: throw Damage("“graphs” is not a list", graphs)
@@ -84,7 +86,7 @@ private fun graphOf(id: Int, graph: JsonValue): BoardGraph {
     )
 }
 
-/** What has [key]; null for nothing. */
+/** Returns the member [key]; null if there is none. */
 private operator fun JsonValue.get(key: String): JsonValue? = members?.findLast { it.key == key }?.value?.takeIf { it.json != "null" }
 
 private fun JsonValue.isSet(key: String, graph: Int): Boolean = when (get(key)?.json ?: "false") {
@@ -95,7 +97,7 @@ private fun JsonValue.isSet(key: String, graph: Int): Boolean = when (get(key)?.
 
 private fun JsonValue.number(key: String, graph: Int): Double {
     val value = get(key)
-    // What is a text says so by its quotes.
+    // A text is recognized by its quotes.
     return value?.json?.takeIf { it[0] == '-' || it[0] in '0'..'9' }?.toDoubleOrNull()
         ?: throw Damage("“$key” of graph $graph is not a number", value ?: this)
 }

@@ -5,15 +5,15 @@ import badlog.json.JsonReader
 import badlog.json.quotedJson
 
 /**
- * The part of a layout file that page and window both know. What else a file has (the open recording, what it was compared with, what was
- * selected, which parts of the window were open) is the window's: it is passed over in reading, and not written.
+ * The part of a layout file that page and window share. Everything else in a file (the open recording, what it was compared with, the
+ * selection, which parts of the window were open) belongs to the window: it is ignored when reading, and not written.
  *
- * @property board the graphs; null for those that a log begins with.
- * @property visible the part of x that was seen; null for all.
+ * @property board the graphs; null for the default ones.
+ * @property visible the visible range; null for all.
  * @property formulas the definitions of topics that are calculated from others.
  */
 public class BoardLayout(public val board: Board?, public val visible: Span? = null, public val formulas: List<String> = emptyList()) {
-    /** The layout as the file has it. */
+    /** Returns the text of the layout file. */
     public fun toJson(): String = buildString {
         append("{\"").append(VERSION_KEY).append("\":").append(VERSION)
         board?.let { append(',').append(it.toJson().removePrefix("{").removeSuffix("}")) }
@@ -22,21 +22,21 @@ public class BoardLayout(public val board: Board?, public val visible: Span? = n
     }
 
     public companion object {
-        /** How the names of layout files end. */
+        /** The ending of layout files' names. */
         public const val ENDING: String = ".badlog-layout.json"
 
-        /** The format that this program writes; it reads no newer one. */
+        /** The format version that this program writes; it cannot read newer ones. */
         public const val VERSION: Int = 1
 
-        /** What a layout file is known by; it has the [VERSION]. */
+        /** The key that identifies a layout file; its value is the [VERSION]. */
         public const val VERSION_KEY: String = "badlog-layout"
     }
 }
 
 /**
- * The layout that the file called [name] has, which says [text].
+ * Returns the layout in [text], the content of the file called [name].
  *
- * @throws BoardException when it is none, or of a newer badlog.
+ * @throws BoardException if it is not a layout, or is from a newer badlog.
  */
 public fun boardLayoutOf(name: String, text: String): BoardLayout {
     val members = JsonReader.readObject(text)?.associate { it.key to it.value }
@@ -53,13 +53,16 @@ public fun boardLayoutOf(name: String, text: String): BoardLayout {
     )
 }
 
-/** Why [text], what the file called [name] says, is not a layout, as a sentence; with the place where it ceases to be JSON. */
+/**
+ * Returns a sentence that says why [text], the content of the file called [name], is not a layout, with the place where it stops being
+ * JSON.
+ */
 public fun layoutMistake(name: String, text: String): String {
     val place = JsonReader.mistakeIn(text)?.let { " in ${lineAndColumn(text, it)}" }.orEmpty()
     return "$name is not a layout, or is damaged$place; select a file that badlog has saved."
 }
 
-/** Where [place], an index of [text], is: `line 3, column 14`. */
+/** Returns where [place], an index in [text], is: `line 3, column 14`. */
 private fun lineAndColumn(text: String, place: Int): String {
     val before = text.take(place)
     return "line ${before.count { it == '\n' } + 1}, column ${place - before.lastIndexOf('\n')}"

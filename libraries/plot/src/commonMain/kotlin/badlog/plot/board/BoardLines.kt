@@ -7,9 +7,9 @@ import badlog.recording.Topic
 import badlog.recording.TopicKind
 
 /**
- * Finds the lines of a board by the names that it has for them: those of topics, and of the graphs that are derived from topics.
+ * Finds the lines of a board by their names: those of topics, and of graphs that are derived from topics.
  *
- * @param others graphs of other lines that may be drawn, as those that a program has calculated.
+ * @param others graphs of other lines that can be drawn, such as those that a hook calculated.
  */
 public class BoardLines(private val view: LogView, others: List<Graph> = emptyList()) {
     private val topics = view.recording.topics.associateBy { it.name }
@@ -22,18 +22,18 @@ public class BoardLines(private val view: LogView, others: List<Graph> = emptyLi
     /** The names of all lines that show something, the topics first. */
     public val names: List<String> get() = topics.values.filter(::isDrawable).map { it.name } + derived.keys
 
-    /** The line called [name]; null where there is none. */
+    /** Returns the line called [name]; null where there is none. */
     public operator fun get(name: String): GraphSeries? = found.getOrPut(name) { topics[name]?.let(view::seriesOf) ?: derived[name] }
 }
 
-/** Whether [topic] is a line: texts are marks in every graph, and what is empty is nothing. */
+/** Returns whether [topic] can be drawn as a line: events are marks in every graph, and empty topics are not drawn. */
 internal fun isDrawable(topic: Topic): Boolean =
     topic.kind != TopicKind.EMPTY && topic.kind != TopicKind.EVENT && "log" !in topic.attributes
 
-/** What a board calls the lines of this graph, in their order. */
+/** The board's names for the lines of this graph, in order. */
 public val Graph.lineNames: List<String> get() = series.map { if (it.isDerived) name else it.topic.name }
 
-/** This graph as one of a board, where it gets an id; to be found by [BoardLines] again. */
+/** Returns this graph as one of a board, which assigns its id. [BoardLines] finds its lines again. */
 public fun Graph.asBoardGraph(): BoardGraph = BoardGraph(
     id = 0,
     title = if (isVirtual) listOf(folder, title).filter { it.isNotEmpty() }.joinToString("/") else name,

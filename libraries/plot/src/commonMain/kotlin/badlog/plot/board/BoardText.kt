@@ -6,11 +6,11 @@ import badlog.plot.text.addressText
 import badlog.plot.text.nameOfAddress
 
 /**
- * A board as the shortest text that any address takes: letters, digits and `-_./:;,=+~` alone. Graphs are parted by `;`, the lines of
- * one by `,`; then come, each behind a `,` and a letter with `=`, the title where it is not the first line's name, and what was
- * chosen besides: `Arm/Angle,Arm/Goal,t=Arm,f=,y=0:90,x=1;Mode`, in which line 1, counted from 0, is hidden; `p=` makes a plot of y over x,
- * of which `w=` is the visible x, and `o=red` or `o=auto` the origin of poses. Names are written by
- * [addressText]; a line without a name is `~` alone.
+ * Returns the board as the shortest text that is valid in any address: only letters, digits and `-_./:;,=+~`. Graphs are separated by `;`,
+ * the lines of a graph by `,`. Then follow, each after a `,` and a letter with `=`, the title, unless it is the first line's name, and the
+ * other settings: `Arm/Angle,Arm/Goal,t=Arm,f=,y=0:90,x=1;Mode`, in which line 1, counted from 0, is hidden. `p=` makes a plot of y over x,
+ * with `w=` for the visible x, and `o=red` or `o=auto` for the origin of poses. Names are written by [addressText]; a line without a name
+ * is just `~`.
  */
 public fun Board.toText(): String = graphs.joinToString(";") { graph ->
     buildString {
@@ -36,9 +36,9 @@ public fun Board.toText(): String = graphs.joinToString(";") { graph ->
 }
 
 /**
- * The board that [text] is, see [toText].
+ * Returns the board in [text], see [toText].
  *
- * @throws BoardException when it is none.
+ * @throws BoardException if it is not a board.
  */
 public fun boardOfText(text: String): Board {
     if (text.isEmpty()) return Board()
@@ -82,12 +82,12 @@ private fun graphOf(id: Int, text: String): BoardGraph {
 private fun nameOf(text: String): String =
     nameOfAddress(text) ?: throw BoardException("“$text” has a “~” that is not a character; copy the whole address again.")
 
-/** [span] as `0.5:90`, which [spanOf] reads. */
+/** Returns [span] as `0.5:90`, which [spanOf] reads. */
 internal fun spanText(span: Span): String = "${numberOf(span.from)}:${numberOf(span.to)}"
 
 private fun numberOf(value: Double) = value.toString().replace("+", "")
 
-/** The span that [text] is; null where it is none that can be shown. */
+/** Returns the span in [text]; null if it is not a span that can be shown. */
 internal fun spanOfText(text: String): Span? {
     val from = text.substringBefore(':').toDoubleOrNull() ?: return null
     val to = text.substringAfter(':', "").toDoubleOrNull() ?: return null
@@ -102,5 +102,5 @@ private fun originOf(text: String): FieldOrigin =
 private fun heightOf(text: String): Int =
     text.toIntOrNull()?.coerceIn(BoardGraph.HEIGHTS) ?: throw BoardException("“$text” is not a height; copy the whole address again.")
 
-/** Whether [range] is one that can be written: JSON has no numbers that are not finite. */
+/** Returns whether [range] can be written: JSON has only finite numbers. */
 internal fun isWritable(range: Span): Boolean = range.from < range.to && range.from.isFinite() && range.to.isFinite()

@@ -7,9 +7,9 @@ import badlog.plot.lane.statesTitle
 import badlog.plot.outline.everChanges
 
 /**
- * The graphs that the attributes of a recording's topics ask for, in their order. States that follow one another in a folder
- * share a graph, in which each has a lane, up to so many that it still fits a screen. The x axis is not a graph of itself. Of a
- * WPILOG, in which everything that a dashboard shows is logged, topics that never change stay in the list.
+ * Returns the graphs according to the attributes of a recording's topics, in order. Neighboring states of a folder share a
+ * graph with a lane for each, as many as fit on a screen. The x axis has no graph of its own. In a WPILOG, which has everything
+ * that a dashboard shows, topics that never change remain in the list.
  */
 public fun defaultBoard(view: LogView): Board {
     var id = 0

@@ -12,10 +12,11 @@ import badlog.rules.signal.SignalTopics
 import badlog.rules.signal.SignalVocabulary
 
 /**
- * The graphs that show together what the topics called [evidence] were, low enough for one screen: poses are paths on a field, other
- * numbers of one unit share a graph, then the states share one. Names that [view] lacks, topics without samples and texts, which are marks in every graph, are left out.
+ * Returns the graphs that show the topics called [evidence] together, low enough for one screen: poses are paths on a field, other numbers
+ * with the same unit share a graph, and the states share one. Names that [view] lacks, topics without samples, and events, which are marks
+ * in every graph, are omitted.
  *
- * @param vocabulary tells the units of topics without one: volts and amperes in one graph would hide each other.
+ * @param vocabulary provides units for topics without one: volts and amperes in one graph would hide each other.
  */
 public fun evidenceBoard(view: LogView, evidence: List<String>, vocabulary: SignalVocabulary): Board {
     val topics = view.recording.topics.associateBy { it.name }
@@ -38,7 +39,7 @@ public fun evidenceBoard(view: LogView, evidence: List<String>, vocabulary: Sign
     )
 }
 
-/** The name of a line alone, the folder of several, or the names of the first ones. */
+/** Returns the name of a single line, the common folder of several, or the names of the first ones. */
 private fun titleOf(lines: List<GraphSeries>): String {
     val names = lines.map { it.topic.name }
     if (names.size == 1) return names[0]

@@ -5,14 +5,14 @@ import badlog.rules.LogShape
 import badlog.rules.signal.SignalVocabulary
 
 /**
- * Graphs that somebody who looks into a finding may want beside its evidence.
+ * Graphs that somebody who investigates a finding may want beside its evidence.
  *
  * @property label what they show, as in “+ Current”.
  * @property topics the full names of the topics.
  */
 public class EvidenceOffer(public val label: String, public val topics: List<String>)
 
-/** What [view] has, by the signals of [vocabulary], that [board] does not show yet. */
+/** Returns what [view] has, according to the signals of [vocabulary], that [board] does not show yet. */
 public fun evidenceOffers(view: LogView, vocabulary: SignalVocabulary, board: Board): List<EvidenceOffer> {
     val topics = LogShape.of(view).topicsOf(vocabulary).all
     val shown = board.placesOfLines().keys
@@ -22,7 +22,7 @@ public fun evidenceOffers(view: LogView, vocabulary: SignalVocabulary, board: Bo
     }
 }
 
-/** This board with graphs of [offer] below its own; [vocabulary] tells the units of topics without one. */
+/** Returns this board with graphs of [offer] below its own; [vocabulary] provides units for topics without one. */
 public fun Board.with(offer: EvidenceOffer, view: LogView, vocabulary: SignalVocabulary): Board =
     withGraphs(evidenceBoard(view, offer.topics, vocabulary).graphs)
 

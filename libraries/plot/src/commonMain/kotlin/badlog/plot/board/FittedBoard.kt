@@ -3,12 +3,12 @@ package badlog.plot.board
 /**
  * A board as one recording can show it.
  *
- * @property board the graphs that have at least one line there.
+ * @property board the graphs that have at least one line in the recording.
  * @property missing the lines that the recording lacks, each once.
- * @property dropped the titles of the graphs without any line there.
+ * @property dropped the titles of the graphs without any line in the recording.
  */
 public class FittedBoard(public val board: Board, public val missing: List<String>, public val dropped: List<String>) {
-    /** What is hidden, in a sentence for the person; null for nothing. */
+    /** A sentence that says what is hidden; null for nothing. */
     public val sentence: String?
         get() {
             if (missing.isEmpty()) return null
@@ -28,9 +28,9 @@ public class FittedBoard(public val board: Board, public val missing: List<Strin
 }
 
 /**
- * Fits this board to a recording, in which a line [isThere] or not. A graph of which nothing is known, as one without lines, is dropped.
+ * Fits this board to a recording; [isThere] says whether it has a line. A graph without any known line is dropped.
  *
- * @param excused names that are not missing where they are not there, as those of formulas, of which something else says why.
+ * @param excused names that do not count as missing, such as those of formulas, whose problems are reported elsewhere.
  */
 public fun Board.fittedTo(excused: Set<String> = emptySet(), isThere: (String) -> Boolean): FittedBoard {
     val missing = LinkedHashSet<String>()

@@ -1,11 +1,14 @@
 package badlog.plot.board
 
-/** Whether a graph that is let go at the [share] of another one's height, from its top, is drawn in that, rather than above or below it. */
+/**
+ * Returns whether a graph dropped at the [share] of another one's height, from its top, is joined with that one, rather than placed above
+ * or below it.
+ */
 public fun isDroppedInto(share: Double): Boolean = share in 0.2..0.8
 
 /**
- * This board after graph [id] was let go at the [share] of the height of graph [onto], from its top: drawn in that, see [isDroppedInto], or
- * moved above or below it. Over itself it stays where it is.
+ * Returns this board after graph [id] was dropped at the [share] of the height of graph [onto], from its top: joined with that one, see
+ * [isDroppedInto], or moved above or below it. Dropped on itself, it stays where it is.
  */
 public fun Board.dropped(id: Int, onto: Int, share: Double): Board = when {
     id == onto -> this

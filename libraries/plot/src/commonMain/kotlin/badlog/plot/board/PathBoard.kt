@@ -6,7 +6,7 @@ import badlog.rules.path.Pose
 import badlog.rules.path.PoseRole
 import badlog.rules.path.posesOf
 
-/** The paths of [view] in one graph: what was driven, planned and seen, a few of each; no graph in a log without a driven path. */
+/** Returns the paths of [view] in one graph: driven, planned and seen ones, a few of each; no graph for a log without a driven path. */
 public fun pathBoard(view: LogView): Board {
     val changing = view.recording.topics.filter(::everChanges).mapTo(HashSet()) { it.name }
     val poses = posesOf(view.recording.topics).filter { it.x in changing || it.y in changing }

@@ -9,25 +9,26 @@ import badlog.rules.signal.SignalTopics
 import badlog.rules.signal.SignalVocabulary
 
 /**
- * The graphs that a log begins with where all of them stand on the board: [boardAbove], then what else [defaultBoard] has. Of a log with more
- * than a person looks through, [boardAbove] alone.
+ * Returns the initial graphs of a log if all of them are on the board: [boardAbove], then the rest of [defaultBoard]. For a log with more
+ * graphs than a person looks through, only [boardAbove].
  *
- * @param pointed the topics that the first of all findings points at; they count where not all graphs stand here anyway.
+ * @param pointed the evidence of the first finding; used only if not all graphs are on the board anyway.
  */
 public fun standardBoard(view: LogView, vocabulary: SignalVocabulary, pointed: List<String> = emptyList()): Board {
     boardOfLarge(view, vocabulary, pointed)?.let { return it }
     val above = boardAbove(view, vocabulary)
-    // A path is drawn over a field: what it is made of is not yet drawn over time.
+    // A path is drawn on a field, so its parts are not yet drawn over time.
     val shown = above.graphs.filterNot { it.isXy }.flatMapTo(HashSet()) { it.lines }
     return above.withGraphs(defaultBoard(view).graphs.filterNot { shown.containsAll(it.lines) })
 }
 
 /**
- * The graphs that begin above all graphs of a log: of one with more than a person looks through, those of its signals, of what [pointed] names,
- * and of several topics, 24 at most. Else [pathBoard], and where the others would stand far apart, low ones of what explains most of a match, as
- * far as it changes: battery and current together, modes, loop time, and what [pointed] names.
+ * Returns the initial graphs above all graphs of a log. For a log with more graphs than a person looks through: those of its signals, of
+ * the topics [pointed], and of several topics together, at most 24. Otherwise [pathBoard] and, if the other graphs would be far apart,
+ * small ones of the topics that explain most of a match, if they change: battery and current together, modes, loop time, and the topics
+ * [pointed].
  *
- * @param pointed the topics that the first of all findings points at.
+ * @param pointed the evidence of the first finding.
  */
 public fun boardAbove(view: LogView, vocabulary: SignalVocabulary, pointed: List<String> = emptyList()): Board {
     boardOfLarge(view, vocabulary, pointed)?.let { return it }
@@ -52,13 +53,13 @@ private fun evidenceBeside(graphs: List<BoardGraph>, view: LogView, pointed: Lis
 private fun changingIn(view: LogView) = view.recording.topics.filter(::everChanges).mapTo(HashSet()) { it.name }
 
 /**
- * The graphs that a log begins with that has more than a person looks through, null for another one: [pathBoard], then those of the signals of
- * [vocabulary] that change: battery and current, modes, loop time, loads, outputs, and what [pointed] names; then those of the others that
- * [outlineOf] draws, of several topics before those of one.
+ * Returns the initial graphs of a log that has more of them than a person looks through, or null for a smaller one: [pathBoard]; then those
+ * of signals of [vocabulary] that change: battery and current, modes, loop time, loads, outputs, and the topics [pointed]; then the other
+ * graphs that [outlineOf] draws, those of several topics first.
  */
 private fun boardOfLarge(view: LogView, vocabulary: SignalVocabulary, pointed: List<String> = emptyList()): Board? {
     if (view.folders.sumOf { it.graphs.size } <= MANY) return null
-    // The x axis is not a graph of itself.
+    // The x axis has no graph of its own.
     val outlined = outlineOf(view, vocabulary).folders.flatMap { it.folder.graphs }
         .filter { graph -> graph.series.any { it.topic !== view.xAxis.topic } }.map { it to it.asBoardGraph() }
     val together = outlined.filter { (graph, _) -> graph.series.size > 1 && !graph.showsStates }.map { it.second }
@@ -66,7 +67,7 @@ private fun boardOfLarge(view: LogView, vocabulary: SignalVocabulary, pointed: L
     val changing = changingIn(view)
     val signals = STANDARD.flatMap { signals ->
         val names = signals.flatMap { namesOf(it, topics) }.filter { it in changing }
-        // What belongs together stays so: a module's speed beside its target and the other modules'.
+        // Related topics stay together: a module's speed beside its target and those of the other modules.
         val joint = together.filter { graph -> graph.lines.any { it in names } }
         joint + graphsOf(view, names - joint.flatMap { it.lines }.toSet(), vocabulary)
     }.distinctBy { it.lines }
@@ -80,17 +81,17 @@ private fun boardOfLarge(view: LogView, vocabulary: SignalVocabulary, pointed: L
 
 private fun namesOf(signal: String, topics: SignalTopics) = topics.of(signal).map { it.topic }
 
-// As high as all others: there is no need to fit one screen.
+// With the default height, since they need not fit on one screen.
 private fun graphsOf(view: LogView, names: List<String>, vocabulary: SignalVocabulary) =
     evidenceBoard(view, names, vocabulary).graphs.map { it.copy(height = null) }
 
-/** So many graphs a large log begins with at most. */
+/** The maximum number of initial graphs of a large log. */
 private const val MOST = 24
 
-/** So many graphs stand near enough to each other. */
+/** Up to this many graphs are close enough together. */
 private const val FEW = 10
 
-/** So many graphs of a finding stand beside the others. */
+/** The maximum number of graphs of a finding beside the others. */
 private const val MOST_POINTED = 2
 
 private val POWER = listOf("battery", "total current")

@@ -2,12 +2,12 @@ package badlog.plot.color
 
 import badlog.plot.timeline.RobotMode
 
-/** The color that shades [mode]: amber and blue, which everybody tells apart, and gray where the log does not say which it was. */
+/** Returns the color that shades [mode]: amber and blue, which everybody can distinguish, and gray if the log does not have the mode. */
 public fun modeShade(mode: RobotMode): Shade = when (mode) {
     RobotMode.AUTONOMOUS -> Shade.AUTONOMOUS
     RobotMode.TELEOP -> Shade.TELEOP
     RobotMode.ENABLED -> Shade.MUTED
 }
 
-/** How much of its color the shading behind a graph has: seen at a glance, and quieter than the lines upon it. */
+/** Returns the opacity of the shading behind a graph: visible at a glance, but weaker than the lines on top of it. */
 public fun modeOpacity(isDark: Boolean): Double = if (isDark) 0.11 else 0.08

@@ -1,84 +1,84 @@
 package badlog.plot.color
 
 /**
- * A color of page and window by what it is for, in the theme for bright rooms and in that for dark ones, as `0xRRGGBB`.
+ * A color of page and window by its purpose, in the light and the dark theme, as `0xRRGGBB`.
  */
 public enum class Shade(private val light: Int, private val dark: Int) {
-    /** Behind everything. */
+    /** The background of everything. */
     PAGE(0xF4F5F7, 0x12161C),
 
-    /** Of panels and graphs. */
+    /** The background of panels and graphs. */
     SURFACE(0xFFFFFF, 0x1A2028),
 
-    /** Of what stands out from a surface: headings, fields. */
+    /** The background of elements that stand out from a surface: headings, input fields. */
     RAISED(0xF0F2F5, 0x232B35),
 
-    /** Between parts. */
+    /** The lines between parts. */
     BORDER(0xDFE3E8, 0x303A46),
 
-    /** Of what is read. */
+    /** Text. */
     TEXT(0x1B2330, 0xE6EAF0),
 
-    /** Of what is read second. */
+    /** Secondary text. */
     MUTED(0x596477, 0x9EABBB),
 
-    /** Of what can be done, and what is selected. */
+    /** Controls, and what is selected. */
     ACCENT(0x0B62C4, 0x6CB0FF),
 
-    /** Behind what is selected. */
+    /** The background of a selection. */
     ACCENT_SOFT(0xE3EEFB, 0x1D3350),
 
-    /** Of the lines behind graphs. */
+    /** The grid lines of graphs. */
     GRID(0xE9ECF0, 0x28313C),
 
-    /** Of the cursor. */
+    /** The cursor. */
     CURSOR(0x1B2330, 0xE6EAF0),
 
-    /** Of the marks of events. */
+    /** The marks of events. */
     EVENT(0xA84300, 0xFFA25E),
 
-    /** Of what is lost or did not work. */
+    /** Errors: data that is lost, or something that failed. */
     ERROR(0xB3261E, 0xFF8F85),
 
-    /** Behind it. */
+    /** The background of an error. */
     ERROR_SOFT(0xFDECEA, 0x3B1F1F),
 
-    /** Of what is doubtful. */
+    /** Warnings: something doubtful. */
     WARNING(0x8A5300, 0xF3BD62),
 
-    /** Behind it. */
+    /** The background of a warning. */
     WARNING_SOFT(0xFFF3DC, 0x362A14),
 
-    /** Behind notes. */
+    /** The background of a note. */
     NOTE_SOFT(0xEAF1F8, 0x1D2936),
 
-    /** Behind graphs while the robot is under its own control. */
+    /** The shading of graphs while the robot is autonomous. */
     AUTONOMOUS(0xE08E00, 0xE8C04A),
 
-    /** Behind graphs while a driver controls it. */
+    /** The shading of graphs while a driver controls it. */
     TELEOP(0x0B62C4, 0x5AA9FF),
 
-    /** Of a lane that is off. */
+    /** A lane that is off. */
     STATE_OFF(0xE4E8ED, 0x2A333E),
 
-    /** Of what is read on a lane. */
+    /** Text on a lane. */
     STATE_TEXT(0x1B2330, 0xF2F5F9),
     ;
 
-    /** The color in the theme for dark rooms, or in that for bright ones. */
+    /** Returns the color in the dark or the light theme. */
     public fun of(isDark: Boolean): Int = if (isDark) dark else light
 }
 
-/** How many colors lines have; further lines begin again. */
+/** The number of line colors; further lines start over. */
 public const val LINE_COLORS: Int = 16
 
-/** The color of line [index], from 0, as `0xRRGGBB`. */
+/** Returns the color of line [index], from 0, as `0xRRGGBB`. */
 public fun lineColor(index: Int, isDark: Boolean): Int = (if (isDark) DARK_LINES else LIGHT_LINES)[index.mod(LINE_COLORS)]
 
-/** How much of a line's color a lane has, so that text can be read on it. */
+/** Returns the opacity of a line's color in a lane, so that text on it is readable. */
 public fun stateOpacity(isDark: Boolean): Double = if (isDark) 0.45 else 0.35
 
-/** [color], as `0xRRGGBB`, as style sheets write it, with so much [opacity], 0 to 1. */
+/** Returns [color], given as `0xRRGGBB`, in the notation of style sheets, with [opacity] from 0 to 1. */
 public fun cssColor(color: Int, opacity: Double = 1.0): String {
     val solid = "#" + color.toString(16).padStart(6, '0')
     return if (opacity == 1.0) solid else solid + (opacity * 255).toInt().toString(16).padStart(2, '0')

@@ -6,11 +6,11 @@ import badlog.plot.text.roundedText
 import badlog.plot.text.withUnit
 
 /**
- * What this line says at a cursor at [a] and at another at [b], the difference, and the slope from one to the other: `A 12.1 · B 9.3 ·
- * Δ -2.8 · -1.4 V/s`. Without difference and slope for states and gaps.
+ * Returns the values of this line at cursors at [a] and [b], the difference, and the slope between them: `A 12.1 · B 9.3 · Δ -2.8 ·
+ * -1.4 V/s`. States and gaps have no difference and slope.
  *
  * @param xUnit the unit of x.
- * @param numberText how a sample is written.
+ * @param numberText formats a sample.
  */
 public fun GraphSeries.comparisonText(a: Double, b: Double, xUnit: String, numberText: (Double) -> String): String {
     val one = indexAt(a)

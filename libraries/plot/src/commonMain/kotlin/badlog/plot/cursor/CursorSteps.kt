@@ -6,13 +6,13 @@ import kotlin.math.abs
 /**
  * The places on x that the cursor steps to: those with a sample, each once.
  *
- * @param clocks every x at which there is a sample, see [badlog.analysis.XAxis.clocks]; may hold gaps, and may go backwards. They
- *   are looked at when a step is first taken.
+ * @param clocks every x at which there is a sample, see [badlog.analysis.XAxis.clocks]; may hold gaps, and may go backwards.
+ *   Evaluated at the first step.
  */
 public class CursorSteps(clocks: List<DoubleArray>) {
     private val places: List<Series> by lazy { clocks.map(::ascending).filter { it.size > 0 } }
 
-    /** The place nearest to [x]; NaN where there are no samples. */
+    /** Returns the place nearest to [x]; NaN where there are no samples. */
     public fun nearest(x: Double): Double {
         var nearest = Double.NaN
         for (clock in places) {
@@ -22,7 +22,10 @@ public class CursorSteps(clocks: List<DoubleArray>) {
         return nearest
     }
 
-    /** The place [count] steps after [x], before it when negative; the last or the first beyond those. NaN where there are no samples. */
+    /**
+     * Returns the place [count] steps after [x], or before it if negative, but not beyond the last or the first. NaN if there are no
+     * samples.
+     */
     public fun from(x: Double, count: Int): Double {
         if (places.isEmpty()) return Double.NaN
         var place = x

@@ -6,20 +6,24 @@ import badlog.analysis.XAxis
 import kotlin.math.abs
 
 /**
- * What to read first of many lines at a cursor.
+ * Decides which of many lines come first at a cursor.
  *
- * @param lines the lines, in the order in which they are shown where nothing happens.
+ * @param lines the lines, in their default order.
  * @param axis their x axis.
  */
 public class CursorValues(private val lines: List<GraphSeries>, axis: XAxis) {
     private val reach = reachOn(axis)
 
-    /** How far apart the smallest and the largest number of each line are; 0 for states, and where there are no two. NaN before it is asked for. */
+    /**
+     * The distance between the smallest and the largest number of each line; 0 for states, and if there are not two numbers. NaN until
+     * needed.
+     */
     private val ranges = DoubleArray(lines.size) { Double.NaN }
 
     /**
-     * The lines at [x]: first those that changed within 0.1 s of it, states and then what changed by the largest part of its whole range;
-     * then all others in their order. A number has changed where that part is above 2 %, else noise would come first.
+     * Returns the lines at [x]: first those that changed within 0.1 s of it: states, then numbers by the part of their whole range by
+     * which they changed; then all others in order. A number counts as changed if that part is above 2 %, because otherwise noise would
+     * come first.
      */
     public fun at(x: Double): List<CursorValue> {
         val values = lines.indices.map { CursorValue(it, changeAt(it, x)) }
@@ -31,7 +35,7 @@ public class CursorValues(private val lines: List<GraphSeries>, axis: XAxis) {
         val line = lines[index]
         val data = line.data
         if (!data.isOrdered || x.isNaN()) return 0.0
-        // What still held as it began counts, else the first of few samples would be no change.
+        // Includes the value that still held at the start; otherwise the first of a few samples would not be a change.
         var at = data.firstAtOrAfter(x - reach).let { if (it > 0) it - 1 else it }
         var least = Double.POSITIVE_INFINITY
         var most = Double.NEGATIVE_INFINITY
@@ -68,10 +72,10 @@ public class CursorValues(private val lines: List<GraphSeries>, axis: XAxis) {
         const val STATE = 2.0
         const val SECONDS = 0.1
 
-        /** So many rows are about as long in a robot's loop. */
+        /** About as long, for rows logged in a robot's loop. */
         const val ROWS = 5.0
 
-        /** A part of an x that nobody knows to be a time. */
+        /** A fraction of the range of an x that is not known to be a time. */
         const val PART = 0.001
 
         fun reachOn(axis: XAxis): Double {
@@ -91,10 +95,10 @@ public class CursorValues(private val lines: List<GraphSeries>, axis: XAxis) {
  * A line at a cursor.
  *
  * @property line its place among the lines.
- * @property change how much of its range it went through there; 0 where it stayed as it was.
+ * @property change the part of its range by which it changed there; 0 if it did not change.
  */
 public class CursorValue(public val line: Int, public val change: Double) {
-    /** Whether it changed there by more than noise does. */
+    /** Whether it changed there by more than noise. */
     public val hasChanged: Boolean get() = change > NOISE
 
     private companion object {

@@ -4,11 +4,11 @@ import badlog.analysis.GraphSeries
 import badlog.rules.path.lastAtOrBefore
 
 /**
- * Which sample of this line a cursor at [x] reads; -1 for none, and for an x that is NaN.
+ * Returns the index of the sample of this line that a cursor at [x] reads; -1 for none, and if [x] is NaN.
  *
- * One rule for all front ends: what lasts until it changes is read from the last sample at or before the cursor, as a state or
- * the value of a topic with times of its own; there is nothing to read before its first sample. Numbers that were measured row by
- * row, and what is calculated from others, are read from the nearest sample, on which the cursor's dot stands.
+ * One rule for all front ends: values that hold until they change, such as states and topics with times of their own, are read
+ * from the last sample at or before the cursor; there is no value before their first sample. Numbers that were measured row by
+ * row, and calculated ones, are read from the nearest sample, on which the cursor's dot is drawn.
  */
 public fun GraphSeries.indexAt(x: Double): Int = when {
     x.isNaN() -> -1
@@ -16,7 +16,7 @@ public fun GraphSeries.indexAt(x: Double): Int = when {
     else -> data.nearest(x)
 }
 
-/** Where on x the dot of a cursor at [x] stands on this line: at the cursor where the value lasts, else at its sample; NaN for nowhere. */
+/** Returns the x of the dot of a cursor at [x] on this line: at the cursor if the value holds, otherwise at its sample; NaN for none. */
 public fun GraphSeries.dotAt(x: Double): Double {
     val index = indexAt(x)
     return if (index < 0) {
@@ -29,8 +29,8 @@ public fun GraphSeries.dotAt(x: Double): Double {
 }
 
 /**
- * What sample [index] of this line says: the name of its state, or what [numberText] makes of its number; `–` for a gap, and where
- * there is no such sample.
+ * Returns sample [index] of this line as text: the name of its state, or its number formatted by [numberText]; `–` for a gap, and
+ * if there is no such sample.
  */
 public fun GraphSeries.textOf(index: Int, numberText: (Double) -> String): String {
     if (index !in 0 until data.size) return NOTHING

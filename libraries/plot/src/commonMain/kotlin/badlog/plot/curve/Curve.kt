@@ -5,16 +5,16 @@ import badlog.analysis.PixelColumns
 import badlog.analysis.Series
 
 /**
- * The points of one line, as they are to be joined on the screen: the samples themselves where they are few, else a
- * handful for each pixel column. Point `i` is `(x[i], y[i])`; a NaN in [y] breaks the line.
+ * The points of one line to be joined on the screen: the samples themselves if they are few, otherwise a handful for each pixel
+ * column. Point `i` is `(x[i], y[i])`; a NaN in [y] breaks the line.
  *
- * @param holdsUntil null to join samples by straight lines. Else each value holds until the next sample, in steps, and the last
- *   one until this x: as of a topic that is logged when it changes. Only for a series that is ordered.
+ * @param holdsUntil null to join samples by straight lines. Otherwise each value holds until the next sample, in steps, and the
+ *   last one until this x, as for a topic that is logged when it changes. Only for an ordered series.
  */
 public class Curve(private val series: Series, private val holdsUntil: Double? = null) {
     private val downsampling = Downsampling(series)
 
-    /** Where each point stands, in its first [size] entries. */
+    /** The x of each point, in its first [size] entries. */
     public var x: DoubleArray = DoubleArray(0)
         private set
 
@@ -28,11 +28,11 @@ public class Curve(private val series: Series, private val holdsUntil: Double? =
     public var size: Int = 0
         private set
 
-    /** The smallest finite value that is to be seen; NaN without one. */
+    /** The smallest finite visible value; NaN if there is none. */
     public var min: Double = Double.NaN
         private set
 
-    /** The largest finite value that is to be seen; NaN without one. */
+    /** The largest finite visible value; NaN if there is none. */
     public var max: Double = Double.NaN
         private set
 
@@ -44,7 +44,7 @@ public class Curve(private val series: Series, private val holdsUntil: Double? =
     public var isDense: Boolean = false
         private set
 
-    /** Finds the points for what lies from [from] to [to], on a screen of as many columns as [columns] has. */
+    /** Finds the points for the range from [from] to [to], on a screen of as many columns as [columns] has. */
     public fun draw(from: Double, to: Double, columns: PixelColumns) {
         size = 0
         min = Double.NaN
@@ -84,12 +84,12 @@ public class Curve(private val series: Series, private val holdsUntil: Double? =
         if (min.isNaN()) for (i in 0 until size) see(y[i])
     }
 
-    /** Leads the line on to [atX] as it stands, where values hold. */
+    /** Extends the line horizontally to [atX], if values hold. */
     private fun addStep(atX: Double) {
         if (holdsUntil != null && size > 0 && !y[size - 1].isNaN()) addPoint(atX, y[size - 1], isCorner = true)
     }
 
-    /** Adds sample [index], which lies out of sight, so that the line to [neighbor] runs out of the frame. */
+    /** Adds sample [index], which is outside the frame, so that the line to [neighbor] leaves the frame. */
     private fun addNeighbor(index: Int, neighbor: Int, limit: Double) {
         if (index !in 0 until series.size) return
         val far = series.x[index]
@@ -104,7 +104,7 @@ public class Curve(private val series: Series, private val holdsUntil: Double? =
             addPoint(far, series.y[index])
             return
         }
-        // Far away, pixels would be numbers too large to draw with: the line is cut where it is out of sight.
+        // Far away, pixel coordinates would be too large for drawing, so the line is clipped where it is invisible.
         val share = (limit - near) / (far - near)
         addPoint(limit, series.y[neighbor] + (series.y[index] - series.y[neighbor]) * share)
     }
@@ -142,7 +142,7 @@ public class Curve(private val series: Series, private val holdsUntil: Double? =
         see(least)
         see(most)
         if (!first.isNaN()) addPoint(center, first)
-        // The way through the column that goes back the least.
+        // The order within the column that goes back the least.
         val isRising = first.isNaN() || last.isNaN() || first <= last
         val near = if (isRising) least else most
         val far = if (isRising) most else least
@@ -151,7 +151,7 @@ public class Curve(private val series: Series, private val holdsUntil: Double? =
         if (!last.isNaN() && last != far) addPoint(center, last)
     }
 
-    /** Whether point [index] is not a sample, but where a value ends that has held until there. */
+    /** Returns whether point [index] is not a sample, but the end of a value that held until there. */
     public fun isCorner(index: Int): Boolean = isCorner[index]
 
     private fun addPoint(atX: Double, atY: Double, isCorner: Boolean = false) {

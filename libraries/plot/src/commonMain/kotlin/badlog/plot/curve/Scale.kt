@@ -3,9 +3,10 @@ package badlog.plot.curve
 import badlog.analysis.Span
 
 /**
- * Where the values of an axis stand on the screen: [from] at [start], and [to] so many pixels, [length], further on.
+ * Maps the values of an axis to the screen: [from] to the pixel [start], and [to] to a pixel [length] further on.
  *
- * @property farthest how far from 0 a place may be: numbers far out of sight would be too large to draw with.
+ * @property farthest the maximum distance of a place from 0: coordinates far outside the screen would be too large
+ * for drawing.
  */
 public class Scale(
     private val from: Double,
@@ -14,7 +15,7 @@ public class Scale(
     private val start: Double = 0.0,
     private val farthest: Double = Double.POSITIVE_INFINITY,
 ) {
-    /** The place of [value]. */
+    /** Returns the place of [value]. */
     public fun placeOf(value: Double): Double {
         val place = start + (value - from) / (to - from) * length
         return if (place > farthest) {
@@ -30,10 +31,10 @@ public class Scale(
         /** Leaves values as they are. */
         public val NONE: Scale = Scale(0.0, 1.0, 1.0)
 
-        /** [span] from left to right over [width] pixels, the first of which is [left]. */
+        /** Returns the scale of [span] from left to right over [width] pixels, starting at [left]. */
         public fun ofX(span: Span, width: Double, left: Double = 0.0): Scale = Scale(span.from, span.to, width, left)
 
-        /** [span] upwards over [height] pixels, the highest of which is [top]. */
+        /** Returns the scale of [span] upwards over [height] pixels, the highest of which is [top]. */
         public fun ofY(span: Span, height: Double, top: Double = 0.0): Scale =
             Scale(span.to, span.from, height, top, MAX_DISTANCE * height + top)
 

@@ -3,10 +3,10 @@ package badlog.plot.curve
 /**
  * A [Curve] ready to be drawn: strokes between its gaps, and dots. The arrays are kept from one drawing to the next.
  *
- * Dots are on every sample where those are few, else on those that stand alone between two gaps, which no stroke would show.
+ * Every sample has a dot if there are few; otherwise only isolated samples between two gaps, which no stroke would show.
  */
 public class Strokes {
-    /** x and y of all points in turn; stroke `i` has those from index [startOf] until [endOf]. */
+    /** x and y of all points, alternating; stroke `i` has those from index [startOf] until [endOf]. */
     public var points: DoubleArray = DoubleArray(0)
         private set
 
@@ -14,11 +14,11 @@ public class Strokes {
     public var count: Int = 0
         private set
 
-    /** x and y of all dots in turn, in the first [dotsSize] entries. */
+    /** x and y of all dots, alternating, in the first [dotsSize] entries. */
     public var dots: DoubleArray = DoubleArray(0)
         private set
 
-    /** How much of [dots] is taken: two for each dot. */
+    /** The number of used entries in [dots]: two for each dot. */
     public var dotsSize: Int = 0
         private set
 
@@ -26,7 +26,7 @@ public class Strokes {
     public var isSparse: Boolean = false
         private set
 
-    /** Whether they are so many that thin lines cover the same: see [Curve.isDense]; thicker ones take many times as long. */
+    /** Whether there are so many that thin lines cover the same area, see [Curve.isDense]; thicker ones take many times longer. */
     public var isDense: Boolean = false
         internal set
 
@@ -41,13 +41,13 @@ public class Strokes {
     private var ends = IntArray(0)
     private var size = 0
 
-    /** Where in [points] stroke [index] begins. */
+    /** Returns where in [points] stroke [index] begins. */
     public fun startOf(index: Int): Int = if (index == 0) 0 else ends[index - 1]
 
-    /** Where in [points] stroke [index] ends. */
+    /** Returns where in [points] stroke [index] ends. */
     public fun endOf(index: Int): Int = ends[index]
 
-    /** Takes what [curve] found, where [x] and [y] say that it stands. */
+    /** Takes the points of [curve], at the places given by [x] and [y]. */
     public fun trace(curve: Curve, x: Scale, y: Scale) {
         isSparse = curve.isSparse
         isDense = curve.isDense
@@ -66,34 +66,34 @@ public class Strokes {
         lift()
     }
 
-    /** Forgets all strokes and dots. */
+    /** Removes all strokes and dots. */
     internal fun begin() {
         count = 0
         size = 0
         dotsSize = 0
     }
 
-    /** Draws on to ([x], [y]). */
+    /** Continues the stroke to ([x], [y]). */
     internal fun add(x: Double, y: Double) {
         if (size == points.size) points = points.copyOf(maxOf(FIRST_POINTS, size * 2))
         points[size++] = x
         points[size++] = y
     }
 
-    /** Puts y where [y] says, of strokes that were traced with y as it was logged: its scale may be known only when others are traced. */
+    /** Applies the scale [y] to strokes that were traced with logged values of y: the scale may be known only after others were traced. */
     public fun place(y: Scale) {
         for (i in 1 until (if (count == 0) 0 else ends[count - 1]) step 2) points[i] = y.placeOf(points[i])
         for (i in 1 until dotsSize step 2) dots[i] = y.placeOf(dots[i])
     }
 
-    /** Puts everything where [x] and [y] say. */
+    /** Applies the scales [x] and [y]. */
     public fun place(x: Scale, y: Scale) {
         for (i in 0 until size step 2) points[i] = x.placeOf(points[i])
         for (i in 0 until dotsSize step 2) dots[i] = x.placeOf(dots[i])
         place(y)
     }
 
-    /** Ends the stroke; what is added next begins another one. */
+    /** Ends the stroke; the next point begins another one. */
     internal fun lift() {
         if (size == (if (count == 0) 0 else ends[count - 1])) return
         if (count == ends.size) ends = ends.copyOf(maxOf(FIRST_STROKES, count * 2))

@@ -13,10 +13,10 @@ import badlog.recording.Severity
 import badlog.rules.Finding
 
 /**
- * What a figure that leaves the program says besides its graphs, so that it explains itself.
+ * The texts of an exported figure besides its graphs, which make it self-explanatory.
  *
- * @property place the file, the visible range and where the cursors are, in one line.
- * @property findings those with a place in that range, the worst first, at most [MAX_NAMED] of them.
+ * @property place the file, the visible range and the cursors' places, in one line.
+ * @property findings the findings in that range, the worst first, at most [MAX_NAMED].
  * @property moreFindings how many more there are in that range.
  */
 public class FigureNotes private constructor(
@@ -28,7 +28,10 @@ public class FigureNotes private constructor(
         /** More would take more room than the graphs. */
         public const val MAX_NAMED: Int = 8
 
-        /** The notes of a figure of [visible] on [axis]; [fileName] is empty where the title says it already, [found] null where nothing is known. */
+        /**
+         * Returns the notes of a figure of [visible] on [axis]; [fileName] is empty if the title already has it; [found] is null if the
+         * findings are unknown.
+         */
         public fun of(
             fileName: String,
             axis: XAxis,
@@ -56,9 +59,9 @@ public class FigureNotes private constructor(
 }
 
 /**
- * A finding as a figure names it.
+ * A finding in a figure.
  *
- * @property head how bad it is and where it was found first in the visible range: `error · 93.71 s`.
+ * @property head its severity and its first place in the visible range: `error · 93.71 s`.
  * @property text the rule and what it found there.
  */
 public class NamedFinding internal constructor(public val severity: Severity, public val head: String, public val text: String)

@@ -7,18 +7,18 @@ import badlog.expression.VirtualTopic
 import badlog.expression.signals.Vocabulary
 
 /**
- * What a definition of a topic, such as `Power [W] = Voltage * Current`, comes to in one recording.
+ * The result of a definition such as `Power [W] = Voltage * Current` for one recording.
  *
- * @property definition it, as a person wrote it.
- * @property topic the topic; null where it makes none.
- * @property error why it makes none; null where it makes one.
+ * @property definition the definition, as a person wrote it.
+ * @property topic the topic; null if there is an error.
+ * @property error why there is no topic; null if there is one.
  */
 public class Formula(public val definition: String, public val topic: VirtualTopic?, public val error: ExpressionError?) {
-    /** The full name of its topic; null where the definition does not even have that. */
+    /** The full name of its topic; null if the definition does not even have one. */
     public val name: String? get() = topic?.name ?: nameIn(definition)
 }
 
-/** What each of [definitions], from which [calculated] was made, comes to, in their order. */
+/** Returns the result of each of [definitions], from which [calculated] was made, in order. */
 public fun formulasOf(definitions: List<String>, calculated: ViewWithVirtualTopics): List<Formula> {
     // From the end: of two equal definitions, the second is the one that failed.
     var error = calculated.errors.size - 1
@@ -32,9 +32,9 @@ public fun formulasOf(definitions: List<String>, calculated: ViewWithVirtualTopi
     }.asReversed()
 }
 
-/** The name of the topic that [definition] defines, whether or not its expression means anything; null for none. */
+/** Returns the name of the topic that [definition] defines, whether or not its expression is valid; null for none. */
 public fun nameIn(definition: String): String? {
-    // A name in quotes may hold = too.
+    // A quoted name may also contain =.
     for (at in definition.indices) {
         if (definition[at] != '=') continue
         val topic = VirtualTopic.parse(definition.substring(0, at) + "= 0", NOTHING)
@@ -43,13 +43,13 @@ public fun nameIn(definition: String): String? {
     return null
 }
 
-/** [definitions] with those of [others], which take the place of those of the same names. */
+/** Returns [definitions] with those of [others], which replace those with the same names. */
 public fun joined(definitions: List<String>, others: List<String>): List<String> {
     val names = others.mapNotNullTo(HashSet(), ::nameIn)
     return (definitions.filter { it in others || nameIn(it) !in names } + others).distinct()
 }
 
-/** [name] as an expression over [vocabulary] may call it: in quotes where it needs them. */
+/** Returns [name] as it can be written in an expression over [vocabulary]: quoted if necessary. */
 public fun nameInExpression(name: String, vocabulary: Vocabulary): String {
     val alone = Expression.parse("changed($name)", vocabulary)
     val isPlain = alone is Expression && alone.topics == listOf(name)

@@ -4,23 +4,23 @@ import badlog.expression.signals.Vocabulary
 import badlog.text.isLetterOrDigit
 
 /**
- * The names that may be meant where a person types a definition.
+ * The names suggested while a person types a definition.
  *
- * @property from where what they would replace begins.
+ * @property from where the text that they would replace begins.
  * @property until where it ends.
- * @property names full names, the likeliest first; [nameInExpression] gives the name that a formula uses.
+ * @property names full names, the most likely first; [nameInExpression] returns the name for a formula.
  */
 public class Suggestions(public val from: Int, public val until: Int, public val names: List<String>) {
     public companion object {
-        /** Those for the definition [text] with the text cursor at [cursor]; none while its own name is typed. */
+        /** Returns the suggestions for the definition [text] with the text cursor at [cursor]; none while its own name is being typed. */
         public fun of(text: String, cursor: Int, vocabulary: Vocabulary): Suggestions {
             val equals = text.indexOf('=')
             if (equals < 0 || cursor <= equals) return Suggestions(cursor, cursor, emptyList())
             val typed = text.substring(equals + 1, cursor)
-            // A name may have blanks: all that may belong to it is tried first, then the last word alone.
+            // A name may have spaces: first everything that may belong to it is tried, then only the last word.
             for (start in listOf(lastBreak(typed), typed.lastIndexOf(' ') + 1)) {
                 val begun = typed.substring(start).trimStart()
-                // No search: what excludes and separates there calculates here.
+                // Not the syntax of a search: its signs for excluding and separating are operators here.
                 val words = begun.trim('"', '`').split(' ').filter { it.isNotEmpty() }
                 if (words.isEmpty()) continue
                 val found = vocabulary.signals.map { it.name }.filter { name -> words.all { name.contains(it, ignoreCase = true) } }
@@ -34,7 +34,7 @@ public class Suggestions(public val from: Int, public val until: Int, public val
         private fun rank(name: String, word: String) =
             if (name.startsWith(word, ignoreCase = true) || name.substringAfterLast('/').startsWith(word, ignoreCase = true)) 0 else 1
 
-        /** Behind the last of what cannot be within a name that is still typed, or hardly is. */
+        /** Returns the index after the last character that is not, or hardly ever, part of a name being typed. */
         private fun lastBreak(typed: String): Int {
             for (end in typed.length downTo 1) {
                 if (typed[end - 1] in OPERATORS) return end

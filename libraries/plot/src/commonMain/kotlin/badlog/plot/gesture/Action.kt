@@ -1,103 +1,105 @@
 package badlog.plot.gesture
 
 /**
- * What a key does, on the page as in the window.
+ * What a key does, on the page and in the window.
  *
- * @property group under which heading the help sheet has it.
- * @property meaning what it does, as the help sheet says it.
- * @property keys what to press; each does the same.
+ * @property group its heading in the help.
+ * @property meaning what it does, for the help.
+ * @property keys the keys; each does the same.
  */
 public enum class Action(public val group: String, public val meaning: String, public vararg val keys: KeyStroke) {
-    /** The cursor goes to the sample before. */
+    /** The cursor goes to the previous sample. */
     PREVIOUS_SAMPLE("Graphs", "Cursor to the previous sample", KeyStroke("←")),
 
     /** The cursor goes to the next sample. */
     NEXT_SAMPLE("Graphs", "Cursor to the next sample", KeyStroke("→")),
 
-    /** The cursor goes back by ten samples. */
+    /** The cursor goes back ten samples. */
     TEN_SAMPLES_BACK("Graphs", "Cursor ten samples back", KeyStroke("←", shift = true)),
 
-    /** The cursor goes on by ten samples. */
+    /** The cursor goes forward ten samples. */
     TEN_SAMPLES_ON("Graphs", "Cursor ten samples forward", KeyStroke("→", shift = true)),
 
-    /** A second cursor is put where the first one is, and moved from then on; or taken away. */
+    /** A second cursor is put where the first one is, and keys then move it; or it is removed. */
     SECOND_CURSOR("Graphs", "Second cursor, moved by the arrow keys; again: remove it", KeyStroke("B")),
 
-    /** Less of x is shown, around the cursor where it is in sight. */
+    /** Zooms in on x, around the cursor if it is visible. */
     ZOOM_IN("Graphs", "Zoom in", KeyStroke("+")),
 
-    /** More of x is shown. */
+    /** Zooms out on x. */
     ZOOM_OUT("Graphs", "Zoom out", KeyStroke("-")),
 
-    /** All of x is shown. */
+    /** Shows all of x. */
     SHOW_ALL("Graphs", "Show everything", KeyStroke("0"), KeyStroke("Home")),
 
-    /** What was shown before is shown. */
+    /** Shows the previous view. */
     PREVIOUS_VIEW("Graphs", "Previous view", KeyStroke("Backspace")),
 
-    /** What [PREVIOUS_VIEW] led away from is shown. */
+    /** Shows the view that [PREVIOUS_VIEW] left. */
     NEXT_VIEW("Graphs", "Next view", KeyStroke("Backspace", shift = true)),
 
-    /** The time is shown during which the robot was enabled. */
+    /** Shows the time during which the robot was enabled. */
     SHOW_ENABLED("Graphs", "Zoom to the time enabled", KeyStroke("E")),
 
-    /** Earlier x is shown. */
+    /** Moves to the left. */
     PAN_LEFT("Graphs", "Move to the left", KeyStroke("[")),
 
-    /** Later x is shown. */
+    /** Moves to the right. */
     PAN_RIGHT("Graphs", "Move to the right", KeyStroke("]")),
 
-    /** The values of many topics at the cursor are shown, or no longer. */
+    /** Opens or closes the values of many topics at the cursor. */
     CURSOR_VALUES("Graphs", "Values at the cursor: open or close", KeyStroke("V")),
 
-    /** The graph goes on the board, or off it. */
+    /** Adds the graph to the board, or removes it. */
     PIN("Board", "Add the graph to the board, or remove it", KeyStroke("P")),
 
-    /** The graph changes places with the one above it. */
+    /** Swaps the graph with the one above it. */
     MOVE_UP("Board", "Move the graph up", KeyStroke("↑", alt = true)),
 
-    /** The graph changes places with the one below it. */
+    /** Swaps the graph with the one below it. */
     MOVE_DOWN("Board", "Move the graph down", KeyStroke("↓", alt = true)),
 
-    /** The graph becomes as high as the next of three heights. */
+    /** Gives the graph the next of three heights. */
     NEXT_HEIGHT("Board", "Next height of the graph", KeyStroke("H")),
 
-    /** The board becomes what it was before. */
+    /** Undoes the last change of the board. */
     UNDO("Board", "Undo", KeyStroke("Z", ctrl = true)),
 
-    /** What [UNDO] led away from is shown. */
+    /** Redoes what [UNDO] undid. */
     REDO("Board", "Redo", KeyStroke("Z", shift = true, ctrl = true), KeyStroke("Y", ctrl = true)),
 
-    /** A person may write a formula. */
+    /** Opens the dialog for a formula. */
     NEW_FORMULA("Formulas", "New formula", KeyStroke("F")),
 
-    /** The cursor goes to the next finding. */
+    /** Moves the cursor to the next finding. */
     NEXT_FINDING("Findings", "Next finding", KeyStroke("N")),
 
-    /** The cursor goes to the finding before. */
+    /** Moves the cursor to the previous finding. */
     PREVIOUS_FINDING("Findings", "Previous finding", KeyStroke("N", shift = true)),
 
-    /** The video shows the frame before, and the cursor goes there. */
+    /** Shows the previous frame of the video, and moves the cursor there. */
     PREVIOUS_FRAME("Video", "Previous frame of the video", KeyStroke(",")),
 
-    /** The video shows the next frame, and the cursor goes there. */
+    /** Shows the next frame of the video, and moves the cursor there. */
     NEXT_FRAME("Video", "Next frame of the video", KeyStroke(".")),
     ;
 
-    /** The first of [keys], for the tip of a button: `Shift+N`. */
+    /** The first of [keys], for the tooltip of a button: `Shift+N`. */
     public val shortcut: String get() = keys[0].text
 
-    /** As the help sheet has it. */
+    /** Its line in the help. */
     public val help: HelpLine get() = HelpLine(group, keys.joinToString("  ") { it.text }, meaning)
 
     public companion object {
-        /** How many samples the cursor goes with Shift. */
+        /** The number of samples by which the cursor moves with Shift. */
         public const val MANY_SAMPLES: Int = 10
 
-        /** Which part of what is seen [PAN_LEFT] and [PAN_RIGHT] move by. */
+        /** The part of the visible range by which [PAN_LEFT] and [PAN_RIGHT] move. */
         public const val PAN_SHARE: Double = 0.25
 
-        /** What [key], which is written as in [keys], does while these are held, [ctrl] being the command key on a Mac; null for nothing. */
+        /**
+         * Returns what [key], written as in [keys], does with these modifiers, where [ctrl] is the command key on a Mac; null for nothing.
+         */
         public fun of(key: String, shift: Boolean, ctrl: Boolean = false, alt: Boolean = false): Action? = entries.firstOrNull { action ->
             action.keys.any { it.key == key && it.ctrl == ctrl && it.alt == alt && (it.shift == shift || it.isSign) }
         }
@@ -107,7 +109,7 @@ public enum class Action(public val group: String, public val meaning: String, p
 /**
  * A key with the modifiers that must be held.
  *
- * @property key what stands on it.
+ * @property key its label.
  */
 public class KeyStroke(
     public val key: String,
@@ -115,24 +117,24 @@ public class KeyStroke(
     public val ctrl: Boolean = false,
     public val alt: Boolean = false,
 ) {
-    /** Whether it is a sign, for which some keyboards need Shift and others do not. */
+    /** Whether it is a character other than a letter, for which some keyboards need Shift and others do not. */
     public val isSign: Boolean get() = key.length == 1 && key[0] < 'A'
 
-    /** As the help sheet writes it: `Ctrl+Shift+Z`. */
+    /** Its text in the help: `Ctrl+Shift+Z`. */
     public val text: String
         get() = listOfNotNull("Ctrl".takeIf { ctrl }, "Alt".takeIf { alt }, "Shift".takeIf { shift }, key).joinToString("+")
 }
 
 /**
- * Something that can be done, as the help sheet has it.
+ * A line of the help.
  *
- * @property group under which heading.
+ * @property group its heading.
  * @property how what to press, or what to do with the pointer.
- * @property meaning what comes of it.
+ * @property meaning the effect.
  */
 public data class HelpLine(public val group: String, public val how: String, public val meaning: String)
 
-/** What the pointer does over graphs, on the page as in the window. */
+/** What the pointer does over graphs, on the page and in the window. */
 public val GRAPH_GESTURES: List<HelpLine> = listOf(
     HelpLine("On the graphs", "Wheel", "Scrolls."),
     HelpLine("On the graphs", "Ctrl+wheel, pinch", "Zooms around the pointer."),

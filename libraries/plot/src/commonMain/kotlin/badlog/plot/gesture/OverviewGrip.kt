@@ -3,7 +3,7 @@ package badlog.plot.gesture
 import badlog.analysis.Span
 import badlog.plot.range.Viewport
 
-/** What a drag on the overview takes hold of. */
+/** What a drag on the overview grabs. */
 public enum class OverviewGrip {
     /** The left edge of what is visible. */
     LEFT,
@@ -14,16 +14,16 @@ public enum class OverviewGrip {
     /** All of it. */
     WINDOW,
 
-    /** Nothing: a new part is chosen. */
+    /** Nothing: a new part is selected. */
     NEW,
     ;
 
     public companion object {
-        /** What is at [x] of the overview of [viewport], a pixel of which is [pixel] wide in x. */
+        /** Returns what is at [x] on the overview of [viewport], whose pixels are [pixel] wide in x. */
         public fun at(x: Double, viewport: Viewport, pixel: Double): OverviewGrip {
             val visible = viewport.visible
             val reach = EDGE * pixel
-            // Of a narrow window the middle can still be taken.
+            // The middle of a narrow visible range can still be grabbed.
             val inside = minOf(reach, visible.width / 4)
             return when {
                 !viewport.isZoomed -> NEW
@@ -41,19 +41,19 @@ public enum class OverviewGrip {
 /**
  * A drag on the overview.
  *
- * @property before what was seen at its start.
+ * @property before the visible range at its start.
  * @param start where on x it began.
- * @param pixel how much of x a CSS pixel or dp of the overview is.
+ * @param pixel the width in x of a CSS pixel or dp of the overview.
  */
 public class OverviewDrag(public val before: Viewport, private val start: Double, private val pixel: Double) {
-    /** What it has taken hold of. */
+    /** What it has grabbed. */
     public val grip: OverviewGrip = OverviewGrip.at(start, before, pixel)
 
-    /** Whether it has gone far enough to be one, rather than a click. */
+    /** Whether it has moved far enough to be a drag rather than a click. */
     public var hasMoved: Boolean = false
         private set
 
-    /** What is seen when it is at [x]. */
+    /** Returns the visible range when the drag is at [x]. */
     public fun movedTo(x: Double): Viewport {
         if (!hasMoved && x - start < MIN_PIXELS * pixel && start - x < MIN_PIXELS * pixel) return before
         hasMoved = true
@@ -68,7 +68,7 @@ public class OverviewDrag(public val before: Viewport, private val start: Double
         }
     }
 
-    /** What is seen after a click at [x]: beside what was visible, it brings that there. */
+    /** Returns the visible range after a click at [x]: a click outside the visible range moves it there. */
     public fun clicked(x: Double): Viewport {
         val half = before.visible.width / 2
         return if (x in before.visible) before else before.showing(x - half, x + half)

@@ -2,28 +2,28 @@ package badlog.plot.gesture
 
 /** What a drag over a graph does. */
 public enum class DragKind {
-    /** Shows what it covers. */
+    /** Zooms to what it covers. */
     ZOOM,
 
-    /** Shows what it covers of y, in its graph only. */
+    /** Zooms to what it covers of y, only in its graph. */
     ZOOM_Y,
 
-    /** Marks what it covers. */
+    /** Selects what it covers. */
     SELECT,
 
-    /** Moves the graphs along. */
+    /** Moves the graphs. */
     PAN,
     ;
 
     public companion object {
-        /** What a drag with the first button does while these keys are held. */
+        /** Returns what a drag with the primary button does while these keys are held. */
         public fun of(shift: Boolean, alt: Boolean): DragKind = when {
             shift -> PAN
             alt -> ZOOM_Y
             else -> ZOOM
         }
 
-        /** A pointer that has moved by fewer CSS pixels or dp has not begun a drag. */
+        /** The minimum distance of a drag, in CSS pixels or dp. */
         public const val MIN_DISTANCE: Double = 4.0
     }
 }
@@ -33,7 +33,7 @@ public class DoubleClick {
     private var millis = Double.NEGATIVE_INFINITY
     private var place = 0.0
 
-    /** Whether a click at [x], in CSS pixels or dp, and at the time [now] of any clock is a second one. */
+    /** Returns whether a click at [x], in CSS pixels or dp, at the time [now] of any clock, is the second of a double click. */
     public fun isSecond(x: Double, now: Double): Boolean {
         val isSecond = now - millis < PAUSE && x - place < REACH && place - x < REACH
         millis = if (isSecond) Double.NEGATIVE_INFINITY else now
@@ -44,7 +44,7 @@ public class DoubleClick {
     private companion object {
         const val PAUSE = 350.0
 
-        // As a finger needs.
+        // Large enough for a finger.
         const val REACH = 24.0
     }
 }

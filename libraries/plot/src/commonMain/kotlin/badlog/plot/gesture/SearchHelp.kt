@@ -1,6 +1,6 @@
 package badlog.plot.gesture
 
-/** How a search is written, for the help of page and window. */
+/** The syntax of a search, for the help of page and window. */
 public val SEARCH_HELP: List<HelpLine> = listOf(
     HelpLine("Search", "left speed", "Both words, in any order."),
     HelpLine("Search", "\"left speed\"", "These words together."),

@@ -4,18 +4,18 @@ import badlog.plot.range.Viewport
 import kotlin.math.abs
 import kotlin.math.exp
 
-/** What the wheel does over graphs: with Ctrl, and as a pinch of a touch pad, it zooms; sideways or with Shift it moves along. */
+/** What the wheel does over graphs: with Ctrl, or as a pinch on a touch pad, it zooms; sideways or with Shift, it pans. */
 public class Wheel {
     private var last = Double.NEGATIVE_INFINITY
 
     /**
-     * What is seen of [viewport] after a turn; null where that is not for the graphs, but scrolls them.
+     * Returns [viewport] after a turn of the wheel; null if that scrolls the page instead.
      *
      * @param right how far it turned sideways, in CSS pixels or dp.
      * @param down how far it turned towards the person.
-     * @param x what is below the pointer.
-     * @param width how wide the graphs are, in the same pixels.
-     * @param now the time of any clock, in ms; turns that follow one another closely are one step back.
+     * @param x the x under the pointer.
+     * @param width the width of the graphs, in the same pixels.
+     * @param now the time of any clock, in ms; turns in quick succession are one step of the history.
      */
     public fun turned(
         viewport: Viewport,
@@ -40,10 +40,10 @@ public class Wheel {
     }
 
     public companion object {
-        /** So many CSS pixels or dp is a notch of a wheel whose turns are counted. */
+        /** The CSS pixels or dp of one notch, for a wheel that counts notches. */
         public const val NOTCH: Double = 40.0
 
-        /** How many times as much is seen after a turn [down] with Ctrl. */
+        /** Returns the factor by which the visible range grows for a turn [down] with Ctrl. */
         public fun factorOf(down: Double): Double = exp(down.coerceIn(-MAX_TURN, MAX_TURN) * SPEED)
 
         private const val PAUSE = 500.0

@@ -6,8 +6,7 @@ import kotlin.math.ceil
 import kotlin.math.floor
 
 /**
- * The parts of a lane, each in one state, in the order in which they are to be drawn. The arrays are kept from one drawing to the
- * next.
+ * The parts of a lane, each in one state, in drawing order. The arrays are reused for the next drawing.
  */
 public class LaneBlocks {
     /** Where each block begins, in pixels from the frame's left edge, in the first [size] entries. */
@@ -26,13 +25,12 @@ public class LaneBlocks {
     public var size: Int = 0
         private set
 
-    /** The short states, pixel by pixel: thousands of them cost no more than the screen is wide. */
+    /** The short states, pixel by pixel, so that thousands of them cost no more than the width of the screen. */
     private var slivers = IntArray(0)
 
     /**
-     * Finds what of [runs] is to be seen of [span] on [width] pixels. No state is lost: one that lasts shorter than [shortest]
-     * pixels gets that many, over the longer ones beside it; where several do, the one in which the recording is the least of its
-     * time is seen.
+     * Finds the visible parts of [runs] in [span] on [width] pixels. No state is lost: one shorter than [shortest] pixels gets
+     * that many, on top of its longer neighbors; if several compete, the state that is rarest in the recording is shown.
      */
     public fun place(runs: StateRuns, span: Span, width: Double, shortest: Int) {
         size = 0

@@ -3,10 +3,10 @@ package badlog.plot.lane
 import badlog.analysis.Graph
 
 /**
- * [graphs] of a folder by what shares a frame: each by itself, but neighbors that show states together, each with a lane, up to so many
- * that they still fit a screen.
+ * Returns [graphs] of a folder grouped by frame: each by itself, except that neighbors that show states are together, each with a lane,
+ * as many as fit on a screen.
  *
- * @param isAlone whether a graph is to stay by itself though it shows states.
+ * @param isAlone whether a graph stays by itself although it shows states.
  */
 public fun framesOf(graphs: List<Graph>, isAlone: (Graph) -> Boolean = { false }): List<List<Graph>> {
     val frames = ArrayList<MutableList<Graph>>()
@@ -18,10 +18,10 @@ public fun framesOf(graphs: List<Graph>, isAlone: (Graph) -> Boolean = { false }
     return frames
 }
 
-/** The title of a frame with the states of several graphs of [folder], with the folder. */
+/** Returns the title of a frame with the states of several graphs of [folder], including the folder. */
 public fun statesTitle(folder: String): String = if (folder.isEmpty()) "States" else "$folder/States"
 
-/** The graph of all lanes of [frame], one of [framesOf]. */
+/** Returns the graph of all lanes of [frame], one of those from [framesOf]. */
 public fun laneGraphOf(frame: List<Graph>): Graph {
     val first = frame.first()
     if (frame.size == 1) return first

@@ -2,18 +2,18 @@ package badlog.plot.lane
 
 /** How a block of a lane is colored. */
 public enum class LaneTone {
-    /** As good as not at all: where a switch is pressed has to be seen at a glance, so where it is not is quiet. */
+    /** Almost not at all: it must be visible at a glance when a switch is pressed, so the other times are muted. */
     OFF,
 
-    /** In the state's color, quiet enough for a name upon it. */
+    /** In the state's color, muted enough for a name on top of it. */
     QUIET,
 
-    /** In the state's full color: nobody sees a few pixels of a quiet one. */
+    /** In the state's full color: a few pixels of a muted one would be invisible. */
     STRONG,
     ;
 
     public companion object {
-        /** The tone of a block in [state], one of [states], that looks [width] pixels wide. */
+        /** Returns the tone of a block in [state], one of [states], that is [width] density-independent pixels wide. */
         public fun of(states: List<String>, state: Int, width: Double): LaneTone = when {
             state == 0 && states.size == 2 && states[0] == "false" -> OFF
             width < NARROW -> STRONG
@@ -24,21 +24,24 @@ public enum class LaneTone {
     }
 }
 
-/** What all lanes have in common, in pixels as they look: of the page, or of the window's density. */
+/** Dimensions of all lanes, in CSS pixels of the page or dp of the window. */
 public object LaneLook {
-    /** How high a lane is, with the room to the next. */
+    /** The height of a lane, with the space to the next. */
     public const val HEIGHT: Int = 18
 
-    /** How wide the shortest state is. */
+    /** The width of the shortest state. */
     public const val MIN_BLOCK: Double = 1.5
 
-    /** How high the letters of a state's name are. */
+    /** The font size of a state's name. */
     public const val LETTERS: Double = 11.0
 
-    /** What stays free on either side of a name. */
+    /** The space on either side of a name. */
     public const val MARGIN: Double = 5.0
 
-    /** Whether a name, or its beginning and `…`, may stand on [room] pixels: a few letters say nothing, or what another state is called. */
+    /**
+     * Returns whether [room] pixels are enough for a name, or its beginning and `…`: a few letters mean nothing, or look like another
+     * state's name.
+     */
     public fun hasRoom(room: Double, isWhole: Boolean): Boolean = room >= if (isWhole) LETTERS else PART
 
     private const val PART = 40.0

@@ -3,8 +3,8 @@ package badlog.plot.outline
 import badlog.analysis.LogView
 
 /**
- * The topic [name] of [view] with what is target or actual of the same thing, in the order in which they share a graph: what came of it,
- * then what was wanted. The name alone where there is nothing of that sort.
+ * Returns the topic [name] of [view] with its counterpart, the target or actual value of the same thing, in the order in which they
+ * share a graph: actual, then target. Only the name if there is no counterpart.
  */
 public fun withCounterparts(view: LogView, name: String): List<String> {
     val all = view.recording.topics.map { TopicGroup(it.name, listOf(view.seriesOf(it))) }

@@ -11,11 +11,12 @@ import badlog.rules.LogShape
 import badlog.rules.signal.SignalVocabulary
 
 /**
- * What of a log is drawn at first, and what is only listed: every topic that a graph or a list of events would show is in one of these.
+ * What is initially drawn of a log, and what is only listed: every topic that a graph or a list of events would show is in one of
+ * these.
  *
- * @property folders what is drawn and listed by folder, the root folder first, as a view has them.
- * @property constants what never changes, with its value, in the order of the file.
- * @property empty the topics of which nothing was logged, in the order of the file.
+ * @property folders what is drawn and listed by folder, the root folder first, in the order of the view.
+ * @property constants topics that never change, with their values, in the order of the file.
+ * @property empty the topics without any logged value, in the order of the file.
  */
 public class LogOutline(
     public val folders: List<OutlineFolder>,
@@ -26,15 +27,15 @@ public class LogOutline(
 /**
  * A folder of an outline.
  *
- * @property folder what is shown of it at first.
- * @property listed its other graphs, which are drawn when somebody asks for them.
+ * @property folder what is initially shown of it.
+ * @property listed its other graphs, which are drawn on request.
  */
 public class OutlineFolder(public val folder: Folder, public val listed: List<Graph> = emptyList())
 
 /**
  * A topic that never changes.
  *
- * @property graph draws it.
+ * @property graph the graph that draws it.
  * @property text its value, with its unit.
  */
 public class ConstantTopic(public val graph: Graph, public val text: String) {
@@ -43,17 +44,17 @@ public class ConstantTopic(public val graph: Graph, public val text: String) {
 }
 
 /**
- * What [view] begins with. A log of at most [MANY] graphs shows all that its attributes ask for. Of a larger one, what was never logged
- * and what never changes is not drawn, the parts of an array or struct share a graph, as do target and actual of one thing and the
- * states of a folder; and of what is left then so many are drawn that there are no more than [MANY] with those of a board: first those of
- * the signals of [vocabulary], then those that show several topics.
+ * Returns the initial outline of [view]. A log with at most [MANY] graphs shows all that its attributes ask for. In a larger one, empty
+ * and constant topics are not drawn; the parts of an array or struct share a graph, and so do target and actual of one thing, and the
+ * states of a folder. Of the remaining graphs, only so many are drawn that, with those of a board, there are at most [MANY]: first those
+ * of the signals of [vocabulary], then those that show several topics.
  *
- * @param kept names of graphs that are drawn in any case, as they are.
+ * @param kept names of graphs that are always drawn unchanged.
  */
 public fun outlineOf(view: LogView, vocabulary: SignalVocabulary, kept: Set<String> = emptySet()): LogOutline {
     val all = view.folders.flatMap { it.graphs }
     if (all.size <= MANY) return LogOutline(view.folders.map { OutlineFolder(it) })
-    // In the order of the file: of a pose x comes before the angle, though its folder does not.
+    // In the order of the file: in a pose, x comes before the angle, although its folder does not.
     val places = view.recording.topics.withIndex().associate { (place, topic) -> topic to place }
     val (asked, others) = all.sortedBy { places[it.series[0].topic] ?: 0 }.partition { it.name in kept }
     val (empty, present) = others.partition { graph -> graph.series.all { it.isEmpty } }
@@ -61,7 +62,7 @@ public fun outlineOf(view: LogView, vocabulary: SignalVocabulary, kept: Set<Stri
     val groups = asked.map { TopicGroup(it.name, it.series, it) } + withLanes(changing)
     val first = firstOf(groups, view, vocabulary, kept)
     val (drawn, undrawn) = groups.partition { it in first }
-    // What attributes derive from a topic that never changes is no topic, but has its place.
+    // A graph derived from a constant topic by an attribute is not a topic, but keeps its place.
     val (derived, constant) = still.partition { group -> group.own != null && group.lines.any { it.isDerived } }
     return LogOutline(
         foldersOf(view, drawn.map { it.toGraph() }, (undrawn + derived).map { it.toGraph() }),
@@ -76,7 +77,7 @@ public fun outlineOf(view: LogView, vocabulary: SignalVocabulary, kept: Set<Stri
     )
 }
 
-/** [groups] with the states of a folder together that follow one another, each in a lane. */
+/** Returns [groups] with neighboring states of a folder joined, each in a lane. */
 private fun withLanes(groups: List<TopicGroup>): List<TopicGroup> {
     val alone = groups.filter { it.showsStates && it.own == null && !it.isTogether }
     val blocks = alone.groupBy { it.folder }.values.flatMap(::inParts).filter { it.size > 1 }
@@ -116,12 +117,12 @@ private fun foldersOf(view: LogView, drawn: List<Graph>, listed: List<Graph>): L
     }
 }
 
-/** So many graphs are no more than a person looks through. */
+/** The number of graphs that a person still looks through. */
 public const val MANY: Int = 60
 
-/** More folders than these are a tree that begins closed. */
+/** With more folders than this, the tree is initially closed. */
 public const val MANY_FOLDERS: Int = 24
 
-/** So many graphs a large log begins with: a board above them has 24 at most. */
+/** The number of initial graphs of a large log: a board above them has at most 24. */
 private const val MOST = MANY - 24
 private const val OTHER = 3

@@ -4,21 +4,21 @@ import badlog.rules.signal.TARGET_WORDS
 import badlog.rules.signal.wordsOf
 
 /**
- * What the name of a topic is about, and whether it says what was wanted of that or what came of it. Two topics are target and actual of
- * one thing where [words] are the same and one of them [isTarget]:
+ * What the name of a topic is about, and whether the topic is its target or its actual value. Two topics are target and actual of one
+ * thing if their [words] are the same and one of them [isTarget]:
  *
- * - A name is read as its words, those of its folders too: `Chassis/ActualFrontLeft/speed` is *chassis actual front left speed*.
- * - One word of [TARGET_WORDS] in it makes it a target; that word is left out: *chassis front left speed*. A name with two is neither.
- * - One word of [ACTUALS] is left out of any other name. *Current* is one only before what it describes, as in *current angle*: at the
- *   end of a name it is amperes.
+ * - A name is split into words, including those of its folders: `Chassis/ActualFrontLeft/speed` is *chassis actual front left speed*.
+ * - One word of [TARGET_WORDS] in it makes it a target; that word is dropped: *chassis front left speed*. A name with two is neither.
+ * - One word of [ACTUALS] is dropped from any other name. *Current* is one only before the word it describes, as in *current angle*: at
+ *   the end of a name, it means amperes.
  *
- * @property words what is left of the name, in lower case.
- * @property isTarget whether the name says that this was wanted.
- * @property isBare whether the last part of the name says nothing but that, as in `Arm/Goal`.
+ * @property words the remaining words of the name, in lower case.
+ * @property isTarget whether the name says that this is a target.
+ * @property isBare whether the last part of the name says only that, as in `Arm/Goal`.
  */
 internal class Thing private constructor(val words: List<String>, val isTarget: Boolean, val isBare: Boolean) {
     companion object {
-        /** What [name] is about; null where that is not clear. */
+        /** Returns what [name] is about; null if that is not clear. */
         fun of(name: String): Thing? {
             val words = wordsOf(name)
             val targets = words.indices.filter { words[it] in TARGET_WORDS }
@@ -35,7 +35,7 @@ internal class Thing private constructor(val words: List<String>, val isTarget: 
 
         private const val CURRENT = "current"
 
-        /** What says that something came of it. */
+        /** Words for an actual value. */
         private val ACTUALS = setOf("actual", "actuals", "measured", "measurement", "current", "observed", "feedback", "estimated")
     }
 }

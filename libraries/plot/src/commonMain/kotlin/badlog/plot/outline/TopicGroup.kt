@@ -6,11 +6,11 @@ import badlog.analysis.Units
 import badlog.recording.PathName
 
 /**
- * Lines that are looked at together.
+ * Lines that belong in one graph.
  *
  * @property name its full name.
- * @property own the graph that attributes ask for, which stays as it is; null for one that is put together here.
- * @property isTogether whether it shows more than a topic does.
+ * @property own the graph that attributes ask for, which stays unchanged; null for one that is put together here.
+ * @property isTogether whether it shows more than one topic.
  */
 internal class TopicGroup(val name: String, val lines: List<GraphSeries>, val own: Graph? = null, val isTogether: Boolean = false) {
     val showsStates: Boolean get() = lines.all { it.states != null }
@@ -23,7 +23,7 @@ internal class TopicGroup(val name: String, val lines: List<GraphSeries>, val ow
     fun toGraph(): Graph = own ?: Graph(name, lines[0].unit, isVirtual = false, isFilled = false, includesZero = false, lines)
 }
 
-/** [graphs] with the parts of arrays and structs together, and target and actual of one thing. */
+/** Returns [graphs] with the parts of arrays and structs joined, and also target and actual of one thing. */
 internal fun groupsOf(graphs: List<Graph>): List<TopicGroup> = withTargets(byMeaning(graphs))
 
 private fun byMeaning(graphs: List<Graph>): List<TopicGroup> {
@@ -33,7 +33,7 @@ private fun byMeaning(graphs: List<Graph>): List<TopicGroup> {
         val line = graph.series[0]
         val isPlain = graph.series.size == 1 && !graph.isVirtual && !graph.isFilled && !graph.includesZero
         if (!isPlain) {
-            // No topic has such a name, so that nothing joins it.
+            // No topic has such a name, so nothing joins it.
             val key = "${graph.name}\n${own.size}" to false
             own[key] = graph
             lines[key] = graph.series.toMutableList()
@@ -56,11 +56,11 @@ private fun byMeaning(graphs: List<Graph>): List<TopicGroup> {
     }
 }
 
-/** [items] in parts that a graph has room for. Not by `chunked`, which is 2 kB of coroutines on a page. */
+/** Returns [items] in parts that fit in a graph. Does not use `chunked`, which adds 2 kB of coroutines to a page. */
 internal fun <T> inParts(items: List<T>): List<List<T>> =
     (items.indices step MAX_LINES).map { items.subList(it, minOf(it + MAX_LINES, items.size)) }
 
-/** [groups] with those of target and actual of one thing as one, see [Thing]. */
+/** Returns [groups] with target and actual of one thing joined, see [Thing]. */
 internal fun withTargets(groups: List<TopicGroup>): List<TopicGroup> {
     val things = groups.map { group -> if (group.own == null) Thing.of(group.name) else null }
     val actuals = HashMap<List<String>, MutableList<Int>>()
@@ -87,7 +87,7 @@ internal fun withTargets(groups: List<TopicGroup>): List<TopicGroup> {
     }
 }
 
-/** What is measured in the folder of the bare target [target], as `Arm/Angle` for `Arm/Goal`; null where several are. */
+/** Returns the measured value in the folder of the bare target [target], such as `Arm/Angle` for `Arm/Goal`; null if there are several. */
 private fun measuredIn(groups: List<TopicGroup>, things: List<Thing?>, target: Int): Int? = groups.indices.singleOrNull { i ->
     val name = groups[i].name
     things[i]?.isTarget == false && groups[i].lines.size == 1 && fit(groups[i], groups[target]) &&
@@ -100,7 +100,7 @@ private fun fit(one: TopicGroup, other: TopicGroup): Boolean {
     return one.showsStates == other.showsStates && (unit == otherUnit || Units.isNone(unit) || Units.isNone(otherUnit))
 }
 
-/** So many lines of one graph can still be told apart by those who hide some. */
+/** The number of lines in one graph that people can still distinguish by hiding some. */
 internal const val MAX_LINES = 16
 
 private val MEASURED = setOf("position", "angle", "height", "velocity", "speed")

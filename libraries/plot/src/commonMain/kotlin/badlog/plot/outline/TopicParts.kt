@@ -5,11 +5,13 @@ import badlog.recording.PathName
 import badlog.recording.Topic
 
 /**
- * The graph that the part [topic] of an array or a struct belongs into, by its name; the topic's own name where it is no part:
+ * Returns the name of the graph to which the part [topic] of an array or struct belongs; the topic's own name if it is not a
+ * part:
  *
- * - The elements of an array share one: `axes[0]` and `axes[1]` are `axes`, and so are topics whose own names are numbers alone.
+ * - The elements of an array share one: `axes[0]` and `axes[1]` become `axes`; the same applies to topics whose own names are
+ *   just numbers.
  * - The fields of a struct share one: x, y and angle of a pose, three speeds of a chassis.
- * - Of swerve modules, each field of all modules of a folder shares one: their speeds, their angles, their distances.
+ * - For swerve modules, the same field of all modules of a folder shares one: their speeds, their angles, their distances.
  */
 internal fun graphNameOf(topic: Topic): String {
     val name = topic.name
@@ -24,7 +26,7 @@ internal fun graphNameOf(topic: Topic): String {
     return owner
 }
 
-/** The array that [name] is an element of, or null. */
+/** Returns the array that [name] is an element of, or null. */
 private fun arrayOf(name: String): String? {
     val bracket = name.lastIndexOf('[')
     if (bracket >= 0 && name.endsWith(']') && isNumber(name.substring(bracket + 1, name.lastIndex))) return name.substring(0, bracket)
@@ -33,32 +35,32 @@ private fun arrayOf(name: String): String? {
 
 private fun isNumber(text: String) = text.isNotEmpty() && text.all { it in '0'..'9' }
 
-/** The end of [name] that is made of names of fields, with its slashes; at least one, where there is a folder. */
+/** Returns the end of [name] that consists of field names, with slashes; at least one name if there is a folder. */
 private fun fieldsOf(name: String): String {
     var start = name.lastIndexOf('/')
     if (start <= 0) return ""
     while (start > 0) {
         val before = name.lastIndexOf('/', start - 1)
-        // An array's brackets belong to what has the field, not to the field.
+        // An array's brackets belong to the owner of the field, not to the field.
         if (before <= 0 || name.substring(before + 1, start) !in NESTED) break
         start = before
     }
     return name.substring(start)
 }
 
-/** Whether [topic] has two values that differ. */
+/** Returns whether [topic] has two different values. */
 public fun everChanges(topic: Topic): Boolean {
     val first = topic.samples.firstOrNull { !it.isNaN() }
     return topic.texts.dictionary.size > 1 || (first != null && topic.samples.any { !it.isNaN() && it != first })
 }
 
-/** Whether this has nothing that could be drawn. */
+/** Whether it has nothing to draw. */
 internal val GraphSeries.isEmpty: Boolean get() = topic.texts.size == 0 && topic.samples.all { it.isNaN() }
 
-/** The structs of a log, and WPILib's messages that say the same. */
+/** The structs of a log, and WPILib's equivalent messages. */
 private val STRUCTS = listOf("struct:", "proto:wpi.proto.")
 
-/** Fields that have fields themselves, in the structs of WPILib. */
+/** Fields of WPILib's structs that have fields themselves. */
 private val NESTED = setOf("translation", "rotation", "q", "angle")
 
 private val MEANINGS = listOf(

@@ -4,7 +4,7 @@ import badlog.analysis.GraphSeries
 import badlog.plot.search.Trait
 import badlog.recording.TopicKind
 
-/** What a search can ask of this line, all but whether there is a finding. Looks through its samples. */
+/** The traits of this line that a search can use, except whether there is a finding. Examines its samples. */
 public val GraphSeries.traits: Set<Trait>
     get() = buildSet {
         when {

@@ -6,21 +6,22 @@ import badlog.rules.path.PLAN_LIMIT
 import badlog.rules.path.PLAN_PATIENCE
 
 /**
- * Where a robot left its plan.
+ * The moment at which a robot left its planned path.
  *
- * @property time when.
- * @property index the sample of the driven path.
- * @property farthest how far away it went before it came back, or the plan ended; in meters.
+ * @property time the time.
+ * @property index the index of the sample of the driven path.
+ * @property farthest the largest distance before it came back, or the plan ended; in meters.
  */
 public class Departure internal constructor(public val time: Double, public val index: Int, public val farthest: Double) {
-    /** It as a sentence, where [moment] is its time as a text. */
+    /** Returns a sentence about it, with its time as the text [moment]. */
     public fun text(moment: String): String = "Left the plan at $moment, by up to ${fixedText(farthest, 2)} m"
 
     internal companion object {
         /**
-         * The first moment of [distances] from which the robot was more than [PLAN_LIMIT] away for [PLAN_PATIENCE]; null for none.
+         * Returns the first moment in [distances] from which the robot was more than [PLAN_LIMIT] away for [PLAN_PATIENCE]; null
+         * for none.
          *
-         * @param second in the unit of the x axis.
+         * @param second one second in the unit of the x axis.
          */
         fun of(distances: Series, second: Double): Departure? {
             var since = -1

@@ -4,14 +4,15 @@ import badlog.analysis.Span
 import badlog.rules.path.Trail
 
 /**
- * The field that paths are on: its outline and its middle line, in meters from the corner at the right of the blue alliance's wall.
+ * The field that paths are on: its outline and its center line, in meters from the corner at the right end of the blue alliance's
+ * wall.
  *
- * @property length how long it is, from the blue alliance's wall to the red one's.
- * @property width how wide it is.
+ * @property length its length, from the blue alliance's wall to the red one's.
+ * @property width its width.
  * @property image its picture; null for none.
  */
 public class Field(public val length: Double = LENGTH, public val width: Double = WIDTH, public val image: FieldImage? = null) {
-    /** All of it, and what lies around it where [trails] leave it. */
+    /** Returns all of it, plus the surroundings if [trails] leave it. */
     internal fun around(trails: List<Trail>): Plane {
         fun spanOf(length: Double, spans: List<Span?>) = Span(
             minOf(0.0, spans.minOfOrNull { it?.from ?: 0.0 } ?: 0.0).coerceAtLeast(-length) - MARGIN,
@@ -20,18 +21,18 @@ public class Field(public val length: Double = LENGTH, public val width: Double 
         return Plane(spanOf(length, trails.map { it.xSpan }), spanOf(width, trails.map { it.ySpan }))
     }
 
-    /** The same with [source] for the picture that it has. */
+    /** Returns the same with [source] as the source of its picture. */
     internal fun withPicture(source: String): Field =
         Field(length, width, checkNotNull(image).run { FieldImage(source, left, top, right, bottom) })
 
     public companion object {
-        /** That of 2026, as WPILib's layout of its tags has it. */
+        /** The length in 2026, from WPILib's AprilTag layout. */
         public const val LENGTH: Double = 16.541
 
-        /** The width of that. */
+        /** The width in 2026. */
         public const val WIDTH: Double = 8.069
 
-        /** Without a picture. */
+        /** A field without a picture. */
         public val PLAIN: Field = Field()
         private const val MARGIN = 0.3
     }
@@ -41,7 +42,7 @@ public class Field(public val length: Double = LENGTH, public val width: Double 
  * The picture of a field, seen from above with the blue alliance at the left.
  *
  * @property source the name of its file, or all of it as a data URL.
- * @param left where the field's corners are in it, in pixels from the left and from the top.
+ * @param left where the field's corners are in the picture, in pixels from the left and from the top.
  */
 public class FieldImage internal constructor(
     public val source: String,
@@ -50,7 +51,7 @@ public class FieldImage internal constructor(
     internal val right: Double,
     internal val bottom: Double,
 ) {
-    /** What the whole picture shows, [width] by [height] pixels large, of which the corners are those of [field]. */
+    /** Returns the plane shown by the whole picture of [width] by [height] pixels, in which the corners are those of [field]. */
     public fun plane(field: Field, width: Int, height: Int): Plane {
         val across = field.length / (right - left)
         val up = field.width / (bottom - top)

@@ -5,14 +5,15 @@ import badlog.json.JsonReader
 import badlog.json.JsonValue
 import badlog.json.quotedJson
 
-/** Why a text is not a field, as a sentence. */
+/** Says in a sentence why a text is not a field. */
 public class FieldException(message: String) : IllegalArgumentException(message)
 
 /**
- * The field that [text] says, a JSON file as WPILib's dashboards read it: `field-image`, the name of a picture beside it; `field-corners`, in which
- * `top-left` and `bottom-right` are the field's corners in pixels of it; `field-size`, length and width in `field-unit`, feet or meters.
+ * Returns the field in [text], a JSON file in the format of WPILib's dashboards: `field-image`, the name of a picture beside it;
+ * `field-corners`, in which `top-left` and `bottom-right` are the field's corners in the picture's pixels; `field-size`, length and width
+ * in `field-unit`, feet or meters.
  *
- * @throws FieldException when it is none.
+ * @throws FieldException if it is not a field.
  */
 public fun fieldOfJson(text: String): Field {
     val members = JsonReader.readObject(text) ?: throw FieldException("It is not a JSON object; select the field’s .json file.")
@@ -36,7 +37,7 @@ public fun fieldOfJson(text: String): Field {
     return Field(length, width, FieldImage(image, left, top, right, bottom))
 }
 
-/** [field], which has a picture, as [fieldOfJson] reads it. */
+/** Returns [field], which must have a picture, in the form that [fieldOfJson] reads. */
 internal fun fieldJson(field: Field): String = checkNotNull(field.image).run {
     "{\"field-image\":${quotedJson(source)},\"field-corners\":{\"top-left\":[$left,$top],\"bottom-right\":[$right,$bottom]}," +
         "\"field-size\":[${field.length},${field.width}],\"field-unit\":\"meter\"}"

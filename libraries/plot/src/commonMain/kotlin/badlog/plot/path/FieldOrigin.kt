@@ -6,24 +6,24 @@ import badlog.rules.path.Trail
 import kotlin.math.PI
 
 /**
- * From which alliance's wall the poses of a log are measured: which corner of the field is (0, 0), the one at the right of that wall.
+ * The alliance wall from which the poses of a log are measured: the corner at its right end is (0, 0).
  *
- * @property label what a menu calls it.
+ * @property label its name in a menu.
  */
 public enum class FieldOrigin(public val label: String) {
-    /** From the blue one's, as WPILib has it. */
+    /** The blue alliance's wall, as in WPILib. */
     BLUE("Blue origin"),
 
-    /** From the red one's. */
+    /** The red alliance's wall. */
     RED("Red origin"),
 
-    /** From that of the robot's own alliance in each match; of the blue one where a log does not say. */
+    /** The wall of the robot's own alliance in each match; the blue one if the log does not have the alliance. */
     AUTO("Auto origin"),
     ;
 
     internal val key: String get() = name.lowercase()
 
-    /** What lays the poses of [view] onto [field] as the blue alliance sees it; null where they are so. */
+    /** Returns the flip that maps the poses of [view] onto [field] with blue origin; null if they already have it. */
     public fun flipIn(view: LogView, field: Field = Field.PLAIN): FieldFlip? {
         val values = view.recording.values
         val isRed = this == RED || (this == AUTO && values.meant(*ALLIANCES)?.startsWith("red", ignoreCase = true) == true)
@@ -37,19 +37,21 @@ public enum class FieldOrigin(public val label: String) {
 
         private val ALLIANCES = arrayOf("alliance", "alliance color", "alliance colour", "alliance station")
 
-        /** The fields of these years are the same in a mirror; all others since 2020, when turned around. */
+        /** The fields of these years have mirror symmetry; all others since 2020, rotational symmetry. */
         private val MIRRORED_YEARS = 2023..2024
         private const val YEAR_DIGITS = 4
     }
 }
 
-/** Exchanges the alliances' halves of the field, which are alike: in a mirror, or turned around the middle. Twice, it changes nothing. */
+/**
+ * Swaps the alliances' halves of the field, which are symmetric: mirrored, or rotated around the center. Applied twice, it changes nothing.
+ */
 public class FieldFlip internal constructor(private val isMirrored: Boolean, private val field: Field = Field.PLAIN) {
     internal fun x(x: Double): Double = field.length - x
 
     internal fun y(y: Double): Double = if (isMirrored) y else field.width - y
 
-    /** That of a [heading] in radians. */
+    /** Returns the flipped [heading], in radians. */
     internal fun heading(heading: Double): Double {
         val turned = if (isMirrored) PI - heading else heading + PI
         return if (turned > PI) turned - 2 * PI else turned

@@ -10,24 +10,24 @@ import kotlin.math.floor
 import kotlin.math.log10
 
 /**
- * The straight line nearest to the samples of a trail, by least squares.
+ * The straight line fitted to the samples of a trail by least squares.
  *
- * @property slope how much y grows with x.
- * @property offset what y is where x is 0.
+ * @property slope the increase of y per x.
+ * @property offset the y at x = 0.
  */
 public class LineFit private constructor(public val slope: Double, public val offset: Double) {
-    /** What it says: of volts over amperes the resistance that makes them fall, else the slope. */
+    /** Returns the result as text: for volts over amperes, the resistance that causes the drop; otherwise the slope. */
     public fun text(xUnit: String, yUnit: String): String = if (xUnit == "A" && yUnit == "V") {
         "Resistance ${withUnit(roundedTo(-slope * MILLI), "mΩ")}"
     } else {
         "Slope ${withUnit(roundedTo(slope), Units.ofDerivative(yUnit, xUnit))}"
     }
 
-    // Three digits: no more are known of what scatters.
+    // Three digits, since scattered samples do not justify more.
     private fun roundedTo(value: Double) = fixedText(value, (2 - floor(log10(abs(value)))).coerceIn(0.0, MAX_DECIMALS).toInt())
 
     public companion object {
-        /** The line of those samples of [trail] that [visible] has; null where x hardly changes, or they are few. */
+        /** Returns the line through those samples of [trail] that are in [visible]; null if x hardly changes, or there are few samples. */
         public fun of(trail: Trail, visible: Span): LineFit? {
             var count = 0
             var x = 0.0

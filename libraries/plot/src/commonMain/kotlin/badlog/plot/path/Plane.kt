@@ -10,29 +10,29 @@ import badlog.plot.curve.Scale
  * @property y from bottom to top.
  */
 public data class Plane(public val x: Span, public val y: Span) {
-    /** The same and as much around it that a pixel is as long along x as along y, on [width] by [height] pixels. */
+    /** Returns the same, extended so that x and y have the same scale on [width] by [height] pixels. */
     public fun fitted(width: Double, height: Double): Plane {
         val pixel = maxOf(x.width / width, y.width / height)
         return Plane(around(x, pixel * width), around(y, pixel * height))
     }
 
-    /** [factor] times as much of it, leaving ([atX], [atY]) where it stands. */
+    /** Returns the plane scaled by [factor], with ([atX], [atY]) staying in place. */
     public fun scaled(factor: Double, atX: Double, atY: Double): Plane = Plane(scaled(x, factor, atX), scaled(y, factor, atY))
 
-    /** What is [right] further to the right and [up] further up. */
+    /** Returns the plane moved by [right] to the right and [up] upwards. */
     public fun shifted(right: Double, up: Double): Plane = Plane(Span(x.from + right, x.to + right), Span(y.from + up, y.to + up))
 
-    /** The part between two points, each a share of the width from the left and of the height from the top. */
+    /** Returns the part between two points, each given as fractions of the width from the left and of the height from the top. */
     public fun part(oneX: Double, oneY: Double, otherX: Double, otherY: Double): Plane =
         Plane(Span(xAt(minOf(oneX, otherX)), xAt(maxOf(oneX, otherX))), Span(yAt(maxOf(oneY, otherY)), yAt(minOf(oneY, otherY))))
 
-    /** The x at this [share] of the width, from the left. */
+    /** Returns the x at this [share] of the width, from the left. */
     public fun xAt(share: Double): Double = x.from + share * x.width
 
-    /** The y at this [share] of the height, from the top. */
+    /** Returns the y at this [share] of the height, from the top. */
     public fun yAt(share: Double): Double = y.to - share * y.width
 
-    /** Where [other] lies on [width] by [height] pixels that show this: from the left, from the top, how wide and how high. */
+    /** Returns where [other] is on [width] by [height] pixels that show this plane: left, top, width and height. */
     public fun boxOf(other: Plane, width: Double, height: Double): DoubleArray = doubleArrayOf(
         (other.x.from - x.from) / x.width * width,
         (y.to - other.y.to) / y.width * height,
@@ -40,13 +40,13 @@ public data class Plane(public val x: Span, public val y: Span) {
         other.y.width / y.width * height,
     )
 
-    /** Whether numbers are fine enough to draw it. */
+    /** Whether doubles are precise enough to draw it. */
     public val isDrawable: Boolean get() = isDrawable(x) && isDrawable(y)
 
-    /** Where its x stands on [width] pixels. */
+    /** Returns the scale of its x on [width] pixels. */
     public fun xScale(width: Double): Scale = Scale(x.from, x.to, width, farthest = FARTHEST * width)
 
-    /** Where its y stands on [height] pixels. */
+    /** Returns the scale of its y on [height] pixels. */
     public fun yScale(height: Double): Scale = Scale.ofY(y, height)
 
     private fun around(span: Span, width: Double): Span {
@@ -59,7 +59,7 @@ public data class Plane(public val x: Span, public val y: Span) {
     private fun isDrawable(span: Span) = span.width > FINEST * maxOf(1.0, span.from, -span.from) && span.width < COARSEST
 
     private companion object {
-        // As for y: numbers far out of sight would be too large to draw with.
+        // The same as for y: coordinates far outside the screen would be too large for drawing.
         const val FARTHEST = 50.0
         const val FINEST = 1e-9
         const val COARSEST = 1e12

@@ -7,9 +7,10 @@ import badlog.rules.signal.TARGET_WORDS
 import badlog.rules.signal.wordsOf
 
 /**
- * The swerve modules of which [topics] tell speed and angle apart from each other, as `Chassis/FrontLeft/Speed` and `Chassis/FrontLeft/Angle`:
- * one topic for each of the four corners, in a unit of speed or of an angle, or a struct. The corner is said by words or their first letters
- * (`FL`), or by the number of a module, 0 to 3; the names are the same but for that and for what says speed or angle.
+ * Returns the swerve modules whose speeds and angles are separate [topics], such as `Chassis/FrontLeft/Speed` and
+ * `Chassis/FrontLeft/Angle`: one topic for each of the four corners, with a unit of speed or angle, or a struct. The corner is given by
+ * words or their first letters (`FL`), or by the number of a module, 0 to 3. Apart from that and from the words for speed or angle, the
+ * names must be the same.
  */
 internal fun separateModulesOf(topics: List<Topic>): List<SwerveModules> {
     val present = topics.filter { it.samples.isNotEmpty() }
@@ -28,7 +29,7 @@ internal fun separateModulesOf(topics: List<Topic>): List<SwerveModules> {
     }
 }
 
-/** A topic of the module at [corner]; [key] are the words of its name that those of the other corners have, too. */
+/** A topic of the module at [corner]; [key] has the words of its name that it shares with the other corners. */
 private class ModulePart(val name: String, val corner: Int, val key: List<String>, val factor: Double)
 
 private fun oneOfEach(parts: List<ModulePart>): List<ModulePart>? {
@@ -41,7 +42,7 @@ private fun partOf(topic: Topic, factor: Double, quantity: Set<String>): ModuleP
     for (i in words.indices) {
         val (corner, length) = cornerAt(words, i) ?: continue
         val after = words.drop(i + length)
-        // How far a wheel has turned is an angle, too.
+        // The distance that a wheel has turned is also an angle.
         if (quantity === ANGLE_WORDS && after.any { it in DRIVING }) return null
         val key = (words.take(i) + after).filter { it !in quantity && it !in DRIVING }
         return ModulePart(topic.name, corner, key, factor)
@@ -49,7 +50,7 @@ private fun partOf(topic: Topic, factor: Double, quantity: Set<String>): ModuleP
     return null
 }
 
-/** Which corner [words] name from [i] on, and by how many of them. */
+/** Returns the corner that [words] name from [i] on, and the number of words. */
 private fun cornerAt(words: List<String>, i: Int): Pair<Int, Int>? {
     val next = words.getOrNull(i + 1)
     ENDS[words[i]]?.let { end -> SIDES[next]?.let { side -> return end + side to 2 } }

@@ -10,9 +10,9 @@ import kotlin.math.cos
 import kotlin.math.sin
 
 /**
- * The four modules of a swerve drive, by the names of the topics that tell how fast and where to each wheel drives.
+ * The four modules of a swerve drive, by the names of the topics with the speed and direction of each wheel.
  *
- * @property isTarget whether that was wanted; else it was measured.
+ * @property isTarget whether these are targets rather than measured values.
  */
 public class SwerveModules internal constructor(
     internal val speeds: List<String>,
@@ -23,8 +23,8 @@ public class SwerveModules internal constructor(
 )
 
 /**
- * The modules that [topics] tell, front before back, left before right: arrays of the structs `SwerveModuleState` and
- * `SwerveModuleVelocity`; where there are none, topics of their own for each module, as [separateModulesOf] finds them.
+ * Returns the modules in [topics], front before back, left before right: arrays of the structs `SwerveModuleState` and
+ * `SwerveModuleVelocity`; if there are none, separate topics for each module, see [separateModulesOf].
  */
 public fun swerveModulesOf(topics: List<Topic>): List<SwerveModules> = modulesInArrays(topics).ifEmpty { separateModulesOf(topics) }
 
@@ -43,9 +43,9 @@ private fun modulesInArrays(topics: List<Topic>): List<SwerveModules> {
 }
 
 /**
- * Where to and how fast a wheel drives at a moment.
+ * The direction and speed of a wheel at a moment.
  *
- * @property places an arrow from the wheel on, as long as the way of a quarter of a second: x and y in turn.
+ * @property places an arrow from the wheel, as long as its travel in a quarter of a second: alternating x and y.
  */
 public class ModuleArrow internal constructor(public val places: DoubleArray, public val isTarget: Boolean) {
     internal fun flipped(flip: FieldFlip): ModuleArrow =
@@ -58,7 +58,7 @@ internal class ModuleLines private constructor(
     private val angles: List<GraphSeries>,
     private val modules: SwerveModules,
 ) {
-    /** The arrows at [time] of a robot at ([x], [y]) that heads to [heading]. */
+    /** Returns the arrows at [time] of a robot at ([x], [y]) with [heading]. */
     fun arrowsAt(time: Double, x: Double, y: Double, heading: Double): List<ModuleArrow> = speeds.indices.mapNotNull { i ->
         val length = valueAt(speeds[i], time) * modules.meters * SECONDS
         val turn = heading + valueAt(angles[i], time) * modules.radians
@@ -83,13 +83,13 @@ internal class ModuleLines private constructor(
             return if (speeds.size == CORNERS && angles.size == CORNERS) ModuleLines(speeds, angles, modules) else null
         }
 
-        /** How far a module is from the robot's middle, along and across, in meters. */
+        /** The distance of a module from the robot's center, lengthwise and crosswise, in meters. */
         private const val CORNER = 0.3
         private const val SECONDS = 0.25
         private const val BARB = 0.3
         private const val SPREAD = 0.5
 
-        /** A shorter arrow, in meters, is none. */
+        /** Arrows shorter than this, in meters, are not drawn. */
         private const val STANDING = 0.005
     }
 }

@@ -8,8 +8,8 @@ import kotlin.math.ceil
 import kotlin.math.floor
 
 /**
- * Draws trails on so many pixels: every pixel that a sample is in is drawn, in the order of the samples, and none that is drawn already is
- * drawn again. So a picture costs no more strokes than it has pixels, however many samples there are; these are only looked at.
+ * Draws trails pixel by pixel: every pixel that contains a sample is drawn, in the order of the samples, but none twice. So a picture
+ * needs at most as many strokes as it has pixels, however many samples there are; each sample is only visited.
  */
 public class TrailDrawing {
     private var taken = IntArray(0)
@@ -18,12 +18,12 @@ public class TrailDrawing {
     private var steps = 0
 
     /**
-     * Adds the samples of [trail] from [start] until [end] to [strokes], which is emptied before.
+     * Adds the samples of [trail] from [start] until [end] to [strokes], which is cleared first.
      *
-     * @param isJoined whether samples are joined by lines; else each is a dot.
+     * @param isJoined whether samples are joined by lines; otherwise each is a dot.
      */
     public fun draw(trail: Trail, start: Int, end: Int, x: Scale, y: Scale, width: Int, height: Int, isJoined: Boolean, strokes: Strokes) {
-        // A frame of places out of sight is around those that are seen: what goes on there is not drawn twice either.
+        // The visible pixels are surrounded by a frame of invisible ones, so that nothing there is drawn twice either.
         columns = width + 2
         rows = height + 2
         val words = (columns * rows + WORD - 1) / WORD
@@ -51,7 +51,7 @@ public class TrailDrawing {
             if (!isJoined) {
                 if (isSeen && take(cell)) strokes.dot(px, py)
             } else if (lastCell == NONE) {
-                // One that no other follows is still seen.
+                // A last sample that no other follows is still visible.
                 if (isSeen && take(cell)) strokes.dot(px, py)
             } else if (cell != lastCell && takeWay(lastX, lastY, px, py)) {
                 if (!isDown) strokes.add(lastX, lastY)
@@ -85,7 +85,7 @@ public class TrailDrawing {
         return true
     }
 
-    /** Takes all that is seen of the way from ([fromX], [fromY]) to ([toX], [toY]); whether any of it was free. */
+    /** Takes all visible pixels on the way from ([fromX], [fromY]) to ([toX], [toY]). Returns whether any of them was free. */
     private fun takeWay(fromX: Double, fromY: Double, toX: Double, toY: Double): Boolean {
         val right = toX - fromX
         val down = toY - fromY
@@ -94,7 +94,7 @@ public class TrailDrawing {
         val last = minOf(1.0, leave(fromX, right, columns), leave(fromY, down, rows))
         var step = ceil(first * count)
         val end = floor(last * count)
-        // What jumps about a million times would take a million ways: then only where it lands counts.
+        // A trail that jumps a million times would need a million such ways; then only the end points count.
         steps -= maxOf(0.0, end - step).toInt()
         if (steps < 0) step = maxOf(step, count)
         var isNew = false
@@ -106,7 +106,10 @@ public class TrailDrawing {
         return isNew
     }
 
-    /** At which part of a way of [length] from [from] it comes to the first of so many [cells], which begin at -1; [leave] after the last. */
+    /**
+     * Returns the fraction of a way of [length] from [from] at which it reaches the first of [cells] cells, which begin at -1; see [leave]
+     * for the end of the last.
+     */
     private fun enter(from: Double, length: Double, cells: Int) = when {
         length > 0 -> (-1 - from) / length
         length < 0 -> (cells - 1 - from) / length
@@ -128,7 +131,7 @@ public class TrailDrawing {
         /** More points than these are drawn in the thinnest lines. */
         const val DENSE = 20_000
 
-        /** So often each pixel may be crossed by lines, on average. */
+        /** The maximum number of lines that may cross each pixel, on average. */
         const val STEPS_PER_PIXEL = 4
     }
 }

@@ -3,13 +3,13 @@ package badlog.plot.path
 import badlog.rules.path.PoseRole
 
 /**
- * One thing that an [XyPlot] shows of a moment.
+ * One thing that an [XyPlot] shows at a moment.
  *
- * @property places what is joined by lines, x and y in turn; a single place is a dot.
- * @property color which of the palette's colors it has, as [XyTrace.color]; null for the arrow of a module.
+ * @property places the points to join by lines, alternating x and y; a single one is a dot.
+ * @property color the index of its color in the palette, like [XyTrace.color]; null for the arrow of a module.
  * @property isClosed whether the last place is joined with the first: the outline of a robot.
- * @property isFilled whether it is filled, too: the robot itself, not where it should be.
- * @property isTarget of an arrow, whether it is what was wanted, not what was done.
+ * @property isFilled whether it is filled: the robot itself, but not its planned place.
+ * @property isTarget for an arrow, whether it is a target rather than a measured value.
  */
 public class XyMark internal constructor(
     public val places: DoubleArray,
@@ -22,12 +22,12 @@ public class XyMark internal constructor(
     public val isDot: Boolean get() = places.size == 2
 }
 
-/** The traces of this of which no line is among [hidden]. */
+/** Returns the traces that have no line in [hidden]. */
 public fun XyPlot.shown(hidden: Set<String>): List<XyTrace> = traces.filter { trace -> trace.lines.none { it in hidden } }
 
 /**
- * Where everything but what is [hidden] is at [time], in the order in which it is drawn: robots as outlines with a dot in their middle, other
- * places as dots, what an array plans as a line, then the arrows of the driven robot's modules.
+ * Returns the marks of everything that is not [hidden] at [time], in drawing order: robots as outlines with a dot at their center, other
+ * places as dots, the plan in an array as a line, then the arrows of the driven robot's modules.
  */
 public fun XyPlot.marksAt(time: Double, hidden: Set<String>): List<XyMark> = shown(hidden).flatMap { trace ->
     val index = trace.indexAt(time)

@@ -17,11 +17,11 @@ import kotlin.math.abs
 /**
  * What a graph of y over x shows: the paths of poses on a field, or else one topic over another.
  *
- * @property traces what is drawn, what was seen first, then what was planned, then what was driven.
+ * @property traces what is drawn: seen poses first, then planned ones, then the driven path.
  * @property isField whether x and y are places on a field.
- * @property xTitle what stands below it: name and unit.
- * @property yTitle what stands beside it.
- * @property field the field, where [isField].
+ * @property xTitle the text below it: name and unit.
+ * @property yTitle the text beside it.
+ * @property field the field, if [isField].
  */
 public class XyPlot internal constructor(
     public val traces: List<XyTrace>,
@@ -34,7 +34,7 @@ public class XyPlot internal constructor(
     private val flip: FieldFlip? = null,
     public val field: Field = Field.PLAIN,
 ) {
-    /** All there is to see. */
+    /** The whole extent. */
     public val full: Plane by lazy {
         if (isField) {
             field.around(traces.map { it.trail })
@@ -43,7 +43,7 @@ public class XyPlot internal constructor(
         }
     }
 
-    /** What is driven; null for none, as where this is not a field. */
+    /** The driven path; null for none, for example if this is not a field. */
     public val driven: XyTrace? get() = if (isField) {
         path?.let {
             traceOf(it.driven)
@@ -56,10 +56,10 @@ public class XyPlot internal constructor(
 
     private fun traceOf(pose: Pose) = traces.find { it.pose == pose }
 
-    /** Where the robot of [view] left its plan, as [planDistance] has it; null for nowhere, and without a plan. */
+    /** Returns where the robot of [view] left its plan, according to [planDistance]; null for nowhere, and if there is no plan. */
     public fun departure(view: LogView): Departure? = departure(planSpans(view), 1 / (Units.secondsIn(view.xAxis.unit) ?: 1.0))
 
-    /** The same during [spans], on an x axis of which [second] is one second. */
+    /** Returns the same during [spans], on an x axis on which [second] is one second. */
     internal fun departure(spans: List<Span>, second: Double): Departure? {
         val path = path ?: return null
         val driven = traceOf(path.driven) ?: return null
@@ -67,7 +67,7 @@ public class XyPlot internal constructor(
         return Departure.of(planDistance(driven.trail, planned.trail, spans), second)
     }
 
-    /** What the modules of the driven robot were told, and did, at [time]: what was wanted first. */
+    /** Returns the target and measured arrows of the driven robot's modules at [time], targets first. */
     public fun arrowsAt(time: Double): List<ModuleArrow> {
         val robot = driven ?: return emptyList()
         val index = robot.indexAt(time)
@@ -75,24 +75,24 @@ public class XyPlot internal constructor(
         val heading = robot.headingAt(time).let { if (it.isNaN()) 0.0 else it }
         val x = robot.trail.x[index]
         val y = robot.trail.y[index]
-        // In a mirror, left is right: the arrows of the robot as it was logged go through the mirror, too.
+        // A mirror swaps left and right, so the arrows are calculated for the robot as logged, and then mirrored, too.
         val arrows = modules.flatMap {
             if (flip == null) it.arrowsAt(time, x, y, heading) else it.arrowsAt(time, flip.x(x), flip.y(y), flip.heading(heading))
         }
         return arrows.map { if (flip == null) it else it.flipped(flip) }.sortedByDescending { it.isTarget }
     }
 
-    /** What the samples of [visible] come to: the straight line through those of the first trace; null where this is a field, or for none. */
+    /** Returns the line fitted to the samples of the first trace in [visible]; null if this is a field, or there is no fit. */
     public fun lineFit(visible: Span): LineFit? = if (isField) null else traces.firstOrNull()?.let { LineFit.of(it.trail, visible) }
 
-    /** What [fit] says, with the units of x and y. */
+    /** Returns the text of [fit], with the units of x and y. */
     public fun textOf(fit: LineFit): String = fit.text(xUnit, yUnit)
 
     /**
-     * When the trace that passes nearest to ([x], [y]) was there, at most [reach] away, of what is [visible]; NaN for never. Where it passed
-     * more than once, the time nearest to [before].
+     * Returns when a trace passed nearest to ([x], [y]), at most [reach] away, within [visible]; NaN for never. If it passed more than
+     * once, the time nearest to [before].
      *
-     * @param pixelX how long a pixel is along x, and [pixelY] along y: distances are those on the screen.
+     * @param pixelX the length of a pixel along x, and [pixelY] along y: distances are measured on the screen.
      */
     public fun timeAt(x: Double, y: Double, pixelX: Double, pixelY: Double, reach: Double, visible: Span, before: Double?): Double {
         val trail = (driven ?: traces.lastOrNull())?.trail ?: return Double.NaN
@@ -106,7 +106,7 @@ public class XyPlot internal constructor(
         var least = reach * reach
         var nearest = Double.NaN
         for (i in range) {
-            // What is not a place is nowhere near.
+            // A sample without a place is not near.
             val here = distance(i)
             if (here < least || (here == least && nearest.isNaN())) {
                 least = here
@@ -125,17 +125,17 @@ public class XyPlot internal constructor(
         limitsFor(spans.minOfOrNull { it.from } ?: Double.NaN, spans.maxOfOrNull { it.to } ?: Double.NaN, includesZero = false)
 
     private companion object {
-        /** So many square pixels further away is no other place. */
+        /** Samples whose squared distance differs by at most this many square pixels count as the same place. */
         const val SAME_PLACE = 9.0
     }
 }
 
 /**
- * What a graph that draws [lines] by their names shows of y over x: the paths of those of [poses] of which it has x and y; without any, all
- * others over the first of them. Null where there is nothing to draw.
+ * Returns the plot of y over x for a graph that draws [lines], given by name: the paths of those of [poses] whose x and y it has; if there
+ * are none, all other lines over the first one. Null if there is nothing to draw.
  *
  * @param modules the modules of the robot whose path it is.
- * @param flip lays poses onto [field]; null where they are as they were logged.
+ * @param flip maps poses onto [field]; null to leave them as logged.
  * @param line finds a line by its name.
  */
 public fun xyPlotOf(
@@ -170,7 +170,7 @@ public fun xyPlotOf(
     return XyPlot(ordered, isField = true, "x (m)", "y (m)", "m", "m", wheels, flip, field).takeIf { traces.isNotEmpty() }
 }
 
-/** What a menu calls drawing [lines] so. */
+/** Returns the menu label for drawing [lines] like this. */
 public fun xyLabelOf(lines: List<String>, poses: List<Pose>): String =
     if (poses.any { it.x in lines && it.y in lines }) "Path on the field" else "XY plot over the first line"
 

@@ -16,12 +16,12 @@ import kotlin.math.sin
 /**
  * One of the traces of an [XyPlot].
  *
- * @property name what a legend calls it.
- * @property color which of the palette's colors it has, from 0.
- * @property role what it is; what was seen is drawn as dots.
- * @property trail where it was.
+ * @property name its name in a legend.
+ * @property color the index of its color in the palette, from 0.
+ * @property role what it is; seen poses are drawn as dots.
+ * @property trail its places over time.
  * @property lines the names of the lines that it is made of, by which a board hides it.
- * @property followers of a plan that is an array, where the places after the first one were.
+ * @property followers for a plan that is an array, the places after the first one.
  */
 public class XyTrace internal constructor(
     public val name: String,
@@ -38,20 +38,20 @@ public class XyTrace internal constructor(
     /** Whether its samples are joined by lines. */
     public val isJoined: Boolean get() = role != PoseRole.SEEN && followers.isEmpty()
 
-    /** Draws what of it lies in [span] into [strokes], on [width] by [height] pixels that show [plane]. */
+    /** Draws the part of it in [span] into [strokes], on [width] by [height] pixels that show [plane]. */
     public fun draw(span: Span, plane: Plane, width: Int, height: Int, strokes: Strokes) {
         val x = plane.xScale(width.toDouble())
         val y = plane.yScale(height.toDouble())
         drawing.draw(trail, trail.startOf(span), trail.endOf(span), x, y, width, height, isJoined, strokes)
     }
 
-    /** The sample that a cursor at [time] reads; -1 where it is nowhere then. */
+    /** Returns the index of the sample that a cursor at [time] reads; -1 if it has no place then. */
     public fun indexAt(time: Double): Int = trail.indexAt(time).let { if (it >= 0 && trail.isPlace(it)) it else -1 }
 
-    /** The heading at [time] in radians, counterclockwise from x; NaN where it is not known. */
+    /** Returns the heading at [time] in radians, counterclockwise from x; NaN where it is not known. */
     public fun headingAt(time: Double): Double = heading?.at(time) ?: Double.NaN
 
-    /** Where it is at [time] and where it heads, as a legend says it: `3.21, 4.50 m · 87°`; empty for nowhere. */
+    /** Returns its place and heading at [time] for a legend: `3.21, 4.50 m · 87°`; empty for nowhere. */
     public fun textAt(time: Double, isField: Boolean): String {
         val index = indexAt(time)
         if (index < 0) return ""
@@ -67,7 +67,7 @@ public class XyTrace internal constructor(
         }
     }
 
-    /** Of an array: the places one after the other at [time], x and y in turn. */
+    /** Returns, for an array, the places at [time] in sequence, alternating x and y. */
     public fun chainAt(time: Double): DoubleArray {
         val places = (listOf(trail) + followers).mapNotNull { one ->
             one.indexAt(time).takeIf { it >= 0 && one.isPlace(it) }?.let {
@@ -78,7 +78,10 @@ public class XyTrace internal constructor(
         return DoubleArray(places.size * 2) { i -> places[i / 2].let { (one, at) -> if (i % 2 == 0) one.x[at] else one.y[at] } }
     }
 
-    /** The corners of a robot at [time], x and y in turn, its bow last but where its heading is not known; empty where it is nowhere. */
+    /**
+     * Returns the corners of a robot at [time], alternating x and y, with its bow last unless its heading is unknown; empty if it has no
+     * place.
+     */
     public fun robotAt(time: Double): DoubleArray {
         val index = indexAt(time)
         if (index < 0) return DoubleArray(0)

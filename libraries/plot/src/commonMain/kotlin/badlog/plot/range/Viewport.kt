@@ -5,10 +5,10 @@ import badlog.analysis.Span
 import kotlin.math.abs
 
 /**
- * The part of the x axis that every graph shows, and those shown before. Never changes; each transition gives a new one.
+ * The part of the x axis that every graph shows, with its history. Immutable; each transition returns a new one.
  *
- * @property full all there is to see.
- * @property visible what is seen now; always within [full].
+ * @property full the whole range.
+ * @property visible the visible range; always within [full].
  * @property history what [back] returns to, the latest last.
  * @property ahead what [forward] returns to, the next one last.
  */
@@ -21,17 +21,17 @@ public data class Viewport(
     /** Whether there is more to see. */
     public val isZoomed: Boolean get() = visible != full
 
-    /** Whether [back] leads somewhere. */
+    /** Whether [back] has an effect. */
     public val canGoBack: Boolean get() = history.isNotEmpty()
 
-    /** Whether [forward] leads somewhere. */
+    /** Whether [forward] has an effect. */
     public val canGoForward: Boolean get() = ahead.isNotEmpty()
 
-    // Narrower, and neighboring pixels would be the same number.
+    // If it were narrower, neighboring pixels would be the same number.
     private val narrowest: Double
         get() = minOf(maxOf(full.width * 1e-9, maxOf(abs(full.from), abs(full.to)) * 1e-12, 1e-300), full.width)
 
-    /** Shows what lies from [from] to [to], in any order, as one of many steps of a gesture: [back] passes it over. */
+    /** Shows the range from [from] to [to], in any order, as one of many steps of a gesture, which [back] skips. */
     public fun moved(from: Double, to: Double): Viewport {
         if (!from.isFinite() || !to.isFinite()) return this
         val width = abs(to - from).coerceIn(narrowest, full.width)
@@ -39,19 +39,19 @@ public data class Viewport(
         return copy(visible = if (width >= full.width) full else Span(start, start + width))
     }
 
-    /** Shows what lies from [from] to [to], in any order; [back] returns from it. */
+    /** Shows the range from [from] to [to], in any order; [back] returns from it. */
     public fun showing(from: Double, to: Double): Viewport = remembered().moved(from, to)
 
-    /** Shows a moment, or what lies from [from] to [to], and a little around it. */
+    /** Shows a moment, or the range from [from] to [to], with a little around it. */
     public fun around(from: Double, to: Double): Viewport = showing(from - full.width / AROUND, to + full.width / AROUND)
 
-    /** Keeps what is seen now for [back]: how a gesture of many steps begins. */
+    /** Remembers the visible range for [back], at the start of a gesture of many steps. */
     public fun remembered(): Viewport = copy(
         history = if (history.lastOrNull() == visible) history else (history + visible).takeLast(MAX_HISTORY),
         ahead = emptyList(),
     )
 
-    /** Makes what is seen [factor] times as wide, leaving x = [center] where it stands on the screen, as one of many steps. */
+    /** Makes the visible range [factor] times as wide, keeping x = [center] in place on the screen, as one of many steps. */
     public fun scaled(factor: Double, center: Double): Viewport {
         val width = (visible.width * factor).coerceIn(narrowest, full.width)
         val share = (center - visible.from) / visible.width
@@ -59,7 +59,7 @@ public data class Viewport(
         return moved(start, start + width)
     }
 
-    /** Zooms by [steps], in when positive, around the [cursor] where that is in sight, else around the middle. */
+    /** Zooms by [steps], in if positive, around the [cursor] if that is visible, otherwise around the middle. */
     public fun zoomed(steps: Int, cursor: Double?): Viewport {
         val center = if (cursor != null && cursor in visible) cursor else (visible.from + visible.to) / 2
         var zoomed = remembered()
@@ -67,16 +67,16 @@ public data class Viewport(
         return zoomed
     }
 
-    /** Moves along by [distance] in x, backwards when negative, as one of many steps. */
+    /** Moves by [distance] in x, backwards if negative, as one of many steps. */
     public fun shifted(distance: Double): Viewport = moved(visible.from + distance, visible.to + distance)
 
-    /** Moves along by [share] of what is seen, backwards when negative. */
+    /** Moves by [share] of the visible range, backwards if negative. */
     public fun panned(share: Double): Viewport = remembered().shifted(visible.width * share)
 
     /** Shows everything. */
     public fun reset(): Viewport = if (isZoomed) remembered().copy(visible = full) else this
 
-    /** Shows the time from the first of [enabled] to the last; nothing changes where that is unknown. */
+    /** Shows the time from the first of [enabled] to the last; nothing changes if that is unknown. */
     public fun showingEnabled(enabled: List<EnabledSpan>): Viewport {
         if (enabled.isEmpty()) return this
         val from = enabled.minOf { it.span.from }
@@ -84,35 +84,35 @@ public data class Viewport(
         return if (to > from) showing(from, to) else this
     }
 
-    /** Shows what was seen before. */
+    /** Shows the previous range. */
     public fun back(): Viewport {
         val before = history.dropLastWhile { it == visible }
         val last = before.lastOrNull() ?: return copy(history = before)
         return copy(visible = last, history = before.dropLast(1), ahead = ahead + visible)
     }
 
-    /** Shows again what [back] led away from. */
+    /** Shows the range that [back] left. */
     public fun forward(): Viewport {
         val next = ahead.lastOrNull() ?: return this
         return copy(visible = next, history = history + visible, ahead = ahead.dropLast(1))
     }
 
-    /** Shows [x], moving no further than needed. */
+    /** Makes [x] visible, moving no further than necessary. */
     public fun revealing(x: Double): Viewport =
         if (x in visible || !x.isFinite()) this else showing(x - visible.width / 2, x + visible.width / 2)
 
-    /** What is seen when the recording has grown to [grown]: its end follows when that was in sight. */
+    /** Returns the viewport after the recording has grown to [grown]: it follows the end if that was visible. */
     public fun grown(grown: Span): Viewport = when {
         !isZoomed -> copy(full = grown, visible = grown)
 
         visible.to >= full.to -> copy(full = grown).moved(grown.to - visible.width, grown.to)
 
-        // A program that begins its log anew makes it shorter.
+        // A program that restarts its log makes it shorter.
         else -> copy(full = grown).moved(visible.from, visible.to)
     }
 
     public companion object {
-        /** All of an axis that has samples in [range], null for none; wider than that where it is a single place. */
+        /** Returns the viewport that shows all of an axis with samples in [range], null for none; a single place is widened. */
         public fun of(range: ClosedFloatingPointRange<Double>?): Viewport {
             if (range == null) return Viewport(Span(0.0, 1.0))
             val from = range.start
@@ -123,10 +123,10 @@ public data class Viewport(
 
         private const val MAX_HISTORY = 100
 
-        /** How much wider a step of zooming out makes what is visible. */
+        /** The factor by which a step of zooming out widens the visible range. */
         private const val ZOOM = 1.5
 
-        /** What is shown around a moment are two of so many parts. */
+        /** A moment is shown with one of this many parts of the whole range on either side. */
         private const val AROUND = 30
     }
 }

@@ -1,14 +1,14 @@
 package badlog.plot.search
 
 /**
- * What a person searches for, in capitals or not:
+ * What a person searches for, regardless of case:
  *
- * - words, of which each has to occur, in any order; words in quotes occur together, as they stand;
- * - `a | b` finds what has one or the other;
- * - `-c` leaves out what has it;
- * - `is:` and `has:` ask for what the topic is, see [Trait]; with another word behind the colon they are words like others.
+ * - all words must occur, in any order; quoted words must occur together, exactly as written;
+ * - `a | b` finds items with one or the other;
+ * - `-c` excludes items with it;
+ * - `is:` and `has:` ask for traits of the topic, see [Trait]; with any other word after the colon they are ordinary words.
  *
- * What is being typed finds what it did before: a sign without a word, and an alternative without one, ask for nothing.
+ * While typing, incomplete parts have no effect: a sign without a word, and an empty alternative, are ignored.
  */
 public class Query(text: String) {
     private class Term(val isWanted: Boolean, val word: String, val trait: Trait?)
@@ -19,16 +19,16 @@ public class Query(text: String) {
         parts.filter { it.isNotEmpty() }
     }
 
-    /** The words that are to occur, in lower case, to be marked where they do. */
+    /** The words that must occur, in lower case, for highlighting. */
     public val words: List<String> = alternatives.flatten().filter { it.isWanted && it.trait == null }.map { it.word }
 
     /** Whether nothing is searched for, so that everything is shown. */
     public val isEmpty: Boolean get() = alternatives.isEmpty()
 
-    /** Whether it finds [text] of something that is all of [traits]. */
+    /** Returns whether it finds [text] of something that has all of [traits]. */
     public fun matches(text: String, traits: Set<Trait> = emptySet()): Boolean = isEmpty || matchesLowercase(text.lowercase(), traits)
 
-    /** The same for a text that is in lower case already, as what is searched on each key should be. */
+    /** Returns the same for a text that is already in lower case, as texts that are searched on each keystroke should be. */
     public fun matchesLowercase(text: String, traits: Set<Trait> = emptySet()): Boolean {
         if (isEmpty) return true
         for (terms in alternatives) {
@@ -37,13 +37,13 @@ public class Query(text: String) {
         return false
     }
 
-    /** Whether it asks for [trait], so that it has to be known. */
+    /** Returns whether it asks for [trait], so that it must be known. */
     public fun asksFor(trait: Trait): Boolean = alternatives.any { terms -> terms.any { it.trait == trait } }
 
     private companion object {
         private fun isBlank(char: Char) = char == ' ' || char == '\t'
 
-        /** The terms of [text], in lower case; null is a bar between alternatives. */
+        /** Returns the terms of [text], in lower case; null for a bar between alternatives. */
         fun tokensOf(text: String): List<Term?> {
             val tokens = ArrayList<Term?>()
             var at = 0

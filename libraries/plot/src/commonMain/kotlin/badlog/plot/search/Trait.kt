@@ -1,9 +1,9 @@
 package badlog.plot.search
 
 /**
- * What a search can ask of a topic beside its name.
+ * What a search can ask for about a topic besides its name.
  *
- * @property word how a person asks for it.
+ * @property word how a person writes it.
  */
 public enum class Trait(public val word: String) {
     /** Its values are states, or true and false. */
@@ -18,7 +18,7 @@ public enum class Trait(public val word: String) {
     /** It never changes. */
     CONSTANT("is:constant"),
 
-    /** Nothing was logged of it. */
+    /** It has no logged values. */
     EMPTY("is:empty"),
 
     /** A finding is about it. */
@@ -28,7 +28,7 @@ public enum class Trait(public val word: String) {
     public companion object {
         private val BY_WORD = entries.associateBy { it.word }
 
-        /** What [word], in lower case, asks for; null for a word like others. */
+        /** Returns the trait that [word], in lower case, asks for; null for an ordinary word. */
         public fun of(word: String): Trait? = BY_WORD[word]
     }
 }

@@ -10,38 +10,41 @@ import badlog.plot.text.withUnit
 /**
  * How long and how often a lane was in a state.
  *
- * @property state what it is called.
- * @property time how much of x, in its unit.
- * @property share the part of the time in any state, from 0 to 1; NaN where that is no time.
- * @property count how many times it was entered, or was there already at the begin.
+ * @property state its name.
+ * @property time the length on x, in its unit.
+ * @property share the fraction of the time in any state, 0 to 1; NaN if that time is 0.
+ * @property count how often it was entered, including being in it at the start.
  */
 public class StateTime(public val state: String, public val time: Double, public val share: Double, public val count: Int) {
-    /** [time] with the unit of [axis]. */
+    /** Returns [time] with the unit of [axis]. */
     public fun timeText(axis: XAxis): String = if (axis.isIndex) "${roundedText(time)} rows" else withUnit(roundedText(time), axis.unit)
 
     /** [share] in percent; `–` for none. */
     public val shareText: String get() = withUnit(fixedText(share * 100, 1), "%")
 
-    /** All in a line: `true 4.2 s (2.7 %), 3 times`. */
+    /** Returns everything in one line: `true 4.2 s (2.7 %), 3 times`. */
     public fun text(axis: XAxis): String = "$state ${timeText(axis)} ($shareText), $count ${if (count == 1) "time" else "times"}"
 
     public companion object {
-        /** What stands above the lane's name and [state], [time], [share] and [count] in a table. */
+        /** The column titles for the lane's name and [state], [time], [share] and [count] in a table. */
         public val TITLES: List<String> = listOf("Lane", "State", "Time", "Share", "Times")
 
-        /** So many states of a lane are listed; nobody reads more. */
+        /** The maximum number of listed states of a lane; nobody reads more. */
         public const val MOST: Int = 12
     }
 }
 
-/** How long and how often each of [states], the names of these runs' states, was there from [from] to [to]; the longest first, none that was not. */
+/**
+ * Returns how long and how often the lane was in each of [states], the names of these runs' states, from [from] to [to]; longest first,
+ * without states that did not occur.
+ */
 public fun StateRuns.timesOf(
     states: List<String>,
     from: Double = Double.NEGATIVE_INFINITY,
     to: Double = Double.POSITIVE_INFINITY,
 ): List<StateTime> = timesOf(states, listOf(Span(from, to)))
 
-/** The same in several [parts] together, without what lies between them. A state that lasts over two of them was there twice. */
+/** Returns the same for several [parts] together, without what is between them. A state that spans two of them counts twice. */
 public fun StateRuns.timesOf(states: List<String>, parts: List<Span>): List<StateTime> {
     val times = HashMap<Int, Double>()
     val counts = HashMap<Int, Int>()
@@ -51,7 +54,7 @@ public fun StateRuns.timesOf(states: List<String>, parts: List<Span>): List<Stat
                 if (isOrdered) break else continue
             }
             val time = minOf(this.to[run], to) - maxOf(this.from[run], from)
-            // What only touches the range was not in it.
+            // A run that only touches the range is not in it.
             if (time < 0 || (time == 0.0 && this.to[run] > this.from[run] && from < to)) continue
             val state = this.states[run]
             times[state] = (times[state] ?: 0.0) + time

@@ -7,11 +7,11 @@ import badlog.plot.text.roundedText
 import badlog.recording.Topic
 
 /**
- * A number that tells about the samples of a range. Those that could count samples or time count time: a value that holds long
- * weighs much, however often it was logged; see [badlog.analysis.SeriesStatistics].
+ * A number that describes the samples of a range. Statistics that could be weighted by samples or by time are weighted by
+ * time: a value that holds longer has more weight, however often it was logged; see [badlog.analysis.SeriesStatistics].
  *
- * @property title what the front ends call it.
- * @property hint what it is, for who does not know it by its title.
+ * @property title its label in front ends.
+ * @property hint an explanation for those who do not know the title.
  * @property isSample whether it is one of the samples, rather than calculated from them.
  * @property isCount whether it counts samples.
  */
@@ -48,7 +48,7 @@ public enum class Statistic(
     /** The last value. */
     LAST("last", "the last value", isSample = true),
 
-    /** By how much the last value is above the first. */
+    /** The last value minus the first. */
     CHANGE("last − first", "the last value minus the first"),
 
     /** The area under the values. */
@@ -61,7 +61,7 @@ public enum class Statistic(
     GAPS("gaps", "how many samples have no value", isCount = true),
     ;
 
-    /** Its value in [statistics]; NaN where there is none. */
+    /** Returns its value in [statistics]; NaN if there is none. */
     public fun of(statistics: SeriesStatistics): Double = when (this) {
         MIN -> statistics.min
         MAX -> statistics.max
@@ -79,15 +79,15 @@ public enum class Statistic(
     }
 
     /**
-     * Its value in [statistics] as text: a sample exactly as it was logged, but without the digits that a calculation makes up, as
-     * where the samples themselves are [isDerived].
+     * Returns its value in [statistics] as text: a sample exactly as logged, but a calculated value, also if the samples are
+     * [isDerived], without meaningless digits.
      */
     public fun textOf(statistics: SeriesStatistics, isDerived: Boolean): String {
         val value = of(statistics)
         return if (isCount || (isSample && !isDerived)) exactText(value) else roundedText(value)
     }
 
-    /** Its unit for a topic of [unit] over an x of [xUnit], null where that is not known; `ul` for none. */
+    /** Its unit for a topic of [unit] over an x of [xUnit], null if that is not known; `ul` for none. */
     public fun unitOf(unit: String, xUnit: String?): String = when {
         isCount -> Topic.UNITLESS
         this != INTEGRAL -> unit
@@ -96,7 +96,7 @@ public enum class Statistic(
     }
 
     public companion object {
-        /** What stands beside the figures, so that nobody takes them for those of the samples. */
+        /** The remark beside the statistics, so that nobody takes them for unweighted ones. */
         public const val BY_TIME: String = "Mean, median, percentiles and std are by time."
     }
 }

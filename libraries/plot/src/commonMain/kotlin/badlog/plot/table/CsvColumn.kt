@@ -12,10 +12,10 @@ import badlog.rules.path.lastAtOrBefore
 /** A column of CSV: its [title], and its [cell] in each row. */
 internal class CsvColumn(val title: String, val cell: (Int) -> String)
 
-/** The cells of [topic] as they were logged, row by row. */
+/** Returns the cells of [topic] as logged, row by row. */
 internal fun loggedColumn(topic: Topic): CsvColumn {
     val isTruth = topic.kind == TopicKind.BOOLEAN
-    // Rows are asked for one after another.
+    // Rows are requested one after another.
     var next = 0
     return CsvColumn(titleOf(topic.name, topic.unit)) { row ->
         val rows = topic.texts.rows
@@ -30,7 +30,7 @@ internal fun loggedColumn(topic: Topic): CsvColumn {
     }
 }
 
-/** The last value of [line] at or before each of [times]. */
+/** Returns the last value of [line] at or before each of [times]. */
 internal fun heldColumn(line: GraphSeries, times: DoubleArray): CsvColumn {
     val name = if (line.isDerived) "[${line.name}]" else line.topic.name
     return CsvColumn(titleOf(name, line.unit)) { row ->
@@ -41,7 +41,7 @@ internal fun heldColumn(line: GraphSeries, times: DoubleArray): CsvColumn {
     }
 }
 
-/** The events of [topic], each in the row it was logged in, or else the first of [times] that is not before it. */
+/** Returns the events of [topic], each in the row it was logged in, or else the first of [times] that is not before it. */
 internal fun eventColumn(view: LogView, topic: Topic, times: DoubleArray): CsvColumn {
     val texts = HashMap<Int, String>()
     val clock = Series(times, times)
@@ -54,14 +54,14 @@ internal fun eventColumn(view: LogView, topic: Topic, times: DoubleArray): CsvCo
 
 private fun titleOf(name: String, unit: String) = unitText(unit).let { if (it.isEmpty()) name else "$name ($it)" }
 
-/** [number] as a cell, to its last digit; nothing for none. */
+/** Returns [number] as a cell, to its last digit; empty for none. */
 internal fun cellOf(number: Double): String = when {
     number.isNaN() -> ""
     number.isInfinite() -> "$number"
     else -> exactText(number)
 }
 
-/** [text] as a cell. */
+/** Returns [text] as a cell. */
 internal fun cellOf(text: String): String = if (text.any { it in SPECIAL }) "\"${text.replace("\"", "\"\"")}\"" else text
 
 private const val SPECIAL = ",\"\r\n"

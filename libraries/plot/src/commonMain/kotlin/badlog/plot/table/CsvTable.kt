@@ -10,10 +10,10 @@ import kotlin.math.floor
 
 /**
  * A part of a log for a spreadsheet: x first, then a column for each line with its name and unit, then one for each topic of events. Rows
- * are those of the log; what has times of its own has in each row the last value before it.
+ * are those of the log; topics with times of their own have in each row the last value at or before it.
  *
- * @property rowCount how many rows there are below the titles.
- * @property remark how the rows came about where the log has none, to follow a sentence; else empty.
+ * @property rowCount the number of rows below the titles.
+ * @property remark how the rows were made if the log has none, to append to a sentence; otherwise empty.
  */
 public class CsvTable private constructor(
     xTitle: String,
@@ -26,7 +26,7 @@ public class CsvTable private constructor(
 
     public val rowCount: Int get() = rows.last + 1 - rows.first
 
-    /** The line of titles. A byte order mark before it says that the text is UTF-8, where that matters: Excel takes it for something else. */
+    /** The line of titles. A byte order mark before it marks the text as UTF-8 if necessary: without it, Excel assumes something else. */
     public val header: String
         get() = titles.joinToString(
             ",",
@@ -42,7 +42,7 @@ public class CsvTable private constructor(
             transform = ::cellOf,
         )
 
-    /** The lines of [count] rows from [first] on, the first of all being 0, or of as many as there are. */
+    /** Returns the lines of [count] rows from [first] on, counted from 0, or of as many as there are. */
     public fun text(first: Int, count: Int): String = buildString {
         for (row in rows.first + first until minOf(rows.first + first + count, rows.last + 1)) {
             append(cellOf(x[row]))
@@ -52,14 +52,14 @@ public class CsvTable private constructor(
     }
 
     public companion object {
-        /** Each topic of [view] that has samples, as far as it lies in [span]; null for every row there is. */
+        /** Returns a table of each topic of [view] that has samples, within [span]; null for all rows. */
         public fun ofAll(view: LogView, span: Span? = null): CsvTable {
             val topics = view.recording.topics.filter { it !== view.xAxis.topic }
             val (events, others) = topics.partition { it.kind == TopicKind.EVENT || "log" in it.attributes }
             return of(view, span, others.map(view::seriesOf).filter { it.states != null || it.topic.samples.isNotEmpty() }, events)
         }
 
-        /** The same of [lines], some of [view]'s, and [events], topics of it. */
+        /** Returns the same for [lines], some of [view]'s, and [events], topics of it. */
         public fun of(view: LogView, span: Span?, lines: List<GraphSeries>, events: List<Topic> = emptyList()): CsvTable {
             val positions = view.xAxis.positions
             if (positions.isNotEmpty()) {
@@ -80,20 +80,23 @@ public class CsvTable private constructor(
             return CsvTable(view.xAxis.title, times, times.indices, columns, remark)
         }
 
-        /** From the first to the last in [span]: where x is missing or goes backwards, the rows between belong to it, too. */
+        /** Returns the rows from the first to the last in [span]: if x is missing or goes backwards, the rows in between are included. */
         private fun rowsIn(positions: DoubleArray, span: Span): IntRange {
             val first = positions.indexOfFirst { it in span }
             return if (first < 0) IntRange.EMPTY else first..positions.indexOfLast { it in span }
         }
 
-        /** Rows for topics that share none: one every 20 ms, as often as a robot's program runs, or at each sample of the line that has more. */
+        /**
+         * Returns rows for topics that share none: one every 20 ms, as often as a robot's program runs, or one at each sample of a line
+         * that has more.
+         */
         private fun timesFor(view: LogView, span: Span?, lines: List<GraphSeries>): Pair<DoubleArray, String> {
             val range = view.xAxis.range
             if (range == null) return DoubleArray(0) to ""
             val from = maxOf(span?.from ?: range.start, range.start)
             val to = minOf(span?.to ?: range.endInclusive, range.endInclusive)
             if (!(from <= to)) return DoubleArray(0) to ""
-            // Many topics over many hours would be more than any spreadsheet opens.
+            // Many topics over many hours would be more than any spreadsheet can open.
             val most = MAX_CELLS / (lines.size + 1)
             val period = generateSequence(PERIOD) { it * 2 }.first { (to - from) / it < most }
             val periodic = floor((to - from) / period + ROUNDING).toInt() + 1
@@ -107,11 +110,11 @@ public class CsvTable private constructor(
 
         private const val HELD = ", each with the last values before it"
 
-        /** In s. */
+        /** In seconds. */
         private const val PERIOD = 0.02
         private const val MAX_CELLS = 40e6
 
-        // Of the last step of a period that divides the range.
+        // The tolerance, in periods, for the last step of a period that divides the range.
         private const val ROUNDING = 1e-9
     }
 }

@@ -1,8 +1,8 @@
 package badlog.plot.text
 
 /**
- * [name] in letters that no address changes, and that part nothing in one: letters and digits, `-_./`, `+` for a space, and `~` with four
- * hexadecimal digits for any other character.
+ * Returns [name] in characters that are never changed in an address, and are not separators in one: letters and digits, `-_./`, `+` for a
+ * space, and `~` with four hexadecimal digits for any other character.
  */
 public fun addressText(name: String): String = buildString {
     for (char in name) {
@@ -14,7 +14,7 @@ public fun addressText(name: String): String = buildString {
     }
 }
 
-/** The name that [addressText] wrote as [text]; null where a `~` does not begin a character. */
+/** Returns the name that [addressText] wrote as [text]; null if a `~` does not begin a character. */
 public fun nameOfAddress(text: String): String? {
     val name = StringBuilder()
     var at = 0

@@ -2,7 +2,7 @@ package badlog.plot.text
 
 import kotlin.math.floor
 
-/** A count with its thousands apart. */
+/** Returns a count with separators between thousands. */
 public fun countText(count: Int): String {
     val digits = count.toString()
     if (digits.length <= GROUP + 1) return digits
@@ -14,10 +14,10 @@ public fun countText(count: Int): String {
     }
 }
 
-/** `1 graph`, `7 graphs`. */
+/** Returns a count with its noun: `1 graph`, `7 graphs`. */
 public fun countText(count: Int, one: String, many: String = one + "s"): String = "${countText(count)} ${if (count == 1) one else many}"
 
-/** A number of bytes as a person reads it. */
+/** Returns a number of bytes for people. */
 public fun bytesText(bytes: Double): String = when {
     bytes < 1000 -> "${bytes.toInt()} bytes"
     bytes < 999_950 -> "${fixedText(bytes / 1e3, 1)} kB"
@@ -25,7 +25,7 @@ public fun bytesText(bytes: Double): String = when {
     else -> "${fixedText(bytes / 1e9, 2)} GB"
 }
 
-/** A length of time in seconds as a person says it: `2 min 30 s`. */
+/** Returns a duration in seconds for people: `2 min 30 s`. */
 public fun durationText(seconds: Double): String {
     if (seconds < SECONDS_OF_MINUTE) return "${exactText(floor(seconds * 100 + 0.5) / 100)} s"
     val whole = floor(seconds + 0.5).toInt()

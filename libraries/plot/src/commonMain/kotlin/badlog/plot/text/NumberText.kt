@@ -7,8 +7,8 @@ import kotlin.math.floor
 import kotlin.math.log10
 
 /**
- * A sample exactly as it is, in as few digits as distinguish it from every other number, the same on every platform; `–` for none.
- * Whole numbers below 1e15 are written in full, others of less than 1e-4 or from 1e15 on with an exponent.
+ * Returns a sample exactly, with the fewest digits that distinguish it from every other double, the same on every platform; `–`
+ * for none. Whole numbers below 1e15 are written in full; others below 1e-4 or from 1e15 on have an exponent.
  */
 public fun exactText(value: Double): String = when {
     value.isNaN() -> NO_NUMBER
@@ -29,28 +29,28 @@ public fun exactText(value: Double): String = when {
     }
 }
 
-/** A number that was calculated, and so is not exact to the last of its digits: six of them. */
+/** Returns a calculated number, which is not exact to its last digit, with six digits. */
 public fun roundedText(value: Double): String =
     if (value.isFinite() && value != 0.0) shortened(exponentialDigits(value, ROUNDED)) else exactText(value)
 
-/** [value] with so many [decimals]; as [exactText] has it where it is not finite or 1e15 and more. */
+/** Returns [value] with [decimals] decimals; in the form of [exactText] if it is not finite, or 1e15 or more. */
 public fun fixedText(value: Double, decimals: Int): String =
     if (value.isFinite() && abs(value) < MAX_PLAIN) fixedDigits(value, decimals) else exactText(value)
 
-/** How many decimals distinguish places on an axis of which a screen shows [span]. */
+/** Returns how many decimals distinguish places on an axis when a screen shows [span] of it. */
 public fun decimalsFor(span: Double): Int =
     if (span > 0) ceil(DECADES_SEEN - log10(span)).toInt().coerceIn(0, MAX_DECIMALS) else MAX_DECIMALS
 
-/** A unit as it is shown: nothing for none. */
+/** Returns the displayed text of a unit: empty for none. */
 public fun unitText(unit: String): String = if (Units.isNone(unit)) "" else unit
 
-/** [number] and its [unit], where it has one. */
+/** Returns [number] with its [unit], if it has one. */
 public fun withUnit(number: String, unit: String): String = if (Units.isNone(unit) || number == NO_NUMBER) number else "$number $unit"
 
-/** What stands for a number where there is none. */
+/** The text for a missing number. */
 public const val NO_NUMBER: String = "–"
 
-/** [digits], in powers of ten, without needless zeros, and without an exponent where that is no longer. */
+/** Returns [digits], in powers of ten, without unnecessary zeros, and without an exponent if that is not longer. */
 private fun shortened(digits: String): String {
     val e = digits.indexOf('e')
     val exponent = digits.substring(e + 1).toInt()
@@ -69,7 +69,8 @@ private const val MAX_PLAIN = 1e15
 private const val MIN_EXPONENT = -4
 private const val MAX_EXPONENT = 15
 
-// Every decimal number of so many digits, one more than these decimals, differs from its neighbors; with two more, all numbers do.
+// With this many decimals, and one digit before them, all decimal numbers differ as doubles; with two more decimals, all doubles can be
+// distinguished.
 private const val MIN_EXACT_DIGITS = 14
 private const val MAX_EXACT_DIGITS = 16
 private const val ROUNDED = 5

@@ -2,7 +2,7 @@ package badlog.plot.text
 
 import badlog.recording.Problem
 
-/** Where [problem] was met, and how often where its message does not say it: `line 12 · Arm/Angle · 3 times`. */
+/** Returns where [problem] occurred, and how often if its message does not say it: `line 12 · Arm/Angle · 3 times`. */
 public fun placeTextOf(problem: Problem): String = listOfNotNull(
     problem.line?.let { "line ${countText(it)}" },
     problem.topic,

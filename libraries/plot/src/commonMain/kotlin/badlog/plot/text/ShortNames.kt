@@ -1,12 +1,12 @@
 package badlog.plot.text
 
 /**
- * What a legend calls the topics [names], in their order: each by as little of the end of its path as tells it from the others, so that
- * `Left/speed` and `Right/speed` do not both read `speed`. The same name twice is called the same.
+ * Returns the legend names for the topics [names], in order: the shortest end of each path that distinguishes it from the others, so
+ * that `Left/speed` and `Right/speed` are not both `speed`. Equal names get equal results.
  */
 public fun shortNames(names: List<String>): List<String> {
     val paths = names.distinct().associateWith { it.trim('/').split('/') }
-    // How often each end of a path occurs: a legend of sixty lines is asked for in each frame of a zoom.
+    // Counts each end of a path once, because a legend of sixty lines is needed in each frame of a zoom.
     val ends = HashMap<String, Int>()
     for (path in paths.values) for (parts in 1..path.size) ends[endOf(path, parts)] = (ends[endOf(path, parts)] ?: 0) + 1
     val short = paths.mapValues { (name, path) ->

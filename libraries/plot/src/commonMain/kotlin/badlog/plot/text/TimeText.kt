@@ -4,11 +4,12 @@ import badlog.analysis.Units
 import badlog.analysis.XAxis
 import kotlin.math.abs
 
-/** [x] as a place on [axis], as exactly as a screen that shows [width] of it can show, without the unit. */
-public fun placeText(x: Double, axis: XAxis, width: Double): String = // Between two rows there is nothing to see that decimals could tell.
+/** Returns [x] as a place on [axis], with the precision of a screen that shows [width] of it, without the unit. */
+public fun placeText(x: Double, axis: XAxis, width: Double): String =
+    // There is nothing between two rows, so decimals would be meaningless.
     if (x.isNaN()) NO_NUMBER else fixedText(x, if (axis.isIndex) 0 else decimalsFor(width))
 
-/** Where the cursor stands: `93.740 s · Teleop 1:31`, where [clocks] are what other clocks show there; without any, in minutes. */
+/** Returns the cursor's place: `93.740 s · Teleop 1:31`, where [clocks] is the time of other clocks; without those, also in minutes. */
 public fun cursorText(x: Double, axis: XAxis, width: Double, clocks: String): String {
     val place = withUnit(placeText(x, axis, width), axis.unit)
     val seconds = Units.secondsIn(axis.unit)
@@ -19,7 +20,7 @@ public fun cursorText(x: Double, axis: XAxis, width: Double, clocks: String): St
     }
 }
 
-/** A length on [axis], with a unit, and in minutes where it is one. */
+/** Returns a length on [axis] with its unit, and also in minutes if it is one or more. */
 public fun lengthText(length: Double, axis: XAxis): String {
     val number = withUnit(exactText(fixedText(length, decimalsFor(length)).toDouble()), axis.unit)
     val name = if (axis.isIndex) "$number rows" else number
@@ -27,13 +28,13 @@ public fun lengthText(length: Double, axis: XAxis): String {
     return if (seconds >= SECONDS) "$name · ${minutesText(seconds)}" else name
 }
 
-/** From one place on [axis] to another: `Δ 1.5 s`, with a minus where that is back. */
+/** Returns the difference between two places on [axis]: `Δ 1.5 s`, with a minus for a step back. */
 public fun differenceText(from: Double, to: Double, axis: XAxis): String {
     val sign = if (to < from) "-" else ""
     return "Δ $sign${lengthText(abs(to - from), axis)}"
 }
 
-/** `1:33.7`, `1:02:05.0`: [seconds] in minutes, and hours where there are any. */
+/** Returns [seconds] in minutes, with hours if there are any: `1:33.7`, `1:02:05.0`. */
 public fun minutesText(seconds: Double, decimals: Int = 1): String {
     if (!(abs(seconds) < MAX_SECONDS)) return exactText(seconds)
     val text = fixedText(abs(seconds), decimals)

@@ -4,16 +4,16 @@ import badlog.analysis.LogView
 import badlog.analysis.Units
 import kotlin.math.floor
 
-/** The clocks of a log besides its x axis: that of the match, see [ModeTimeline.clockAt], and the time of day. */
+/** The clocks of a log besides its x axis: the match clock, see [ModeTimeline.clockAt], and the time of day. */
 public class Clocks(view: LogView, private val modes: ModeTimeline) {
     private val secondsOfX = Units.secondsIn(view.xAxis.unit)
     private val firstX = view.xAxis.range?.start ?: 0.0
     private val start = view.recording.values.firstOrNull { it.name == "Start Time" }?.let { TIME_OF_DAY.find(it.text) }
 
-    /** The phase and the time since the robot was enabled at [x]; null where it is unknown. */
+    /** Returns the phase and the time since the robot was enabled at [x]; null if it is unknown. */
     public fun matchAt(x: Double): String? = modes.clockAt(x)
 
-    /** The time of day at [x], as where the log was made: `14:03:22`; null where the log does not say when it began. */
+    /** Returns the local time of day at [x] where the log was made: `14:03:22`; null if the log does not say when it began. */
     public fun dayAt(x: Double): String? {
         if (start == null || secondsOfX == null || !x.isFinite()) return null
         val (hours, minutes, seconds, fraction) = start.destructured
@@ -25,7 +25,7 @@ public class Clocks(view: LogView, private val modes: ModeTimeline) {
         return parts.joinToString(":") { it.toString().padStart(2, '0') }
     }
 
-    /** Both, `Teleop 1:23 · 14:03:22`; empty where neither is known. */
+    /** Returns both: `Teleop 1:23 · 14:03:22`; empty if neither is known. */
     public fun textAt(x: Double): String = listOfNotNull(matchAt(x), dayAt(x)).joinToString(" · ")
 
     private companion object {

@@ -4,9 +4,9 @@ import badlog.analysis.Span
 import kotlin.math.floor
 
 /**
- * The marks of events on a time line, each of one or more events that share a pixel: a head, from which a line runs down, or a
- * tick for what crowds behind another, so that a chatty robot does not hide its graphs. What calls itself an error or a warning
- * keeps its head in any crowd. The arrays are kept from one drawing to the next.
+ * The marks of events on a time line, each for one or more events that share a pixel: a head with a line below it, or a tick
+ * for events that crowd behind another one, so that a chatty robot does not hide its graphs. Errors and warnings keep their
+ * heads in any crowd. The arrays are reused for the next drawing.
  */
 public class EventMarks {
     private var pixels = DoubleArray(0)
@@ -16,21 +16,21 @@ public class EventMarks {
     public var size: Int = 0
         private set
 
-    /** Where mark [index] stands, in pixels from the left. */
+    /** Returns where mark [index] stands, in pixels from the left. */
     public fun pixelOf(index: Int): Double = pixels[index]
 
-    /** Whether one of the events of mark [index] is an error or a warning. */
+    /** Returns whether one of the events of mark [index] is an error or a warning. */
     public fun isSerious(index: Int): Boolean = looks[index] and SERIOUS != 0
 
-    /** Whether mark [index] is more than a tick. */
+    /** Returns whether mark [index] is more than a tick. */
     public fun hasHead(index: Int): Boolean = looks[index] and HEAD != 0
 
-    /** Whether a line runs down from mark [index]. */
+    /** Returns whether a line runs down from mark [index]. */
     public fun hasLine(index: Int): Boolean = looks[index] and LINE != 0
 
     /**
-     * Finds the marks for what [events] has in [span], over [width] pixels, [onePixel] of which look like one. Costs as much as
-     * there are pixels, however many events there are.
+     * Finds the marks of those of [events] in [span], over [width] physical pixels, [onePixel] of which are one CSS pixel or
+     * dp. The cost depends on the number of pixels, not of events.
      */
     public fun place(events: EventTimeline, span: Span, width: Double, onePixel: Double) {
         size = 0
@@ -48,7 +48,7 @@ public class EventMarks {
     }
 
     private fun add(pixel: Double, isSerious: Boolean) {
-        // What was skipped to may be this pixel again, by rounding.
+        // Due to rounding, the event skipped to may be in this pixel again.
         val isSame = size > 0 && pixels[size - 1] == pixel
         if (!isSame && size++ == pixels.size) {
             pixels = pixels.copyOf(maxOf(FIRST_MARKS, size * 2))
@@ -76,7 +76,7 @@ public class EventMarks {
         const val HEAD = 2
         const val LINE = 4
 
-        /** So many pixels, as they look, are between two heads and two lines. */
+        /** The minimum distance between two heads or lines, in CSS pixels or dp. */
         const val APART = 9
         const val FIRST_MARKS = 64
     }

@@ -10,10 +10,10 @@ import badlog.text.isLetterOrDigit
 import kotlin.math.abs
 
 /**
- * Events of several topics in the order of x, without an object for each. Those without an x come last. Of several at the same x
- * those of an earlier log come first, and those of one log as they were logged.
+ * Events of several topics in the order of x, without an object for each. Those without an x come last. At the same x, events of
+ * an earlier log come first, and those of one log keep their order.
  *
- * @property x where each stands; NaN where the x axis has a gap. Not to be changed.
+ * @property x the place of each event; NaN where the x axis has a gap. Not to be changed.
  */
 public class EventTimeline private constructor(
     public val x: DoubleArray,
@@ -29,41 +29,41 @@ public class EventTimeline private constructor(
 
     private val places = x.copyOf(placedCount).let { Series(it, it) }
 
-    /** For each event with an x how many before it call themselves errors or warnings, and at the end how many do. */
+    /** For each event with an x, the number of errors and warnings before it, and at the end their total. */
     private val seriousBefore by lazy {
-        // Each different text is looked at once, however often it was logged.
+        // Each different text is examined once, however often it was logged.
         val areSerious = logs.map { log -> BooleanArray(log.topic.texts.dictionary.size) { isSerious(log.topic.texts.dictionary[it]) } }
         val counts = IntArray(placedCount + 1)
         for (i in 0 until placedCount) counts[i + 1] = counts[i] + if (areSerious[logOf[i]][idOf(i)]) 1 else 0
         counts
     }
 
-    /** Event [index], made anew. */
+    /** Returns event [index] as a new object. */
     public fun eventAt(index: Int): Event = logs[logOf[index]].events[cells[index]]
 
-    /** The text of event [index]. */
+    /** Returns the text of event [index]. */
     public fun textOf(index: Int): String = logs[logOf[index]].topic.texts[cells[index]]
 
-    /** The full name of the topic of event [index]. */
+    /** Returns the full name of the topic of event [index]. */
     public fun topicOf(index: Int): String = logs[logOf[index]].name
 
-    /** The first event at or after [position]; [placedCount] when there is none. */
+    /** Returns the first event at or after [position]; [placedCount] when there is none. */
     public fun firstAtOrAfter(position: Double): Int = places.firstAtOrAfter(position)
 
-    /** The event nearest to [position]; -1 when none has an x. */
+    /** Returns the event nearest to [position]; -1 when none has an x. */
     public fun nearest(position: Double): Int = places.nearest(position)
 
-    /** The event nearest to [position] if it is no further than [distance], else null. */
+    /** Returns the event nearest to [position] if it is no further than [distance], else null. */
     public fun nearest(position: Double, distance: Double): Event? =
         nearest(position).takeIf { it >= 0 && abs(x[it] - position) <= distance }?.let(::eventAt)
 
-    /** The last event at or before [position]; null before the first. */
+    /** Returns the last event at or before [position]; null before the first. */
     public fun lastBefore(position: Double): Event? = (places.firstAfter(position) - 1).takeIf { it >= 0 }?.let(::eventAt)
 
-    /** Whether one of the events from index [from] until [until], which have an x, calls itself an error or a warning. */
+    /** Returns whether one of the events from index [from] until [until], which have an x, calls itself an error or a warning. */
     internal fun areSerious(from: Int, until: Int): Boolean = seriousBefore[until] > seriousBefore[from]
 
-    /** Those whose text or topic [query] finds, of the topics called [topics]; empty for all. */
+    /** Returns the events whose text or topic [query] finds, limited to the topics called [topics]; empty for all. */
     public fun matching(query: Query, topics: Set<String> = emptySet()): EventTimeline {
         if (query.isEmpty && topics.isEmpty()) return this
         val fits = logs.map { log ->
@@ -88,7 +88,7 @@ public class EventTimeline private constructor(
         /** No events. */
         public val NONE: EventTimeline = of(emptyList())
 
-        /** The events of all [logs]. */
+        /** Returns the events of all [logs]. */
         public fun of(logs: List<EventLog>): EventTimeline {
             val count = logs.sumOf { it.topic.texts.size }
             val x = DoubleArray(count)
@@ -114,7 +114,7 @@ public class EventTimeline private constructor(
     }
 }
 
-/** Whether [text] calls itself an error or a warning, as logs write it: `ERROR: brownout`, `[warning] …`. */
+/** Returns whether [text] says that it is an error or a warning, as in `ERROR: brownout` or `[warning] …`. */
 private fun isSerious(text: String): Boolean {
     var start = 0
     while (start < text.length && !isLetterOrDigit(text[start]) && text[start] != '_') start++

@@ -5,27 +5,27 @@ import badlog.recording.Severity
 import kotlin.math.floor
 
 /**
- * What marks a finding of one severity on the time axis.
+ * The mark of a finding of one severity on the time axis.
  *
- * @property outline its corners, x and y in turn, for a mark that reaches from -1 to 1; y points down. Empty for a circle.
- * @property isHollow whether only its outline has the color.
+ * @property outline its corners, alternating x and y, from -1 to 1; y points down. Empty for a circle.
+ * @property isHollow whether only its outline is drawn.
  */
 public enum class FindingGlyph(public val outline: DoubleArray, public val isHollow: Boolean) {
-    /** Of an error. */
+    /** An error. */
     DIAMOND(doubleArrayOf(0.0, -1.0, 1.0, 0.0, 0.0, 1.0, -1.0, 0.0), isHollow = false),
 
-    /** Of a warning. */
+    /** A warning. */
     TRIANGLE(doubleArrayOf(0.0, -1.0, 1.0, 1.0, -1.0, 1.0), isHollow = false),
 
-    /** Of a note: a ring, a little smaller. */
+    /** A note: a ring, a little smaller. */
     RING(doubleArrayOf(), isHollow = true),
     ;
 
     public companion object {
-        /** How far a glyph reaches from its middle, in pixels as they look. */
+        /** The extent of a glyph from its center, in CSS pixels or dp. */
         public const val SIZE: Double = 4.5
 
-        /** What marks a finding of [severity]. */
+        /** Returns the mark of a finding of [severity]. */
         public fun of(severity: Severity): FindingGlyph = when (severity) {
             Severity.ERROR -> DIAMOND
             Severity.WARNING -> TRIANGLE
@@ -35,9 +35,8 @@ public enum class FindingGlyph(public val outline: DoubleArray, public val isHol
 }
 
 /**
- * The marks of findings on a time axis, in the order in which they are to be drawn, the worst last: glyphs where places begin, one for
- * all of a severity that would hide each other, some with a line; and runs of pixels over which something was found. The arrays are kept from
- * one drawing to the next.
+ * The marks of findings on a time axis, in drawing order, the worst last: glyphs where places begin, one for all of a severity that would
+ * hide each other, some with a line; and runs of pixels for findings that last. The arrays are reused for the next drawing.
  */
 public class FindingMarks {
     private var pixels = DoubleArray(0)
@@ -54,25 +53,25 @@ public class FindingMarks {
     public var runCount: Int = 0
         private set
 
-    /** Where glyph [index] stands, in pixels from the left. */
+    /** Returns where glyph [index] is, in pixels from the left. */
     public fun pixelOf(index: Int): Double = pixels[index]
 
-    /** How bad glyph [index] is. */
+    /** Returns the severity of glyph [index]. */
     public fun severityOf(index: Int): Severity = Severity.entries[looks[index] / 2]
 
-    /** Whether there is room for a line at glyph [index]: a crowd of lines would hide the graph. */
+    /** Returns whether there is room for a line at glyph [index]: a crowd of lines would hide the graph. */
     public fun hasLine(index: Int): Boolean = looks[index] % 2 == 1
 
-    /** Where run [index] begins, in pixels from the left. */
+    /** Returns where run [index] begins, in pixels from the left. */
     public fun runFrom(index: Int): Double = (if (index == 0) 0 else runEnds[index - 1]) * onePixel
 
-    /** Where run [index] ends. */
+    /** Returns where run [index] ends. */
     public fun runTo(index: Int): Double = runEnds[index] * onePixel
 
-    /** How bad the worst is that was found over run [index]; null for nothing. */
+    /** Returns the worst severity found over run [index]; null for nothing. */
     public fun runSeverity(index: Int): Severity? = Severity.entries.getOrNull(worst[runEnds[index] - 1] - 1)
 
-    /** Finds the marks for what [findings] has in [span], over [width] pixels, [onePixel] of which look like one. */
+    /** Finds the marks of those of [findings] in [span], over [width] physical pixels, [onePixel] of which are one CSS pixel or dp. */
     public fun place(findings: FindingTimeline<*>, span: Span, width: Double, onePixel: Double) {
         this.onePixel = onePixel
         size = 0
@@ -126,10 +125,10 @@ public class FindingMarks {
         floor((x - span.from) / span.width * columns).coerceIn(0.0, columns - 1.0).toInt()
 
     private companion object {
-        /** Two glyphs that are nearer to each other, in pixels as they look, are one: a thousand of them cost a frame and tell no more. */
+        /** Two glyphs closer than this, in CSS pixels or dp, are merged: a thousand of them would take a frame, and show nothing more. */
         const val CROWDED = 4
 
-        /** So many pixels, as they look, are between two lines. */
+        /** The minimum distance between two lines, in CSS pixels or dp. */
         const val APART = 9
         const val FIRST_MARKS = 16
     }

@@ -10,31 +10,31 @@ public class FindingPlace<F>(public val finding: F, public val severity: Severit
 /**
  * The findings of a recording by their places on the x axis.
  *
- * @param severityOf how bad a finding is.
- * @param placesOf everywhere it was found, the place to look at first before the others; empty when it is about the whole log.
+ * @param severityOf returns the severity of a finding.
+ * @param placesOf returns its places, the one to look at first before the others; empty if it is about the whole log.
  */
 public class FindingTimeline<F>(all: List<F>, private val severityOf: (F) -> Severity, placesOf: (F) -> List<Span>) {
-    /** All places of all of them, in the order of x. */
+    /** All places of all findings, in the order of x. */
     public val places: List<FindingPlace<F>> =
         all.flatMap { finding -> placesOf(finding).map { FindingPlace(finding, severityOf(finding), it) } }.sortedBy { it.span.from }
 
-    // Up to each place the last end of it and those before: a log may have ten thousand places, and be asked for them in each frame.
+    // For each place, the last end of it and all previous ones: a log may have ten thousand places, and they are needed in each frame.
     private val lastEnds = DoubleArray(places.size).also { ends ->
         for (i in ends.indices) ends[i] = if (i == 0) places[0].span.to else maxOf(ends[i - 1], places[i].span.to)
     }
 
-    /** The worst first, and of one severity in the order of x; those about the whole log come before those with a place. */
+    /** The worst first, and within a severity in the order of x; findings about the whole log come before those with a place. */
     public val worstFirst: List<F> = all.map { it to (placesOf(it).firstOrNull()?.from ?: Double.NEGATIVE_INFINITY) }
         .sortedWith(compareBy({ -severityOf(it.first).ordinal }, { it.second })).map { it.first }
 
-    /** The places of [finding], in the order of x. */
+    /** Returns the places of [finding], in the order of x. */
     public fun placesOf(finding: F): List<FindingPlace<F>> = places.filter { it.finding == finding }
 
-    /** The place that begins at [x] of the finding that [isMeant], or else of the worst there; null for none. */
+    /** Returns the place at [x] of the finding for which [isMeant] is true, or else of the worst one that begins there; null for none. */
     public fun placeAt(x: Double, isMeant: (F) -> Boolean): FindingPlace<F>? =
         places.filter { it.span.from == x }.maxWithOrNull(compareBy({ isMeant(it.finding) }, { it.severity }))
 
-    /** The index of the first place that begins after [x]. */
+    /** Returns the index of the first place that begins after [x]. */
     private fun firstAfter(x: Double): Int {
         var low = 0
         var high = places.size
@@ -46,18 +46,18 @@ public class FindingTimeline<F>(all: List<F>, private val severityOf: (F) -> Sev
     }
 
     /**
-     * The place of [finding] that is [steps] further on than the one which begins at [x], or else than its first; beyond the ends its
-     * last or its first. Null where it has no place.
+     * Returns the place of [finding] that is [steps] after the one that begins at [x], or after its first one if none does; not
+     * beyond its last or first. Null if it has no place.
      */
     public fun within(finding: F, x: Double, steps: Int): FindingPlace<F>? {
         val own = placesOf(finding)
         return own.getOrNull((maxOf(0, own.indexOfFirst { it.span.from == x }) + steps).coerceIn(0, maxOf(0, own.size - 1)))
     }
 
-    /** How many are of [severity]. */
+    /** Returns how many are of [severity]. */
     public fun count(severity: Severity): Int = worstFirst.count { severityOf(it) == severity }
 
-    /** Those with a place that is no further than [distance] from [x], or lasts over it, the worst first. */
+    /** Returns the findings with a place at most [distance] from [x], or lasting over it, the worst first. */
     public fun at(x: Double, distance: Double): List<F> {
         val found = HashSet<F>()
         var index = firstAfter(x + distance) - 1
@@ -69,8 +69,8 @@ public class FindingTimeline<F>(all: List<F>, private val severityOf: (F) -> Sev
     }
 
     /**
-     * The one whose mark, where a place in [visible] begins, is no further than [reach] from [x]: of the nearest the worst. Else the
-     * worst of those that last over x, or end no further than half the reach from it; null for none.
+     * Returns the finding whose mark, at the start of a place in [visible], is at most [reach] from [x]: the worst of the nearest
+     * ones. Otherwise the worst of those that last over x, or end at most half the reach from it; null for none.
      */
     public fun pointedAt(x: Double, reach: Double, visible: Span): F? {
         val nearest = places.filter { it.span.from in visible && abs(it.span.from - x) <= reach }
@@ -79,8 +79,9 @@ public class FindingTimeline<F>(all: List<F>, private val severityOf: (F) -> Sev
     }
 
     /**
-     * The place [steps] after that of [current] which begins at [x], where the cursor still is; else the first after x, or with a
-     * negative number the last before it. Beyond the ends the last or the first; null without any. An x that is NaN is not a place.
+     * Returns the place [steps] after that of [current] that begins at [x], if the cursor is still there; otherwise the first after
+     * x, or, for a negative number, the last before it. Not beyond the last or first place; null if there are none. An x that is
+     * NaN is not a place.
      */
     public fun beside(current: F?, x: Double, steps: Int): FindingPlace<F>? {
         val index = places.indexOfFirst { it.finding == current && it.span.from == x }

@@ -3,7 +3,7 @@ package badlog.plot.timeline
 import badlog.analysis.Span
 import kotlin.math.floor
 
-/** The bands that shade when the robot was enabled, from left to right. The arrays are kept from one drawing to the next. */
+/** The bands that shade when the robot was enabled, from left to right. The arrays are reused for the next drawing. */
 public class ModeBands {
     private var left = DoubleArray(FIRST_BANDS)
     private var right = DoubleArray(FIRST_BANDS)
@@ -13,18 +13,18 @@ public class ModeBands {
     public var size: Int = 0
         private set
 
-    /** Where band [index] begins, in pixels from the left. */
+    /** Returns where band [index] begins, in pixels from the left. */
     public fun leftOf(index: Int): Double = left[index]
 
-    /** Where it ends. */
+    /** Returns where it ends. */
     public fun rightOf(index: Int): Double = right[index]
 
-    /** Which mode it is of. */
+    /** Returns its mode. */
     public fun modeOf(index: Int): RobotMode = RobotMode.entries[modes[index]]
 
     /**
-     * Finds the bands for what [timeline] has in [span], over [width] pixels. Costs no more than there are pixels, however often the robot
-     * was enabled; what is shorter than a pixel gets one.
+     * Finds the bands of [timeline] in [span], over [width] pixels. The cost is limited by the number of pixels, however often the robot
+     * was enabled; bands shorter than a pixel get one pixel.
      */
     public fun place(timeline: ModeTimeline, span: Span, width: Double) {
         size = 0
@@ -36,14 +36,14 @@ public class ModeBands {
             val to = ((one.span.to - span.from) / span.width * width).coerceIn(from + 1, width)
             add(from, to, one.mode)
             index++
-            // The others that end in the same pixel would not be seen.
+            // Other spans that end in the same pixel would be invisible.
             if (to <= from + 1) index = maxOf(index, timeline.firstReaching(span.from + (floor(from) + 1) * span.width / width))
         }
     }
 
     private fun add(from: Double, to: Double, mode: RobotMode) {
         val last = size - 1
-        // One that touches the band before goes on with it, or begins where that ends.
+        // A band that touches the previous one continues it, or begins where it ends.
         if (last >= 0 && modes[last] == mode.ordinal && from - right[last] < 1) {
             right[last] = maxOf(right[last], to)
             return

@@ -11,18 +11,18 @@ import badlog.plot.text.minutesText
 import kotlin.math.floor
 
 /**
- * What an enabled robot does.
+ * The mode of an enabled robot.
  *
- * @property title what front ends call it.
+ * @property title its name in front ends.
  */
 public enum class RobotMode(public val title: String) {
-    /** It is under its own control. */
+    /** The robot controls itself. */
     AUTONOMOUS("Auto"),
 
     /** A driver controls it. */
     TELEOP("Teleop"),
 
-    /** One of the two; the log does not say which. */
+    /** One of the two; the log does not have which. */
     ENABLED("Enabled"),
 }
 
@@ -30,16 +30,16 @@ public enum class RobotMode(public val title: String) {
 public class ModeSpan(public val span: Span, public val mode: RobotMode)
 
 /**
- * When the robot was in which mode, and the clock of the match.
+ * When the robot was in which mode, and the match clock.
  *
- * @property spans in the order of x, none over another.
- * @param secondsOfX how many seconds one x is; null where x is not a time.
+ * @property spans the spans in the order of x, without overlaps.
+ * @param secondsOfX the number of seconds in one unit of x; null if x is not a time.
  */
 public class ModeTimeline(public val spans: List<ModeSpan>, private val secondsOfX: Double?) {
     private val starts = DoubleArray(spans.size) { spans[it].span.from }.let { Series(it, it) }
     private val ends = DoubleArray(spans.size) { spans[it].span.to }.let { Series(it, it) }
 
-    /** For each span where its match begins: where the robot was enabled after it had been disabled for longer than [SAME_MATCH]. */
+    /** For each span, the start of its match: when the robot was enabled after being disabled for longer than [SAME_MATCH]. */
     private val matchStarts = DoubleArray(spans.size).also { matches ->
         for (i in spans.indices) {
             val goesOn = i > 0 && (spans[i].span.from - spans[i - 1].span.to) * (secondsOfX ?: 0.0) <= SAME_MATCH
@@ -47,15 +47,15 @@ public class ModeTimeline(public val spans: List<ModeSpan>, private val secondsO
         }
     }
 
-    /** The index of the first span that reaches to [x] or beyond; their number when none does. */
+    /** Returns the index of the first span that extends to [x] or beyond; the number of spans if none does. */
     internal fun firstReaching(x: Double): Int = ends.firstAtOrAfter(x)
 
-    /** The mode at [x]; null where the robot was disabled. */
+    /** Returns the mode at [x]; null if the robot was disabled. */
     public fun modeAt(x: Double): RobotMode? = spans.getOrNull(starts.firstAfter(x) - 1)?.takeIf { x <= it.span.to }?.mode
 
     /**
-     * The phase and the time since the robot was enabled at [x]: `Teleop 1:23`, and where it is disabled within a match, `Disabled 0:16`.
-     * Null where the log does not say when it was enabled, and for an x that is not a time.
+     * Returns the phase and the time since the robot was enabled at [x]: `Teleop 1:23`, and while it is disabled within a match,
+     * `Disabled 0:16`. Null if the log does not say when it was enabled, and for an x that is not a time.
      */
     public fun clockAt(x: Double): String? {
         if (spans.isEmpty() || secondsOfX == null || !x.isFinite()) return null
@@ -68,7 +68,7 @@ public class ModeTimeline(public val spans: List<ModeSpan>, private val secondsO
     }
 
     public companion object {
-        /** That of [view], by what its [modes][LogView.modes] are; empty where they are unknown. */
+        /** Returns the timeline of [view], according to its [modes][LogView.modes]; empty if they are unknown. */
         public fun of(view: LogView): ModeTimeline {
             val knowsMode = view.knowsAutonomous
             val spans = view.enabledSpans().map { ModeSpan(it.span, modeOf(it, knowsMode)) }
@@ -83,7 +83,7 @@ public class ModeTimeline(public val spans: List<ModeSpan>, private val secondsO
 
         private const val DISABLED = "Disabled"
 
-        /** Seconds for which a robot is disabled within a match, as while the link to it is lost. */
+        /** Seconds for which a robot may be disabled within a match, for example while the link to it is lost. */
         private const val SAME_MATCH = 60.0
     }
 }

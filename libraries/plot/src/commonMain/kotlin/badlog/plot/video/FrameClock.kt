@@ -3,7 +3,7 @@ package badlog.plot.video
 import kotlin.math.abs
 import kotlin.math.roundToInt
 
-/** How long a frame of a video lasts, learned from the times of frames that were shown: players do not tell. */
+/** The duration of a video's frames, learned from the times of displayed frames, since players do not report it. */
 public class FrameClock {
     private var shown = Double.NaN
     private var guess = FIRST_GUESS
@@ -11,19 +11,19 @@ public class FrameClock {
     private var seconds = 0.0
     private var frames = 0
 
-    /** How long one lasts, in seconds; a guess until two have been seen one after the other. */
+    /** The duration of a frame in seconds; a guess until two consecutive ones were displayed. */
     public val frameSeconds: Double get() = if (frames == 0) guess else seconds / frames
 
     /**
-     * The frame that begins at [time] from the video's start, in seconds, is shown.
+     * Records that the frame that begins [time] seconds from the video's start is displayed.
      *
-     * @param isNext whether the video played or stepped there from the frame shown before, rather than jumped.
+     * @param isNext whether the video played or stepped there from the previous frame, rather than jumped.
      */
     public fun show(time: Double, isNext: Boolean) {
         val passed = abs(time - shown)
         shown = time
         if (!isNext || !(passed in MIN_FRAME..MAX_FRAME)) return
-        // Before, frames were left out.
+        // Earlier, frames were skipped.
         if (passed < shortest * SAME) {
             shortest = passed
             seconds = 0.0
@@ -35,7 +35,7 @@ public class FrameClock {
         frames += count
     }
 
-    /** The frame at which a step should have ended is still the one shown: it lasts longer than was thought. */
+    /** Records that a step did not leave its frame, which therefore lasts longer than assumed. */
     public fun lengthen() {
         guess = minOf(frameSeconds * 2, MAX_FRAME)
         shortest = Double.POSITIVE_INFINITY
@@ -43,22 +43,22 @@ public class FrameClock {
     }
 
     /**
-     * Where to go, in seconds from the video's start, to see the frame [count] after the one that begins at [time], or before it when negative:
-     * the middle of that frame, since players round; never before the start.
+     * Returns where to seek, in seconds from the video's start, to show the frame [count] after the one that begins at [time], or before it
+     * if negative: the middle of that frame, since players round; never before the start.
      */
     public fun step(time: Double, count: Int): Double = maxOf(0.0, time + (count + MIDDLE) * frameSeconds)
 
     private companion object {
-        /** Seconds. With 60 frames a second a first step is right; with fewer it ends too early, and [lengthen] is called. */
+        /** Seconds. At 60 frames per second, the first step is right; with fewer, it ends too early, and [lengthen] is called. */
         const val FIRST_GUESS = 1.0 / 60
         const val MIN_FRAME = 0.002
         const val MAX_FRAME = 0.25
         const val MIDDLE = 0.5
 
-        /** What is shorter than this part of the shortest is no rounding. */
+        /** A duration shorter than this fraction of the shortest one is not due to rounding. */
         const val SAME = 0.75
 
-        /** Of so many frames, rounding of the shortest is not yet one more. */
+        /** For up to this many frames, rounding of the shortest does not add up to another frame. */
         const val MAX_COUNT = 8
     }
 }

@@ -4,22 +4,22 @@ import badlog.analysis.Span
 import kotlin.math.round
 
 /**
- * Where a video lies beside a log: which of its seconds shows which x. Never changes.
+ * The alignment of a video with a log: which of its seconds shows which x. Immutable.
  *
- * @property startSeconds where on the log's time axis the video begins, in seconds, to a tenth of a millisecond; negative where the video began
- *   before x was 0.
+ * @property startSeconds where on the log's time axis the video begins, in seconds, to a tenth of a millisecond; negative if the video
+ *   began before x was 0.
  */
 public class VideoAlignment(startSeconds: Double) {
     public val startSeconds: Double = round(startSeconds * PER_SECOND) / PER_SECOND
 
-    /** The x that the video shows at [seconds] from its start, [secondsOfX] being how many seconds one x is. */
+    /** Returns the x that the video shows at [seconds] from its start, where [secondsOfX] is the number of seconds in one unit of x. */
     public fun xAt(seconds: Double, secondsOfX: Double): Double = (startSeconds + seconds) / secondsOfX
 
-    /** The second of the video that shows [x]; negative or beyond its end where it does not show that. */
+    /** Returns the second of the video that shows [x]; negative or beyond its end if the video does not show it. */
     public fun secondsAt(x: Double, secondsOfX: Double): Double = x * secondsOfX - startSeconds
 
     public companion object {
-        /** A video that shows [x] at [seconds] from its start, one x being [secondsOfX] seconds. */
+        /** Returns the alignment of a video that shows [x] at [seconds] from its start; one unit of x is [secondsOfX] seconds. */
         public fun of(seconds: Double, x: Double, secondsOfX: Double): VideoAlignment = VideoAlignment(x * secondsOfX - seconds)
 
         private const val PER_SECOND = 10_000.0
@@ -27,8 +27,8 @@ public class VideoAlignment(startSeconds: Double) {
 }
 
 /**
- * Where a frame belongs in which the robot is enabled: where the first of [enabled], in the order of x, begins that does so in [visible]; where
- * none does, the first of all. Null where the log does not say when the robot was enabled.
+ * Returns where a frame belongs in which the robot becomes enabled: the start of the first of [enabled], in the order of x, that begins in
+ * [visible]; if none does, that of the very first. Null if the log does not say when the robot was enabled.
  */
 public fun enabledStart(enabled: List<Span>, visible: Span): Double? =
     (enabled.firstOrNull { it.from in visible } ?: enabled.firstOrNull())?.from

@@ -1,17 +1,17 @@
 package badlog.plot.video
 
 /**
- * What is remembered of the video beside a log.
+ * What is remembered about the video of a log.
  *
  * @property name the name of the video's file.
- * @property alignment where it lies beside the log; null where nobody has aligned it.
+ * @property alignment how it is aligned with the log; null if nobody has aligned it.
  */
 public class VideoNote(public val name: String, public val alignment: VideoAlignment?) {
-    /** It in one line, which [videoNoteOf] reads: `12.5 match.mp4`, and `- match.mp4` without an alignment. */
+    /** Returns it as one line, which [videoNoteOf] reads: `12.5 match.mp4`, and `- match.mp4` without an alignment. */
     public fun toText(): String = "${alignment?.startSeconds ?: NONE} $name"
 }
 
-/** What [VideoNote.toText] wrote as [text]; null for another text. */
+/** Returns the note that [VideoNote.toText] wrote as [text]; null for any other text. */
 public fun videoNoteOf(text: String): VideoNote? {
     val (start, name) = text.split(' ', limit = 2).takeIf { it.size == 2 } ?: return null
     if (start == NONE) return VideoNote(name, null)

@@ -2,7 +2,7 @@ package badlog.plot.text
 
 internal actual fun fixedDigits(value: Double, decimals: Int): String {
     val text = value.asDynamic().toFixed(decimals).unsafeCast<String>()
-    // JavaScript rounds to a negative zero.
+    // JavaScript may round to a negative zero.
     return if (value < 0 && text.asDynamic() == 0) text.substring(1) else text
 }
 

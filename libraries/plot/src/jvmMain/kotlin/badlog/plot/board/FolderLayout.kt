@@ -8,9 +8,9 @@ import java.nio.file.Path
  * The layout that a team has put beside its logs, with which windows and pages begin.
  *
  * @property file the file; null for none.
- * @property text what the file says, which pages carry; null for none, or where it has a mistake.
- * @property layout the same, read.
- * @property problem why a file that lies there is not used, as a sentence; null when all is well.
+ * @property text the content of the file, which is embedded in pages; null for none, or if it has a mistake.
+ * @property layout the same, parsed.
+ * @property problem why an existing file is not used, as a sentence; null if all is well.
  */
 public class FolderLayout private constructor(
     public val file: Path?,
@@ -22,14 +22,16 @@ public class FolderLayout private constructor(
         /** No layout. */
         public val NONE: FolderLayout = FolderLayout(null, null, null, null)
 
-        /** What the file for all matches is called. */
+        /** The name of the file for all matches. */
         public const val NAME: String = "default${BoardLayout.ENDING}"
 
         /**
-         * The layout for [log]: that of the nearest file in its folder, or in one above it up to [top], which is null for its folder alone. A file for a
-         * type of matches (`practice.badlog-layout.json`, `qualification.…`, `elimination.…`) comes before [NAME] in the same folder.
+         * Returns the layout for [log]: that of the nearest file in its folder, or in one above it up to [top], which is null for only its
+         * own folder. A file for a type of match (`practice.badlog-layout.json`, `qualification.…`, `elimination.…`) comes before [NAME] in
+         * the same folder.
          *
-         * @param matchType gives the type of the match that the log is of, as `Qualification`, null for unknown; asked only where there is such a file.
+         * @param matchType returns the type of the log's match, such as `Qualification`, or null for unknown; called only if there is such
+         * a file.
          */
         public fun of(log: Path, top: Path? = null, matchType: () -> String? = { null }): FolderLayout {
             val type by lazy { matchType()?.lowercase().orEmpty() }
@@ -45,7 +47,7 @@ public class FolderLayout private constructor(
             return own ?: folder.resolve(NAME).takeIf(Files::isRegularFile)
         }
 
-        /** How the types of matches begin for which there may be a file, as robots, fields and names of files write them. */
+        /** The beginnings of the types of match for which there may be a file, as robots, fields and file names write them. */
         private val TYPES = mapOf(
             "practice" to listOf("prac"),
             "qualification" to listOf("qual"),

@@ -12,10 +12,11 @@ import java.util.Base64
  * The field that a team has put beside its logs, or selected.
  *
  * @property file the file; null for none.
- * @property json the field with its picture in it, which pages carry; null for none, or where a file has a mistake.
- * @property field the same, read: its picture is all in it.
- * @property picture the bytes of the picture, PNG or JPEG; null as [json].
- * @property problem why a file is not used, as a sentence; null when all is well.
+ * @property json the field including its picture, which is embedded in pages; null for none, or if a file has a
+ * mistake.
+ * @property field the same, parsed, including its picture.
+ * @property picture the bytes of the picture, PNG or JPEG; null if [json] is.
+ * @property problem why a file is not used, as a sentence; null if all is well.
  */
 public class FieldFile private constructor(
     public val file: Path?,
@@ -28,16 +29,19 @@ public class FieldFile private constructor(
         /** No such file. */
         public val NONE: FieldFile = FieldFile(null, null, Field.PLAIN, null, null)
 
-        /** What the file beside logs is called. */
+        /** The name of the file beside logs. */
         public const val NAME: String = "field.json"
 
-        /** The field for [log]: that of the nearest [NAME] in its folder, or in one above it up to [top], which is null for its folder alone. */
+        /**
+         * Returns the field for [log]: that of the nearest [NAME] in its folder, or in one above it up to [top], which is null for only
+         * its own folder.
+         */
         public fun of(log: Path, top: Path? = null): FieldFile {
             val nearest = NearestFile.of(log, top, { folder -> folder.resolve(NAME).takeIf(Files::isRegularFile) }, ::fieldOfJson)
             return of(nearest.file ?: return NONE, nearest.found, nearest.problem)
         }
 
-        /** The field that [file] is. */
+        /** Returns the field in [file]. */
         public fun read(file: Path): FieldFile = try {
             of(file, fieldOfJson(Files.readString(file)), null)
         } catch (e: FieldException) {
