@@ -57,6 +57,7 @@ public fun Series.statistics(
 public fun Series.statistics(parts: List<Span>, end: Double = Double.NaN): SeriesStatistics {
     val pieces = parts.map { Piece(this, it) }
     val figures = WeighedFigures(pieces.sumOf { maxOf(0, it.stop - it.held) })
+    val isOrdered = isOrdered
     for (piece in pieces) {
         val (from, to) = piece.part
         for (i in piece.held until piece.stop) {
@@ -128,22 +129,44 @@ private class WeighedFigures(most: Int) {
 
     fun statistics(): SeriesStatistics {
         keepWeighty()
-        val moments = Moments()
-        for (i in 0 until size) moments.add(values[i], weights[i])
+        val (mean, standardDeviation) = moments()
+        val percentiles = WeightedPercentiles(values, weights, size)
         return SeriesStatistics(
             count = count,
             gaps = gaps,
             min = min,
             max = max,
-            mean = moments.mean,
-            standardDeviation = moments.standardDeviation,
-            percentile5 = weightedPercentile(values, weights, size, LOW),
-            median = weightedPercentile(values, weights, size, MEDIAN),
-            percentile95 = weightedPercentile(values, weights, size, HIGH),
+            mean = mean,
+            standardDeviation = standardDeviation,
+            percentile5 = percentiles.of(LOW),
+            median = percentiles.of(MEDIAN),
+            percentile95 = percentiles.of(HIGH),
             first = first,
             last = last,
             integral = if (first.isNaN()) Double.NaN else area.value,
         )
+    }
+
+    /**
+     * The weighted mean and standard deviation. The second pass tells by how much rounding put the mean of the first one off, so that
+     * neither suffers where all values are far from 0, or one is far from the others.
+     */
+    private fun moments(): Pair<Double, Double> {
+        var weight = 0.0
+        var sum = 0.0
+        for (i in 0 until size) {
+            weight += weights[i]
+            sum += weights[i] * (values[i] - values[0])
+        }
+        val near = if (size == 0) Double.NaN else values[0] + sum / weight
+        var squares = 0.0
+        var error = 0.0
+        for (i in 0 until size) {
+            val distance = values[i] - near
+            squares += weights[i] * distance * distance
+            error += weights[i] * distance
+        }
+        return near + error / weight to sqrt(maxOf(0.0, squares - error * error / weight) / weight)
     }
 
     /** Drops values that hold for no time; if none holds for any time, all have the same weight. */

@@ -1,7 +1,5 @@
 package badlog.benchmarks;
 
-import java.io.File;
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -39,47 +37,13 @@ public final class ExporterBenchmark {
         double gzip = Double.MAX_VALUE;
         long memory = 0;
         for (int round = 0; round < rounds; round++) {
-            Run export = Run.of(program.toString(), bag.toString(), page.toString());
-            best = Math.min(best, export.seconds);
-            memory = Math.max(memory, export.peakKilobytes);
-            gzip = Math.min(gzip, Run.of("gzip", "-6", "-c", bag.toString()).seconds);
+            MeasuredRun export = MeasuredRun.of(program.toString(), bag.toString(), page.toString());
+            best = Math.min(best, export.seconds());
+            memory = Math.max(memory, export.peakKilobytes());
+            gzip = Math.min(gzip, MeasuredRun.of("gzip", "-6", "-c", bag.toString()).seconds());
         }
         double ratio = MeasuredBags.size(page) / (double) MeasuredBags.size(bag);
         return String.format(Locale.ROOT, "| %s | %.1f MB | %.2f s | %.2f s | %d MB | %.1f MB | %.3f |",
             bag.getFileName(), MeasuredBags.size(bag) / 1e6, best, gzip, memory / 1000, MeasuredBags.size(page) / 1e6, ratio);
-    }
-
-    /** One run of a program: how long it took and, on Linux, how much memory it held at most. */
-    private record Run(double seconds, long peakKilobytes) {
-        static Run of(String... command) throws IOException, InterruptedException {
-            long before = System.nanoTime();
-            Process process = new ProcessBuilder(command)
-                .redirectOutput(new File("/dev/null"))
-                .redirectError(ProcessBuilder.Redirect.INHERIT)
-                .start();
-            long peak = 0;
-            while (process.isAlive()) {
-                peak = Math.max(peak, peakOf(process.pid()));
-                Thread.sleep(5);
-            }
-            int exit = process.waitFor();
-            if (exit != 0) {
-                throw new IOException(String.join(" ", command) + " exited with " + exit);
-            }
-            return new Run((System.nanoTime() - before) / 1e9, peak);
-        }
-
-        private static long peakOf(long pid) {
-            try {
-                for (String line : Files.readAllLines(Path.of("/proc/" + pid + "/status"))) {
-                    if (line.startsWith("VmHWM:")) {
-                        return Long.parseLong(line.replaceAll("[^0-9]", ""));
-                    }
-                }
-            } catch (IOException ended) {
-                return 0;
-            }
-            return 0;
-        }
     }
 }

@@ -2,7 +2,9 @@ package badlog.benchmarks;
 
 import badlog.bag.BagHeader;
 import badlog.bag.BagTopic;
+import badlog.bag.BagValue;
 import badlog.bag.RowWriter;
+import badlog.recording.Value;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -14,6 +16,8 @@ import java.util.SplittableRandom;
 
 /** A bag of noisy sines at 50 Hz, the same at every call, so that results of two runs can be compared. */
 final class SyntheticBag {
+    private static final int SEED = 1014;
+
     private SyntheticBag() {
     }
 
@@ -33,9 +37,32 @@ final class SyntheticBag {
         for (int i = 1; i < topics; i++) {
             described.add(new BagTopic("Bank " + i / 10 + "/Signal " + i, "V", List.of(), Map.of()));
         }
+        write(out, rows, new BagHeader(described, List.of(), Map.of()), SEED);
+    }
+
+    /** The bag of match {@code number}, whose samples differ from those of other matches. Its first topic but the time is the battery's voltage. */
+    static void writeMatch(OutputStream out, int rows, int topics, int number) throws IOException {
+        List<BagTopic> described = new ArrayList<>();
+        described.add(new BagTopic("Time", "s", List.of("xaxis", "hide"), Map.of()));
+        described.add(new BagTopic("System/Battery Voltage", "V", List.of(), Map.of()));
+        for (int i = 2; i < topics; i++) {
+            described.add(new BagTopic("Bank " + i / 10 + "/Signal " + i, "A", List.of(), Map.of()));
+        }
+        List<BagValue> values = List.of(
+            value("Event Name", "Event " + number % 10), value("Match Type", "Qualification"), value("Match Number", "" + number),
+            value("Start Time", "2025-03-14 10:00:00 UTC"));
+        write(out, rows, new BagHeader(described, values, Map.of()), SEED + number);
+    }
+
+    private static BagValue value(String name, String text) {
+        return new BagValue(new Value(name, text), Map.of());
+    }
+
+    private static void write(OutputStream out, int rows, BagHeader header, int seed) throws IOException {
+        int topics = header.getTopics().size();
         RowWriter writer = new RowWriter();
-        writer.header(new BagHeader(described, List.of(), Map.of()), false);
-        SplittableRandom random = new SplittableRandom(1014);
+        writer.header(header, false);
+        SplittableRandom random = new SplittableRandom(seed);
         for (int row = 0; row < rows; row++) {
             writer.number(row * 0.02);
             for (int i = 1; i < topics; i++) {
