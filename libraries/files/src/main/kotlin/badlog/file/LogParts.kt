@@ -51,7 +51,7 @@ public fun <T> wholeLogs(files: List<T>, pathOf: (T) -> Path): List<T> {
 }
 
 /** The log whose second file is [file], if that is there; null where [file] is named like a log by itself. */
-internal fun firstPartOf(file: Path): Path? = sibling(file, LogName.DSEVENTS, LogName.DSLOG)
+public fun firstPartOf(file: Path): Path? = sibling(file, LogName.DSEVENTS, LogName.DSLOG)
 
 private fun sibling(file: Path, from: String, to: String): Path? {
     val name = file.fileName?.toString().orEmpty()

@@ -18,7 +18,7 @@ import kotlin.io.path.readText
 import kotlin.io.path.writeBytes
 
 /** The project's samples. */
-internal val SAMPLE_LOGS: Path = Path.of("../../samples")
+internal val SAMPLE_LOGS: Path = generateSequence(Path.of("").toAbsolutePath()) { it.parent }.map { it.resolve("samples") }.first(Files::isDirectory)
 
 /** Does [work] with an empty folder that goes afterwards. */
 internal fun <T> inFolder(work: (Path) -> T): T {

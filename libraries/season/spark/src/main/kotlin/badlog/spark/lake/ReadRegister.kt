@@ -1,0 +1,22 @@
+package badlog.spark.lake
+
+import badlog.season.lake.LakeLayout
+import badlog.season.lake.RegisteredLog
+import badlog.spark.storage.RemoteFolder
+import org.apache.spark.api.java.function.FlatMapFunction
+
+/** Reads which logs [lake] has, of the file of a table of matches; [rules] as JSON. */
+internal class ReadRegister(private val lake: RemoteFolder, private val rules: String) : FlatMapFunction<String, RegisteredLog> {
+    override fun call(file: String): Iterator<RegisteredLog> = inScratch { scratch ->
+        lake.fetch(file, scratch.resolve(file))
+        ExecutorPieces.of(rules).registered(scratch).iterator()
+    }
+
+    internal companion object {
+        private const val serialVersionUID = 1L
+
+        /** Whether [file], seen from a lake, is one of a table of matches. */
+        fun isMatches(file: String): Boolean =
+            file.startsWith(LakeLayout.MATCHES + "/") && file.endsWith("/" + LakeLayout.MATCHES + LakeLayout.ENDING)
+    }
+}

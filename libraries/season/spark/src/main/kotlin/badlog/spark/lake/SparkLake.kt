@@ -1,0 +1,169 @@
+package badlog.spark.lake
+
+import badlog.rules.RuleSet
+import badlog.rules.toJson
+import badlog.season.lake.LakeChange
+import badlog.season.lake.LakeException
+import badlog.season.lake.LakeInventory
+import badlog.season.lake.LakeLayout
+import badlog.season.lake.LakePlan
+import badlog.season.lake.LogSource
+import badlog.season.lake.RegisteredLog
+import badlog.spark.storage.RemoteFolder
+import badlog.spark.storage.RemoteLog
+import badlog.spark.storage.addressOf
+import badlog.spark.storage.logsIn
+import badlog.spark.storage.plain
+import org.apache.hadoop.fs.Path
+import org.apache.spark.HashPartitioner
+import org.apache.spark.api.java.JavaSparkContext
+import org.apache.spark.util.SerializableConfiguration
+import scala.Tuple2
+import java.io.IOException
+
+/**
+ * A log that a lake does not have.
+ *
+ * @property path its address.
+ * @property message why, as a sentence.
+ * @property isNoLog whether it is something else than a log.
+ */
+public class RefusedLog internal constructor(public val path: String, public val message: String, public val isNoLog: Boolean)
+
+/**
+ * What became of folders of logs.
+ *
+ * @property written how many logs were written.
+ * @property salvaged how many of them lost something.
+ * @property unchanged how many the lake had already.
+ * @property removed how many logs the lake had whose files are gone.
+ * @property refused the files that are not in the lake, in no order.
+ */
+public class SparkLakeResult internal constructor(
+    public val written: Int,
+    public val salvaged: Int,
+    public val unchanged: Int,
+    public val removed: Int,
+    public val refused: List<RefusedLog>,
+)
+
+/**
+ * A lake, as `docs/season.md` specifies it, on any file system that Spark knows, made by a cluster: the same files as those of
+ * [badlog.season.lake.Lake]. One program at a time may write to it.
+ *
+ * @param address of its folder, which all machines of the cluster have.
+ */
+public class SparkLake(private val spark: JavaSparkContext, private val address: String) {
+    private val configuration = SerializableConfiguration(spark.hadoopConfiguration())
+    private val lake = RemoteFolder(address, configuration, LakeLayout.DRAFT)
+
+    /**
+     * Makes the lake have the logs below [folders] as they are now; those that have not changed are not read. Each log is a task of its
+     * own, up to [MAX_TASKS] of them. A task that is lost is done again, and leaves nothing half. This program learns names and counts
+     * alone, never samples.
+     *
+     * @param folders addresses of folders or files, of any file system.
+     * @param rules what findings are looked for, and what topics are called.
+     * @param maxBytes the size of the largest file to read, in bytes; a log needs some 3 times as much memory, packed ones 15 times.
+     * @throws LakeException when the address is of something else than a lake, or a folder cannot be looked into.
+     */
+    public fun refresh(folders: List<String>, rules: RuleSet, maxBytes: Long = Long.MAX_VALUE): SparkLakeResult {
+        try {
+            requireOwn()
+            val json = rules.toJson()
+            val files = dropDrafts(lake.files())
+            val inventory = inventory(files, json)
+            val logs = folders.flatMap { logsIn(it, configuration.value()) }.distinctBy { it.source.path }
+            val (small, large) = logs.partition { it.source.size <= maxBytes }
+            val isBelow = belowAny(folders)
+            // What is too large now was not perhaps, and stays as it is.
+            val isGone = large.mapTo(HashSet()) { it.source.path }.let { kept -> { path: String -> path !in kept && isBelow(path) } }
+            val plan = inventory.plan(small.map { it.source }, ExecutorPieces.of(json).maker, isGone) { it in files }
+            val outcomes = if (plan.changed.isEmpty() && plan.gone.isEmpty()) emptyList() else run(plan, small, json)
+            val all = outcomes.filter { it.message != null }.map { RefusedLog(it.path, it.message!!, it.isNoLog) } +
+                plan.ignored.map { (log, why) -> RefusedLog(log.path, why, true) }
+            if (outcomes.isNotEmpty() || LakeLayout.MARK !in files) mark(inventory, small.map { it.source }, all)
+            val tooLarge = large.map { RefusedLog(it.source.path, tooLargeFor(maxBytes), false) }
+            val written = outcomes.filter { it.message == null }
+            return SparkLakeResult(
+                written.size,
+                written.count { it.isSalvaged },
+                small.size - plan.changed.size - plan.ignored.size,
+                plan.gone.size,
+                all + tooLarge,
+            )
+        } catch (e: IOException) {
+            throw LakeException(
+                "The lake $address cannot be made (${e.message}); see that this program may read the logs and write there.",
+                e,
+            )
+        }
+    }
+
+    /** Nobody's files are to be among those of a lake. */
+    private fun requireOwn() {
+        if (lake.has(LakeLayout.MARK)) return
+        if (lake.entries().any { !it.startsWith(".") }) {
+            throw LakeException("$address has other files in it; name an empty folder, or a new one.")
+        }
+        // A run that is interrupted leaves a lake, too.
+        lake.put(LakeInventory.of(address, null, emptyList()).markAfter(emptyList(), emptyMap()), LakeLayout.MARK)
+    }
+
+    private fun inventory(files: Set<String>, rules: String): LakeInventory {
+        val tables = files.filter(ReadRegister::isMatches).sorted()
+        val registered = if (tables.isEmpty()) {
+            emptyList<RegisteredLog>()
+        } else {
+            spark.parallelize(tables, minOf(tables.size, MAX_TASKS)).flatMap(ReadRegister(lake, rules)).collect()
+        }
+        return LakeInventory.of(address, lake.text(LakeLayout.MARK), registered)
+    }
+
+    private fun belowAny(folders: List<String>): (String) -> Boolean {
+        val tops = folders.map { folder ->
+            val path = Path(folder)
+            addressOf(plain(path.getFileSystem(configuration.value())).makeQualified(path)).removeSuffix("/")
+        }
+        return { path -> tops.any { path == it || path.startsWith("$it/") } }
+    }
+
+    private fun run(plan: LakePlan, logs: List<RemoteLog>, rules: String): List<LogOutcome> {
+        val byPath = logs.associateBy { it.source.path }
+        // The largest first, so that none is waited for at the end.
+        val plans = plan.changed.map { RemotePlan(it, byPath.getValue(it.source.path)) }.sortedByDescending { it.planned.source.size }
+        val written = spark.parallelize(plans, plans.size.coerceIn(1, MAX_TASKS)).flatMapToPair(WriteLog(lake, rules, configuration))
+        val gone = plan.gone.map { Tuple2(it.place, LogPiece(LakeChange.Remove(it), null)) }
+        val pieces = written.union(spark.parallelizePairs(gone, 1))
+        val tables = (plans.size / LOGS_PER_TABLE_TASK).coerceIn(spark.defaultParallelism(), MAX_TABLE_TASKS)
+        val outcomes = pieces.repartitionAndSortWithinPartitions(HashPartitioner(tables)).mapPartitions(WriteTables(lake, rules)).collect()
+        for (file in outcomes.flatMap { it.obsolete } + plan.gone.flatMap { it.files }) lake.delete(file)
+        dropDrafts(lake.files())
+        return outcomes
+    }
+
+    /** Deletes what killed tasks have left among [files]; returns the others. */
+    private fun dropDrafts(files: Set<String>): Set<String> {
+        val (drafts, whole) = files.partition { it.substringAfterLast('/').startsWith(LakeLayout.DRAFT) }
+        drafts.forEach(lake::delete)
+        return whole.toSet()
+    }
+
+    private fun mark(inventory: LakeInventory, logs: List<LogSource>, refused: List<RefusedLog>) {
+        val reasons = refused.filter { it.isNoLog }.associate { it.path to it.message }
+        val ignored = logs.filter { it.path in reasons }.associateWith { reasons.getValue(it.path) }
+        lake.put(inventory.markAfter(logs, ignored), LakeLayout.MARK)
+    }
+
+    private fun tooLargeFor(bytes: Long) =
+        "It is larger than the limit of ${bytes shr MEGA} MB; raise --max-size, and give executors the memory for it."
+
+    public companion object {
+        /** So many tasks Spark's driver keeps track of in its usual memory; with more logs, each task has several. */
+        public const val MAX_TASKS: Int = 100_000
+
+        private const val LOGS_PER_TABLE_TASK = 200
+        private const val MAX_TABLE_TASKS = 2_000
+        private const val MEGA = 20
+    }
+}

@@ -1,0 +1,59 @@
+package badlog.spark.lake
+
+import badlog.season.lake.LakeChange
+import badlog.season.lake.LakeLayout
+import badlog.spark.storage.RemoteFolder
+import org.apache.spark.api.java.function.FlatMapFunction
+import scala.Tuple2
+import java.nio.file.Files
+import java.nio.file.Path
+
+/**
+ * The work on the tables of some places of [lake]: takes those that are there, makes the changes, and puts them back, that of matches
+ * last. What comes in is sorted by place. Done again, or twice at once, it writes the same. Gives what became of the logs.
+ *
+ * @param rules as JSON.
+ */
+internal class WriteTables(private val lake: RemoteFolder, private val rules: String) :
+    FlatMapFunction<Iterator<Tuple2<String, LogPiece>>, LogOutcome> {
+    override fun call(pieces: Iterator<Tuple2<String, LogPiece>>): Iterator<LogOutcome> {
+        val outcomes = ArrayList<LogOutcome>()
+        val places = Places(pieces, outcomes)
+        while (true) {
+            val place = places.next() ?: return outcomes.iterator()
+            if (place.isNotEmpty()) write(place, places.changes()) else places.changes().forEach { _ -> }
+        }
+    }
+
+    private fun write(place: String, changes: Iterator<LakeChange>) = inScratch { scratch ->
+        val files = LakeLayout.TABLES.map { table -> "$table/$place/$table${LakeLayout.ENDING}" }
+        for (file in files) lake.fetch(file, scratch.resolve(file))
+        ExecutorPieces.of(rules).merge(scratch, changes)
+        for (file in files) putBack(scratch.resolve(file), file)
+    }
+
+    private fun putBack(local: Path, name: String) = if (Files.exists(local)) lake.put(local, name) else lake.delete(name)
+
+    private companion object {
+        const val serialVersionUID = 1L
+    }
+}
+
+/** The changes of [pieces], sorted by place, a place after the other; what is to be told of them comes to [outcomes]. */
+private class Places(private val pieces: Iterator<Tuple2<String, LogPiece>>, private val outcomes: MutableList<LogOutcome>) {
+    private var ahead: Tuple2<String, LogPiece>? = take()
+
+    /** The next place; null after the last one. To be called when its predecessor's changes have all been taken. */
+    fun next(): String? = ahead?._1()
+
+    /** The changes of the [next] place, as they come. */
+    fun changes(): Iterator<LakeChange> {
+        val place = next()
+        return generateSequence { if (ahead?._1() == place) ahead?._2().also { ahead = take() } else null }
+            .onEach { piece -> piece.outcome?.let(outcomes::add) }
+            .mapNotNull { it.change }
+            .iterator()
+    }
+
+    private fun take() = if (pieces.hasNext()) pieces.next() else null
+}

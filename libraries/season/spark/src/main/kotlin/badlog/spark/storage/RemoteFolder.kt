@@ -1,0 +1,109 @@
+package badlog.spark.storage
+
+import org.apache.hadoop.fs.FileContext
+import org.apache.hadoop.fs.FileSystem
+import org.apache.hadoop.fs.LocalFileSystem
+import org.apache.hadoop.fs.Options
+import org.apache.hadoop.fs.Path
+import org.apache.hadoop.fs.RawLocalFileSystem
+import org.apache.hadoop.fs.UnsupportedFileSystemException
+import org.apache.spark.util.SerializableConfiguration
+import java.io.FileNotFoundException
+import java.io.IOException
+import java.io.InputStream
+import java.io.Serializable
+import java.nio.file.Files
+import java.util.UUID
+
+/**
+ * A folder on any file system that Hadoop knows, so Spark: a disk, HDFS, an object store. Its functions throw an [IOException] where that
+ * file system fails.
+ *
+ * @param address of the folder, as `spark-submit` was told it.
+ * @param draft how the names of unfinished files begin.
+ */
+internal class RemoteFolder(private val address: String, private val configuration: SerializableConfiguration, private val draft: String) :
+    Serializable {
+    private val top: Path get() = Path(address)
+
+    /** What is seen from this folder as [name], in folders that slashes separate. */
+    private fun path(name: String): Path = name.split('/').fold(top, ::Path)
+
+    /** Whether there is a file or folder called [name]. */
+    fun has(name: String): Boolean = system().exists(path(name))
+
+    /** The names of all files in this folder and in those in it; none where it is not there. */
+    fun files(): Set<String> = names(top).toSet()
+
+    /** The names of the files and folders in this folder; none where it is not there. */
+    fun entries(): List<String> = try {
+        system().listStatus(top).map { it.path.name }
+    } catch (_: FileNotFoundException) {
+        emptyList()
+    }
+
+    private fun names(folder: Path): List<String> = try {
+        val root = system().makeQualified(top).toUri().path.removeSuffix("/")
+        val all = system().listFiles(folder, true)
+        buildList { while (all.hasNext()) add(all.next().path.toUri().path.removePrefix("$root/")) }
+    } catch (_: FileNotFoundException) {
+        emptyList()
+    }
+
+    /** The text of the file [name]. */
+    fun text(name: String): String = system().open(path(name)).use { it.readAllBytes().decodeToString() }
+
+    /** Writes [text] to the file [name], which is there whole or as it was. */
+    fun put(text: String, name: String): Unit = put(text.byteInputStream(), name)
+
+    /** Copies [file] of this machine to [name], which is there whole or as it was, whoever else does the same. */
+    fun put(file: java.nio.file.Path, name: String): Unit = Files.newInputStream(file).use { put(it, name) }
+
+    private fun put(bytes: InputStream, name: String) {
+        val target = path(name)
+        val unfinished = Path(target.parent, "$draft${UUID.randomUUID()}.part")
+        val system = system()
+        try {
+            system.create(unfinished, true).use { bytes.copyTo(it, BUFFER) }
+            replace(system, unfinished, target)
+        } finally {
+            system.delete(unfinished, false)
+        }
+    }
+
+    private fun replace(system: FileSystem, from: Path, to: Path) {
+        // Renaming replaces on a disk; elsewhere it has to be asked for, which not every file system can.
+        val isDone = system is RawLocalFileSystem && system.rename(from, to)
+        if (isDone) return
+        try {
+            FileContext.getFileContext(system.makeQualified(to).toUri(), configuration.value()).rename(from, to, Options.Rename.OVERWRITE)
+        } catch (_: UnsupportedFileSystemException) {
+            system.delete(to, false)
+            if (!system.rename(from, to)) throw IOException("$from could not be renamed to $to.")
+        }
+    }
+
+    /** Copies the file [name] to [file] of this machine, if it is there. */
+    fun fetch(name: String, file: java.nio.file.Path) {
+        val source = path(name)
+        if (!system().exists(source)) return
+        Files.createDirectories(file.parent)
+        system().open(source).use { Files.copy(it, file) }
+    }
+
+    /** Deletes the file [name], if it is there. */
+    fun delete(name: String) {
+        system().delete(path(name), false)
+    }
+
+    /** The file system; of a disk, the one that leaves no checksums among the files. */
+    private fun system(): FileSystem = plain(top.getFileSystem(configuration.value()))
+
+    private companion object {
+        const val serialVersionUID = 1L
+        const val BUFFER = 1 shl 17
+    }
+}
+
+/** [system], but of a disk the one that leaves no files with checksums among the others. */
+internal fun plain(system: FileSystem): FileSystem = if (system is LocalFileSystem) system.raw else system

@@ -1,0 +1,87 @@
+package badlog.spark.storage
+
+import badlog.file.LogName
+import badlog.file.NaturalOrder
+import badlog.file.firstPartOf
+import badlog.file.wholeLogs
+import badlog.season.lake.LogSource
+import org.apache.hadoop.conf.Configuration
+import org.apache.hadoop.fs.FileStatus
+import org.apache.hadoop.fs.FileSystem
+import org.apache.hadoop.fs.Path
+import java.io.IOException
+import java.io.Serializable
+import java.nio.file.Files
+
+/**
+ * A log on any file system that Hadoop knows.
+ *
+ * @property files the addresses of its files, mostly one; a log of the Driver Station may have two.
+ */
+internal class RemoteLog(val source: LogSource, private val files: List<String>) : Serializable {
+    /**
+     * Copies its files into [folder] of this machine; returns the first.
+     *
+     * @throws IOException when they cannot be read.
+     */
+    fun fetch(folder: java.nio.file.Path, configuration: Configuration): java.nio.file.Path = files.map { address ->
+        val path = Path(address)
+        folder.resolve(path.name).also { copy -> plain(path.getFileSystem(configuration)).open(path).use { Files.copy(it, copy) } }
+    }.first()
+
+    private companion object {
+        const val serialVersionUID = 1L
+    }
+}
+
+/** What may be logs in [folder] and the folders in it, in their natural order, as `badlog lake` finds them on a disk.
+ *
+ * @throws IOException when it cannot be looked into.
+ */
+internal fun logsIn(folder: String, configuration: Configuration): List<RemoteLog> {
+    val path = Path(folder)
+    val system = plain(path.getFileSystem(configuration))
+    val top = system.makeQualified(path)
+    val found = if (system.getFileStatus(top).isFile) listOf(system.getFileStatus(top)) else filesIn(system, top)
+    val seconds = found.mapNotNull { second -> firstPartOf(plainPath(second))?.let { it to second } }.toMap()
+    return wholeLogs(found, ::plainPath).map { logOf(it, seconds[plainPath(it)], top) }
+        .sortedWith(compareBy(NaturalOrder) { it.source.path })
+}
+
+private fun filesIn(system: FileSystem, folder: Path): List<FileStatus> {
+    val found = ArrayList<FileStatus>()
+    val open = ArrayDeque(listOf(folder))
+    while (open.isNotEmpty()) {
+        for (status in system.listStatus(open.removeFirst())) {
+            val name = status.path.name
+            if (status.isDirectory && !name.startsWith(".") && name != "node_modules") open += status.path
+            if (status.isFile && mayBeLog(name)) found += status
+        }
+    }
+    return found
+}
+
+/** Nothing on a cluster can read a `.hoot`. */
+private fun mayBeLog(name: String): Boolean =
+    !name.startsWith(".") && LogName.of(name).mayBeLog && !name.endsWith(".tar.gz", ignoreCase = true) &&
+        !name.endsWith(".hoot", ignoreCase = true)
+
+private fun logOf(first: FileStatus, second: FileStatus?, top: Path): RemoteLog {
+    val parts = listOfNotNull(first, second)
+    val below = first.path.toUri().path.removePrefix(top.toUri().path.removeSuffix("/") + "/")
+    val source = LogSource(
+        addressOf(first.path),
+        first.path.name,
+        if (first.path == top) first.path.name else below,
+        parts.sumOf { it.len },
+        parts.maxOf { it.modificationTime },
+    )
+    return RemoteLog(source, parts.map { it.path.toString() })
+}
+
+/** What a lake knows the file at [path] by: on a disk, what every program calls it. */
+internal fun addressOf(path: Path): String = if (path.toUri().scheme in DISK) path.toUri().path else path.toString()
+
+private fun plainPath(status: FileStatus) = java.nio.file.Path.of(status.path.toUri().path)
+
+private val DISK = setOf(null, "file")
